@@ -1,0 +1,40 @@
+// A symmetric matrix with a zero diagonal, kept as its m = n(n-1)/2 pairs in condensed order
+// (1,2),(1,3)..(1,n),(2,3)..
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace tact {
+
+struct Dissimilarity {
+    std::size_t size = 0;           // n, number of objects
+    std::vector<double> condensed;  // m values
+
+    // The value of a pair in either order; 0 on the diagonal.
+    double operator()(std::size_t i, std::size_t j) const;
+
+    bool operator==(const Dissimilarity&) const = default;
+};
+
+constexpr std::size_t pair_count(std::size_t objects) {
+    return objects == 0 ? 0 : objects * (objects - 1) / 2;
+}
+
+// Position of the pair (i, j), i < j, among n objects.
+constexpr std::size_t pair_index(std::size_t n, std::size_t i, std::size_t j) {
+    return i * (2 * n - i - 1) / 2 + (j - i - 1);
+}
+
+// The pair (i, j), i < j, at a position.
+std::pair<std::size_t, std::size_t> pair_at(std::size_t n, std::size_t index);
+
+// d <- round(d / max(max |d|, 1e-6) 1e9), so that rounding noise makes no order.
+std::vector<double> quantised(std::span<const double> values);
+
+// Ranks 1..m of the quantised values; ties share their average rank.
+std::vector<double> average_ranks(std::span<const double> values);
+
+}  // namespace tact

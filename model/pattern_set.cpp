@@ -1,0 +1,39 @@
+#include "model/pattern_set.h"
+
+#include <algorithm>
+
+namespace tact {
+
+bool Measurement::operator==(const Measurement& other) const {
+    return path == other.path && scale_g == other.scale_g && measures == other.measures &&
+           (waveform == other.waveform || *waveform == *other.waveform);
+}
+
+Waveform waveform_of(const Vibration& vibration) {
+    if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) return render(*pattern);
+    return *std::get<Measurement>(vibration.source).waveform;
+}
+
+std::vector<Waveform> model_waveforms(const PatternSet& set) {
+    std::vector<Waveform> waveforms;
+    waveforms.reserve(set.vibrations.size());
+    std::size_t longest = 0;
+    for (const Vibration& vibration : set.vibrations) {
+        waveforms.push_back(waveform_of(vibration));
+        longest = std::max(longest, waveforms.back().samples_g.size());
+    }
+    for (Waveform& waveform : waveforms) waveform = padded(std::move(waveform), longest);
+    return waveforms;
+}
+
+std::string unused_name(const PatternSet& set, const std::string& wanted) {
+    const auto taken = [&set](const std::string& name) {
+        return std::ranges::any_of(set.vibrations,
+                                   [&name](const Vibration& v) { return v.name == name; });
+    };
+    std::string name = wanted;
+    for (int number = 2; taken(name); ++number) name = wanted + " " + std::to_string(number);
+    return name;
+}
+
+}  // namespace tact

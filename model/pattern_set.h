@@ -1,0 +1,68 @@
+// A set of named vibrations, parametric or measured, with what belongs to it: the document.
+//
+// Left out  where it is stored and how (model/io).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/pattern.h"
+#include "model/perceptual_model_params.h"
+#include "model/waveform.h"
+
+namespace tact {
+
+// A recorded waveform, already at the model's rate and in g.
+struct Measurement {
+    std::shared_ptr<const Waveform> waveform;  // never null; shared, so that copies are cheap
+    std::string path;                          // of the file it came from, as the set names it
+    double scale_g = 1.0;                      // g at the file's full scale
+    std::string measures;                      // name of the intended pattern, or empty
+
+    bool operator==(const Measurement&) const;  // compares the samples, not the pointers
+};
+
+struct Vibration {
+    std::string name;  // unique in its set
+    std::variant<Pattern, Measurement> source;
+    bool locked = false;
+    std::string colour;  // "#RRGGBB", or empty: by position
+    std::string note;
+    std::string unknown_json;  // keys of the file that this version does not know, kept on save
+
+    bool operator==(const Vibration&) const = default;
+};
+
+// Mean ratings of a set of people, in the set file's own form.
+struct Ratings {
+    std::string name;
+    std::vector<std::string> labels;
+    std::vector<double> condensed;  // (1,2),(1,3)..(2,3).. dissimilarities
+    std::string unknown_json;
+
+    bool operator==(const Ratings&) const = default;
+};
+
+struct PatternSet {
+    std::string name;
+    double duration_s = 1.0;  // of every new pattern
+    std::vector<Vibration> vibrations;
+    std::vector<Ratings> ratings;
+    PerceptualModelParams model;
+    std::string unknown_json;
+
+    bool operator==(const PatternSet&) const = default;
+};
+
+// The samples of one vibration at the model's rate, unpadded.
+Waveform waveform_of(const Vibration& vibration);
+
+// The samples of all, zero-padded at the end to the longest: what the model compares.
+std::vector<Waveform> model_waveforms(const PatternSet& set);
+
+// `wanted`, or `wanted 2`, `wanted 3`, ... whichever no vibration of the set has yet.
+std::string unused_name(const PatternSet& set, const std::string& wanted);
+
+}  // namespace tact

@@ -1,0 +1,165 @@
+#include "model/perceptual_model.h"
+
+#include <atomic>
+#include <cassert>
+#include <string_view>
+#include <unordered_map>
+
+#include "model/dtw.h"
+#include "model/parallel.h"
+#include "model/rhythm_envelope.h"
+
+namespace tact {
+
+namespace {
+
+using Codes = std::span<const std::shared_ptr<const PatternCode>>;
+
+constexpr std::size_t kUnknown = static_cast<std::size_t>(-1);
+
+std::size_t hash_of(const Waveform& waveform) {
+    const auto* bytes = reinterpret_cast<const char*>(waveform.samples_g.data());
+    return std::hash<std::string_view>{}({bytes, waveform.samples_g.size() * sizeof(double)});
+}
+
+// Where each code stood in the earlier prediction; a code is shared exactly when it was reused.
+std::vector<std::size_t> earlier_places(Codes codes, const Prediction* previous) {
+    std::vector<std::size_t> places(codes.size(), kUnknown);
+    if (previous == nullptr) return places;
+    std::unordered_map<const PatternCode*, std::size_t> earlier;
+    for (std::size_t k = 0; k < previous->codes.size(); ++k) {
+        earlier.emplace(previous->codes[k].get(), k);
+    }
+    for (std::size_t k = 0; k < codes.size(); ++k) {
+        if (const auto found = earlier.find(codes[k].get()); found != earlier.end()) {
+            places[k] = found->second;
+        }
+    }
+    return places;
+}
+
+// Every pair's value, taken from `known` where both patterns were already in it.
+template <class Distance>
+Dissimilarity pair_matrix(Codes codes, const Prediction* previous, const Dissimilarity* known,
+                          const PredictOptions& options, const Distance& distance) {
+    Dissimilarity result{codes.size(), std::vector<double>(pair_count(codes.size()))};
+    const auto places = earlier_places(codes, known == nullptr ? nullptr : previous);
+    std::vector<std::size_t> open;
+    std::size_t index = 0;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        for (std::size_t j = i + 1; j < codes.size(); ++j, ++index) {
+            if (places[i] != kUnknown && places[j] != kUnknown) {
+                result.condensed[index] = (*known)(places[i], places[j]);
+            } else {
+                open.push_back(index);
+            }
+        }
+    }
+    std::atomic<std::size_t> done{0};
+    parallel_for(open.size(), options.threads, options.stop, [&](std::size_t k) {
+        const auto [i, j] = pair_at(codes.size(), open[k]);
+        result.condensed[open[k]] = distance(*codes[i], *codes[j]);
+        const std::size_t so_far = ++done;
+        if (options.progress) {
+            options.progress(static_cast<double>(so_far) / static_cast<double>(open.size()));
+        }
+    });
+    return result;
+}
+
+bool same_codes(const PerceptualModelParams& a, const PerceptualModelParams& b) {
+    return a.coding == b.coding && a.envelope == b.envelope;
+}
+
+// The earlier prediction, if its parts answer the same question.
+const Prediction* usable(const PredictOptions& options, const PerceptualModelParams& params) {
+    const Prediction* previous = options.previous;
+    return previous != nullptr && same_codes(previous->params, params) ? previous : nullptr;
+}
+
+Dissimilarity rank_sum(const Prediction& prediction) {
+    Dissimilarity pm{prediction.nc.size, std::vector<double>(prediction.nc_rank.size())};
+    for (std::size_t k = 0; k < pm.condensed.size(); ++k) {
+        pm.condensed[k] = prediction.params.nc_weight * prediction.nc_rank[k] +
+                          prediction.params.oc_weight * prediction.oc_rank[k];
+    }
+    return pm;
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Waveform> waveforms,
+                                                              const PerceptualModelParams& params,
+                                                              const PredictOptions& options) {
+    std::unordered_multimap<std::size_t, std::shared_ptr<const PatternCode>> earlier;
+    if (const Prediction* previous = usable(options, params)) {
+        for (const auto& code : previous->codes) earlier.emplace(hash_of(code->waveform), code);
+    }
+    std::vector<std::shared_ptr<const PatternCode>> codes(waveforms.size());
+    const bool finished =
+        parallel_for(waveforms.size(), options.threads, options.stop, [&](std::size_t k) {
+            assert(waveforms[k].samples_g.size() == waveforms[0].samples_g.size());
+            const auto [first, last] = earlier.equal_range(hash_of(waveforms[k]));
+            for (auto candidate = first; candidate != last; ++candidate) {
+                if (candidate->second->waveform == waveforms[k]) codes[k] = candidate->second;
+            }
+            if (codes[k]) return;
+            codes[k] = std::make_shared<const PatternCode>(
+                PatternCode{waveforms[k], neural_code(waveforms[k], params.coding),
+                            rhythm_envelope(waveforms[k].samples_g, params.envelope)});
+        });
+    if (!finished) codes.clear();
+    return codes;
+}
+
+Dissimilarity nc_matrix(Codes codes, const PerceptualModelParams& params,
+                        const PredictOptions& options) {
+    const Prediction* previous = usable(options, params);
+    const bool same_weights =
+        previous != nullptr && previous->params.channel_weight == params.channel_weight;
+    PredictOptions quiet = options;
+    quiet.progress = {};  // a hundredth of the work of OC
+    return pair_matrix(codes, previous, same_weights ? &previous->nc : nullptr, quiet,
+                       [&](const PatternCode& a, const PatternCode& b) {
+                           return nc_dissimilarity(a.neural, b.neural, params.channel_weight);
+                       });
+}
+
+Dissimilarity oc_matrix(Codes codes, const PredictOptions& options) {
+    const std::size_t factor = options.envelope_decimation;
+    const Prediction* previous = options.previous;
+    const bool same_factor = previous != nullptr && previous->envelope_decimation == factor;
+    const Dissimilarity* known = same_factor ? &previous->oc : nullptr;
+    if (factor == 1) {
+        return pair_matrix(codes, previous, known, options,
+                           [&](const PatternCode& a, const PatternCode& b) {
+                               return dtw(a.envelope, b.envelope, options.stop);
+                           });
+    }
+    // A path through coarse envelopes has a factor-th of the steps.
+    const auto scale = static_cast<double>(factor);
+    return pair_matrix(
+        codes, previous, known, options, [&](const PatternCode& a, const PatternCode& b) {
+            return scale *
+                   dtw(decimated(a.envelope, factor), decimated(b.envelope, factor), options.stop);
+        });
+}
+
+std::optional<Prediction> predict(std::span<const Waveform> waveforms,
+                                  const PerceptualModelParams& params,
+                                  const PredictOptions& options) {
+    Prediction result;
+    result.params = params;
+    result.envelope_decimation = options.envelope_decimation;
+    result.codes = pattern_codes(waveforms, params, options);
+    if (result.codes.size() != waveforms.size()) return std::nullopt;
+    result.nc = nc_matrix(result.codes, params, options);
+    result.oc = oc_matrix(result.codes, options);
+    if (options.stop.stop_requested()) return std::nullopt;
+    result.nc_rank = average_ranks(result.nc.condensed);
+    result.oc_rank = average_ranks(result.oc.condensed);
+    result.pm = rank_sum(result);
+    return result;
+}
+
+}  // namespace tact

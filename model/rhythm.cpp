@@ -1,0 +1,41 @@
+#include "model/rhythm.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace tact {
+
+std::string rhythm_fault(std::string_view text) {
+    if (text.size() > kMaxRhythmSteps) {
+        return "it has " + std::to_string(text.size()) + " steps, expected at most " +
+               std::to_string(kMaxRhythmSteps);
+    }
+    for (std::size_t step = 0; step < text.size(); ++step) {
+        const char mark = text[step];
+        const std::string where = "step " + std::to_string(step + 1);
+        if (mark != 'x' && mark != '=' && mark != '-') return where + " is not one of x, = and -";
+        const bool holds_a_note = step > 0 && text[step - 1] != '-';
+        if (mark == '=' && !holds_a_note) return where + " is =, which must follow x or =";
+    }
+    return {};
+}
+
+std::vector<Note> notes(const Rhythm& rhythm, double duration_s) {
+    assert(rhythm_fault(rhythm.text).empty() && "rhythm text was not checked");
+    assert(rhythm.unit_s > 0.0);
+    if (rhythm.text.empty()) return {Note{0.0, duration_s}};
+    std::vector<Note> result;
+    // Onsets are products, not sums, so that the thousandth step is where it should be.
+    for (std::size_t step = 0;; ++step) {
+        const double onset_s = static_cast<double>(step) * rhythm.unit_s;
+        if (onset_s >= duration_s) break;
+        const char mark = rhythm.text[step % rhythm.text.size()];
+        if (mark == '-') continue;
+        if (mark == 'x') result.push_back({onset_s, 0.0});
+        const double end_s = static_cast<double>(step + 1) * rhythm.unit_s;
+        result.back().length_s = std::min(end_s, duration_s) - result.back().onset_s;
+    }
+    return result;
+}
+
+}  // namespace tact

@@ -1,0 +1,39 @@
+// Rhythm as text on a grid: x starts a note, = holds it, - rests.
+//
+// Source    formats.md of this project; the notation is ours.
+// Valid     at most kMaxRhythmSteps characters; `=` only after `x` or `=`
+// Left out  dynamics within a rhythm: every note has the pattern's amplitude.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tact {
+
+inline constexpr std::size_t kMaxRhythmSteps = 256;
+
+struct Rhythm {
+    std::string text;  // empty: one note throughout
+    double unit_s = 0.125;
+
+    bool operator==(const Rhythm&) const = default;
+};
+
+struct Note {
+    double onset_s = 0.0;
+    double length_s = 0.0;
+
+    bool operator==(const Note&) const = default;
+};
+
+// Empty where the text is a rhythm; else what is wrong with it, as the end of a sentence
+// ("step 3 is 'q', expected x, = or -").
+std::string rhythm_fault(std::string_view text);
+
+// The notes of a pattern, in order. The text repeats to fill the duration and the last note is
+// cut there. Asserts that the text has no fault.
+std::vector<Note> notes(const Rhythm& rhythm, double duration_s);
+
+}  // namespace tact

@@ -1,0 +1,70 @@
+#include "model/spectrum.h"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <mutex>
+#include <type_traits>
+
+namespace tact {
+
+namespace {
+
+// FFTW's planner is not thread-safe; executing a plan is.
+std::mutex planner_mutex;
+
+struct PlanDeleter {
+    void operator()(fftw_plan plan) const {
+        const std::scoped_lock lock(planner_mutex);
+        fftw_destroy_plan(plan);
+    }
+};
+using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanDeleter>;
+
+template <class Value>
+struct FftwDeleter {
+    void operator()(Value* memory) const { fftw_free(memory); }
+};
+
+// FFTW's own allocation: its alignment decides which code runs, and so the last bits. For the same
+// reason plans are made without SIMD: which kernels FFTW takes would depend on the machine.
+template <class Value>
+std::unique_ptr<Value[], FftwDeleter<Value>> fftw_array(std::size_t count) {
+    return std::unique_ptr<Value[], FftwDeleter<Value>>(
+        static_cast<Value*>(fftw_malloc(count * sizeof(Value))));
+}
+
+}  // namespace
+
+double frequency_hz(const Spectrum& spectrum, std::size_t k) {
+    return static_cast<double>(k) * spectrum.rate_hz / static_cast<double>(spectrum.samples);
+}
+
+Spectrum amplitude_spectrum(std::span<const double> samples_g, double rate_hz) {
+    const std::size_t n = samples_g.size();
+    if (n == 0) return {};
+    const std::size_t bins = n / 2 + 1;
+    const auto input = fftw_array<double>(n);
+    const auto output = fftw_array<std::complex<double>>(bins);
+    Plan plan;
+    {
+        const std::scoped_lock lock(planner_mutex);
+        plan.reset(fftw_plan_dft_r2c_1d(static_cast<int>(n), input.get(),
+                                        reinterpret_cast<fftw_complex*>(output.get()),
+                                        FFTW_ESTIMATE | FFTW_NO_SIMD));
+    }
+    std::copy(samples_g.begin(), samples_g.end(), input.get());
+    fftw_execute(plan.get());
+    Spectrum spectrum{rate_hz, n, std::vector<double>(bins)};
+    for (std::size_t k = 0; k < bins; ++k) {
+        const bool unpaired = k == 0 || 2 * k == n;
+        spectrum.amplitude_g[k] =
+            (unpaired ? 1.0 : 2.0) * std::abs(output[k]) / static_cast<double>(n);
+    }
+    return spectrum;
+}
+
+}  // namespace tact

@@ -1,0 +1,28 @@
+// Amplitude spectrum of a whole signal; the only room that knows FFTW.
+//
+// Input     samples in g at a rate; no window, no padding
+// Output    one-sided peak amplitudes: a sine of 1 g on a bin gives 1 g there
+// Valid     1 sample and more
+// Left out  phase, averaging, leakage correction.
+// Exact     one plan per length, made without measuring: same bits in every run and thread.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tact {
+
+struct Spectrum {
+    double rate_hz = 1.0;
+    std::size_t samples = 1;          // N
+    std::vector<double> amplitude_g;  // k = 0 .. floor(N/2)
+};
+
+// k rate / N, in this order: a multiple of a rounded rate / N can miss a band edge.
+double frequency_hz(const Spectrum& spectrum, std::size_t k);
+
+// A[k] = c_k / N |sum_n x[n] exp(-2 pi i k n / N)|, c_k = 1 for k = 0 and (N even) k = N/2, else 2.
+Spectrum amplitude_spectrum(std::span<const double> samples_g, double rate_hz);
+
+}  // namespace tact
