@@ -17,7 +17,7 @@ namespace tact {
 // A recorded waveform, already at the model's rate and in g.
 struct Measurement {
     std::shared_ptr<const Waveform> waveform;  // never null; shared, so that copies are cheap
-    std::string path;                          // of the file it came from, as the set names it
+    std::string path;                          // of its file: absolute; relative in a set file
     double scale_g = 1.0;                      // g at the file's full scale
     std::string measures;                      // name of the intended pattern, or empty
 

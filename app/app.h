@@ -1,0 +1,131 @@
+// The program behind the window: the document, its undo steps, the jobs that follow it, and the
+// view state of every panel. frame() in app/frame.h draws it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+#include "app/file_chooser.h"
+#include "app/history.h"
+#include "app/latest_job.h"
+#include "app/live_map.h"
+#include "app/session.h"
+#include "app/vibration_cache.h"
+#include "app/widget_rects.h"
+#include "viz/space_view.h"
+#include "viz/theme.h"
+
+namespace tact {
+
+// What of the document the person is looking at. Indices into document.set.vibrations.
+struct Selection {
+    std::size_t current = 0;                  // shown in the editor and the middle column
+    std::set<std::size_t> others;             // edited together with it
+    std::optional<std::size_t> hovered;       // in this frame, by any panel drawn so far
+    std::optional<std::size_t> hovered_last;  // in the last frame, by any panel
+};
+
+enum class Pane { patterns, editor, vibration, space, matrix };
+
+struct Layout {
+    float left = 0.21F;  // share of the window's width
+    float right = 0.34F;
+    float left_split = 0.45F;  // share of the column's height above the splitter
+    float right_split = 0.58F;
+    std::optional<Pane> maximised;
+};
+
+// A line at the foot of the window; errors stay until replaced, the rest fades.
+struct StatusLine {
+    std::string text;
+    bool is_error = false;
+    double since_s = 0.0;
+};
+
+// The map on screen eases from where its points were to where they are. What it is aligned to is
+// the last exact map: chained alignments of previews would slowly turn it.
+struct MapTransition {
+    std::shared_ptr<const LiveMap> shown;
+    std::shared_ptr<const LiveMap> anchor;  // the last exact one ...
+    Eigen::MatrixXd anchor_points;          // ... as it was shown
+    Eigen::MatrixXd from;                   // aligned positions, one row a pattern of `shown`
+    Eigen::MatrixXd to;
+    Eigen::MatrixXd ghost;  // of the anchor, row by row; NaN for new patterns
+    double since_s = -10.0;
+};
+
+struct SetPanelState {
+    std::string search;
+    std::string rename_text;
+    std::optional<std::size_t> renaming;
+    bool scroll_to_current = false;
+};
+
+struct EditorState {
+    std::string active_field;  // arrows nudge it
+    std::string rhythm_text;   // while being typed
+    bool rhythm_typing = false;
+};
+
+struct PaletteState {
+    bool open = false;
+    std::string text;
+    int choice = 0;
+};
+
+enum class MatrixQuantity { pm, nc, oc };
+
+enum class Dialog { none, about, keys };
+
+struct App {
+    Document document;
+    History<PatternSet> history;
+    std::shared_ptr<const PatternSet> committed;  // the document as of the last undo step
+    std::uint64_t revision = 1;                   // of document.set, every change during a drag too
+
+    Selection selection;
+    Layout layout;
+    Theme theme;
+    bool dark = true;
+    float text_scale = 1.0F;     // the person's, on top of the screen's
+    float content_scale = 1.0F;  // the screen's
+    bool fonts_outdated = false;
+    bool motion = true;
+    bool keyboard_mode = false;  // Tab moves between widgets, until the mouse is used again
+
+    std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> preview_job;
+    std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> full_job;
+    bool compute_large = false;  // the person asked for a live map of a very large set
+    MapTransition map;
+    SpaceCamera camera;
+    int dimensions = 3;
+    MatrixQuantity matrix_quantity = MatrixQuantity::pm;
+
+    VibrationCache cache;
+    SetPanelState set_panel;
+    EditorState editor;
+    PaletteState palette;
+    FileChooser chooser;
+    Dialog dialog = Dialog::none;
+    Session session;
+    StatusLine status;
+    std::vector<Vibration> clipboard;
+
+    double time_s = 0.0;                 // of the current frame
+    double hover_since_s = 0.0;          // when the mouse came to rest
+    bool unsaved = false;                // the document differs from its file ...
+    std::uint64_t unsaved_revision = 0;  // ... as of this revision
+    bool autosave_pending = false;
+    double autosave_due_s = 0.0;
+    bool quit = false;
+    WidgetRects rects;
+    std::function<void()> wake;  // draws a frame soon; from any thread
+};
+
+}  // namespace tact

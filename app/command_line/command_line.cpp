@@ -1,0 +1,112 @@
+// The only file that includes CLI11, which takes seconds to compile.
+#include "app/command_line/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <iostream>
+
+#include "app/command_line/commands.h"
+#include "app/main_window.h"
+
+namespace tact {
+
+namespace {
+
+constexpr const char* kSetHelp =
+    "a .tactspace.json file, a folder of .txt or .wav files, or single .txt and .wav files";
+
+void add_common(CLI::App& command, CommonOptions& options) {
+    command.add_option("SET", options.sets, kSetHelp)->required();
+    command.add_option("--threads", options.threads, "threads to use; 0: all cores")
+        ->check(CLI::Range(0, 1024));
+    command.add_flag("--json", options.json, "JSON instead of CSV on standard output");
+}
+
+// Registers a subcommand whose options live in `command`; `chosen` is set to its work.
+template <class Command>
+CLI::App& add_command(CLI::App& app, const char* name, const char* help, Command& command,
+                      std::function<Expected<Done>()>& chosen) {
+    CLI::App& sub = *app.add_subcommand(name, help);
+    add_common(sub, command.common);
+    sub.callback([&] { chosen = [&command] { return run(command); }; });
+    return sub;
+}
+
+struct Commands {
+    PredictCommand predict;
+    SpaceCommand space;
+    StagesCommand stages;
+    RenderCommand render;
+    SnapshotCommand snapshot;
+};
+
+void add_prediction_commands(CLI::App& app, Commands& commands,
+                             std::function<Expected<Done>()>& chosen) {
+    CLI::App& predict = add_command(
+        app, "predict", "dissimilarity matrix of a set, as labelled CSV", commands.predict, chosen);
+    predict.add_option("--metric", commands.predict.metric, "pm, nc or oc")
+        ->check(CLI::IsMember({"pm", "nc", "oc"}));
+    predict.add_option("--out", commands.predict.out, "file for the matrix");
+    predict.add_option("--image", commands.predict.image, "PNG picture of the matrix");
+
+    CLI::App& space = add_command(app, "space", "coordinates of the perceptual space, as CSV",
+                                  commands.space, chosen);
+    space.add_option("--dim", commands.space.dimensions, "2 or 3")->check(CLI::IsMember({2, 3}));
+    space.add_option("--starts", commands.space.starts, "random starts besides Torgerson's")
+        ->check(CLI::Range(0, 100'000));
+    space.add_option("--out", commands.space.out, "file for the coordinates");
+    space.add_option("--image", commands.space.image, "PNG picture of the space");
+}
+
+void add_pattern_commands(CLI::App& app, Commands& commands,
+                          std::function<Expected<Done>()>& chosen) {
+    CLI::App& stages = add_command(app, "stages", "every stage of neural coding, as CSV files",
+                                   commands.stages, chosen);
+    stages.add_option("--pattern", commands.stages.pattern, "name of the pattern")->required();
+    stages.add_option("--out", commands.stages.out, "folder for the files")->required();
+
+    CLI::App& render = add_command(app, "render", "waveforms of all patterns, a file each",
+                                   commands.render, chosen);
+    render.add_option("--format", commands.render.format, "wav, txt or csv")
+        ->check(CLI::IsMember({"wav", "txt", "csv"}));
+    render.add_option("--out", commands.render.out, "folder for the files")->required();
+
+    CLI::App& snapshot = add_command(app, "snapshot", "a view as a PNG picture, without a window",
+                                     commands.snapshot, chosen);
+    snapshot
+        .add_option("--view", commands.snapshot.view, "window, wave, spectrum, matrix or space")
+        ->check(CLI::IsMember({"window", "wave", "spectrum", "matrix", "space"}));
+    snapshot.add_option("--pattern", commands.snapshot.pattern, "pattern to show; else the first");
+    snapshot.add_option("--theme", commands.snapshot.theme, "dark or light")
+        ->check(CLI::IsMember({"dark", "light"}));
+    snapshot.add_option("--width", commands.snapshot.width, "pixels")->check(CLI::Range(64, 8192));
+    snapshot.add_option("--height", commands.snapshot.height, "pixels")
+        ->check(CLI::Range(64, 8192));
+    snapshot.add_option("--scale", commands.snapshot.scale, "size of text and marks, 0.75-4")
+        ->check(CLI::Range(0.75, 4.0));
+    snapshot.add_option("--out", commands.snapshot.out, "PNG file")->required();
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+    CLI::App app("Shape vibrations and see which ones people will tell apart.", "tactspace");
+    app.set_version_flag("--version", TACT_VERSION);
+    std::vector<std::filesystem::path> sets;
+    app.add_option("SET", sets, std::string("opens the window on it: ") + kSetHelp);
+    Commands commands;
+    std::function<Expected<Done>()> chosen = [&sets] { return run_main_window(sets); };
+    add_prediction_commands(app, commands, chosen);
+    add_pattern_commands(app, commands, chosen);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& fault) {
+        return app.exit(fault) == 0 ? 0 : 2;
+    }
+    const Expected<Done> answer = chosen();
+    if (answer) return 0;
+    std::cerr << "tactspace: " << answer.error().message << "\n";
+    return 1;
+}
+
+}  // namespace tact

@@ -1,0 +1,64 @@
+// The subcommands of the program: what each is asked for, and the work.
+//
+// Results go to standard output (or --out), remarks and progress to standard error. Every function
+// gives an Error whose sentence is all that the user needs.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "model/expected.h"
+
+namespace tact {
+
+struct CommonOptions {
+    std::vector<std::filesystem::path> sets;  // merged in order
+    int threads = 0;                          // 0: all cores
+    bool json = false;
+};
+
+struct PredictCommand {
+    CommonOptions common;
+    std::string metric = "pm";  // pm, nc, oc
+    std::filesystem::path out;  // empty: standard output
+    std::filesystem::path image;
+};
+Expected<Done> run(const PredictCommand& command);
+
+struct SpaceCommand {
+    CommonOptions common;
+    int dimensions = 3;
+    int starts = -1;  // random ones; -1: by the number of patterns
+    std::filesystem::path out;
+    std::filesystem::path image;
+};
+Expected<Done> run(const SpaceCommand& command);
+
+struct StagesCommand {
+    CommonOptions common;
+    std::string pattern;
+    std::filesystem::path out;  // a folder
+};
+Expected<Done> run(const StagesCommand& command);
+
+struct RenderCommand {
+    CommonOptions common;
+    std::string format = "wav";  // wav, txt, csv
+    std::filesystem::path out;   // a folder
+};
+Expected<Done> run(const RenderCommand& command);
+
+struct SnapshotCommand {
+    CommonOptions common;
+    std::string view = "window";  // window, wave, spectrum, matrix, space
+    std::string pattern;          // for wave and spectrum; empty: the first
+    std::string theme = "dark";
+    int width = 1600;
+    int height = 1000;
+    double scale = 1.0;
+    std::filesystem::path out;
+};
+Expected<Done> run(const SnapshotCommand& command);
+
+}  // namespace tact

@@ -1,0 +1,157 @@
+#include "app/command_line/output.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <mutex>
+#include <streambuf>
+
+#include "model/io/atomic_file.h"
+#include "model/io/load.h"
+
+namespace tact {
+
+namespace {
+
+// A stream into a file that appears whole or not at all.
+class AtomicBuffer final : public std::streambuf {
+  public:
+    explicit AtomicBuffer(AtomicFile& file) : file_(file) { pending_.reserve(kPiece); }
+
+    // What went wrong so far, after writing out what is pending.
+    Expected<Done> finish() {
+        write_pending();
+        return state_;
+    }
+
+  protected:
+    int_type overflow(int_type character) override {
+        if (character != traits_type::eof())
+            pending_.push_back(traits_type::to_char_type(character));
+        if (pending_.size() >= kPiece) write_pending();
+        return state_ ? 0 : traits_type::eof();
+    }
+
+    std::streamsize xsputn(const char* text, std::streamsize count) override {
+        pending_.append(text, static_cast<std::size_t>(count));
+        if (pending_.size() >= kPiece) write_pending();
+        return state_ ? count : 0;
+    }
+
+  private:
+    static constexpr std::size_t kPiece = std::size_t{1} << 20;
+
+    void write_pending() {
+        if (state_) state_ = file_.append(pending_);
+        pending_.clear();
+    }
+
+    AtomicFile& file_;
+    std::string pending_;
+    Expected<Done> state_ = Done{};
+};
+
+std::string time_text(double seconds) {
+    char text[32];
+    const auto whole = static_cast<long>(seconds + 0.5);
+    if (whole < 60) {
+        std::snprintf(text, sizeof text, "%ld s", whole);
+    } else if (whole < 3600) {
+        std::snprintf(text, sizeof text, "%ld min %02ld s", whole / 60, whole % 60);
+    } else {
+        std::snprintf(text, sizeof text, "%ld h %02ld min", whole / 3600, whole / 60 % 60);
+    }
+    return text;
+}
+
+}  // namespace
+
+Expected<PatternSet> load_for(const CommonOptions& options) {
+    Expected<Loaded> loaded = load_sets(options.sets);
+    if (!loaded) return loaded.error();
+    for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
+    return std::move(loaded->set);
+}
+
+std::vector<std::string> names_of(const PatternSet& set) {
+    std::vector<std::string> names;
+    for (const Vibration& vibration : set.vibrations) names.push_back(vibration.name);
+    return names;
+}
+
+Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options) {
+    const std::size_t count = set.vibrations.size();
+    if (count >= 2) return Done{};
+    return Error{options.sets.front().string() + ": has " +
+                 (count == 0 ? "no pattern" : "a single pattern") +
+                 ", expected at least two to compare"};
+}
+
+Expected<std::size_t> place_of(const PatternSet& set, const std::string& name) {
+    std::string known;
+    for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
+        if (set.vibrations[k].name == name) return k;
+        constexpr std::size_t kNamed = 12;
+        if (k < kNamed) known += (k == 0 ? "" : ", ") + set.vibrations[k].name;
+        if (k == kNamed) known += ", ...";
+    }
+    return Error{"there is no pattern \"" + name + "\", expected one of " +
+                 (known.empty() ? "none: the set is empty" : known)};
+}
+
+Expected<Done> make_folder(const std::filesystem::path& folder) {
+    std::error_code fault;
+    std::filesystem::create_directories(folder, fault);
+    if (!fault && std::filesystem::is_directory(folder, fault)) return Done{};
+    return Error{folder.string() + ": cannot be made a folder" +
+                 (fault ? ": " + fault.message() : "; there is a file of this name")};
+}
+
+Expected<Done> write_result(const std::filesystem::path& out,
+                            const std::function<void(std::ostream&)>& write) {
+    if (out.empty()) {
+        write(std::cout);
+        std::cout.flush();
+        if (!std::cout) return Error{"standard output: cannot be written"};
+        return Done{};
+    }
+    Expected<AtomicFile> file = AtomicFile::open(out);
+    if (!file) return file.error();
+    AtomicBuffer buffer(*file);
+    std::ostream stream(&buffer);
+    write(stream);
+    if (const Expected<Done> written = buffer.finish(); !written) return written;
+    return file->commit();
+}
+
+std::function<void(double)> progress_line(const std::string& what) {
+    if (isatty(STDERR_FILENO) == 0) return {};
+    struct State {
+        std::mutex mutex;
+        std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+        std::chrono::steady_clock::time_point shown = begin;
+    };
+    return [what, state = std::make_shared<State>()](double share) {
+        const std::scoped_lock lock(state->mutex);
+        const auto now = std::chrono::steady_clock::now();
+        const bool last = share >= 1.0;
+        if (!last && now - state->shown < std::chrono::milliseconds(200)) return;
+        state->shown = now;
+        const std::chrono::duration<double> so_far = now - state->begin;
+        // Work of the first second says too little about the rest.
+        if (so_far.count() < 1.0) return;
+        if (last) {
+            std::fprintf(stderr, "\r\033[K");
+        } else {
+            const double left_s = so_far.count() * (1.0 - share) / std::max(share, 1e-6);
+            std::fprintf(stderr, "\r%s: %.0f %%, %s left\033[K", what.c_str(), 100.0 * share,
+                         time_text(left_s).c_str());
+        }
+    };
+}
+
+}  // namespace tact

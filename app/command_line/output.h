@@ -1,0 +1,38 @@
+// Where results, remarks and progress of a subcommand go.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "app/command_line/commands.h"
+#include "model/pattern_set.h"
+
+namespace tact {
+
+// The sets of a command as one, with its remarks printed to standard error.
+Expected<PatternSet> load_for(const CommonOptions& options);
+
+std::vector<std::string> names_of(const PatternSet& set);
+
+// An Error unless the set has at least two patterns: fewer make no matrix and no map.
+Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options);
+
+// Where the pattern of a name stands. An Error names some that there are.
+Expected<std::size_t> place_of(const PatternSet& set, const std::string& name);
+
+// The folder, made with its parents where it is missing.
+Expected<Done> make_folder(const std::filesystem::path& folder);
+
+// Calls `write` on the file, which appears whole or not at all, or on standard output where the
+// path is empty.
+Expected<Done> write_result(const std::filesystem::path& out,
+                            const std::function<void(std::ostream&)>& write);
+
+// A progress function for a person at a terminal: one line that rewrites itself, with the time
+// left; empty where standard error is no terminal.
+std::function<void(double)> progress_line(const std::string& what);
+
+}  // namespace tact

@@ -1,0 +1,343 @@
+#include "app/commands.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "app/editing.h"
+#include "app/files.h"
+#include "app/widgets.h"
+
+namespace tact {
+
+namespace {
+
+bool always(const App&) { return true; }
+bool has_selection(const App& app) { return current_vibration(app) != nullptr; }
+
+void step_selection(App& app, int step) {
+    const std::size_t count = app.document.set.vibrations.size();
+    if (count == 0) return;
+    const auto last = static_cast<int>(count) - 1;
+    const int next = std::clamp(static_cast<int>(app.selection.current) + step, 0, last);
+    select_only(app, static_cast<std::size_t>(next));
+    app.set_panel.scroll_to_current = true;
+}
+
+void start_rename(App& app) {
+    app.set_panel.renaming = app.selection.current;
+    app.set_panel.rename_text = current_vibration(app)->name;
+    app.set_panel.scroll_to_current = true;
+}
+
+void no_device(App& app) {
+    say(app, "Nothing to play on: this version draws and predicts; actuators come with the next.");
+}
+
+void escape(App& app) {
+    if (app.palette.open) {
+        app.palette.open = false;
+    } else if (app.layout.maximised) {
+        app.layout.maximised.reset();
+    } else {
+        app.selection.others.clear();
+        app.status = {};
+    }
+}
+
+template <int kPercent>
+void set_text_scale(App& app) {
+    app.text_scale = static_cast<float>(kPercent) / 100.0F;
+    app.fonts_outdated = true;
+}
+
+void step_text_scale(App& app, float factor) {
+    app.text_scale = std::clamp(app.text_scale * factor, 0.75F, 2.0F);
+    app.fonts_outdated = true;
+}
+
+void set_theme(App& app, bool dark) {
+    app.dark = dark;
+    app.fonts_outdated = true;  // the theme is made anew with them
+}
+
+void design_layout(App& app) { app.layout = Layout{}; }
+
+void physiology_layout(App& app) {
+    app.layout = Layout{};
+    app.layout.left = 0.18F;
+    app.layout.right = 0.24F;
+}
+
+void space_layout(App& app) {
+    app.layout = Layout{};
+    app.layout.right = 0.52F;
+    app.layout.right_split = 0.72F;
+}
+
+constexpr Shortcut ctrl(char32_t sign, bool shift = false) {
+    return {sign, key::kUnknown, true, shift};
+}
+constexpr Shortcut plain(char32_t sign) { return {sign, key::kUnknown, false, false}; }
+constexpr Shortcut special(int code) { return {0, code, false, false}; }
+
+const auto kCommands = std::to_array<Command>({
+    {"File", "New set", {}, always, new_document},
+    {"File", "Open...", ctrl('o'), always, open_dialog, nullptr, "load import folder wav txt"},
+    {"File", "Open the example set", {}, always, open_example, nullptr, "twelve patterns PM 2023"},
+    {"File", "Save", ctrl('s'), always, save},
+    {"File", "Save as...", ctrl('s', true), always, save_dialog},
+    {"File", "Quit", ctrl('q'), always, [](App& app) { app.quit = true; }},
+
+    {"Edit", "Undo", ctrl('z'), [](const App& app) { return app.history.undo_label() != nullptr; },
+     undo},
+    {"Edit", "Redo", ctrl('z', true),
+     [](const App& app) { return app.history.redo_label() != nullptr; }, redo},
+    {"Edit", "New pattern", ctrl('n'), always, add_pattern, nullptr, "add vibration"},
+    {"Edit", "Duplicate", ctrl('d'), has_selection, duplicate_selected},
+    {"Edit", "Rename", special(key::kF1 + 1), has_selection, start_rename},
+    {"Edit", "Lock or unlock", ctrl('l'), has_selection, toggle_locked},
+    {"Edit", "Copy", ctrl('c'), has_selection, copy_selected},
+    {"Edit", "Paste", ctrl('v'), always, paste},
+    {"Edit", "Select all", ctrl('a'), has_selection, select_all},
+    {"Edit", "Delete", special(key::kDelete), has_selection, remove_selected, nullptr, "remove"},
+
+    {"View", "Design", plain('1'), always, design_layout, nullptr, "layout columns"},
+    {"View", "Physiology", plain('2'), always, physiology_layout, nullptr, "layout waveform"},
+    {"View", "Space", plain('3'), always, space_layout, nullptr, "layout map"},
+    {"View",
+     "Reset view of the space",
+     {},
+     always,
+     [](App& app) { app.camera = SpaceCamera{}; },
+     nullptr,
+     "camera"},
+    {"View",
+     "Dark",
+     {},
+     always,
+     [](App& app) { set_theme(app, true); },
+     [](const App& app) { return app.dark; },
+     "theme"},
+    {"View",
+     "Light",
+     {},
+     always,
+     [](App& app) { set_theme(app, false); },
+     [](const App& app) { return !app.dark; },
+     "theme"},
+    {"View", "Larger text", ctrl('+'), always, [](App& app) { step_text_scale(app, 1.1F); },
+     nullptr, "zoom scale"},
+    {"View", "Smaller text", ctrl('-'), always, [](App& app) { step_text_scale(app, 1.0F / 1.1F); },
+     nullptr, "zoom scale"},
+    {"View", "Text as large as the screen says", ctrl('0'), always, set_text_scale<100>},
+    {"View",
+     "Motion",
+     {},
+     always,
+     [](App& app) { app.motion = !app.motion; },
+     [](const App& app) { return app.motion; },
+     "animation"},
+    {"View", "Bring hints back", {}, always, [](App& app) { app.session.dismissed_hints.clear(); }},
+
+    {"Help", "Keys and mouse", special(key::kF1), always,
+     [](App& app) { app.dialog = Dialog::keys; }, nullptr, "shortcuts help"},
+    {"Help", "Command palette", ctrl('p'), always, [](App& app) { app.palette = {true, {}, 0}; }},
+    {"Help",
+     "About tactspace",
+     {},
+     always,
+     [](App& app) { app.dialog = Dialog::about; },
+     nullptr,
+     "licence model source left out"},
+
+    // Not in a menu.
+    {"", "Play", special(key::kSpace), always, no_device},
+    {"", "Redo", ctrl('y'), [](const App& app) { return app.history.redo_label() != nullptr; },
+     redo},
+    {"", "Larger text", ctrl('='), always, [](App& app) { step_text_scale(app, 1.1F); }},
+    {"", "Stop", special(key::kEscape), always, escape},
+    {"", "Previous pattern", special(key::kUp), always, [](App& app) { step_selection(app, -1); }},
+    {"", "Next pattern", special(key::kDown), always, [](App& app) { step_selection(app, 1); }},
+});
+
+bool matches(const Shortcut& shortcut, const KeyPress& press) {
+    if (shortcut.ctrl != press.ctrl || press.alt || press.super) return false;
+    if (shortcut.code != key::kUnknown) {
+        return shortcut.code == press.code && shortcut.shift == press.shift;
+    }
+    if (shortcut.sign == 0 || shortcut.sign != press.sign) return false;
+    // On many layouts + is Shift and something: signs that are no letters ignore Shift.
+    const bool letter = shortcut.sign >= 'a' && shortcut.sign <= 'z';
+    return !letter || shortcut.shift == press.shift;
+}
+
+// Ctrl+Z, C, V, A, Y and the keys that move in text belong to a text field while it is active.
+bool belongs_to_text(const Shortcut& shortcut) {
+    if (!shortcut.ctrl) return shortcut.code < key::kF1 || shortcut.sign != 0;
+    constexpr std::u32string_view kText = U"zycvxa";
+    return kText.find(shortcut.sign) != std::u32string_view::npos;
+}
+
+bool is_text_active() { return ImGui::GetIO().WantTextInput; }
+
+bool is_popup_open() {
+    return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+std::string item_text(const App& app, const Command& command) {
+    if (command.run == static_cast<void (*)(App&)>(undo)) {
+        return menu_text("Undo", app.history.undo_label());
+    }
+    if (command.run == static_cast<void (*)(App&)>(redo)) {
+        return menu_text("Redo", app.history.redo_label());
+    }
+    return command.name;
+}
+
+void draw_item(App& app, const Command& command) {
+    const bool checked = command.checked != nullptr && command.checked(app);
+    const std::string text = item_text(app, command);
+    if (ImGui::MenuItem(text.c_str(), shortcut_text(command.shortcut).c_str(), checked,
+                        command.enabled(app))) {
+        command.run(app);
+    }
+    note_item(app.rects, std::string("menu:") + command.name);
+}
+
+void draw_recent(App& app) {
+    if (!ImGui::BeginMenu("Open recent", !app.session.recent_files.empty())) return;
+    // A copy: opening a file changes the list.
+    const std::vector<RecentFile> recent = recent_files(app.session);
+    for (const RecentFile& file : recent) {
+        const std::string text = file.path.string() + (file.missing ? "  (not found)" : "");
+        if (ImGui::MenuItem(text.c_str(), nullptr, false, !file.missing)) {
+            open_paths(app, {file.path});
+        }
+    }
+    ImGui::EndMenu();
+}
+
+std::string lower(std::string text) {
+    std::ranges::transform(text, text.begin(), [](char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    });
+    return text;
+}
+
+std::vector<const Command*> palette_matches(const App& app) {
+    std::vector<const Command*> found;
+    const std::string wanted = lower(app.palette.text);
+    for (const Command& command : commands()) {
+        if (*command.menu == '\0' || !command.enabled(app)) continue;
+        const std::string all =
+            lower(std::string(command.menu) + " " + command.name + " " + command.words);
+        if (all.find(wanted) != std::string::npos) found.push_back(&command);
+    }
+    return found;
+}
+
+bool was_pressed(std::span<const KeyPress> pressed, int code) {
+    return std::ranges::any_of(pressed, [code](const KeyPress& p) { return p.code == code; });
+}
+
+}  // namespace
+
+std::span<const Command> commands() { return kCommands; }
+
+std::string shortcut_text(const Shortcut& shortcut) {
+    std::string text;
+    if (shortcut.ctrl) text += "Ctrl+";
+    if (shortcut.shift) text += "Shift+";
+    if (shortcut.sign != 0) {
+        return text + static_cast<char>(std::toupper(static_cast<int>(shortcut.sign)));
+    }
+    if (shortcut.code == key::kDelete) return text + "Del";
+    if (shortcut.code == key::kSpace) return text + "Space";
+    if (shortcut.code == key::kEscape) return text + "Esc";
+    if (shortcut.code == key::kUp) return text + "Up";
+    if (shortcut.code == key::kDown) return text + "Down";
+    if (shortcut.code >= key::kF1) return text + "F" + std::to_string(shortcut.code - key::kF1 + 1);
+    return {};
+}
+
+void run_shortcuts(App& app, std::span<const KeyPress> pressed) {
+    const bool dialog = app.dialog != Dialog::none || app.chooser.is_open;
+    if (dialog || app.palette.open || is_popup_open()) return;
+    for (const KeyPress& press : pressed) {
+        for (const Command& command : commands()) {
+            if (!matches(command.shortcut, press)) continue;
+            if (is_text_active() && belongs_to_text(command.shortcut)) continue;
+            const bool arrow = press.code == key::kUp || press.code == key::kDown;
+            if (arrow && app.keyboard_mode) continue;
+            if (command.enabled(app)) command.run(app);
+            break;
+        }
+    }
+}
+
+void draw_menus(App& app) {
+    if (!ImGui::BeginMainMenuBar()) return;
+    for (const char* menu : {"File", "Edit", "View", "Help"}) {
+        const bool open = ImGui::BeginMenu(menu);
+        note_item(app.rects, std::string("menu:") + menu);
+        if (!open) continue;
+        for (const Command& command : commands()) {
+            if (std::string_view(command.menu) != menu) continue;
+            draw_item(app, command);
+            if (std::string_view(command.name) == "Open the example set") draw_recent(app);
+        }
+        ImGui::EndMenu();
+    }
+    const std::string title = document_title(app);
+    const float width = ImGui::CalcTextSize(title.c_str()).x;
+    ImGui::SameLine(ImGui::GetWindowWidth() - width - 2.0F * app.theme.padding_px);
+    dim_text(app, title);
+    note_item(app.rects, "document", title);
+    ImGui::EndMainMenuBar();
+}
+
+void draw_palette(App& app, std::span<const KeyPress> pressed) {
+    PaletteState& state = app.palette;
+    if (!state.open) return;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x / 2.0F, screen.y * 0.18F}, ImGuiCond_Always, {0.5F, 0.0F});
+    ImGui::SetNextWindowSize({std::min(560.0F * app.theme.scale, screen.x * 0.9F), 0.0F});
+    ImGui::SetNextWindowFocus();
+    if (ImGui::Begin("Command palette", &state.open,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_NoNav)) {
+        ImGui::SetNextItemWidth(-1.0F);
+        if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+        if (ImGui::InputTextWithHint("##what", "What would you like to do?", &state.text)) {
+            state.choice = 0;
+        }
+        const std::vector<const Command*> found = palette_matches(app);
+        const int last = static_cast<int>(found.size()) - 1;
+        if (was_pressed(pressed, key::kDown)) ++state.choice;
+        if (was_pressed(pressed, key::kUp)) --state.choice;
+        state.choice = std::clamp(state.choice, 0, std::max(0, last));
+        const Command* chosen = nullptr;
+        constexpr int kShown = 12;
+        const int first = std::max(0, state.choice - kShown + 1);
+        for (int k = first; k <= last && k < first + kShown; ++k) {
+            const Command& command = *found[static_cast<std::size_t>(k)];
+            const std::string text = std::string(command.menu) + ": " + item_text(app, command);
+            if (ImGui::Selectable(text.c_str(), k == state.choice)) chosen = &command;
+        }
+        if (found.empty()) dim_text(app, "No command has this in its name.");
+        if (was_pressed(pressed, key::kEnter) && !found.empty()) {
+            chosen = found[static_cast<std::size_t>(state.choice)];
+        }
+        if (was_pressed(pressed, key::kEscape)) state.open = false;
+        if (chosen != nullptr) {
+            state.open = false;
+            chosen->run(app);
+        }
+    }
+    ImGui::End();
+}
+
+}  // namespace tact

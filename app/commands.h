@@ -1,0 +1,43 @@
+// Everything the program can be told to do, in one table: menus, shortcuts and the command palette
+// are made from it.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "app/app.h"
+#include "app/input_queue.h"
+
+namespace tact {
+
+struct Shortcut {
+    char32_t sign = 0;         // what the key writes: layouts differ in where it sits
+    int code = key::kUnknown;  // for keys that write nothing
+    bool ctrl = false;
+    bool shift = false;
+};
+
+struct Command {
+    const char* menu;  // "Edit"
+    const char* name;
+    Shortcut shortcut;
+    bool (*enabled)(const App&);
+    void (*run)(App&);
+    bool (*checked)(const App&) = nullptr;
+    const char* words = "";  // that the palette finds it by, besides its name
+};
+
+std::span<const Command> commands();
+
+// "Ctrl+Shift+Z"; empty without one.
+std::string shortcut_text(const Shortcut& shortcut);
+
+// Runs the commands of this frame's key presses. While text is being typed only Ctrl combinations
+// count that text fields do not use themselves.
+void run_shortcuts(App& app, std::span<const KeyPress> pressed);
+
+// The menu bar, and the palette where it is open.
+void draw_menus(App& app);
+void draw_palette(App& app, std::span<const KeyPress> pressed);
+
+}  // namespace tact

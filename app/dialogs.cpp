@@ -1,0 +1,100 @@
+#include "app/dialogs.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/files.h"
+#include "app/widgets.h"
+
+namespace tact {
+
+namespace {
+
+constexpr const char* kAboutText =
+    "tactspace predicts which vibrations people will tell apart. It implements the physiology-"
+    "based model PM of Lim & Park, \"Can a Computer Tell Differences between Vibrations?\" (CHI "
+    "2023).\n\n"
+    "Where the paper leaves a choice open, one was made here; the model page in the README lists "
+    "them. The slopes and thresholds of the receptors are rebuilt from published rates, as the "
+    "original figures were not available. The model knows one fingertip, a 0.5 mm probe, no "
+    "adaptation, no noise and no differences between people; it was validated at 1 s.\n\n"
+    "Source under the MIT licence. A binary linked with FFTW falls under the GPL.";
+
+struct Key {
+    const char* keys;
+    const char* what;
+};
+
+constexpr auto kKeys = std::to_array<Key>({
+    {"Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y", "undo, redo"},
+    {"Ctrl+O, Ctrl+S, Ctrl+Shift+S", "open, save, save as"},
+    {"Ctrl+N, Ctrl+D, Del", "new pattern, duplicate, delete"},
+    {"Ctrl+C, Ctrl+V, Ctrl+A", "copy, paste, select all patterns"},
+    {"Up, Down", "previous, next pattern"},
+    {"Left, Right (Shift: five steps)", "nudge the field touched last"},
+    {"F2, double click on a row", "rename a pattern"},
+    {"Tab, Enter", "go through the widgets by keyboard"},
+    {"1, 2, 3", "arrange the columns: design, physiology, space"},
+    {"Double click on a pane's title", "maximise the pane; Esc puts it back"},
+    {"Ctrl+P", "command palette"},
+    {"Drag, wheel, right drag in the space", "turn, zoom, move"},
+    {"Drop files or a folder on the window", "open them"},
+});
+
+bool begin_dialog(App& app, const char* title) {
+    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(screen * 0.5F, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({std::min(560.0F * app.theme.scale, screen.x * 0.9F), 0.0F});
+    return ImGui::BeginPopupModal(
+        title, nullptr,
+        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
+}
+
+void end_dialog(App& app) {
+    ImGui::Spacing();
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    if (ImGui::Button("Close") || escape || enter) {
+        app.dialog = Dialog::none;
+        ImGui::CloseCurrentPopup();
+    }
+    note_item(app.rects, "button:close");
+    ImGui::EndPopup();
+}
+
+void draw_about(App& app) {
+    if (!begin_dialog(app, "About tactspace")) return;
+    ImGui::TextWrapped("%s", kAboutText);
+    end_dialog(app);
+}
+
+void draw_keys(App& app) {
+    if (!begin_dialog(app, "Keys and mouse")) return;
+    for (const Key& line : kKeys) {
+        ImGui::TextUnformatted(line.keys);
+        ImGui::SameLine(280.0F * app.theme.scale);
+        dim_text(app, line.what);
+    }
+    end_dialog(app);
+}
+
+void draw_chooser(App& app) {
+    const auto chosen = draw(app.chooser);
+    if (!chosen) return;
+    if (app.chooser.use == ChooserUse::open) {
+        open_paths(app, {*chosen});
+    } else {
+        save_as(app, *chosen);
+    }
+}
+
+}  // namespace
+
+void draw_dialogs(App& app) {
+    draw_chooser(app);
+    if (app.dialog == Dialog::about) draw_about(app);
+    if (app.dialog == Dialog::keys) draw_keys(app);
+}
+
+}  // namespace tact

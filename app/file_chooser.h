@@ -1,0 +1,65 @@
+// A dialog to open or save a file.
+//
+// Typing always goes into the name field, so that everything works by keyboard: up and down walk
+// through the folder, Enter opens, Backspace in the empty field goes to the parent, Esc leaves;
+// a typed path may be absolute, relative or start with ~. Ctrl-Enter takes the folder itself.
+//
+// Input     a folder to start in and the kinds of file wanted
+// Output    the path chosen, once
+// Left out  hidden files, sizes and dates, several files at once, making folders.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tact {
+
+struct FolderEntry {
+    std::string name;
+    bool is_folder = false;
+
+    bool operator==(const FolderEntry&) const = default;
+};
+
+struct FolderListing {
+    std::filesystem::path folder;
+    std::vector<FolderEntry> entries;  // folders first, then in natural order: 2 before 10
+    std::string fault;                 // why there are none, as a sentence
+};
+
+// Without hidden files, and of the files those with one of the extensions (".wav"; none: all).
+FolderListing list_folder(const std::filesystem::path& folder,
+                          const std::vector<std::string>& extensions);
+
+enum class ChooserUse { open, save };
+
+struct FileChooser {
+    // What the caller wants; to be set before show().
+    ChooserUse use = ChooserUse::open;
+    std::string title = "Open";
+    std::vector<std::string> extensions;           // the first is added to a name saved without
+    bool folders_too = false;                      // a folder may be the answer
+    std::vector<std::filesystem::path> bookmarks;  // besides the home folder
+
+    // What the person is doing.
+    bool is_open = false;
+    bool appears = false;  // opened since the last frame
+    FolderListing listing;
+    std::string name;                   // as typed
+    std::string offered;                // by the caller: back after each change of folder
+    std::optional<std::size_t> cursor;  // row of the listing
+    bool scroll_to_cursor = false;
+    bool focus_name = false;
+    std::string remark;               // what was wrong with the last try
+    std::filesystem::path replacing;  // exists; waits for a yes
+};
+
+// Opens the dialog with the next draw(). A folder that is not there becomes the home folder.
+void show(FileChooser& chooser, const std::filesystem::path& folder, const std::string& name = "");
+
+// Draws the dialog if it is open. The path chosen, in the frame in which it is.
+std::optional<std::filesystem::path> draw(FileChooser& chooser);
+
+}  // namespace tact

@@ -1,0 +1,227 @@
+#include "app/frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/commands.h"
+#include "app/dialogs.h"
+#include "app/editing.h"
+#include "app/files.h"
+#include "app/map_follow.h"
+#include "app/panels/panels.h"
+#include "app/widgets.h"
+#include "model/mds.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kStatusHeightPx = 26.0F;
+constexpr double kStatusFadeS = 8.0;
+
+// "exact in 0.8 s", "preview", "computing 40 %": what the numbers on screen are.
+std::string map_state_text(const App& app) {
+    char text[96];
+    const bool busy = is_computing(app);
+    const int percent = busy ? static_cast<int>(100.0F * app.full_job->progress()) : 0;
+    switch (map_state(app)) {
+        case MapState::none:
+            if (!busy) return {};
+            std::snprintf(text, sizeof text, "computing, %d %%", percent);
+            return text;
+        case MapState::too_large:
+            return "map waits";
+        case MapState::exact:
+            std::snprintf(text, sizeof text, "exact, %.2g s", app.map.shown->seconds);
+            return text;
+        case MapState::preview:
+            std::snprintf(text, sizeof text, "preview; exact %d %%", percent);
+            return text;
+        case MapState::stale:
+            std::snprintf(text, sizeof text, "of an earlier state; computing, %d %%", percent);
+            return text;
+    }
+    return {};
+}
+
+std::string space_title_right(const App& app) {
+    if (!app.map.shown || app.map.to.rows() < 2) return map_state_text(app);
+    const PerceptualSpace& space = app.map.shown->space;
+    if (space.verdict == MdsVerdict::constant) return map_state_text(app);
+    char text[160];
+    std::snprintf(text, sizeof text, "stress-1 %.3f, %s    %s", space.stress1,
+                  stress_label(space.stress1).c_str(), map_state_text(app).c_str());
+    return text;
+}
+
+PaneTitle title_of(const App& app, Pane pane) {
+    const std::size_t count = app.document.set.vibrations.size();
+    const Vibration* current = current_vibration(app);
+    const std::string name = current == nullptr ? "" : current->name;
+    switch (pane) {
+        case Pane::patterns:
+            return {"Patterns", "", std::to_string(count)};
+        case Pane::editor:
+            return {"Editor", name,
+                    app.selection.others.empty()
+                        ? ""
+                        : std::to_string(app.selection.others.size() + 1) + " edited together"};
+        case Pane::vibration:
+            return {"Vibration", name, ""};
+        case Pane::space:
+            return {"Perceptual space", "", space_title_right(app)};
+        case Pane::matrix:
+            return {"Matrix", "dissimilarity of every pair", map_state_text(app)};
+    }
+    return {};
+}
+
+void draw_content(App& app, Pane pane) {
+    switch (pane) {
+        case Pane::patterns:
+            return draw_set_panel(app);
+        case Pane::editor:
+            return draw_editor_panel(app);
+        case Pane::vibration:
+            return draw_vibration_panel(app);
+        case Pane::space:
+            return draw_space_panel(app);
+        case Pane::matrix:
+            return draw_matrix_panel(app);
+    }
+}
+
+void draw(App& app, Pane pane, const Rect& area) {
+    draw_pane(app, pane, area, title_of(app, pane), [&app, pane] { draw_content(app, pane); });
+}
+
+// Three columns, two of them split; the bars between them move the shares.
+void draw_columns(App& app, const Rect& area) {
+    if (app.layout.maximised) return draw(app, *app.layout.maximised, area);
+    const float bar = app.theme.splitter_px;
+    Layout& layout = app.layout;
+    const float width = area.width();
+    const float height = area.height();
+    const float x1 = area.min.x + std::round(layout.left * width);
+    const float x2 = area.max.x - std::round(layout.right * width);
+    const float y1 = area.min.y + std::round(layout.left_split * height);
+    const float y2 = area.min.y + std::round(layout.right_split * height);
+
+    draw(app, Pane::patterns, {area.min, {x1, y1}});
+    draw(app, Pane::editor, {{area.min.x, y1 + bar}, {x1, area.max.y}});
+    draw(app, Pane::vibration, {{x1 + bar, area.min.y}, {x2 - bar, area.max.y}});
+    draw(app, Pane::space, {{x2, area.min.y}, {area.max.x, y2}});
+    draw(app, Pane::matrix, {{x2, y2 + bar}, area.max});
+
+    draw_splitter(app, "left", {{x1, area.min.y}, {x1 + bar, area.max.y}}, true, width, layout.left,
+                  0.14F, 0.40F);
+    draw_splitter(app, "left split", {{area.min.x, y1}, {x1, y1 + bar}}, false, height,
+                  layout.left_split, 0.15F, 0.80F);
+    // The right share grows when its bar moves left.
+    float from_left = 1.0F - layout.right;
+    draw_splitter(app, "right", {{x2 - bar, area.min.y}, {x2, area.max.y}}, true, width, from_left,
+                  0.42F, 0.82F);
+    layout.right = 1.0F - from_left;
+    draw_splitter(app, "right split", {{x2, y2}, {area.max.x, y2 + bar}}, false, height,
+                  layout.right_split, 0.20F, 0.85F);
+}
+
+void draw_status_line(App& app, const Rect& area, ImDrawList& list) {
+    const Theme& theme = app.theme;
+    const float y = area.centre().y - ImGui::GetTextLineHeight() / 2.0F;
+    const bool fresh = app.status.is_error || app.time_s - app.status.since_s < kStatusFadeS;
+    if (!app.status.text.empty() && fresh) {
+        list.AddText({area.min.x + theme.padding_px, y},
+                     app.status.is_error ? theme.error : theme.dim_text, app.status.text.c_str());
+        note_rect(app.rects, "status", area.min, area.max, app.status.text);
+    }
+    if (!is_computing(app)) return;
+    const float width = 160.0F * theme.scale;
+    const ImVec2 min{area.max.x - width - theme.padding_px, area.centre().y - 2.0F * theme.scale};
+    const ImVec2 max{area.max.x - theme.padding_px, min.y + 4.0F * theme.scale};
+    list.AddRectFilled(min, max, theme.field, 2.0F * theme.scale);
+    const float share = std::clamp(app.full_job->progress(), 0.0F, 1.0F);
+    list.AddRectFilled(min, {min.x + (max.x - min.x) * share, max.y}, theme.accent,
+                       2.0F * theme.scale);
+}
+
+void draw_status(App& app, const Rect& area) {
+    ImGui::SetNextWindowPos(area.min);
+    ImGui::SetNextWindowSize(area.size());
+    ImGui::Begin("status", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    draw_status_line(app, area, *ImGui::GetWindowDrawList());
+    ImGui::End();
+}
+
+// The mouse, once used again, ends the keyboard's way through the widgets.
+void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
+    ImGuiIO& io = ImGui::GetIO();
+    for (const KeyPress& press : pressed) {
+        if (press.code == key::kTab && !press.ctrl) app.keyboard_mode = true;
+    }
+    if (io.MouseClicked[0] || io.MouseClicked[1]) app.keyboard_mode = false;
+    if (app.keyboard_mode) {
+        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    } else {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    }
+    const bool moved = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
+    if (moved) app.hover_since_s = app.time_s;
+}
+
+}  // namespace
+
+void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
+    app.time_s = time_s;
+    follow_input_mode(app, pressed);
+    take_answers(app);
+    app.selection.hovered_last = app.selection.hovered;
+    app.selection.hovered.reset();
+
+    draw_menus(app);
+    run_shortcuts(app, pressed);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float gap = app.theme.splitter_px;
+    const float top = ImGui::GetFrameHeight() + gap;
+    const float foot = kStatusHeightPx * app.theme.scale;
+    draw_columns(app, {{gap, top}, {screen.x - gap, screen.y - foot}});
+    draw_status(app, {{0.0F, screen.y - foot}, screen});
+    draw_dialogs(app);
+    draw_palette(app, pressed);
+    autosave_if_due(app);
+    write_rects(app.rects);
+}
+
+bool is_computing(const App& app) { return app.full_job && app.full_job->busy(); }
+
+bool wants_another_frame(const App& app) {
+    const bool hover_rests = app.time_s - app.hover_since_s < 0.5;
+    return is_moving(app) || hover_rests || app.fonts_outdated ||
+           app.selection.hovered != app.selection.hovered_last;
+}
+
+App make_app() {
+    App app;
+    app.rects = widget_rects_wanted();
+    app.committed = std::make_shared<const PatternSet>();
+    return app;
+}
+
+void make_theme(App& app) {
+    const float scale = app.content_scale * app.text_scale;
+    app.theme = app.dark ? dark_theme(scale) : light_theme(scale);
+    std::string names = app.document.set.name;
+    for (const Vibration& vibration : app.document.set.vibrations) {
+        names += vibration.name + vibration.note;
+    }
+    app.theme.fonts = load_fonts(*ImGui::GetIO().Fonts, scale, names);
+    ImGui::GetStyle() = ImGuiStyle();
+    apply(app.theme, ImGui::GetStyle());
+    app.fonts_outdated = false;
+}
+
+}  // namespace tact

@@ -1,0 +1,27 @@
+// One frame of the program: input, answers of the jobs, menus, panes, dialogs.
+#pragma once
+
+#include <span>
+
+#include "app/app.h"
+#include "app/input_queue.h"
+
+namespace tact {
+
+// Draws everything into the current ImGui frame. `time_s` never runs backwards.
+void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s);
+
+// Another frame is needed without input: something moves.
+bool wants_another_frame(const App& app);
+
+// The full run is under way: its progress is worth a look now and then.
+bool is_computing(const App& app);
+
+// An App with theme and layout, ready for start_session(); fonts are made by make_theme().
+App make_app();
+
+// Theme, fonts and style for the current ImGui context, at app.content_scale x app.text_scale.
+// The atlas must be empty.
+void make_theme(App& app);
+
+}  // namespace tact

@@ -1,0 +1,80 @@
+// Undo and redo as whole values: one gesture, one step.
+//
+// Whole values instead of commands: nothing has to know how to revert itself, and a value shares
+// what is big (recorded waveforms) with its neighbours.
+//
+// Input     the value before and after a gesture, and what the gesture did ("Change amplitude")
+// Output    the value to go back or forward to
+// Left out  merging of steps: the caller commits when a gesture ends.
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace tact {
+
+inline constexpr std::size_t kHistorySteps = 200;
+
+template <class Value>
+class History {
+  public:
+    using State = std::shared_ptr<const Value>;
+
+    explicit History(std::size_t limit = kHistorySteps) : limit_(limit) {}
+
+    // Makes a step, forgets what could be redone and, at the limit, the oldest step. Equal values
+    // are no step: false. Hand on the last `after` as the next `before`: then both steps share it.
+    bool commit(State before, State after, std::string label) {
+        assert(before && after && "a step lies between two values");
+        if (before == after || *before == *after) return false;
+        steps_.resize(done_);
+        steps_.push_back({std::move(before), std::move(after), std::move(label)});
+        if (steps_.size() > limit_) steps_.pop_front();
+        done_ = steps_.size();
+        return true;
+    }
+
+    // The value to show from now on; null: there is no such step.
+    State undo() { return done_ == 0 ? nullptr : steps_[--done_].before; }
+    State redo() { return done_ == steps_.size() ? nullptr : steps_[done_++].after; }
+
+    // What undo() or redo() would take back or do again; null: nothing.
+    const std::string* undo_label() const {
+        return done_ == 0 ? nullptr : &steps_[done_ - 1].label;
+    }
+    const std::string* redo_label() const {
+        return done_ == steps_.size() ? nullptr : &steps_[done_].label;
+    }
+
+    void clear() {
+        steps_.clear();
+        done_ = 0;
+    }
+
+  private:
+    struct Step {
+        State before;
+        State after;
+        std::string label;
+    };
+
+    std::size_t limit_;
+    std::size_t done_ = 0;  // steps before this one can be undone, from it on redone
+    std::deque<Step> steps_;
+};
+
+// "Undo" and "Change amplitude of L-4-full" make "Undo change amplitude of L-4-full".
+inline std::string menu_text(std::string verb, const std::string* label) {
+    if (label == nullptr || label->empty()) return verb;
+    std::string what = *label;
+    const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+    const bool is_acronym = what.size() > 1 && is_capital(what[1]);
+    if (is_capital(what[0]) && !is_acronym) what[0] = static_cast<char>(what[0] - 'A' + 'a');
+    return std::move(verb) + " " + what;
+}
+
+}  // namespace tact

@@ -1,0 +1,62 @@
+#include "app/live_map.h"
+
+#include <chrono>
+
+namespace tact {
+
+namespace {
+
+constexpr std::size_t kPreviewDecimation = 10;  // envelopes at 1 kHz
+constexpr float kPredictionShare = 0.9F;        // of the progress bar; the rest is the map
+
+// From where the points were, when the set has kept its size; else from Torgerson's map.
+PerceptualSpace preview_space(const Dissimilarity& pm, int dimensions, const LiveMap* last,
+                              std::stop_token stop) {
+    MdsParams params;
+    params.dimensions = dimensions;
+    params.random_starts = 0;
+    params.tolerance = 1e-6;
+    params.max_steps = 300;
+    params.threads = 1;
+    const bool same_shape = last != nullptr && last->space.verdict == MdsVerdict::fine &&
+                            last->space.points.rows() == static_cast<Eigen::Index>(pm.size) &&
+                            last->space.points.cols() == dimensions;
+    if (!same_shape) return nonmetric_mds(pm, params, stop);
+    return smacof(pm, last->space.points, params, stop);
+}
+
+}  // namespace
+
+std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, std::stop_token stop,
+                                               std::atomic<float>& progress) {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<Waveform> waveforms = model_waveforms(*request.set);
+    PredictOptions options;
+    options.envelope_decimation = request.preview ? kPreviewDecimation : 1;
+    options.previous = last_ ? &last_->prediction : nullptr;
+    options.threads = threads_;
+    options.stop = stop;
+    options.progress = [&progress](double share) {
+        progress = kPredictionShare * static_cast<float>(share);
+    };
+    auto prediction = predict(waveforms, request.set->model, options);
+    if (!prediction) return std::nullopt;
+    progress = kPredictionShare;
+
+    LiveMap map{request, std::move(*prediction), {}, 0.0};
+    const Dissimilarity& pm = map.prediction.pm;
+    if (request.preview) {
+        map.space = preview_space(pm, request.dimensions, last_.get(), stop);
+    } else {
+        MdsParams params = standard_mds_params(pm.size, request.dimensions);
+        params.threads = threads_;
+        map.space = nonmetric_mds(pm, params, stop);
+    }
+    if (stop.stop_requested()) return std::nullopt;
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    map.seconds = took.count();
+    last_ = std::make_shared<const LiveMap>(map);
+    return map;
+}
+
+}  // namespace tact

@@ -1,0 +1,54 @@
+// The predicted space of a set, computed beside the window: from the document to the map.
+//
+// Two runs answer each edit: a preview with coarse envelopes and one start, which always finishes
+// and follows a drag, and the full run, whose numbers are those of the command line.
+//
+// Exact     the full run depends on the set alone, not on what was shown before.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+#include "model/mds.h"
+#include "model/pattern_set.h"
+#include "model/perceptual_model.h"
+
+namespace tact {
+
+// Above this many patterns a live map would keep the machine busy for hours.
+inline constexpr std::size_t kMostLivePatterns = 1000;
+
+struct LiveMapRequest {
+    std::uint64_t revision = 0;  // of the document
+    std::shared_ptr<const PatternSet> set;
+    int dimensions = 3;
+    bool preview = false;
+};
+
+// One answer: a snapshot that panels draw as long as they like.
+struct LiveMap {
+    LiveMapRequest request;
+    Prediction prediction;
+    PerceptualSpace space;
+    double seconds = 0.0;  // it took
+};
+
+// The work of one job. It keeps its last answer, so that an edit of one pattern costs one row, and
+// a preview starts from where the points were.
+class LiveMapWork {
+  public:
+    explicit LiveMapWork(int threads = 0) : threads_(threads) {}
+
+    // Nothing when stopped. `progress` runs 0..1.
+    std::optional<LiveMap> operator()(const LiveMapRequest& request, std::stop_token stop,
+                                      std::atomic<float>& progress);
+
+  private:
+    int threads_;  // 0: all cores
+    std::shared_ptr<const LiveMap> last_;
+};
+
+}  // namespace tact

@@ -1,0 +1,71 @@
+#include "app/main_window.h"
+
+#include <algorithm>
+
+#include "app/files.h"
+#include "app/frame.h"
+#include "app/map_follow.h"
+#include "app/window.h"
+
+namespace tact {
+
+namespace {
+
+WindowOptions options_of(const App& app) {
+    WindowOptions options;
+    options.width = app.session.window_width;
+    options.height = app.session.window_height;
+    options.maximised = app.session.window_maximised;
+    return options;
+}
+
+FrameRequest draw_window_frame(App& app, const FrameContext& context) {
+    app.content_scale = context.content_scale;
+    app.session.window_width = context.width;
+    app.session.window_height = context.height;
+    app.session.window_maximised = context.maximised;
+    draw_frame(app, context.pressed, context.time_s);
+    FrameRequest request;
+    request.animate = wants_another_frame(app);
+    if (is_computing(app)) request.wake_after_s = 0.1;  // progress
+    if (app.autosave_pending) request.wake_after_s = std::min(request.wake_after_s, 0.5);
+    request.rebuild_fonts = app.fonts_outdated;
+    request.close = app.quit;
+    request.title = document_title(app) + " - tactspace";
+    request.background = app.theme.background;
+    return request;
+}
+
+}  // namespace
+
+Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
+    if (!display_available()) {
+        return Error{
+            "no display to open a window on; \"tactspace predict SET\" and \"tactspace snapshot "
+            "SET\" work without one (see tactspace --help)"};
+    }
+    App app = make_app();
+    app.wake = wake_window;
+    const Expected<Done> started = start_session(app, sets);
+    if (!started) return started.error();
+    make_jobs(app);
+    request_maps(app);
+
+    WindowClient client;
+    client.frame = [&app](const FrameContext& context) { return draw_window_frame(app, context); };
+    client.drop = [&app](const std::vector<std::filesystem::path>& paths) {
+        open_paths(app, paths);
+    };
+    client.build_fonts = [&app](float content_scale) {
+        app.content_scale = content_scale;
+        make_theme(app);
+    };
+    const Expected<Done> answer = run_window(options_of(app), client);
+    // The jobs end before what they wake does.
+    app.full_job.reset();
+    app.preview_job.reset();
+    end_session(app);
+    return answer;
+}
+
+}  // namespace tact

@@ -1,0 +1,111 @@
+// PM, NC or OC of every pair as a heat map, and the pair under the mouse in numbers.
+
+#include <cstdio>
+
+#include "app/editing.h"
+#include "app/map_follow.h"
+#include "app/panels/panels.h"
+#include "app/widgets.h"
+#include "viz/marks.h"
+#include "viz/matrix_view.h"
+#include "viz/plot.h"
+
+namespace tact {
+
+namespace {
+
+const Dissimilarity& shown_matrix(const App& app) {
+    const Prediction& prediction = app.map.shown->prediction;
+    if (app.matrix_quantity == MatrixQuantity::nc) return prediction.nc;
+    if (app.matrix_quantity == MatrixQuantity::oc) return prediction.oc;
+    return prediction.pm;
+}
+
+const char* quantity_name(MatrixQuantity quantity) {
+    if (quantity == MatrixQuantity::nc) return "NC";
+    if (quantity == MatrixQuantity::oc) return "OC";
+    return "PM";
+}
+
+void draw_choice(App& app) {
+    const auto choose = [&app](MatrixQuantity quantity, const char* help) {
+        const char* name = quantity_name(quantity);
+        if (ImGui::RadioButton(name, app.matrix_quantity == quantity)) {
+            app.matrix_quantity = quantity;
+        }
+        note_item(app.rects, std::string("radio:") + name);
+        draw_tooltip(app, help);
+        ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
+    };
+    choose(MatrixQuantity::pm,
+           "Predicted dissimilarity: the weighted ranks of NC and OC. It depends on the set: a "
+           "pattern more or less changes every number.");
+    choose(MatrixQuantity::nc, "Neural coding: difference of the predicted brain waveforms.");
+    choose(MatrixQuantity::oc, "Rhythm: dynamic time warping of the two envelopes.");
+    ImGui::NewLine();
+}
+
+// The pair's numbers beneath the map: all three, so that PM explains itself.
+void draw_pair(App& app, const Rect& area, std::optional<Pair> pair,
+               const std::vector<std::string>& labels) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Theme& theme = app.theme;
+    if (!pair) {
+        draw_text(list, theme.fonts.small, area.min, theme.dim_text,
+                  "Point at a cell for its numbers; click one to select its row.");
+        return;
+    }
+    const auto [i, j] = *pair;
+    const Prediction& prediction = app.map.shown->prediction;
+    const std::size_t m = prediction.pm.condensed.size();
+    const std::size_t k = pair_index(prediction.pm.size, std::min(i, j), std::max(i, j));
+    const std::string names = labels[i] + "   " + labels[j];
+    draw_text(list, theme.fonts.semibold, area.min, theme.text,
+              shortened(theme.fonts.semibold, names, area.width()));
+    char numbers[160];
+    std::snprintf(numbers, sizeof numbers,
+                  "PM %.4g of %zu    NC %.3g, rank %.4g    OC %.4g, rank %.4g",
+                  prediction.pm.condensed[k], m, prediction.nc.condensed[k], prediction.nc_rank[k],
+                  prediction.oc.condensed[k], prediction.oc_rank[k]);
+    draw_text(list, theme.fonts.small,
+              {area.min.x, area.min.y + ImGui::GetTextLineHeightWithSpacing()}, theme.dim_text,
+              shortened(theme.fonts.small, numbers, area.width()));
+    note_rect(app.rects, "pair", area.min, area.max, names + "\t" + numbers);
+}
+
+}  // namespace
+
+void draw_matrix_panel(App& app) {
+    draw_choice(app);
+    Rect area = rest_of_pane();
+    if (area.empty()) return;
+    const bool has_pairs = app.map.shown && !app.map.shown->prediction.pm.condensed.empty();
+    if (!has_pairs || map_state(app) == MapState::too_large) {
+        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "No pairs to compare",
+                   "Two patterns or more have a dissimilarity each way around.");
+        return;
+    }
+    std::vector<std::string> labels;
+    for (const Vibration& vibration : app.map.shown->request.set->vibrations) {
+        labels.push_back(vibration.name);
+    }
+    const float foot = 2.2F * ImGui::GetTextLineHeightWithSpacing();
+    Rect foot_area = area;
+    foot_area.min.y = area.max.y - foot;
+    area.max.y = foot_area.min.y - app.theme.gap_px * 0.5F;
+
+    MatrixScene scene;
+    scene.condensed = shown_matrix(app).condensed;
+    scene.labels = labels;
+    scene.quantity = quantity_name(app.matrix_quantity);
+    const bool same_order = labels.size() == app.document.set.vibrations.size();
+    if (same_order) scene.selected = app.selection.current;
+    note_rect(app.rects, "view:Matrix", area.min, area.max);
+    const MatrixAction action = draw_matrix("matrix", app.theme, area, scene);
+    if (same_order && action.clicked) select_only(app, action.clicked->first);
+    if (same_order && action.clicked_row) select_only(app, *action.clicked_row);
+    if (same_order && action.hovered) app.selection.hovered = action.hovered->second;
+    draw_pair(app, foot_area, action.hovered, labels);
+}
+
+}  // namespace tact

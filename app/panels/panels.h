@@ -1,0 +1,22 @@
+// The panels: each draws one pane's content from the program's state and turns what the person does
+// there into changes of it. Called inside the pane, cursor at its top left.
+#pragma once
+
+#include "app/app.h"
+#include "viz/geometry.h"
+
+namespace tact {
+
+void draw_set_panel(App& app);
+void draw_editor_panel(App& app);
+void draw_vibration_panel(App& app);
+void draw_space_panel(App& app);
+void draw_matrix_panel(App& app);
+
+// Mark and colour of the pattern at a position: its own colour, else by position.
+PatternLook look_of(const App& app, std::size_t index);
+
+// What is left of the pane below the cursor.
+Rect rest_of_pane();
+
+}  // namespace tact

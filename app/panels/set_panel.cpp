@@ -1,0 +1,251 @@
+// The list of patterns: search, select, rename, reorder, lock.
+
+#include <imgui.h>
+// After imgui.h.
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <optional>
+
+#include "app/editing.h"
+#include "app/panels/panels.h"
+#include "app/widgets.h"
+#include "viz/colour.h"
+#include "viz/marks.h"
+#include "viz/plot.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kRowHeightPx = 25.0F;
+constexpr const char* kDragKind = "tact-vibration";
+
+std::string lower(std::string text) {
+    std::ranges::transform(text, text.begin(), [](char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    });
+    return text;
+}
+
+std::vector<std::size_t> found(const App& app) {
+    const auto& all = app.document.set.vibrations;
+    const std::string wanted = lower(app.set_panel.search);
+    std::vector<std::size_t> indices;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (lower(all[k].name).find(wanted) != std::string::npos) indices.push_back(k);
+    }
+    return indices;
+}
+
+void draw_toolbar(App& app) {
+    if (ImGui::Button("New")) add_pattern(app);
+    note_item(app.rects, "button:new");
+    draw_tooltip(app, "Add a pattern (Ctrl+N)");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(app.document.set.vibrations.empty());
+    if (ImGui::Button("Duplicate")) duplicate_selected(app);
+    note_item(app.rects, "button:duplicate");
+    draw_tooltip(app, "Copy the selected patterns (Ctrl+D)");
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0F);
+    ImGui::InputTextWithHint("##search", "Search", &app.set_panel.search);
+    note_item(app.rects, "search");
+}
+
+void draw_thumbnail(App& app, const Rect& area, const Vibration& vibration, ImU32 colour) {
+    const Waveform& waveform = cached_waveform(app.cache, vibration);
+    Plot plot;
+    plot.area = area;
+    const double length_s = std::max(duration_s(waveform), 1e-3);
+    // Silence needs a scale, too; a shared one would hide quiet patterns.
+    const double largest_g = std::max(peak_g(waveform), 1e-6);
+    plot.x = {0.0, length_s, Scale::linear, area.min.x, area.max.x};
+    plot.y = {-largest_g, largest_g, Scale::linear, area.max.y, area.min.y};
+    draw_signal(*ImGui::GetWindowDrawList(), app.theme, plot, waveform.samples_g, waveform.rate_hz,
+                colour, TraceStyle::line);
+}
+
+std::string strength_text(const Vibration& vibration) {
+    const auto* pattern = std::get_if<Pattern>(&vibration.source);
+    if (pattern == nullptr) return "measured";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g g", pattern->amplitude_g);
+    return text;
+}
+
+void click_row(App& app, std::size_t index) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.KeyShift) {
+        select_through(app, index);
+    } else if (io.KeyCtrl) {
+        toggle_selected(app, index);
+    } else {
+        select_only(app, index);
+    }
+}
+
+void drag_row(App& app, std::size_t index) {
+    if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) {
+        ImGui::SetDragDropPayload(kDragKind, &index, sizeof index);
+        ImGui::EndDragDropSource();
+    }
+    if (ImGui::BeginDragDropTarget()) {
+        if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kDragKind)) {
+            move_vibration(app, *static_cast<const std::size_t*>(payload->Data), index);
+        }
+        ImGui::EndDragDropTarget();
+    }
+}
+
+void draw_row_menu(App& app, std::size_t index) {
+    if (!ImGui::BeginPopupContextItem("row menu")) return;
+    if (index != app.selection.current && !app.selection.others.contains(index)) {
+        select_only(app, index);
+    }
+    const Vibration& vibration = app.document.set.vibrations[index];
+    if (ImGui::MenuItem("Rename", "F2")) {
+        app.set_panel.renaming = index;
+        app.set_panel.rename_text = vibration.name;
+    }
+    if (ImGui::MenuItem(vibration.locked ? "Unlock" : "Lock")) toggle_locked(app);
+    if (ImGui::MenuItem("Duplicate", "Ctrl+D")) duplicate_selected(app);
+    if (ImGui::MenuItem("Copy", "Ctrl+C")) copy_selected(app);
+    if (ImGui::MenuItem("Delete", "Del")) remove_selected(app);
+    ImGui::EndPopup();
+}
+
+// The text field that stands in the row while it is renamed.
+void draw_rename(App& app, std::size_t index) {
+    SetPanelState& state = app.set_panel;
+    ImGui::SetNextItemWidth(-1.0F);
+    ImGui::SetKeyboardFocusHere();
+    const bool entered =
+        ImGui::InputText("##rename", &state.rename_text,
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    if (entered) rename_vibration(app, index, state.rename_text);
+    if (entered || ImGui::IsItemDeactivated()) state.renaming.reset();
+}
+
+void draw_row_content(App& app, std::size_t index, const Rect& row) {
+    const Vibration& vibration = app.document.set.vibrations[index];
+    const Theme& theme = app.theme;
+    const float s = theme.scale;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool current = index == app.selection.current;
+    if (current || app.selection.others.contains(index)) {
+        list.AddRectFilled(row.min, row.max, faded(theme.accent, current ? 0.28F : 0.16F),
+                           theme.rounding_px);
+    } else if (app.selection.hovered_last == index) {
+        list.AddRectFilled(row.min, row.max, theme.hover, theme.rounding_px);
+    }
+    const float middle = row.centre().y;
+    const float text_y = middle - ImGui::GetTextLineHeight() / 2.0F;
+    const PatternLook look = look_of(app, index);
+    draw_pattern_mark(list, theme, {row.min.x + 12.0F * s, middle}, 5.5F * s, look, theme.pane);
+
+    const std::string strength = strength_text(vibration);
+    const float strength_width = text_size(theme.fonts.small, strength).x;
+    const float right = row.max.x - 6.0F * s;
+    draw_text(list, theme.fonts.small, {right - strength_width, text_y + 1.0F * s}, theme.dim_text,
+              strength);
+    const float picture_end = row.max.x - 62.0F * s;
+    const float picture_begin = picture_end - std::min(76.0F * s, row.width() * 0.28F);
+    draw_thumbnail(app,
+                   {{picture_begin, row.min.y + 5.0F * s}, {picture_end, row.max.y - 5.0F * s}},
+                   vibration, look.colour);
+    const float name_begin = row.min.x + 26.0F * s;
+    std::string name = vibration.name;
+    if (vibration.locked) name += "  (locked)";
+    draw_text(list, theme.fonts.regular, {name_begin, text_y}, theme.text,
+              shortened(theme.fonts.regular, name, picture_begin - name_begin - 6.0F * s));
+}
+
+void draw_row(App& app, std::size_t index) {
+    const float height = kRowHeightPx * app.theme.scale;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::PushID(static_cast<int>(index));
+    if (app.set_panel.renaming == index) {
+        draw_rename(app, index);
+        ImGui::PopID();
+        return;
+    }
+    const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
+    ImGui::InvisibleButton("row", {width, height});
+    if (ImGui::IsItemClicked()) click_row(app, index);
+    if (ImGui::IsItemHovered()) {
+        app.selection.hovered = index;
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+            app.set_panel.renaming = index;
+            app.set_panel.rename_text = app.document.set.vibrations[index].name;
+        }
+    }
+    const Rect row = rect_at(corner, {width, height});
+    note_rect(app.rects, "row:" + app.document.set.vibrations[index].name, row.min, row.max);
+    drag_row(app, index);
+    draw_row_menu(app, index);
+    draw_row_content(app, index, row);
+    ImGui::PopID();
+}
+
+void scroll_to_current(App& app, const std::vector<std::size_t>& rows) {
+    if (!app.set_panel.scroll_to_current) return;
+    app.set_panel.scroll_to_current = false;
+    const auto place = std::ranges::find(rows, app.selection.current) - rows.begin();
+    const float row_height = kRowHeightPx * app.theme.scale + ImGui::GetStyle().ItemSpacing.y;
+    const float target = static_cast<float>(place) * row_height;
+    const float top = ImGui::GetScrollY();
+    if (target < top) ImGui::SetScrollY(target);
+    if (target + row_height > top + ImGui::GetWindowHeight()) {
+        ImGui::SetScrollY(target + row_height - ImGui::GetWindowHeight());
+    }
+}
+
+void draw_rows(App& app) {
+    const std::vector<std::size_t> rows = found(app);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 1.0F));
+    if (ImGui::BeginChild("rows")) {
+        scroll_to_current(app, rows);
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(rows.size()));
+        while (clipper.Step()) {
+            for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
+                const std::size_t index = rows[static_cast<std::size_t>(k)];
+                // A row's own action may have removed patterns.
+                if (index < app.document.set.vibrations.size()) draw_row(app, index);
+            }
+        }
+        if (rows.empty()) {
+            const bool none = app.document.set.vibrations.empty();
+            draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(),
+                       none ? "No patterns yet" : "No pattern has this in its name",
+                       none ? "Press New, or drop a folder of .txt or .wav files here."
+                            : "Clear the search to see all of them.");
+        }
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+PatternLook look_of(const App& app, std::size_t index) {
+    PatternLook look = pattern_look(app.theme, index);
+    const auto own = parse_colour(app.document.set.vibrations[index].colour);
+    return own ? PatternLook{*own, false} : look;
+}
+
+Rect rest_of_pane() {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    return rect_at(corner, ImGui::GetContentRegionAvail());
+}
+
+void draw_set_panel(App& app) {
+    draw_toolbar(app);
+    draw_rows(app);
+}
+
+}  // namespace tact

@@ -1,0 +1,149 @@
+#include "app/pictures.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cstdio>
+
+#include "app/frame.h"
+#include "app/live_map.h"
+#include "app/map_follow.h"
+#include "model/spectrum.h"
+#include "viz/colour.h"
+#include "viz/marks.h"
+#include "viz/matrix_view.h"
+#include "viz/space_view.h"
+#include "viz/spectrum_view.h"
+#include "viz/wave_view.h"
+
+namespace tact {
+
+namespace {
+
+std::string all_names(const PatternSet& set) {
+    std::string names = set.name;
+    for (const Vibration& vibration : set.vibrations) names += vibration.name + vibration.note;
+    return names;
+}
+
+PictureOptions options_of(const PictureSize& size, std::string extra_text) {
+    PictureOptions options;
+    options.dark = size.dark;
+    options.scale = size.scale;
+    options.extra_text = std::move(extra_text);
+    return options;
+}
+
+// Title at the top left, a dim detail after it; what is left of the picture.
+Rect draw_title(const Theme& theme, const std::string& title, const std::string& detail) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const Rect area = inset(rect_at(corner, ImGui::GetWindowSize()), 1.5F * theme.padding_px);
+    draw_text(list, theme.fonts.semibold, area.min, theme.text, title);
+    const float width = text_size(theme.fonts.semibold, title + "  ").x;
+    draw_text(list, theme.fonts.regular, {area.min.x + width, area.min.y}, theme.dim_text, detail);
+    return {{area.min.x, area.min.y + 2.0F * ImGui::GetTextLineHeight()}, area.max};
+}
+
+std::string upper(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
+}
+
+}  // namespace
+
+Image matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
+                     const std::string& metric, const PictureSize& size) {
+    std::string names;
+    for (const std::string& label : labels) names += label;
+    const std::string quantity = upper(metric);
+    return draw_picture(size.width, size.height, options_of(size, names), [&](const Theme& theme) {
+        const Rect area = draw_title(theme, quantity, "predicted dissimilarity of every pair");
+        MatrixScene scene;
+        scene.condensed = matrix.condensed;
+        scene.labels = labels;
+        scene.quantity = quantity;
+        draw_matrix("matrix", theme, area, scene);
+    });
+}
+
+Image space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
+                    const PictureSize& size) {
+    std::vector<std::string> labels;
+    for (const Vibration& vibration : set.vibrations) labels.push_back(vibration.name);
+    char detail[96];
+    std::snprintf(detail, sizeof detail, "predicted by PM, stress-1 %.3f, %s", space.stress1,
+                  stress_label(space.stress1).c_str());
+    return draw_picture(
+        size.width, size.height, options_of(size, all_names(set)), [&](const Theme& theme) {
+            const Rect area = draw_title(theme, "Perceptual space", detail);
+            std::vector<PatternLook> looks;
+            for (std::size_t k = 0; k < labels.size(); ++k) {
+                const auto own = parse_colour(set.vibrations[k].colour);
+                looks.push_back(own ? PatternLook{*own, false} : pattern_look(theme, k));
+            }
+            SpaceScene scene;
+            scene.labels = labels;
+            scene.looks = looks;
+            scene.points = &space.points;
+            scene.dissimilarity = [&pm](std::size_t i, std::size_t j) { return pm(i, j); };
+            scene.quantity = "PM";
+            SpaceCamera camera;
+            draw_space("space", theme, area, scene, camera);
+        });
+}
+
+Image wave_picture(const Vibration& vibration, const PictureSize& size) {
+    const Waveform waveform = waveform_of(vibration);
+    return draw_picture(
+        size.width, size.height, options_of(size, vibration.name), [&](const Theme& theme) {
+            const Rect area = draw_title(theme, vibration.name, "acceleration at the skin");
+            const WaveTrace trace{waveform.samples_g, waveform.rate_hz, theme.accent};
+            WaveScene scene;
+            scene.traces = {&trace, 1};
+            scene.end_s = std::max(duration_s(waveform), 1e-3);
+            draw_wave("wave", theme, area, scene);
+        });
+}
+
+Image spectrum_picture(const Vibration& vibration, const NeuralCodingParams& params,
+                       const PictureSize& size) {
+    const Waveform waveform = waveform_of(vibration);
+    const std::vector<double> input =
+        params.remove_mean ? without_mean(waveform.samples_g) : waveform.samples_g;
+    const std::vector<Component> found =
+        components(amplitude_spectrum(input, waveform.rate_hz), params);
+    return draw_picture(size.width, size.height, options_of(size, vibration.name),
+                        [&](const Theme& theme) {
+                            const Rect area = draw_title(theme, vibration.name,
+                                                         "displacement over the receptors' "
+                                                         "thresholds");
+                            SpectrumScene scene;
+                            scene.components = found;
+                            scene.thresholds = &params.tables.threshold;
+                            scene.colour = theme.text;
+                            draw_spectrum("spectrum", theme, area, scene);
+                        });
+}
+
+Image window_picture(const PatternSet& set, int threads, const PictureSize& size) {
+    App app = make_app();
+    app.motion = false;
+    app.document = {set, {}, set};
+    app.dark = size.dark;
+    LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(set), 3, false};
+    std::atomic<float> progress = 0.0F;
+    LiveMapWork work(threads);
+    if (auto map = work(request, {}, progress)) {
+        show_map(app, std::make_shared<const LiveMap>(*std::move(map)));
+    }
+    return draw_picture(
+        size.width, size.height, options_of(size, all_names(set)), [&app](const Theme& theme) {
+            app.theme = theme;
+            const ImVec2 screen = ImGui::GetIO().DisplaySize;
+            ImGui::GetWindowDrawList()->AddRectFilled({0.0F, 0.0F}, screen, theme.background);
+            draw_frame(app, {}, 1.0);
+        });
+}
+
+}  // namespace tact

@@ -1,0 +1,223 @@
+#include "app/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tact {
+
+namespace {
+
+constexpr float kLabelWidthPx = 92.0F;
+constexpr float kEntryWidthPx = 86.0F;
+
+ImVec4 colour4(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
+
+void draw_pane_title(App& app, Pane pane, const PaneTitle& title) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::PushFont(app.theme.fonts.semibold);
+    ImGui::TextUnformatted(title.title.c_str());
+    ImGui::PopFont();
+    ImGui::SameLine();
+    dim_text(app, title.detail);
+    if (!title.right.empty()) {
+        const float right_width = ImGui::CalcTextSize(title.right.c_str()).x;
+        ImGui::SameLine(std::max(ImGui::GetCursorPosX(),
+                                 width - right_width + ImGui::GetStyle().WindowPadding.x));
+        dim_text(app, title.right);
+    }
+    const ImVec2 end{corner.x + width, corner.y + ImGui::GetTextLineHeight()};
+    const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, end);
+    if (over && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive()) {
+        app.layout.maximised = app.layout.maximised ? std::nullopt : std::optional(pane);
+    }
+    note_rect(app.rects, "title:" + title.title, corner, end, title.right);
+}
+
+// The part of the slider up to its value, drawn over the frame.
+void draw_fill(const App& app, float share) {
+    const ImVec2 min = ImGui::GetItemRectMin();
+    const ImVec2 max = ImGui::GetItemRectMax();
+    const float x = min.x + (max.x - min.x) * std::clamp(share, 0.0F, 1.0F);
+    const ImU32 fill = (app.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90);
+    ImGui::GetWindowDrawList()->AddRectFilled(min, {x, max.y}, fill, app.theme.rounding_px);
+}
+
+float share_of(const Field& field, double value) {
+    const auto [low, high] = field.slider;
+    if (field.logarithmic) {
+        return static_cast<float>(std::log(std::max(value, low) / low) / std::log(high / low));
+    }
+    return static_cast<float>((value - low) / (high - low));
+}
+
+double snapped(const Field& field, double value) {
+    if (field.snap > 0.0) value = std::round(value / field.snap) * field.snap;
+    return std::clamp(value, field.slider.low, field.slider.high);
+}
+
+// Left and right nudge the field that was touched last, unless text is being typed.
+bool nudge(const App& app, const Field& field, double& value) {
+    if (app.editor.active_field != field.id || ImGui::GetIO().WantTextInput) return false;
+    if (ImGui::IsAnyItemActive() || app.keyboard_mode) return false;
+    const bool right = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow));
+    const bool left = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow));
+    if (right == left) return false;
+    const double step = std::max(field.step, field.snap) * (ImGui::GetIO().KeyShift ? 5.0 : 1.0);
+    value = snapped(field, value + (right ? step : -step));
+    return true;
+}
+
+bool draw_bar(App& app, const Field& field, double& value) {
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
+                                   (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    double moved = value;
+    const bool changed = ImGui::SliderScalar("##bar", ImGuiDataType_Double, &moved,
+                                             &field.slider.low, &field.slider.high, "", flags);
+    if (changed) value = snapped(field, moved);
+    draw_fill(app, share_of(field, value));
+    note_item(app.rects, std::string("slider:") + field.id, std::to_string(value));
+    return changed;
+}
+
+// True when a number was entered that differs from the value.
+bool draw_entry(App& app, const Field& field, double& value) {
+    double typed = value;
+    ImGui::InputDouble("##entry", &typed, 0.0, 0.0, field.format,
+                       ImGuiInputTextFlags_AutoSelectAll);
+    const bool entered =
+        ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed) && typed != value;
+    if (entered) value = std::clamp(typed, field.typed.low, field.typed.high);
+    note_item(app.rects, std::string("entry:") + field.id, std::to_string(value));
+    return entered;
+}
+
+}  // namespace
+
+void draw_pane(App& app, Pane pane, const Rect& area, const PaneTitle& title,
+               const std::function<void()>& content) {
+    ImGui::SetNextWindowPos(area.min);
+    ImGui::SetNextWindowSize(area.size());
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, app.theme.pane_rounding_px);
+    constexpr ImGuiWindowFlags kFlags =
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+        ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
+    if (ImGui::Begin(title.title.c_str(), nullptr, kFlags)) {
+        draw_pane_title(app, pane, title);
+        content();
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+float label_width(const App& app) { return kLabelWidthPx * app.theme.scale; }
+
+void draw_label(const App& app, const char* label) {
+    ImGui::AlignTextToFramePadding();
+    dim_text(app, label);
+    ImGui::SameLine(label_width(app) + ImGui::GetStyle().WindowPadding.x);
+}
+
+FieldEdit draw_field(App& app, const Field& field, double& value) {
+    FieldEdit edit;
+    ImGui::PushID(field.id);
+    ImGui::BeginDisabled(!field.enabled);
+    draw_label(app, field.label);
+    if (field.help != nullptr) draw_tooltip(app, field.help);
+
+    const float entry_width = kEntryWidthPx * app.theme.scale;
+    const float bar_width = ImGui::GetContentRegionAvail().x - entry_width - app.theme.gap_px;
+    ImGui::SetNextItemWidth(std::max(40.0F, bar_width));
+    edit.changed = draw_bar(app, field, value);
+    edit.finished = ImGui::IsItemDeactivatedAfterEdit();
+    bool touched = ImGui::IsItemActivated();
+
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    ImGui::SetNextItemWidth(entry_width);
+    if (draw_entry(app, field, value)) edit.changed = edit.finished = true;
+    touched |= ImGui::IsItemActivated();
+    if (touched) app.editor.active_field = field.id;
+    if (nudge(app, field, value)) edit.changed = edit.finished = true;
+    ImGui::EndDisabled();
+    ImGui::PopID();
+    return edit;
+}
+
+void draw_splitter(App& app, const char* id, const Rect& bar, bool vertical, float total,
+                   float& share, float low, float high) {
+    ImGui::SetNextWindowPos(bar.min);
+    ImGui::SetNextWindowSize(bar.size());
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoBackground |
+                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+    if (ImGui::Begin(id, nullptr, kFlags)) {
+        ImGui::InvisibleButton("bar", bar.size());
+        const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+        if (lit) {
+            ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+            ImGui::GetWindowDrawList()->AddRectFilled(bar.min, bar.max, app.theme.accent,
+                                                      app.theme.rounding_px);
+        }
+        if (ImGui::IsItemActive()) {
+            const ImVec2 delta = ImGui::GetIO().MouseDelta;
+            share = std::clamp(share + (vertical ? delta.x : delta.y) / total, low, high);
+        }
+        note_item(app.rects, std::string("splitter:") + id);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+void draw_hint(App& app, const char* id, const char* text) {
+    if (app.session.dismissed_hints.contains(id)) return;
+    ImGui::PushID(id);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour4(app.theme.dim_text));
+    ImGui::PushTextWrapPos(ImGui::GetContentRegionMax().x - 24.0F * app.theme.scale);
+    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - 18.0F * app.theme.scale);
+    if (ImGui::SmallButton("\u00d7")) app.session.dismissed_hints.insert(id);
+    note_item(app.rects, std::string("hint:") + id);
+    draw_tooltip(app, "Dismiss this hint");
+    ImGui::PopID();
+}
+
+void draw_tooltip(const App& app, const char* text) {
+    constexpr float kRestS = 0.4F;
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (ImGui::GetCurrentContext() == nullptr || ImGui::GetIO().MouseDown[0]) return;
+    if (app.time_s - app.hover_since_s < static_cast<double>(kRestS)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(320.0F * app.theme.scale);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void dim_text(const App& app, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour4(app.theme.dim_text));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+}
+
+bool link(const App& app, const char* id, const std::string& text) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(id, size);
+    const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    ImGui::GetWindowDrawList()->AddText(corner, app.theme.accent, text.c_str());
+    if (lit) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        ImGui::GetWindowDrawList()->AddLine({corner.x, corner.y + size.y},
+                                            {corner.x + size.x, corner.y + size.y},
+                                            app.theme.accent);
+    }
+    return pressed;
+}
+
+}  // namespace tact

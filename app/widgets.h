@@ -1,0 +1,65 @@
+// The few widgets the panels are made of: panes, parameter fields, splitters, hints.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/app.h"
+#include "model/pattern.h"
+#include "viz/geometry.h"
+
+namespace tact {
+
+// A pane of the window with its title; double-clicking the title maximises it or puts it back.
+// Draws `content` inside, with the cursor at its top left.
+struct PaneTitle {
+    std::string title;
+    std::string detail;  // dim, after the title
+    std::string right;   // dim, at the right end
+};
+void draw_pane(App& app, Pane pane, const Rect& area, const PaneTitle& title,
+               const std::function<void()>& content);
+
+// A number with a slider and typed entry. Typing reaches further than the slider and is exact; the
+// slider and the arrow keys keep to multiples of `snap`.
+struct Field {
+    const char* id;      // "amplitude_g": also its name for tests
+    const char* label;   // "Amplitude"
+    const char* format;  // of printf, with the unit: "%.2f g"
+    Range slider;
+    Range typed;
+    double step;  // of an arrow key; 5 steps with Shift
+    double snap = 0.0;
+    bool logarithmic = false;
+    const char* help = nullptr;  // a tooltip
+    bool enabled = true;
+};
+
+struct FieldEdit {
+    bool changed = false;   // the value moved in this frame
+    bool finished = false;  // the gesture ended: an undo step
+};
+
+FieldEdit draw_field(App& app, const Field& field, double& value);
+
+// A row's label column, for rows that are no Field.
+void draw_label(const App& app, const char* label);
+float label_width(const App& app);
+
+// A 6 px bar between two panes; moves `share` of `total` while dragged. Vertical bars part columns.
+void draw_splitter(App& app, const char* id, const Rect& bar, bool vertical, float total,
+                   float& share, float low, float high);
+
+// One line of advice that stays away once dismissed.
+void draw_hint(App& app, const char* id, const char* text);
+
+// A tooltip on the last item after a moment's rest.
+void draw_tooltip(const App& app, const char* text);
+
+// Text in the theme's dim colour.
+void dim_text(const App& app, const std::string& text);
+
+// Clickable text in the accent colour.
+bool link(const App& app, const char* id, const std::string& text);
+
+}  // namespace tact

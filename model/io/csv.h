@@ -1,0 +1,28 @@
+// Records of comma-separated values.
+//
+// Source    RFC 4180; also blanks as separators, for bare numbers
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tact {
+
+struct CsvRecord {
+    std::size_t line = 0;  // from 1; 0: there is no record left
+    std::vector<std::string> fields;
+    bool is_quote_open = false;  // the text ended within quotes
+};
+
+// Reads record by record; blank lines are passed over.
+struct CsvReader {
+    std::string_view rest;
+    std::size_t line = 1;
+    char separator = ',';  // ' ': any run of blanks
+};
+
+CsvRecord next_record(CsvReader& reader);
+
+}  // namespace tact

@@ -1,0 +1,19 @@
+// What reading a file gives: the set, and what was odd about the file but accepted.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/pattern_set.h"
+
+namespace tact {
+
+struct Loaded {
+    PatternSet set;
+    std::vector<std::string> remarks;  // sentences: resampled, first channel used, padded ..
+};
+
+// Larger accelerations are refused: no skin sees them, and their squares must stay finite.
+inline constexpr double kMaxSampleG = 1e6;
+
+}  // namespace tact

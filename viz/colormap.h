@@ -1,0 +1,19 @@
+// Colours for numbers: readable by colour-blind people and in grey, never rainbow.
+//
+// Source    viridis: van der Walt & Smith 2015; cividis: Nunez, Anderton & Renslow 2018;
+//           the diverging map is ours: Okabe-Ito blue and vermillion with white between.
+// Left out  the original 256-entry tables: these interpolate a few of their entries, within 4/255.
+#pragma once
+
+#include <imgui.h>
+
+namespace tact {
+
+// t in 0..1 is clamped, NaN is taken as 0; 256 steps.
+ImU32 viridis(double t);
+ImU32 cividis(double t);
+
+// t in -1..1: blue below zero, white at zero, orange above.
+ImU32 diverging(double t);
+
+}  // namespace tact

@@ -1,0 +1,34 @@
+// Type: Inter where it is installed, DejaVu Sans for what Inter lacks, further system fonts for
+// the scripts that names are written in.
+//
+// Source    ui.md: 15 px text and semibold titles, 12.5 px axis labels, 20 px headline numbers.
+// Valid     characters up to U+FFFF (what a stock ImGui build can hold)
+// Left out  shaping and right-to-left order (ImGui has neither), colour emoji.
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+#include <string>
+
+namespace tact {
+
+// Anti-aliased discs in the font texture: a circle as one quad is several times cheaper than one of
+// triangles. Each entry is (u0, v0, u1, v1) of a disc of kDiscRadiiPx with 1 px margin around it.
+inline constexpr std::array<int, 4> kDiscRadiiPx{4, 8, 16, 32};
+
+struct Fonts {
+    ImFont* regular = nullptr;                          // 15 px: text and numbers
+    ImFont* semibold = nullptr;                         // 15 px: titles
+    ImFont* small = nullptr;                            // 12.5 px: axis labels and units
+    ImFont* large = nullptr;                            // 20 px: headline numbers
+    std::array<ImVec4, kDiscRadiiPx.size()> disc_uv{};  // all zero: no discs, triangles are used
+};
+
+// Fills an empty atlas and builds it. Glyphs: Latin-1, Latin Extended-A, Greek, punctuation,
+// arrows, the shapes the program draws, and every character of `extra_text` (UTF-8) that some
+// installed font has. Falls back to ImGui's own font. Digits get equal widths in all fonts, so that
+// live numbers do not dance.
+Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::string& extra_text);
+
+}  // namespace tact

@@ -1,0 +1,44 @@
+// A space's scene as it stands on the screen in one frame: where each point is, how large, how far
+// back. Private to the space view.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "viz/space_view.h"
+
+namespace tact {
+
+struct Stage {
+    ImDrawList& list;
+    const Theme& theme;
+    const Rect& pane;
+    const SpaceScene& scene;
+    SpaceFit fit;
+    std::vector<Projected> projected;        // by point
+    std::vector<Disc> discs;                 // by point
+    std::vector<std::size_t> front_to_back;  // only points that can be seen
+    std::vector<bool> chosen;                // by point
+};
+
+Stage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene);
+
+// Fills the points' places for a camera, anew if it was moved.
+void place_points(Stage& stage, const SpaceCamera& camera);
+
+// 0 (far) to 1 (near) within the map.
+float nearness(const Stage& stage, std::size_t i);
+
+// How far a point steps back into the pane's colour: by depth, and if others were chosen.
+float presence(const Stage& stage, std::size_t i);
+
+// The colour as it appears with a strength of 0 (the pane) to 1. Not by opacity: what lies behind a
+// point must not shine through.
+ImU32 toned(const Stage& stage, ImU32 colour, float strength);
+
+// A point without finite coordinates is nowhere.
+bool somewhere(const Stage& stage, std::size_t i);
+
+bool visible(const Stage& stage, const Disc& disc);
+
+}  // namespace tact
