@@ -61,6 +61,25 @@ TEST_CASE("smacof: stress never rises from step to step") {
     }
 }
 
+TEST_CASE("smacof: stress does not rise by rounding at the very end either") {
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+        const PairOrder order = order_pairs(noisy(12, seed));
+        const Eigen::MatrixXd start = random_map(12, 3, seed);
+        const Descent end = descend(order, start, {0.0, 3000});
+        CHECK(end.stress1 <= descend(order, start, {0.0, end.steps - 1}).stress1);
+        CHECK(end.stress1 <= descend(order, start, {0.0, end.steps - 2}).stress1);
+    }
+}
+
+TEST_CASE("smacof: it ends where a plain step gains less than the tolerance") {
+    for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+        const PairOrder order = order_pairs(noisy(12, seed));
+        const Descent end = descend(order, random_map(12, 3, seed), {1e-7, 3000});
+        // The first step of a descent is plain.
+        CHECK(end.stress1 - descend(order, end.points, {0.0, 1}).stress1 <= 1e-7);
+    }
+}
+
 TEST_CASE("smacof: the stress told is that of the points") {
     for (const auto& delta : {noisy(12, 1), noisy(12, 2, 4), holed(noisy(12, 3))}) {
         const Descent descent = descend(order_pairs(delta), random_map(12, 3, 5), {});

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "model/io/numbers.h"
@@ -56,13 +55,10 @@ TEST_CASE("text waveform: no sample is no waveform") {
     CHECK(fault("\xEF\xBB\xBF") == fault(""));
 }
 
-TEST_CASE("text waveform: a minute is read, and quickly; more is refused") {
+TEST_CASE("text waveform: a minute is read; more is refused") {
     std::string minute;
     for (int n = 0; n < 600'000; ++n) minute += shortest_digits(std::sin(0.01 * n)) + "\n";
-    const auto start = std::chrono::steady_clock::now();
     CHECK(samples(minute).size() == 600'000);
-    // 60 ms here; sanitizers and a busy machine are ten times slower.
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(3));
     CHECK(contains(fault(minute + "0\n"), "w.txt:600001: expected at most 600,000 samples"));
 }
 

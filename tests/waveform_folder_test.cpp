@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
 
 #include "temporary_folder.h"
 #include "wave_bytes.h"
@@ -88,16 +87,13 @@ TEST_CASE("waveform folder: a file name that is not UTF-8 still gives a name") {
     CHECK(names(loaded->set) == std::vector<std::string>{"a\uFFFD"});
 }
 
-TEST_CASE("waveform folder: ten thousand short files load in seconds, one more is too many") {
+TEST_CASE("waveform folder: ten thousand short files load, one more is too many") {
     const TemporaryFolder folder;
     for (int k = 0; k < 10'000; ++k) folder.write(std::to_string(k) + ".txt", "0\n0.5\n1\n");
-    const auto start = std::chrono::steady_clock::now();
     const auto loaded = read_text_folder(folder.path);
-    const auto taken = std::chrono::steady_clock::now() - start;
     REQUIRE(loaded);
     CHECK(loaded->set.vibrations.size() == 10'000);
     CHECK(loaded->set.vibrations[9999].name == "9999");
-    CHECK(taken < std::chrono::seconds(5));  // 0.3 s here; a busy machine is slower
     folder.write("x.txt", "0\n");
     CHECK(contains(fault(read_text_folder(folder.path)),
                    "expected at most 10,000 files, got 10,001"));

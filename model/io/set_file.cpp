@@ -44,6 +44,10 @@ std::string load_recording(Vibration& vibration, const fs::path& folder,
     return {};
 }
 
+std::string recording_place(const std::string& file, std::size_t k, const Vibration& vibration) {
+    return file + ": /patterns/" + std::to_string(k) + "/waveform of " + in_quotes(vibration.name);
+}
+
 Expected<Loaded> loaded_from(std::string_view text, const std::string& name,
                              const fs::path& folder) {
     auto document = parse_json(text, name);
@@ -55,10 +59,7 @@ Expected<Loaded> loaded_from(std::string_view text, const std::string& name,
     for (std::size_t k = 0; k < loaded.set.vibrations.size(); ++k) {
         Vibration& vibration = loaded.set.vibrations[k];
         const std::string fault = load_recording(vibration, folder, loaded.remarks);
-        if (!fault.empty()) {
-            return Error{name + ": /patterns/" + std::to_string(k) + "/waveform of " +
-                         in_quotes(vibration.name) + ": " + fault};
-        }
+        if (!fault.empty()) return Error{recording_place(name, k, vibration) + ": " + fault};
     }
     return loaded;
 }

@@ -1,9 +1,9 @@
 #include "model/io/set_json.h"
 
 #include <nlohmann/json.hpp>
-#include <unordered_map>
 
 #include "model/dissimilarity.h"
+#include "model/io/equal_names.h"
 #include "model/io/model_json.h"
 #include "model/io/numbers.h"
 #include "model/io/utf8.h"
@@ -124,17 +124,13 @@ Vibration vibration_of(JsonObject& object, double set_duration_s) {
     return vibration;
 }
 
-// Names in the order of their places; the places of two that are equal are in the fault.
 void refuse_equal_names(JsonReading& reading, const std::vector<std::string>& names,
                         const std::string& array, const std::string& key) {
-    std::unordered_map<std::string, std::size_t> first;
-    for (std::size_t k = 0; k < names.size() && reading.fault.empty(); ++k) {
-        const auto [other, is_new] = first.emplace(names[k], k);
-        if (is_new) continue;
-        reading.fault = reading.file + ": " + array + "/" + std::to_string(k) + key + ": " +
-                        in_quotes(names[k]) + " is the name of " + array + "/" +
-                        std::to_string(other->second) + " too, expected names that differ";
-    }
+    const auto equal = first_equal(names);
+    if (!equal || !reading.fault.empty()) return;
+    reading.fault = reading.file + ": " + array + "/" + std::to_string(equal->second) + key + ": " +
+                    in_quotes(names[equal->second]) + " is the name of " + array + "/" +
+                    std::to_string(equal->first) + " too, expected names that differ";
 }
 
 void read_vibrations(JsonObject& object, PatternSet& set, std::vector<std::string>& remarks) {

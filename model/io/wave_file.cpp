@@ -196,7 +196,7 @@ Expected<Done> write_wave_file(const fs::path& path, const Waveform& waveform,
     std::error_code none;
     if (options.scale_g != 1.0 || fs::exists(sidecar_of(path), none)) {
         const Json sidecar = {{"scale_g", options.scale_g}};
-        const auto written = write_atomically(sidecar_of(path), sidecar.dump() + "\n");
+        auto written = write_atomically(sidecar_of(path), sidecar.dump() + "\n");
         if (!written) return written;
     }
     return write_atomically(path, memory.bytes);

@@ -5,9 +5,9 @@
 #include <limits>
 #include <map>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 
+#include "model/io/equal_names.h"
 #include "model/io/natural_order.h"
 #include "model/io/numbers.h"
 #include "model/io/utf8.h"
@@ -87,19 +87,18 @@ Expected<Loaded> read_folder(const fs::path& folder,
     Loaded loaded;
     std::error_code none;
     loaded.set.name = valid_utf8(fs::weakly_canonical(folder, none).filename().string());
-    std::unordered_map<std::string, std::string> file_of;
+    std::vector<std::string> names;
     std::vector<FileRemark> remarks;
     for (const fs::path& file : listing->files) {
         auto vibration = vibration_from(file, remarks);
         if (!vibration) return vibration.error();
-        const std::string file_name = file.filename().string();
-        const auto [other, is_new] = file_of.emplace(vibration->name, file_name);
-        if (!is_new) {
-            return Error{name + ": " + other->second + " and " + file_name +
-                         " both give the name " + in_quotes(vibration->name) +
-                         ", expected names that differ"};
-        }
+        names.push_back(vibration->name);
         loaded.set.vibrations.push_back(*std::move(vibration));
+    }
+    if (const auto equal = first_equal(names)) {
+        return Error{name + ": " + listing->files[equal->first].filename().string() + " and " +
+                     listing->files[equal->second].filename().string() + " both give the name " +
+                     in_quotes(names[equal->second]) + ", expected names that differ"};
     }
     loaded.remarks = joined(remarks);
     if (const auto remark = lengths_remark(loaded.set); !remark.empty()) {

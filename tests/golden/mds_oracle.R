@@ -48,7 +48,9 @@ entry <- function(name, k) {
     set.seed(1)
     mono <- min(replicate(20, monoMDS(d, k = k, maxit = 2000, smin = 1e-8, sfgrmin = 1e-10,
                                       sratmax = 0.9999999)$stress))
-    sprintf('    {"name": "%s", "size": %d, "dimensions": %d,\n     "condensed": %s,\n     "start": %s,\n     "isoMDS": %.17g, "monoMDS_best_of_20": %.17g}',
+    sprintf(paste0('    {"name": "%s", "size": %d, "dimensions": %d,\n',
+                   '     "condensed": %s,\n     "start": %s,\n',
+                   '     "isoMDS": %.17g, "monoMDS_best_of_20": %.17g}'),
             name, n, k, list_of(condensed), rows_of(start), iso, mono)
 }
 
