@@ -137,13 +137,12 @@ Image window_picture(const PatternSet& set, int threads, const PictureSize& size
     if (auto map = work(request, {}, progress)) {
         show_map(app, std::make_shared<const LiveMap>(*std::move(map)));
     }
-    return draw_picture(
-        size.width, size.height, options_of(size, all_names(set)), [&app](const Theme& theme) {
-            app.theme = theme;
-            const ImVec2 screen = ImGui::GetIO().DisplaySize;
-            ImGui::GetWindowDrawList()->AddRectFilled({0.0F, 0.0F}, screen, theme.background);
-            draw_frame(app, {}, 1.0);
-        });
+    PictureOptions options = options_of(size, all_names(set));
+    options.has_panes = true;
+    return draw_picture(size.width, size.height, options, [&app](const Theme& theme) {
+        app.theme = theme;
+        draw_frame(app, {}, 1.0);
+    });
 }
 
 }  // namespace tact

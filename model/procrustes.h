@@ -9,11 +9,11 @@
 namespace tact {
 
 struct ProcrustesFit {
-    Eigen::MatrixXd aligned;          // n x k: the moved map in the target's frame
-    double correlation = 0.0;         // r; 1 - r^2 is the residual of a unit-size target
+    Eigen::MatrixXd aligned;   // n x k: the moved map in the target's frame
+    double correlation = 0.0;  // r; 1 - r^2 is the residual of a unit-size target
     Eigen::RowVectorXd moving_centre;
     Eigen::RowVectorXd target_centre;
-    Eigen::MatrixXd turn;             // k x k: rotation or reflection, times the scale
+    Eigen::MatrixXd turn;  // k x k: rotation or reflection, times the scale
 };
 
 // Aligns `moving` (n x k) to `target` (n x k). With `scale` false, size is kept (a map's size has

@@ -68,7 +68,7 @@ Image draw_picture(int width, int height, const PictureOptions& options,
     run_frame(theme, draw);
     run_frame(theme, draw);
 
-    Image image = blank_image(width, height, theme.pane);
+    Image image = blank_image(width, height, options.has_panes ? theme.background : theme.pane);
     const AlphaTexture texture{io.Fonts->TexWidth, io.Fonts->TexHeight, io.Fonts->TexPixelsAlpha8};
     rasterise(*ImGui::GetDrawData(), texture, image);
     ImGui::DestroyContext(own);

@@ -50,11 +50,12 @@ struct PictureOptions {
     float scale = 1.0F;
     std::string extra_text{};          // names in the picture, for the choice of glyphs
     std::optional<ImVec2> mouse_px{};  // where the mouse hovers, if anywhere
+    bool has_panes = false;            // the drawing brings panes of its own, on the background
 };
 
 // Runs `draw` for two frames (layout settles in the first) inside a borderless window that fills
-// the picture, on the theme's pane colour. Uses an ImGui context of its own and restores the
-// current one.
+// the picture, on the theme's pane colour or its background. Uses an ImGui context of its own and
+// restores the current one.
 Image draw_picture(int width, int height, const PictureOptions& options,
                    const std::function<void(const Theme&)>& draw);
 

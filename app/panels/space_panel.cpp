@@ -44,6 +44,7 @@ void draw_controls(App& app) {
     };
     choose("3-D", 3);
     choose("2-D", 2);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y);
     if (link(app, "reset view", "Reset view")) app.camera = SpaceCamera{};
     note_item(app.rects, "link:reset view");
 }
