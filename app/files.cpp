@@ -74,10 +74,10 @@ std::string patterns_text(std::size_t count) {
 }  // namespace
 
 std::string document_title(const App& app) {
+    const std::string file = app.document.path.filename().string();
     std::string title = app.document.set.name;
-    if (title.empty()) {
-        title = app.document.path.empty() ? "Untitled" : app.document.path.filename().string();
-    }
+    if (title.empty()) title = file.empty() ? "Untitled" : file;
+    if (!file.empty() && title != file) title += "  (" + file + ")";
     return title + (app.unsaved ? " \u2022" : "");
 }
 

@@ -1,15 +1,12 @@
 // Every parameter of the selected patterns: drag, type or nudge.
 
-#include <imgui.h>
-// After imgui.h.
-#include <imgui_stdlib.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "app/editing.h"
 #include "app/panels/panels.h"
+#include "app/panels/pattern_fields.h"
 #include "app/widgets.h"
 #include "viz/marks.h"
 
@@ -17,174 +14,31 @@ namespace tact {
 
 namespace {
 
-// One gesture on one number: written to all selected patterns, a step when it ends.
-void edit_number(App& app, const Field& field, double value, const std::string& what,
-                 const std::function<void(Pattern&, double)>& write) {
-    double edited = value;
-    const FieldEdit edit = draw_field(app, field, edited);
-    if (edit.changed && edited != value) {
-        edit_patterns(app, [&](Pattern& pattern) { write(pattern, edited); });
-    }
-    if (edit.finished) commit_step(app, "Change " + of_selection(app, what));
-}
-
-// The nearest frequency with a whole number of cycles: no energy leaks between bins.
-double snapped_hz(double frequency_hz, double duration_s) {
-    const double bin_hz = 1.0 / duration_s;
-    return std::max(bin_hz, std::round(frequency_hz / bin_hz) * bin_hz);
-}
-
-bool leaks(const Pattern& pattern) {
-    for (const Carrier& carrier : pattern.carriers) {
-        const double cycles = carrier.frequency_hz * pattern.duration_s;
-        if (std::abs(cycles - std::round(cycles)) > 1e-6) return true;
-    }
-    return false;
-}
-
-void draw_leak_warning(App& app, const Pattern& pattern) {
-    if (!leaks(pattern) || !pattern.rhythm.text.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.warning));
-    ImGui::TextUnformatted("leaks");
-    ImGui::PopStyleColor();
-    draw_tooltip(app,
-                 "A carrier does not fit a whole number of cycles into the pattern. Its spectrum "
-                 "leaks into neighbouring bins, and the model counts each of them: rates come out "
-                 "too high. Frequencies that are multiples of 1 / duration do not leak.");
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    char label[64];
-    std::snprintf(label, sizeof label, "Snap to %g Hz steps", 1.0 / pattern.duration_s);
-    if (link(app, "snap", label)) {
-        edit_patterns(app, [](Pattern& p) {
-            for (Carrier& carrier : p.carriers) {
-                carrier.frequency_hz = snapped_hz(carrier.frequency_hz, p.duration_s);
-            }
-        });
-        commit_step(app, "Snap " + of_selection(app, "carriers"));
-    }
-}
-
-void draw_carrier(App& app, const Pattern& pattern, std::size_t k) {
-    const Carrier& carrier = pattern.carriers[k];
-    ImGui::PushID(static_cast<int>(k));
-    const std::string label = "Carrier " + std::to_string(k + 1);
-    const std::string id = "carrier_" + std::to_string(k + 1) + "_hz";
-    const double bin_hz = 1.0 / pattern.duration_s;
-    edit_number(app,
-                {id.c_str(),
-                 label.c_str(),
-                 "%.5g Hz",
-                 {10.0, 500.0},
-                 limits::kCarrierHz,
-                 std::max(1.0, bin_hz),
-                 bin_hz,
-                 true,
-                 "Frequency of the sine, in steps that do not leak. Typed values are exact and "
-                 "reach from 0.1 to 1000 Hz."},
-                carrier.frequency_hz, "carrier", [k](Pattern& p, double value) {
-                    if (k < p.carriers.size()) p.carriers[k].frequency_hz = value;
-                });
-    ImGui::PopID();
-}
-
-// Share of the second of two carriers; with more, each has its own weight.
-void draw_mix(App& app, const Pattern& pattern) {
-    const auto& carriers = pattern.carriers;
-    if (carriers.size() == 2) {
-        const double sum = carriers[0].weight + carriers[1].weight;
-        const double share = sum != 0.0 ? carriers[1].weight / sum : 0.5;
-        edit_number(app,
-                    {"mix",
-                     "Mix",
-                     "%.3g of 2",
-                     {0.0, 1.0},
-                     {0.0, 1.0},
-                     0.05,
-                     0.01,
-                     false,
-                     "Share of carrier 2; carrier 1 has the rest."},
-                    share, "mix", [](Pattern& p, double value) {
-                        if (p.carriers.size() != 2) return;
-                        p.carriers[0].weight = 1.0 - value;
-                        p.carriers[1].weight = value;
-                    });
-        return;
-    }
-    if (carriers.size() < 2) return;
-    for (std::size_t k = 0; k < carriers.size(); ++k) {
-        const std::string label = "Weight " + std::to_string(k + 1);
-        const std::string id = "weight_" + std::to_string(k + 1);
-        edit_number(
-            app,
-            {id.c_str(), label.c_str(), "%.3g", {0.0, 1.0}, limits::kCarrierWeight, 0.05, 0.01},
-            carriers[k].weight, "weight", [k](Pattern& p, double value) {
-                if (k < p.carriers.size()) p.carriers[k].weight = value;
-            });
-    }
-}
-
-void add_carrier(App& app) {
-    edit_patterns(app, [](Pattern& p) {
-        if (p.carriers.size() >= limits::kMaxCarriers) return;
-        Carrier fresh = p.carriers.back();
-        fresh.frequency_hz = snapped_hz(std::min(3.0 * fresh.frequency_hz, 500.0), p.duration_s);
-        p.carriers.push_back(fresh);
-        // Equal shares, so that the pattern does not get stronger by it.
-        for (Carrier& carrier : p.carriers) {
-            carrier.weight = 1.0 / static_cast<double>(p.carriers.size());
-        }
-    });
-    commit_step(app, "Add " + of_selection(app, "carrier"));
-}
-
-void remove_carrier(App& app) {
-    edit_patterns(app, [](Pattern& p) {
-        if (p.carriers.size() < 2) return;
-        p.carriers.pop_back();
-        for (Carrier& carrier : p.carriers) {
-            carrier.weight = 1.0 / static_cast<double>(p.carriers.size());
-        }
-    });
-    commit_step(app, "Remove " + of_selection(app, "carrier"));
-}
-
-void draw_carrier_links(App& app, const Pattern& pattern) {
-    ImGui::Dummy({0.0F, 0.0F});
-    ImGui::SameLine(label_width(app) + ImGui::GetStyle().WindowPadding.x);
-    if (pattern.carriers.size() < limits::kMaxCarriers) {
-        if (link(app, "add carrier", "Add carrier")) add_carrier(app);
-        note_item(app.rects, "link:add carrier");
-        ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
-    }
-    if (pattern.carriers.size() > 1) {
-        if (link(app, "remove carrier", "Remove")) remove_carrier(app);
-        note_item(app.rects, "link:remove carrier");
-        ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
-    }
-    draw_leak_warning(app, pattern);
-    ImGui::NewLine();
-}
-
 void draw_modulation(App& app, const Pattern& pattern) {
     const Modulation& modulation = pattern.modulation;
     edit_number(app,
-                {"modulation_hz",
-                 "Modulation",
-                 "%.4g Hz",
-                 {0.0, 100.0},
-                 limits::kModulationHz,
-                 1.0,
-                 1.0 / pattern.duration_s,
-                 false,
-                 "Frequency of the amplitude modulation; 0 is none."},
+                {.id = "modulation_hz",
+                 .label = "Modulation",
+                 .format = "%.4g Hz",
+                 .slider = {0.0, 100.0},
+                 .typed = limits::kModulationHz,
+                 .step = 1.0,
+                 .snap = 1.0 / pattern.duration_s,
+                 .help = "Frequency of the amplitude modulation; 0 is none."},
                 modulation.frequency_hz, "modulation",
                 [](Pattern& p, double value) { p.modulation.frequency_hz = value; });
     const bool am = modulation.kind == ModulationKind::am;
     edit_number(app,
-                {"depth", "Depth", "%.3g", limits::kDepth, limits::kDepth, 0.05, 0.01, false,
-                 am ? "m of 1 + m sin(2 pi f t)."
-                    : "Only for the kind 1 + m sin: the product with a sine has no depth.",
-                 am},
+                {.id = "depth",
+                 .label = "Depth",
+                 .format = "%.3g",
+                 .slider = limits::kDepth,
+                 .typed = limits::kDepth,
+                 .step = 0.05,
+                 .snap = 0.01,
+                 .help = am ? "m of 1 + m sin(2 pi f t)."
+                            : "Only for the kind 1 + m sin: the product with a sine has no depth.",
+                 .enabled = am},
                 modulation.depth, "depth",
                 [](Pattern& p, double value) { p.modulation.depth = value; });
     draw_label(app, "Kind");
@@ -201,141 +55,42 @@ void draw_modulation(App& app, const Pattern& pattern) {
     choose("1 + m sin", ModulationKind::am);
 }
 
-// One rhythm step: a click turns rest into note, note into hold (where it can), hold into rest.
-std::string stepped(std::string text, std::size_t step) {
-    const bool can_hold = step > 0 && text[step - 1] != '-';
-    if (text[step] == '-') {
-        text[step] = 'x';
-    } else if (text[step] == 'x' && can_hold) {
-        text[step] = '=';
-    } else {
-        text[step] = '-';
-        // A hold needs a note before it.
-        for (std::size_t k = step + 1; k < text.size() && text[k] == '='; ++k) text[k] = '-';
-    }
-    return text;
-}
-
-void set_rhythm(App& app, const std::string& text) {
-    edit_patterns(app, [&text](Pattern& p) { p.rhythm.text = text; });
-    commit_step(app, "Change " + of_selection(app, "rhythm"));
-}
-
-void draw_rhythm_grid(App& app, const Rhythm& rhythm) {
-    const Theme& theme = app.theme;
-    const std::size_t steps = rhythm.text.size();
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float cell = std::min(20.0F * theme.scale, width / static_cast<float>(steps));
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (std::size_t k = 0; k < steps; ++k) {
-        const char mark = rhythm.text[k];
-        const ImVec2 min{corner.x + static_cast<float>(k) * cell, corner.y};
-        const float gap = 1.5F * theme.scale;
-        // A held step joins the one before it.
-        const float left = mark == '=' ? min.x - gap : min.x + gap;
-        ImGui::SetCursorScreenPos(min);
-        ImGui::PushID(static_cast<int>(k));
-        const bool pressed = ImGui::InvisibleButton("step", {cell, cell});
-        note_item(app.rects, "step:" + std::to_string(k), std::string(1, mark));
-        ImU32 colour = mark == '-' ? theme.field : theme.accent;
-        if (ImGui::IsItemHovered()) colour = mark == '-' ? theme.hover : theme.text;
-        list.AddRectFilled({left, min.y + gap}, {min.x + cell - gap, min.y + cell - gap}, colour,
-                           2.0F * theme.scale);
-        ImGui::PopID();
-        if (pressed) set_rhythm(app, stepped(rhythm.text, k));
-    }
-    ImGui::SetCursorScreenPos({corner.x, corner.y + cell});
-    ImGui::Dummy({width, 2.0F * theme.scale});
-}
-
-void draw_rhythm(App& app, const Pattern& pattern) {
-    EditorState& state = app.editor;
-    draw_label(app, "Rhythm");
-    if (!state.rhythm_typing) state.rhythm_text = pattern.rhythm.text;
-    ImGui::SetNextItemWidth(-1.0F);
-    ImGui::InputTextWithHint("##rhythm", "one note throughout; x=-x note, hold, rest",
-                             &state.rhythm_text);
-    note_item(app.rects, "rhythm", pattern.rhythm.text);
-    state.rhythm_typing = ImGui::IsItemActive();
-    const std::string fault = rhythm_fault(state.rhythm_text);
-    if (state.rhythm_typing && fault.empty() && state.rhythm_text != pattern.rhythm.text) {
-        edit_patterns(app, [&state](Pattern& p) { p.rhythm.text = state.rhythm_text; });
-    }
-    if (ImGui::IsItemDeactivatedAfterEdit()) {
-        if (fault.empty()) {
-            commit_step(app, "Change " + of_selection(app, "rhythm"));
-        } else {
-            complain(app, "Rhythm: " + fault + "; the pattern keeps " +
-                              (pattern.rhythm.text.empty() ? "one note throughout"
-                                                           : "\"" + pattern.rhythm.text + "\""));
-        }
-    }
-    if (state.rhythm_typing && !fault.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.error));
-        ImGui::TextUnformatted(fault.c_str());
-        ImGui::PopStyleColor();
-    }
-    if (pattern.rhythm.text.empty()) {
-        ImGui::Dummy({0.0F, 0.0F});
-        ImGui::SameLine(label_width(app) + ImGui::GetStyle().WindowPadding.x);
-        if (link(app, "make grid", "Make a rhythm")) set_rhythm(app, "x=--x=--");
-        note_item(app.rects, "link:make a rhythm");
-        return;
-    }
-    draw_rhythm_grid(app, pattern.rhythm);
-    edit_number(app,
-                {"unit_ms",
-                 "Step",
-                 "%.4g ms",
-                 {5.0, 500.0},
-                 {1.0, 10'000.0},
-                 5.0,
-                 1.0,
-                 true,
-                 "Length of one x, = or -. The text repeats to fill the duration."},
-                1000.0 * pattern.rhythm.unit_s, "rhythm step",
-                [](Pattern& p, double value) { p.rhythm.unit_s = value / 1000.0; });
-}
-
 void draw_times(App& app, const Pattern& pattern) {
     edit_number(app,
-                {"attack_ms",
-                 "Attack",
-                 "%.4g ms",
-                 {0.0, 500.0},
-                 {0.0, 10'000.0},
-                 5.0,
-                 1.0,
-                 false,
-                 "Linear rise at the beginning of every note."},
+                {.id = "attack_ms",
+                 .label = "Attack",
+                 .format = "%.4g ms",
+                 .slider = {0.0, 500.0},
+                 .typed = {0.0, 10'000.0},
+                 .step = 5.0,
+                 .snap = 1.0,
+                 .help = "Linear rise at the beginning of every note."},
                 1000.0 * pattern.attack_s, "attack",
                 [](Pattern& p, double value) { p.attack_s = value / 1000.0; });
     edit_number(app,
-                {"release_ms",
-                 "Release",
-                 "%.4g ms",
-                 {0.0, 500.0},
-                 {0.0, 10'000.0},
-                 5.0,
-                 1.0,
-                 false,
-                 "Linear fall at the end of every note."},
+                {.id = "release_ms",
+                 .label = "Release",
+                 .format = "%.4g ms",
+                 .slider = {0.0, 500.0},
+                 .typed = {0.0, 10'000.0},
+                 .step = 5.0,
+                 .snap = 1.0,
+                 .help = "Linear fall at the end of every note."},
                 1000.0 * pattern.release_s, "release",
                 [](Pattern& p, double value) { p.release_s = value / 1000.0; });
-    edit_number(app,
-                {"duration_s",
-                 "Duration",
-                 "%.4g s",
-                 {0.05, 10.0},
-                 limits::kDurationS,
-                 0.05,
-                 0.05,
-                 true,
-                 "The model was validated at 1 s. Shorter patterns of a set are padded with "
+    edit_number(
+        app,
+        {.id = "duration_s",
+         .label = "Duration",
+         .format = "%.4g s",
+         .slider = {0.05, 10.0},
+         .typed = limits::kDurationS,
+         .step = 0.05,
+         .snap = 0.05,
+         .logarithmic = true,
+         .help = "The model was validated at 1 s. Shorter patterns of a set are padded with "
                  "silence to its longest. Typed values reach 60 s."},
-                pattern.duration_s, "duration",
-                [](Pattern& p, double value) { p.duration_s = value; });
+        pattern.duration_s, "duration", [](Pattern& p, double value) { p.duration_s = value; });
 }
 
 void draw_measurement(App& app, const Measurement& measurement) {
@@ -372,6 +127,16 @@ void draw_note(App& app, const Vibration& vibration) {
 
 }  // namespace
 
+void edit_number(App& app, const Field& field, double value, const std::string& what,
+                 const std::function<void(Pattern&, double)>& write) {
+    double edited = value;
+    const FieldEdit edit = draw_field(app, field, edited);
+    if (edit.changed && edited != value) {
+        edit_patterns(app, [&](Pattern& pattern) { write(pattern, edited); });
+    }
+    if (edit.finished) commit_step(app, "Change " + of_selection(app, what));
+}
+
 void draw_editor_panel(App& app) {
     const Vibration* vibration = current_vibration(app);
     if (vibration == nullptr) {
@@ -390,22 +155,19 @@ void draw_editor_panel(App& app) {
     ImGui::BeginDisabled(shown.locked);
     if (const auto* pattern = std::get_if<Pattern>(&shown.source)) {
         edit_number(app,
-                    {"amplitude_g",
-                     "Amplitude",
-                     "%.3g g",
-                     {0.0, 4.0},
-                     limits::kAmplitudeG,
-                     0.05,
-                     0.01,
-                     false,
-                     "Peak acceleration of the sum of carriers. Typed values reach 50 g."},
+                    {.id = "amplitude_g",
+                     .label = "Amplitude",
+                     .format = "%.3g g",
+                     .slider = {0.0, 4.0},
+                     .typed = limits::kAmplitudeG,
+                     .step = 0.05,
+                     .snap = 0.01,
+                     .help = "Peak acceleration of the sum of carriers. Typed values reach 50 g."},
                     pattern->amplitude_g, "amplitude",
                     [](Pattern& p, double value) { p.amplitude_g = value; });
-        for (std::size_t k = 0; k < pattern->carriers.size(); ++k) draw_carrier(app, *pattern, k);
-        draw_mix(app, *pattern);
-        draw_carrier_links(app, *pattern);
+        draw_carrier_fields(app, *pattern);
         draw_modulation(app, *pattern);
-        draw_rhythm(app, *pattern);
+        draw_rhythm_fields(app, *pattern);
         draw_times(app, *pattern);
     } else {
         draw_measurement(app, std::get<Measurement>(shown.source));
