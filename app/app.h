@@ -14,6 +14,7 @@
 #include "app/file_chooser.h"
 #include "app/history.h"
 #include "app/latest_job.h"
+#include "app/live_code.h"
 #include "app/live_map.h"
 #include "app/session.h"
 #include "app/vibration_cache.h"
@@ -101,6 +102,9 @@ struct App {
 
     std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> preview_job;
     std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> full_job;
+    std::unique_ptr<LatestJob<LiveCodeRequest, LiveCode>> code_job;
+    std::shared_ptr<const LiveCode> code;  // of the current vibration, or of one before it
+    LiveCodeRequest code_asked;
     bool compute_large = false;  // the person asked for a live map of a very large set
     MapTransition map;
     SpaceCamera camera;

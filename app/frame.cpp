@@ -192,6 +192,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     draw_status(app, {{0.0F, screen.y - foot}, screen});
     draw_dialogs(app);
     draw_palette(app, pressed);
+    follow_current(app);
     autosave_if_due(app);
     write_rects(app.rects);
 }

@@ -97,10 +97,11 @@ void show_map(App& app, std::shared_ptr<const LiveMap> map) {
 }
 
 void make_jobs(App& app) {
-    app.preview_job = std::make_unique<LatestJob<LiveMapRequest, LiveMap>>(JobPolicy::finish,
-                                                                           LiveMapWork{}, app.wake);
-    app.full_job = std::make_unique<LatestJob<LiveMapRequest, LiveMap>>(JobPolicy::supersede,
-                                                                        LiveMapWork{}, app.wake);
+    using MapJob = LatestJob<LiveMapRequest, LiveMap>;
+    using CodeJob = LatestJob<LiveCodeRequest, LiveCode>;
+    app.preview_job = std::make_unique<MapJob>(JobPolicy::finish, LiveMapWork{}, app.wake);
+    app.full_job = std::make_unique<MapJob>(JobPolicy::supersede, LiveMapWork{}, app.wake);
+    app.code_job = std::make_unique<CodeJob>(JobPolicy::finish, compute_live_code, app.wake);
 }
 
 void request_maps(App& app) {
@@ -126,6 +127,17 @@ void take_answers(App& app) {
     for (const auto* job : {app.preview_job.get(), app.full_job.get()}) {
         if (auto map = job->latest(); is_news(app, map)) show_map(app, std::move(map));
     }
+    if (auto code = app.code_job->latest()) app.code = std::move(code);
+}
+
+void follow_current(App& app) {
+    const auto& all = app.document.set.vibrations;
+    if (!app.code_job || app.selection.current >= all.size()) return;
+    LiveCodeRequest request{all[app.selection.current], longest_samples(app.document.set),
+                            app.document.set.model};
+    if (request == app.code_asked) return;
+    app.code_asked = request;
+    app.code_job->submit(std::move(request));
 }
 
 MapState map_state(const App& app) {

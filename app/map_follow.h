@@ -5,12 +5,15 @@
 
 namespace tact {
 
-// Starts the two jobs; the full run of very large sets waits until asked for.
+// Starts the jobs; the map of a very large set waits until asked for.
 void make_jobs(App& app);
 void request_maps(App& app);
 
 // Takes what the jobs have finished, aligns it to what is shown and starts the transition.
 void take_answers(App& app);
+
+// Asks for the code of the current vibration where it is not the one that was asked for last.
+void follow_current(App& app);
 
 // Puts a map on the screen, aligned to the one before it.
 void show_map(App& app, std::shared_ptr<const LiveMap> map);

@@ -137,6 +137,10 @@ Image window_picture(const PatternSet& set, int threads, const PictureSize& size
     if (auto map = work(request, {}, progress)) {
         show_map(app, std::make_shared<const LiveMap>(*std::move(map)));
     }
+    if (!set.vibrations.empty()) {
+        const LiveCodeRequest shown{set.vibrations[0], longest_samples(set), set.model};
+        app.code = std::make_shared<const LiveCode>(*compute_live_code(shown, {}, progress));
+    }
     PictureOptions options = options_of(size, all_names(set));
     options.has_panes = true;
     return draw_picture(size.width, size.height, options, [&app](const Theme& theme) {

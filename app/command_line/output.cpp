@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -57,7 +58,7 @@ class AtomicBuffer final : public std::streambuf {
 
 std::string time_text(double seconds) {
     char text[32];
-    const auto whole = static_cast<long>(seconds + 0.5);
+    const long whole = std::lround(seconds);
     if (whole < 60) {
         std::snprintf(text, sizeof text, "%ld s", whole);
     } else if (whole < 3600) {

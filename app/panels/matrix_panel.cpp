@@ -81,8 +81,11 @@ void draw_matrix_panel(App& app) {
     if (area.empty()) return;
     const bool has_pairs = app.map.shown && !app.map.shown->prediction.pm.condensed.empty();
     if (!has_pairs || map_state(app) == MapState::too_large) {
-        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "No pairs to compare",
-                   "Two patterns or more have a dissimilarity each way around.");
+        const bool few = app.document.set.vibrations.size() < 2;
+        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area,
+                   few ? "No pairs to compare" : "No matrix yet",
+                   few ? "It takes two patterns to be alike or far apart."
+                       : "It is computed together with the space above.");
         return;
     }
     std::vector<std::string> labels;

@@ -1,11 +1,9 @@
 // The middle column: the selected vibration, what of it the receptors can feel, and what becomes
-// of it in the model, as far as the map's own computation has it.
+// of it in the model.
 
 #include <cstdio>
-#include <optional>
 
 #include "app/editing.h"
-#include "app/map_follow.h"
 #include "app/panels/panels.h"
 #include "app/widgets.h"
 #include "viz/marks.h"
@@ -18,23 +16,16 @@ namespace {
 
 // What the model made of the shown vibration; `current` while it is of its present value.
 struct Coded {
-    const PatternCode* code = nullptr;
+    const LiveCode* live = nullptr;
     bool current = false;
 };
 
 Coded coded(const App& app, const Vibration& vibration) {
-    if (!app.map.shown) return {};
-    const auto& known = app.map.shown->request.set->vibrations;
-    // Most edits keep the order: look at the same place first.
-    const auto is_it = [&](std::size_t k) {
-        return k < known.size() && known[k].name == vibration.name;
-    };
-    std::size_t place = app.selection.current;
-    if (!is_it(place)) {
-        for (place = 0; place < known.size() && !is_it(place);) ++place;
-    }
-    if (place >= known.size() || place >= app.map.shown->prediction.codes.size()) return {};
-    return {app.map.shown->prediction.codes[place].get(), known[place].source == vibration.source};
+    if (!app.code) return {};
+    const Vibration& known = app.code->request.vibration;
+    // Another pattern's signals would be worse than none.
+    if (known.name != vibration.name) return {};
+    return {app.code.get(), known.source == vibration.source};
 }
 
 // A heading and the rectangle beneath it.
@@ -91,17 +82,17 @@ void draw_receptor_card(App& app, const Rect& area, Receptor receptor, const Cod
                        receptor);
     draw_text(list, theme.fonts.semibold, {area.min.x + 20.0F * s, area.min.y}, theme.text,
               shortened(theme.fonts.semibold, type.name, area.width() - 20.0F * s));
-    std::string rate = "not computed yet";
+    std::string rate = "computing";
     std::string reach;
-    if (coded.code != nullptr) {
+    if (coded.live != nullptr) {
         const std::size_t c = index_of(receptor);
-        const Activation& activation = coded.code->neural.activation[c];
+        const Activation& activation = coded.live->code->neural.activation[c];
         char text[96];
         if (activation.rate_hz > 0.0) {
             std::snprintf(text, sizeof text, "%.0f imp/s", activation.rate_hz);
             rate = text;
-            std::snprintf(text, sizeof text, "%zu within %.1f mm", coded.code->neural.activated[c],
-                          activation.radius_mm);
+            std::snprintf(text, sizeof text, "%zu within %.1f mm",
+                          coded.live->code->neural.activated[c], activation.radius_mm);
             reach = text;
         } else {
             rate = "below threshold";
@@ -125,7 +116,7 @@ void draw_receptor_section(App& app, const Coded& coded) {
         const float left = area.min.x + static_cast<float>(index_of(receptor)) * (width + gap);
         draw_receptor_card(app, rect_at({left, area.min.y}, {width, height}), receptor, coded);
     }
-    if (coded.code != nullptr && !coded.current) {
+    if (coded.live != nullptr && !coded.current) {
         draw_stale(*ImGui::GetWindowDrawList(), app.theme, area, 0.0);
     }
     end_section(app, area);
@@ -170,15 +161,13 @@ void draw_vibration_panel(App& app) {
     draw_wave_section(app, *vibration, 30.0F * unit);
     draw_spectrum_section(app, *vibration, 38.0F * unit);
     draw_receptor_section(app, now);
-    if (now.code == nullptr) return;
-    const PerReceptor<double>& weight = app.map.shown->request.set->model.channel_weight;
+    if (now.live == nullptr) return;
     double largest = 0.0;
-    for (const double w : weight) largest += w;
+    for (const double weight : now.live->request.model.channel_weight) largest += weight;
     draw_filled_section(app, "Brain waveform", "predicted, weighted sum of four channels (NC)",
-                        14.0F * unit, predicted_brain_waveform(now.code->neural, weight), largest,
-                        !now.current, false);
-    draw_filled_section(app, "Rhythm envelope", "10 ms mean (OC)", 18.0F * unit, now.code->envelope,
-                        0.0, !now.current, true);
+                        14.0F * unit, now.live->brain_waveform, largest, !now.current, false);
+    draw_filled_section(app, "Rhythm envelope", "10 ms mean (OC)", 18.0F * unit,
+                        now.live->code->envelope, 0.0, !now.current, true);
 }
 
 }  // namespace tact
