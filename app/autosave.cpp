@@ -113,10 +113,10 @@ Restored restore_changes(Session& session) {
 }  // namespace
 
 fs::path lock_of(const fs::path& autosave_file) {
-    constexpr std::string_view prefix = "autosave-";
+    constexpr std::string_view kPrefix = "autosave-";
     const std::string stem = autosave_file.stem().string();
-    if (!stem.starts_with(prefix)) return autosave_file.parent_path() / "lock";
-    return autosave_file.parent_path() / (stem.substr(prefix.size()) + ".lock");
+    if (!stem.starts_with(kPrefix)) return autosave_file.parent_path() / "lock";
+    return autosave_file.parent_path() / (stem.substr(kPrefix.size()) + ".lock");
 }
 
 Expected<Done> autosave(const Session& session, const Document& document) {

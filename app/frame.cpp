@@ -114,17 +114,21 @@ void draw_columns(App& app, const Rect& area) {
     draw(app, Pane::space, {{x2, area.min.y}, {area.max.x, y2}});
     draw(app, Pane::matrix, {{x2, y2 + bar}, area.max});
 
-    draw_splitter(app, "left", {{x1, area.min.y}, {x1 + bar, area.max.y}}, true, width, layout.left,
-                  0.14F, 0.40F);
-    draw_splitter(app, "left split", {{area.min.x, y1}, {x1, y1 + bar}}, false, height,
-                  layout.left_split, 0.15F, 0.80F);
+    draw_splitter(app,
+                  {"left", {{x1, area.min.y}, {x1 + bar, area.max.y}}, true, width, {0.14, 0.40}},
+                  layout.left);
+    draw_splitter(app,
+                  {"left split", {{area.min.x, y1}, {x1, y1 + bar}}, false, height, {0.15, 0.80}},
+                  layout.left_split);
     // The right share grows when its bar moves left.
     float from_left = 1.0F - layout.right;
-    draw_splitter(app, "right", {{x2 - bar, area.min.y}, {x2, area.max.y}}, true, width, from_left,
-                  0.42F, 0.82F);
+    draw_splitter(app,
+                  {"right", {{x2 - bar, area.min.y}, {x2, area.max.y}}, true, width, {0.42, 0.82}},
+                  from_left);
     layout.right = 1.0F - from_left;
-    draw_splitter(app, "right split", {{x2, y2}, {area.max.x, y2 + bar}}, false, height,
-                  layout.right_split, 0.20F, 0.85F);
+    draw_splitter(app,
+                  {"right split", {{x2, y2}, {area.max.x, y2 + bar}}, false, height, {0.20, 0.85}},
+                  layout.right_split);
 }
 
 void draw_status_line(App& app, const Rect& area, ImDrawList& list) {

@@ -31,7 +31,4 @@ struct LiveCode {
 std::optional<LiveCode> compute_live_code(const LiveCodeRequest& request, std::stop_token stop,
                                           std::atomic<float>& progress);
 
-// The longest vibration of a set, in samples at the model's rate.
-std::size_t longest_samples(const PatternSet& set);
-
 }  // namespace tact

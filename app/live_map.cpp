@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "model/parallel.h"
+
 namespace tact {
 
 namespace {
@@ -26,6 +28,19 @@ PerceptualSpace preview_space(const Dissimilarity& pm, int dimensions, const Liv
 }
 
 }  // namespace
+
+double expected_map_s(const PatternSet& set) {
+    // Cells of dynamic time warping a second and core: what AVX2 does, between old and new
+    // machines.
+    constexpr double kCellsPerS = 4e9;
+    const auto samples = static_cast<double>(longest_samples(set));
+    const auto pairs = static_cast<double>(pair_count(set.vibrations.size()));
+    return pairs * samples * samples / (kCellsPerS * thread_count(0));
+}
+
+bool needs_asking(const PatternSet& set) {
+    return set.vibrations.size() > kMostLivePatterns || expected_map_s(set) > kLongestUnaskedS;
+}
 
 std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, std::stop_token stop,
                                                std::atomic<float>& progress) {

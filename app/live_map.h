@@ -18,8 +18,15 @@
 
 namespace tact {
 
-// Above this many patterns a live map would keep the machine busy for hours.
+// Above this many patterns, or this long by estimate, a map is made only when asked for.
 inline constexpr std::size_t kMostLivePatterns = 1000;
+inline constexpr double kLongestUnaskedS = 120.0;
+
+// Rough time of a first exact map on this machine: its comparison of envelopes, which is nearly all
+// of it for patterns of usual length.
+double expected_map_s(const PatternSet& set);
+
+bool needs_asking(const PatternSet& set);
 
 struct LiveMapRequest {
     std::uint64_t revision = 0;  // of the document

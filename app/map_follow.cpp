@@ -106,18 +106,20 @@ void make_jobs(App& app) {
 
 void request_maps(App& app) {
     if (!app.full_job) return;  // a picture without a window computes its map itself
-    const std::size_t count = app.document.set.vibrations.size();
-    if (count > kMostLivePatterns && !app.compute_large) {
+    const PatternSet& set = app.document.set;
+    if (needs_asking(set) && !app.compute_large) {
         app.preview_job->cancel();
         app.full_job->cancel();
         return;
     }
-    LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(app.document.set),
-                           app.dimensions, false};
+    LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(set), app.dimensions,
+                           false};
     app.full_job->submit(request);
-    // A preview of hundreds of patterns would take as long as a person waits for the whole.
-    constexpr std::size_t kMostPreviewed = 200;
-    if (count > kMostPreviewed) return;
+    // A preview takes a hundredth of the work. One that lasts would come too late to be one.
+    constexpr double kLongestPreviewS = 0.5;
+    constexpr std::size_t kMostPreviewed = 300;
+    if (set.vibrations.size() > kMostPreviewed) return;
+    if (expected_map_s(set) / 100.0 > kLongestPreviewS) return;
     request.preview = true;
     app.preview_job->submit(request);
 }
@@ -142,7 +144,7 @@ void follow_current(App& app) {
 
 MapState map_state(const App& app) {
     const std::size_t count = app.document.set.vibrations.size();
-    if (count > kMostLivePatterns && !app.compute_large) return MapState::too_large;
+    if (needs_asking(app.document.set) && !app.compute_large) return MapState::too_large;
     if (!app.map.shown || count == 0) return MapState::none;
     const LiveMapRequest& shown = app.map.shown->request;
     if (shown.revision != app.revision) return MapState::stale;

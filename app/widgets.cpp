@@ -143,8 +143,8 @@ FieldEdit draw_field(App& app, const Field& field, double& value) {
     return edit;
 }
 
-void draw_splitter(App& app, const char* id, const Rect& bar, bool vertical, float total,
-                   float& share, float low, float high) {
+void draw_splitter(App& app, const Splitter& splitter, float& share) {
+    const Rect& bar = splitter.bar;
     ImGui::SetNextWindowPos(bar.min);
     ImGui::SetNextWindowSize(bar.size());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -152,19 +152,21 @@ void draw_splitter(App& app, const char* id, const Rect& bar, bool vertical, flo
     constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                         ImGuiWindowFlags_NoBackground |
                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
-    if (ImGui::Begin(id, nullptr, kFlags)) {
+    if (ImGui::Begin(splitter.id, nullptr, kFlags)) {
         ImGui::InvisibleButton("bar", bar.size());
-        const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
-        if (lit) {
-            ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+        if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+            ImGui::SetMouseCursor(splitter.upright ? ImGuiMouseCursor_ResizeEW
+                                                   : ImGuiMouseCursor_ResizeNS);
             ImGui::GetWindowDrawList()->AddRectFilled(bar.min, bar.max, app.theme.accent,
                                                       app.theme.rounding_px);
         }
         if (ImGui::IsItemActive()) {
             const ImVec2 delta = ImGui::GetIO().MouseDelta;
-            share = std::clamp(share + (vertical ? delta.x : delta.y) / total, low, high);
+            const float moved = (splitter.upright ? delta.x : delta.y) / splitter.total_px;
+            share = std::clamp(share + moved, static_cast<float>(splitter.share.low),
+                               static_cast<float>(splitter.share.high));
         }
-        note_item(app.rects, std::string("splitter:") + id);
+        note_item(app.rects, std::string("splitter:") + splitter.id);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

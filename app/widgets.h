@@ -46,9 +46,16 @@ FieldEdit draw_field(App& app, const Field& field, double& value);
 void draw_label(const App& app, const char* label);
 float label_width(const App& app);
 
-// A 6 px bar between two panes; moves `share` of `total` while dragged. Vertical bars part columns.
-void draw_splitter(App& app, const char* id, const Rect& bar, bool vertical, float total,
-                   float& share, float low, float high);
+// A 6 px bar between two panes that moves a share of `total` pixels while it is dragged. Upright
+// bars part columns.
+struct Splitter {
+    const char* id;
+    Rect bar;
+    bool upright;
+    float total_px;
+    Range share;
+};
+void draw_splitter(App& app, const Splitter& splitter, float& share);
 
 // One line of advice that stays away once dismissed.
 void draw_hint(App& app, const char* id, const char* text);

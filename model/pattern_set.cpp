@@ -26,6 +26,19 @@ std::vector<Waveform> model_waveforms(const PatternSet& set) {
     return waveforms;
 }
 
+std::size_t longest_samples(const PatternSet& set) {
+    std::size_t longest = 0;
+    for (const Vibration& vibration : set.vibrations) {
+        if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
+            longest = std::max(longest, sample_count(pattern->duration_s, kModelRateHz));
+        } else {
+            const auto& measurement = std::get<Measurement>(vibration.source);
+            longest = std::max(longest, measurement.waveform->samples_g.size());
+        }
+    }
+    return longest;
+}
+
 std::string unused_name(const PatternSet& set, const std::string& wanted) {
     const auto taken = [&set](const std::string& name) {
         return std::ranges::any_of(set.vibrations,

@@ -62,6 +62,9 @@ Waveform waveform_of(const Vibration& vibration);
 // The samples of all, zero-padded at the end to the longest: what the model compares.
 std::vector<Waveform> model_waveforms(const PatternSet& set);
 
+// The longest vibration, in samples at the model's rate; 0 for an empty set.
+std::size_t longest_samples(const PatternSet& set);
+
 // `wanted`, or `wanted 2`, `wanted 3`, ... whichever no vibration of the set has yet.
 std::string unused_name(const PatternSet& set, const std::string& wanted);
 

@@ -26,6 +26,8 @@ TEST_CASE("pattern set: shorter patterns are padded with silence to the longest"
     CHECK(waveforms[0].samples_g[2999] != 0.0);
     CHECK(waveforms[0].samples_g[3001] == 0.0);
     CHECK(model_waveforms(PatternSet{}).empty());
+    CHECK(longest_samples(set) == 10'000);
+    CHECK(longest_samples(PatternSet{}) == 0);
 }
 
 TEST_CASE("pattern set: a new name is the first that is free") {

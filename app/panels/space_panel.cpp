@@ -7,6 +7,7 @@
 #include "app/panels/panels.h"
 #include "app/widgets.h"
 #include "viz/marks.h"
+#include "viz/plot.h"
 #include "viz/space_view.h"
 
 namespace tact {
@@ -53,9 +54,12 @@ void draw_nothing(App& app, const Rect& area, MapState state) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::size_t count = app.document.set.vibrations.size();
     if (state == MapState::too_large) {
+        const double minutes = expected_map_s(app.document.set) / 60.0;
+        const std::string time =
+            minutes < 2.0 ? "minutes" : "about " + significant(minutes, 2) + " minutes";
         draw_empty(list, app.theme, area, std::to_string(count) + " patterns are many",
-                   "A map of them takes minutes to hours. \"tactspace predict\" in a terminal is "
-                   "made for such sets.");
+                   "A map of them takes " + time +
+                       ". \"tactspace predict\" in a terminal is made for such sets.");
         ImGui::SetCursorScreenPos(
             {area.centre().x - 70.0F * app.theme.scale, area.centre().y + 60.0F * app.theme.scale});
         if (ImGui::Button("Compute anyway")) {

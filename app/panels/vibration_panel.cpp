@@ -122,20 +122,28 @@ void draw_receptor_section(App& app, const Coded& coded) {
     end_section(app, area);
 }
 
-void draw_filled_section(App& app, const char* title, const char* detail, float height,
-                         std::span<const double> samples, double largest, bool stale,
-                         bool time_axis) {
-    const Rect area = section(app, title, detail, height);
-    const WaveTrace trace{samples, kModelRateHz, app.theme.dim_text, TraceStyle::filled};
+// A signal drawn as an area, from zero up.
+struct FilledSection {
+    const char* title;
+    const char* detail;
+    float height;
+    std::span<const double> samples;
+    double largest;  // value at the upper edge; 0: the largest sample
+    bool time_axis;
+};
+
+void draw_filled_section(App& app, const FilledSection& filled, bool stale) {
+    const Rect area = section(app, filled.title, filled.detail, filled.height);
+    const WaveTrace trace{filled.samples, kModelRateHz, app.theme.dim_text, TraceStyle::filled};
     WaveScene scene;
     scene.traces = {&trace, 1};
-    scene.end_s = std::max(static_cast<double>(samples.size()) / kModelRateHz, 1e-3);
-    scene.largest = largest;
+    scene.end_s = std::max(static_cast<double>(filled.samples.size()) / kModelRateHz, 1e-3);
+    scene.largest = filled.largest;
     scene.signed_values = false;
     scene.unit = "";
-    scene.time_axis = time_axis;
+    scene.time_axis = filled.time_axis;
     scene.stale = stale;
-    draw_wave(title, app.theme, area, scene);
+    draw_wave(filled.title, app.theme, area, scene);
     end_section(app, area);
 }
 
@@ -164,10 +172,22 @@ void draw_vibration_panel(App& app) {
     if (now.live == nullptr) return;
     double largest = 0.0;
     for (const double weight : now.live->request.model.channel_weight) largest += weight;
-    draw_filled_section(app, "Brain waveform", "predicted, weighted sum of four channels (NC)",
-                        14.0F * unit, now.live->brain_waveform, largest, !now.current, false);
-    draw_filled_section(app, "Rhythm envelope", "10 ms mean (OC)", 18.0F * unit,
-                        now.live->code->envelope, 0.0, !now.current, true);
+    draw_filled_section(app,
+                        {.title = "Brain waveform",
+                         .detail = "predicted, weighted sum of four channels (NC)",
+                         .height = 14.0F * unit,
+                         .samples = now.live->brain_waveform,
+                         .largest = largest,
+                         .time_axis = false},
+                        !now.current);
+    draw_filled_section(app,
+                        {.title = "Rhythm envelope",
+                         .detail = "10 ms mean (OC)",
+                         .height = 18.0F * unit,
+                         .samples = now.live->code->envelope,
+                         .largest = 0.0,
+                         .time_axis = true},
+                        !now.current);
 }
 
 }  // namespace tact

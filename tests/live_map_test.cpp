@@ -1,0 +1,47 @@
+#include "app/live_map.h"
+
+#include "program.h"
+
+using namespace tact;
+
+namespace {
+
+LiveMapRequest request_of(const PatternSet& set, bool preview) {
+    return {1, std::make_shared<const PatternSet>(set), 3, preview};
+}
+
+}  // namespace
+
+TEST_CASE("live map: sets of a usual size need no asking, long or very large ones do") {
+    CHECK_FALSE(needs_asking(short_patterns(0)));
+    CHECK_FALSE(needs_asking(short_patterns(300)));
+    CHECK(needs_asking(short_patterns(kMostLivePatterns + 1)));
+    PatternSet minutes = short_patterns(12);
+    std::get<Pattern>(minutes.vibrations[3].source).duration_s = 60.0;  // all are padded to it
+    CHECK(needs_asking(minutes));
+    CHECK(expected_map_s(short_patterns(24)) > 4.0 * expected_map_s(short_patterns(12)));
+}
+
+TEST_CASE("live map: a stopped run answers nothing, and the next one starts from before it") {
+    LiveMapWork work(1);
+    std::atomic<float> progress = 0.0F;
+    const PatternSet set = short_patterns(5);
+    const auto first = work(request_of(set, false), {}, progress);
+    REQUIRE(first.has_value());
+    std::stop_source stop;
+    stop.request_stop();
+    CHECK_FALSE(work(request_of(short_patterns(6), false), stop.get_token(), progress).has_value());
+    const auto again = work(request_of(set, false), {}, progress);
+    CHECK(again->prediction.pm == first->prediction.pm);
+    CHECK(again->space.points == first->space.points);
+    CHECK(again->prediction.codes == first->prediction.codes);  // the very same, not computed anew
+}
+
+TEST_CASE("live map: a preview says so and keeps the size of the set") {
+    LiveMapWork work(1);
+    std::atomic<float> progress = 0.0F;
+    const auto preview = work(request_of(short_patterns(7), true), {}, progress);
+    CHECK(preview->prediction.envelope_decimation > 1);
+    CHECK(preview->space.points.rows() == 7);
+    CHECK(preview->request.preview);
+}
