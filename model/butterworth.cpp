@@ -95,17 +95,26 @@ std::vector<Section> low_pass(int order, double edge_hz, double rate_hz) {
     return sections;
 }
 
+// Sample by sample through all sections, not section by section: a section waits for its own last
+// output, and meanwhile the processor works on the others. The arithmetic of each is the same.
 std::vector<double> filtered(std::span<const Section> sections, std::span<const double> signal) {
+    struct State {
+        double first = 0.0;
+        double second = 0.0;
+    };
+    std::vector<State> states(sections.size());
     std::vector<double> result(signal.begin(), signal.end());
-    for (const Section& section : sections) {
-        double state1 = 0.0;
-        double state2 = 0.0;
-        for (double& sample : result) {
-            const double out = section.b0 * sample + state1;
-            state1 = section.b1 * sample - section.a1 * out + state2;
-            state2 = section.b2 * sample - section.a2 * out;
-            sample = out;
+    for (double& sample : result) {
+        double value = sample;
+        for (std::size_t k = 0; k < sections.size(); ++k) {
+            const Section& section = sections[k];
+            State& state = states[k];
+            const double out = section.b0 * value + state.first;
+            state.first = section.b1 * value - section.a1 * out + state.second;
+            state.second = section.b2 * value - section.a2 * out;
+            value = out;
         }
+        sample = value;
     }
     return result;
 }

@@ -3,9 +3,22 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
+#include <limits>
 
 namespace tact {
+
+namespace {
+
+double largest_size(std::span<const double> values) {
+    double largest = 1e-6;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
+double quantised(double value, double largest) { return std::round(value / largest * 1e9); }
+
+}  // namespace
 
 double Dissimilarity::operator()(std::size_t i, std::size_t j) const {
     assert(i < size && j < size && "object outside the matrix");
@@ -25,29 +38,39 @@ std::pair<std::size_t, std::size_t> pair_at(std::size_t n, std::size_t index) {
 }
 
 std::vector<double> quantised(std::span<const double> values) {
-    double largest = 1e-6;
-    for (const double value : values) largest = std::max(largest, std::abs(value));
+    const double largest = largest_size(values);
     std::vector<double> result(values.size());
     std::ranges::transform(values, result.begin(),
-                           [largest](double value) { return std::round(value / largest * 1e9); });
+                           [largest](double value) { return quantised(value, largest); });
     return result;
 }
 
 std::vector<double> average_ranks(std::span<const double> values) {
-    const std::vector<double> keys = quantised(values);
-    std::vector<std::size_t> order(keys.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, [&keys](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
-    std::vector<double> ranks(keys.size());
+    std::vector<double> ranks(values.begin(), values.end());
+    replace_by_ranks(ranks);
+    return ranks;
+}
+
+void replace_by_ranks(std::vector<double>& values) {
+    // Key and place in one word: half the memory of keys and an order apart, and sorting does not
+    // jump about in it. Keys are whole and within 1e9.
+    assert(values.size() <= std::numeric_limits<std::uint32_t>::max() && "places take 32 bits");
+    constexpr double kLowest = -1e9;
+    const double largest = largest_size(values);
+    std::vector<std::uint64_t> order(values.size());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        assert(std::isfinite(values[k]) && "only numbers have ranks");
+        order[k] = static_cast<std::uint64_t>(quantised(values[k], largest) - kLowest) << 32U | k;
+    }
+    std::ranges::sort(order);
     for (std::size_t first = 0; first < order.size();) {
         std::size_t end = first + 1;
-        while (end < order.size() && keys[order[end]] == keys[order[first]]) ++end;
+        while (end < order.size() && order[end] >> 32U == order[first] >> 32U) ++end;
         // Ranks first + 1 .. end share their mean.
         const double rank = static_cast<double>(first + 1 + end) / 2.0;
-        for (std::size_t k = first; k < end; ++k) ranks[order[k]] = rank;
+        for (std::size_t k = first; k < end; ++k) values[order[k] & 0xffffffffU] = rank;
         first = end;
     }
-    return ranks;
 }
 
 }  // namespace tact

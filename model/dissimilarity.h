@@ -37,4 +37,8 @@ std::vector<double> quantised(std::span<const double> values);
 // Ranks 1..m of the quantised values; ties share their average rank.
 std::vector<double> average_ranks(std::span<const double> values);
 
+// The same in the values' own place, for matrices that fill the memory: as much again is
+// needed meanwhile.
+void replace_by_ranks(std::vector<double>& values);
+
 }  // namespace tact

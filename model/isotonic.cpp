@@ -106,21 +106,23 @@ PairOrder order_pairs(std::span<const double> dissimilarities) {
 }
 
 FitScratch fit_scratch(const PairOrder& order) {
-    FitScratch scratch{order.ascending, std::vector<double>(order.ascending.size()), {}};
+    FitScratch scratch{order.ascending, std::vector<double>(order.ascending.size()), {}, {}};
     scratch.pools.reserve(order.ascending.size() + 1);
     return scratch;
 }
 
 void fit_disparities(const PairOrder& order, std::span<const double> distances, FitScratch& scratch,
                      std::span<double> fitted) {
-    const auto nearer = [distances](std::size_t a, std::size_t b) {
-        return distances[a] < distances[b] || (distances[a] == distances[b] && a < b);
-    };
-    // Primary ties: equal dissimilarities may take any order, so they take that of the distances.
-    // The order of the last step is still there and mostly right.
+    // Primary ties: equal dissimilarities may take any order, so they take that of the distances,
+    // of equal distances the first pair first. The order of the last step is still there and mostly
+    // right. Sorted is a copy, as looking up each distance would take longer than comparing it.
     for (const auto& [first, end] : order.ties) {
         const auto block = std::span(scratch.ascending).subspan(first, end - first);
-        if (!std::ranges::is_sorted(block, nearer)) std::ranges::sort(block, nearer);
+        scratch.tied.clear();
+        for (const std::size_t p : block) scratch.tied.emplace_back(distances[p], p);
+        if (std::ranges::is_sorted(scratch.tied)) continue;
+        std::ranges::sort(scratch.tied);
+        for (std::size_t k = 0; k < block.size(); ++k) block[k] = scratch.tied[k].second;
     }
     for (std::size_t k = 0; k < scratch.ascending.size(); ++k) {
         scratch.values[k] = distances[scratch.ascending[k]];

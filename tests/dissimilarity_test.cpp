@@ -40,6 +40,24 @@ TEST_CASE("ranks: ties share their average") {
     CHECK(average_ranks(std::vector<double>{0.0, 0.0}) == std::vector<double>{1.5, 1.5});
 }
 
+TEST_CASE("ranks: a rank counts the smaller values and half of the equal ones") {
+    // -20..20 in a scattered order, each several times.
+    std::vector<double> values(500);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        values[k] = static_cast<double>(k * k % 41) - 20.0;
+    }
+    const std::vector<double> ranks = average_ranks(values);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const auto less = std::ranges::count_if(values, [&](double v) { return v < values[k]; });
+        const auto equal = std::ranges::count(values, values[k]);
+        // 1 + less .. less + equal share their mean: halves are exact.
+        CHECK(ranks[k] == static_cast<double>(2 * less + equal + 1) / 2.0);
+    }
+    std::vector<double> replaced = values;
+    replace_by_ranks(replaced);
+    CHECK(replaced == ranks);
+}
+
 TEST_CASE("ranks: rounding noise makes no order") {
     const std::vector<double> noisy{1.0, 1.0 + 1e-15, 1.0 - 2e-16};
     CHECK(average_ranks(noisy) == std::vector<double>{2.0, 2.0, 2.0});

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "app/command_line/commands.h"
+#include "app/command_line/interrupt.h"
 #include "app/main_window.h"
 
 namespace tact {
@@ -48,6 +49,8 @@ void add_prediction_commands(CLI::App& app, Commands& commands,
         ->check(CLI::IsMember({"pm", "nc", "oc"}));
     predict.add_option("--out", commands.predict.out, "file for the matrix");
     predict.add_option("--image", commands.predict.image, "PNG picture of the matrix");
+    predict.add_flag("--resume", commands.predict.resume,
+                     "go on where a stopped run with the same --out left off");
 
     CLI::App& space = add_command(app, "space", "coordinates of the perceptual space, as CSV",
                                   commands.space, chosen);
@@ -106,7 +109,8 @@ int run_command_line(int argc, const char* const* argv) {
     const Expected<Done> answer = chosen();
     if (answer) return 0;
     std::cerr << "tactspace: " << answer.error().message << "\n";
-    return 1;
+    const int interrupted = interrupted_exit_code();
+    return interrupted != 0 ? interrupted : 1;
 }
 
 }  // namespace tact

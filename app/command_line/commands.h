@@ -23,6 +23,7 @@ struct PredictCommand {
     std::string metric = "pm";  // pm, nc, oc
     std::filesystem::path out;  // empty: standard output
     std::filesystem::path image;
+    bool resume = false;  // with the tiles that a stopped run left in OUT.tiles
 };
 Expected<Done> run(const PredictCommand& command);
 

@@ -130,28 +130,29 @@ Expected<Done> write_result(const std::filesystem::path& out,
 }
 
 std::function<void(double)> progress_line(const std::string& what) {
-    if (isatty(STDERR_FILENO) == 0) return {};
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    const std::chrono::milliseconds interval(terminal ? 200 : 60'000);
     struct State {
         std::mutex mutex;
         std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
         std::chrono::steady_clock::time_point shown = begin;
     };
-    return [what, state = std::make_shared<State>()](double share) {
+    return [what, terminal, interval, state = std::make_shared<State>()](double share) {
         const std::scoped_lock lock(state->mutex);
         const auto now = std::chrono::steady_clock::now();
         const bool last = share >= 1.0;
-        if (!last && now - state->shown < std::chrono::milliseconds(200)) return;
+        if (!last && now - state->shown < interval) return;
         state->shown = now;
         const std::chrono::duration<double> so_far = now - state->begin;
         // Work of the first second says too little about the rest.
         if (so_far.count() < 1.0) return;
         if (last) {
-            std::fprintf(stderr, "\r\033[K");
-        } else {
-            const double left_s = so_far.count() * (1.0 - share) / std::max(share, 1e-6);
-            std::fprintf(stderr, "\r%s: %.0f %%, %s left\033[K", what.c_str(), 100.0 * share,
-                         time_text(left_s).c_str());
+            if (terminal) std::fprintf(stderr, "\r\033[K");
+            return;
         }
+        const double left_s = so_far.count() * (1.0 - share) / std::max(share, 1e-6);
+        std::fprintf(stderr, terminal ? "\r%s: %.0f %%, %s left\033[K" : "%s: %.0f %%, %s left\n",
+                     what.c_str(), 100.0 * share, time_text(left_s).c_str());
     };
 }
 

@@ -31,8 +31,8 @@ Expected<Done> make_folder(const std::filesystem::path& folder);
 Expected<Done> write_result(const std::filesystem::path& out,
                             const std::function<void(std::ostream&)>& write);
 
-// A progress function for a person at a terminal: one line that rewrites itself, with the time
-// left; empty where standard error is no terminal.
+// A progress function with the time left: for a person at a terminal one line that rewrites itself,
+// for a log a line every minute.
 std::function<void(double)> progress_line(const std::string& what);
 
 }  // namespace tact

@@ -1,45 +1,140 @@
-// tactspace predict: the dissimilarity of every pair.
+// tactspace predict: the dissimilarity of every pair, tile by tile.
+
+#include <unistd.h>
 
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/commands.h"
+#include "app/command_line/interrupt.h"
+#include "app/command_line/mpi.h"
 #include "app/command_line/output.h"
+#include "app/command_line/tile_run.h"
 #include "app/pictures.h"
+#include "model/io/atomic_file.h"
 #include "model/io/matrix_file.h"
-#include "model/perceptual_model.h"
+#include "model/io/numbers.h"
 
 namespace tact {
 
 namespace {
 
-// One of PM and its parts; NC alone costs no warping.
-Dissimilarity predicted(const PatternSet& set, const std::string& metric,
-                        const PredictOptions& options) {
-    const std::vector<Waveform> waveforms = model_waveforms(set);
-    if (metric == "pm") return predict(waveforms, set.model, options)->pm;
-    const auto codes = pattern_codes(waveforms, set.model, options);
-    return metric == "nc" ? nc_matrix(codes, set.model, options) : oc_matrix(codes, options);
+namespace fs = std::filesystem;
+
+// What is left of a set when its patterns are coded.
+struct Work {
+    TileRun tiles;
+    std::vector<std::string> labels;
+    double nc_weight = 0.0;
+    double oc_weight = 0.0;
+};
+
+std::vector<Part> parts_of(const std::string& metric) {
+    if (metric == "nc") return {Part::nc};
+    if (metric == "oc") return {Part::oc};
+    return {Part::nc, Part::oc};
 }
 
+// The file for finished tiles; empty where none can be kept. Refuses now what would fail after
+// hours, and what would lose the hours of an earlier run.
+Expected<fs::path> tiles_file(const PredictCommand& command) {
+    std::error_code none;
+    const bool is_file = fs::is_regular_file(command.out, none) || !fs::exists(command.out, none);
+    if (command.out.empty() || !is_file) {
+        if (!command.resume) return fs::path();
+        return Error{"--resume needs --out FILE: finished tiles are kept in FILE.tiles"};
+    }
+    if (const auto writable = AtomicFile::open(command.out); !writable) return writable.error();
+    const fs::path file = command.out.string() + ".tiles";
+    if (!command.resume && fs::exists(file, none)) {
+        return Error{file.string() +
+                     ": holds what an earlier run finished; add --resume to go on with it, or "
+                     "remove it to start anew"};
+    }
+    return file;
+}
+
+// Remarks about a set that every rank reads are wanted once.
+Expected<PatternSet> load_on(const RankGroup& ranks, const CommonOptions& options) {
+    if (ranks.rank == 0) return load_for(options);
+    std::streambuf* const console = std::cerr.rdbuf(nullptr);
+    Expected<PatternSet> set = load_for(options);
+    std::cerr.rdbuf(console);
+    return set;
+}
+
+Expected<Work> prepared(const PredictCommand& command, const RankGroup& ranks,
+                        std::stop_token stop) {
+    Work work;
+    if (ranks.rank == 0) {
+        const Expected<fs::path> file = tiles_file(command);
+        if (!file) return file.error();
+        work.tiles.keeping.path = *file;
+        work.tiles.keeping.resume = command.resume;
+    }
+    const Expected<PatternSet> set = load_on(ranks, command.common);
+    if (!set) return set.error();
+    if (const auto pair = need_a_pair(*set, command.common); !pair) return pair.error();
+    work.labels = names_of(*set);
+    work.nc_weight = set->model.nc_weight;
+    work.oc_weight = set->model.oc_weight;
+    work.tiles.parts = parts_of(command.metric);
+    work.tiles.threads = command.common.threads;
+    work.tiles.stop = stop;
+    auto source = tile_source(
+        *set, command.common.threads, stop,
+        ranks.rank == 0 ? progress_line("coding patterns") : std::function<void(double)>{});
+    if (!source) return source.error();
+    work.tiles.source = std::move(*source);
+    if (ranks.rank > 0) return work;
+    if (const auto begun = begin_tiles(work.tiles); !begun) return begun.error();
+    return work;
+}
+
+// For a person who waits at a terminal: what takes a while and cannot say how far it is. Shown
+// until something else is.
+void show(const std::string& what, std::size_t pairs) {
+    constexpr std::size_t kSlow = 2'000'000;  // half a second
+    if (pairs < kSlow || isatty(STDERR_FILENO) == 0) return;
+    std::cerr << "\r" << what << "\033[K";
+}
+
+// PM in the place of NC: there may be no room for one more matrix.
+Dissimilarity rank_sum(Work& work) {
+    Dissimilarity& pm = work.tiles.made[static_cast<std::size_t>(Part::nc)].matrix;
+    Dissimilarity& oc = work.tiles.made[static_cast<std::size_t>(Part::oc)].matrix;
+    show("ranking " + grouped_digits(pm.condensed.size()) + " pairs", pm.condensed.size());
+    replace_by_ranks(pm.condensed);
+    replace_by_ranks(oc.condensed);
+    for (std::size_t k = 0; k < pm.condensed.size(); ++k) {
+        pm.condensed[k] = work.nc_weight * pm.condensed[k] + work.oc_weight * oc.condensed[k];
+    }
+    oc = {};
+    return std::move(pm);
+}
+
+Dissimilarity matrix_of(Work& work) {
+    const std::vector<Part>& parts = work.tiles.parts;
+    if (parts.size() > 1) return rank_sum(work);
+    return std::move(work.tiles.made[static_cast<std::size_t>(parts[0])].matrix);
+}
+
+// Number by number: as one value, JSON of a large matrix takes several times its memory.
 void print_json(std::ostream& stream, const std::vector<std::string>& labels,
                 const std::string& metric, const Dissimilarity& matrix) {
-    const nlohmann::json json{
-        {"labels", labels}, {"metric", metric}, {"condensed", matrix.condensed}};
-    stream << json.dump() << "\n";
+    stream << "{\"condensed\":";
+    char before = '[';
+    for (const double value : matrix.condensed) {
+        stream << before << nlohmann::json(value);
+        before = ',';
+    }
+    stream << "],\"labels\":" << nlohmann::json(labels) << ",\"metric\":" << nlohmann::json(metric)
+           << "}\n";
 }
 
-}  // namespace
-
-Expected<Done> run(const PredictCommand& command) {
-    const Expected<PatternSet> set = load_for(command.common);
-    if (!set) return set.error();
-    if (const Expected<Done> pair = need_a_pair(*set, command.common); !pair) return pair;
-    PredictOptions options;
-    options.threads = command.common.threads;
-    options.progress = progress_line("comparing pairs");
-    const Dissimilarity matrix = predicted(*set, command.metric, options);
-    const std::vector<std::string> labels = names_of(*set);
+Expected<Done> write_matrix(const PredictCommand& command, const std::vector<std::string>& labels,
+                            const Dissimilarity& matrix) {
+    show("writing", matrix.condensed.size());
     const Expected<Done> written = write_result(command.out, [&](std::ostream& stream) {
         if (command.common.json) {
             print_json(stream, labels, command.metric, matrix);
@@ -47,8 +142,38 @@ Expected<Done> run(const PredictCommand& command) {
             write_matrix_csv(stream, labels, matrix);
         }
     });
+    show("", matrix.condensed.size());
     if (!written || command.image.empty()) return written;
     return write_png(command.image.string(), matrix_picture(labels, matrix, command.metric, {}));
+}
+
+// The tiles, made by all ranks together.
+Expected<Work> computed(const PredictCommand& command, const RankGroup& ranks,
+                        std::stop_token stop) {
+    Expected<Work> work = prepared(command, ranks, stop);
+    // Before any of them waits for another in vain.
+    if (!ranks.agrees(work ? fingerprint(work->tiles.source) : 0)) {
+        return work ? Error{"the ranks read different sets, or one of them could not"}
+                    : work.error();
+    }
+    if (const auto made = make_all_tiles(work->tiles, ranks); !made) return made.error();
+    work->tiles.source = {};
+    return work;
+}
+
+}  // namespace
+
+Expected<Done> run(const PredictCommand& command) {
+    const Interrupt interrupt;  // first: threads, MPI's too, inherit what it blocks
+    Expected<RankGroup> ranks = RankGroup::join();
+    if (!ranks) return ranks.error();
+    Expected<Work> work = computed(command, *ranks, interrupt.token());
+    if (!work) return work.error();
+    if (ranks->rank > 0) return Done{};
+    const Dissimilarity matrix = matrix_of(*work);
+    const Expected<Done> written = write_matrix(command, work->labels, matrix);
+    if (written && work->tiles.keeping.file) work->tiles.keeping.file->remove();
+    return written;
 }
 
 }  // namespace tact

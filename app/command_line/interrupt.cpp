@@ -1,0 +1,72 @@
+#include "app/command_line/interrupt.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdio>
+
+namespace tact {
+
+namespace {
+
+// Signals are sent to the process, which has just one exit code.
+std::atomic<int> caught{0};
+
+bool is_ignored(int signal) {
+    struct sigaction action {};
+    return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+// As if nobody had been watching.
+void end_by(int signal) {
+    sigset_t only_this;
+    sigemptyset(&only_this);
+    sigaddset(&only_this, signal);
+    std::signal(signal, SIG_DFL);
+    pthread_sigmask(SIG_UNBLOCK, &only_this, nullptr);
+    std::raise(signal);
+}
+
+}  // namespace
+
+Interrupt::Interrupt() {
+    sigemptyset(&signals_);
+    for (const int signal : {SIGINT, SIGTERM}) {
+        if (!is_ignored(signal)) sigaddset(&signals_, signal);
+    }
+    // To wake the watcher when all is done; sent to its thread alone.
+    sigaddset(&signals_, SIGUSR2);
+    pthread_sigmask(SIG_BLOCK, &signals_, &mask_before_);
+    watcher_ = std::jthread([this] { watch(); });
+}
+
+Interrupt::~Interrupt() {
+    end_.request_stop();
+    pthread_kill(watcher_.native_handle(), SIGUSR2);
+    watcher_.join();
+    pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
+}
+
+void Interrupt::watch() {
+    for (;;) {
+        int signal = 0;
+        if (sigwait(&signals_, &signal) != 0) continue;
+        if (end_.stop_requested()) return;
+        if (signal == SIGUSR2) continue;
+        if (stop_.stop_requested()) end_by(signal);
+        caught = signal;
+        stop_.request_stop();
+        // Over what the progress line shows.
+        std::fprintf(stderr,
+                     "%stactspace: stopping after the running work; once more stops at once\n",
+                     isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "");
+    }
+}
+
+int interrupted_exit_code() {
+    constexpr int kBySignal = 128;
+    const int signal = caught;
+    return signal == 0 ? 0 : kBySignal + signal;
+}
+
+}  // namespace tact

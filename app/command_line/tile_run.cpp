@@ -1,0 +1,203 @@
+#include "app/command_line/tile_run.h"
+
+#include <algorithm>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+#include "app/command_line/output.h"
+#include "model/io/numbers.h"
+#include "model/parallel.h"
+
+namespace tact {
+
+namespace {
+
+// Shorter work is soon done again, and need not leave files about.
+constexpr std::chrono::seconds kWorthKeeping{3};
+
+std::size_t length_of(const Vibration& vibration) {
+    if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
+        return sample_count(pattern->duration_s, kModelRateHz);
+    }
+    return std::get<Measurement>(vibration.source).waveform->samples_g.size();
+}
+
+PartTiles& made_of(TileRun& run, Part part) { return run.made[static_cast<std::size_t>(part)]; }
+
+const char* work_on(Part part) {
+    return part == Part::nc ? "comparing brain waveforms" : "comparing rhythms";
+}
+
+std::size_t finished_count(const TileRun& run) {
+    std::size_t count = 0;
+    for (const PartTiles& made : run.made) {
+        count += static_cast<std::size_t>(std::ranges::count(made.is_finished, true));
+    }
+    return count;
+}
+
+std::string share_of_tiles(const TileRun& run) {
+    const std::size_t all = run.parts.size() * tile_count(pattern_count(run.source));
+    return grouped_digits(finished_count(run)) + " of " + grouped_digits(all) + " tiles";
+}
+
+// Work without a checkpoint is better than none.
+void give_up_keeping(TileKeeping& keeping, const Error& reason) {
+    keeping.file.reset();
+    keeping.is_given_up = true;
+    std::cerr << "tactspace: " << reason.message << "; going on without keeping tiles\n";
+}
+
+void keep(TileKeeping& keeping, Part part, std::size_t tile, std::span<const double> values) {
+    if (!keeping.file) return;
+    const auto appended = keeping.file->append(part, tile, values);
+    if (!appended) give_up_keeping(keeping, appended.error());
+}
+
+// Opens the file, with all in it that was finished before the work proved to be long.
+void begin_keeping(TileRun& run) {
+    TileKeeping& keeping = run.keeping;
+    auto opened = Checkpoint::open(keeping.path, key_of(run.source));
+    if (!opened) return give_up_keeping(keeping, opened.error());
+    keeping.file.emplace(std::move(*opened));
+    for (const Part part : run.parts) {
+        const PartTiles& made = made_of(run, part);
+        for (std::size_t k = 0; k < made.is_finished.size(); ++k) {
+            if (!made.is_finished[k]) continue;
+            keep(keeping, part, k, tile_of(made.matrix, tile_at(made.matrix.size, k)));
+        }
+    }
+}
+
+bool is_time_to_keep(const TileKeeping& keeping) {
+    return !keeping.path.empty() && !keeping.file && !keeping.is_given_up &&
+           std::chrono::steady_clock::now() - keeping.begin > kWorthKeeping;
+}
+
+Expected<Done> take_up(TileRun& run) {
+    TileKeeping& keeping = run.keeping;
+    auto opened = Checkpoint::open(keeping.path, key_of(run.source));
+    if (!opened) return opened.error();
+    keeping.file.emplace(std::move(*opened));
+    for (const Part part : run.parts) {
+        PartTiles& made = made_of(run, part);
+        const auto read = keeping.file->read(part, [&](std::size_t tile, auto values) {
+            put_tile(made.matrix, tile_at(made.matrix.size, tile), values);
+            made.is_finished[tile] = true;
+        });
+        if (!read) return read;
+    }
+    if (finished_count(run) > 0) {
+        std::cerr << "tactspace: " << share_of_tiles(run) << " were finished before\n";
+    }
+    return Done{};
+}
+
+Error stopped(const TileRun& run) {
+    const TileKeeping& keeping = run.keeping;
+    if (keeping.file) {
+        return Error{"stopped with " + share_of_tiles(run) + " finished and kept in " +
+                     keeping.path.string() + "; the same command with --resume goes on"};
+    }
+    if (keeping.path.empty()) {
+        return Error{"stopped, and nothing is kept; a long run with --out FILE can be resumed"};
+    }
+    return Error{"stopped, and nothing is kept of so short a run"};
+}
+
+// Tiles of one part on rank 0, where all values come together.
+void make_tiles_of(TileRun& run, Part part, const RankGroup& ranks) {
+    PartTiles& made = made_of(run, part);
+    const std::size_t patterns = pattern_count(run.source);
+    const auto pairs_of = [&](std::size_t k) { return pair_count(tile_at(patterns, k)); };
+    std::size_t open_pairs = 0;
+    for (std::size_t k = 0; k < made.is_finished.size(); ++k) {
+        if (!made.is_finished[k]) open_pairs += pairs_of(k);
+    }
+    const auto progress = progress_line(work_on(part));
+    std::mutex mutex;
+    std::size_t next_tile = 0;
+    std::size_t done_pairs = 0;
+    TileDesk desk;
+    desk.next = [&](std::size_t) -> std::optional<std::size_t> {
+        const std::scoped_lock lock(mutex);
+        while (next_tile < made.is_finished.size() && made.is_finished[next_tile]) ++next_tile;
+        if (next_tile == made.is_finished.size() || run.stop.stop_requested()) return std::nullopt;
+        return next_tile++;
+    };
+    desk.done = [&](std::size_t tile, std::span<const double> values) {
+        const std::scoped_lock lock(mutex);
+        put_tile(made.matrix, tile_at(patterns, tile), values);
+        made.is_finished[tile] = true;
+        if (is_time_to_keep(run.keeping)) {
+            begin_keeping(run);
+        } else {
+            keep(run.keeping, part, tile, values);
+        }
+        done_pairs += values.size();
+        if (!progress || run.stop.stop_requested()) return;
+        progress(static_cast<double>(done_pairs) / static_cast<double>(open_pairs));
+    };
+    std::jthread server;
+    if (ranks.count > 1) server = std::jthread([&] { ranks.serve(desk); });
+    make_tiles(run.source, part, run.threads, desk);
+}
+
+}  // namespace
+
+Expected<TileSource> tile_source(const PatternSet& set, int threads, std::stop_token stop,
+                                 const std::function<void(double)>& progress) {
+    TileSource source;
+    source.channel_weight = set.model.channel_weight;
+    std::size_t longest = 0;
+    for (const Vibration& vibration : set.vibrations) {
+        longest = std::max(longest, length_of(vibration));
+    }
+    PredictOptions options;
+    options.threads = threads;
+    options.stop = stop;
+    constexpr std::size_t kAtOnce = 256;  // waveforms in memory
+    for (std::size_t begin = 0; begin < set.vibrations.size(); begin += kAtOnce) {
+        std::vector<Waveform> waveforms(std::min(kAtOnce, set.vibrations.size() - begin));
+        parallel_for(waveforms.size(), threads, stop, [&](std::size_t k) {
+            waveforms[k] = padded(waveform_of(set.vibrations[begin + k]), longest);
+        });
+        for (const auto& code : pattern_codes(waveforms, set.model, options)) {
+            add_pattern(source, *code);
+        }
+        if (stop.stop_requested()) return Error{"stopped before any pair was compared"};
+        if (progress) {
+            progress(static_cast<double>(pattern_count(source)) /
+                     static_cast<double>(set.vibrations.size()));
+        }
+    }
+    return source;
+}
+
+Expected<Done> begin_tiles(TileRun& run) {
+    const std::size_t patterns = pattern_count(run.source);
+    for (const Part part : run.parts) {
+        made_of(run, part) = {{patterns, std::vector<double>(pair_count(patterns))},
+                              std::vector<bool>(tile_count(patterns))};
+    }
+    return run.keeping.resume ? take_up(run) : Done{};
+}
+
+Expected<Done> make_all_tiles(TileRun& run, const RankGroup& ranks) {
+    for (const Part part : run.parts) {
+        if (ranks.rank == 0) {
+            make_tiles_of(run, part, ranks);
+        } else {
+            make_tiles(run.source, part, run.threads, ranks.remote_desk());
+            ranks.leave();
+        }
+        // Nobody asks for tiles of the next part before all have left this one.
+        ranks.meet();
+    }
+    const std::size_t all = run.parts.size() * tile_count(pattern_count(run.source));
+    if (ranks.rank == 0 && finished_count(run) < all) return stopped(run);
+    return Done{};
+}
+
+}  // namespace tact

@@ -1,0 +1,56 @@
+// A matrix made tile by tile, with what is finished kept in a file once the work is long.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/command_line/mpi.h"
+#include "model/io/checkpoint.h"
+#include "model/pattern_set.h"
+#include "model/tiles.h"
+
+namespace tact {
+
+// Where finished tiles are kept. The file is made when the work has taken some seconds, or at once
+// when the work is to be resumed.
+struct TileKeeping {
+    std::filesystem::path path;  // empty: nothing is kept
+    bool resume = false;
+    std::optional<Checkpoint> file;  // none: not yet, or given up after a failure
+    bool is_given_up = false;
+    std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+};
+
+struct PartTiles {
+    Dissimilarity matrix;
+    std::vector<bool> is_finished;  // by tile
+};
+
+struct TileRun {
+    TileSource source;
+    std::vector<Part> parts;
+    int threads = 0;
+    std::stop_token stop;
+    TileKeeping keeping;
+    std::array<PartTiles, 2> made;  // by Part
+};
+
+// The codes of all patterns, without the waveforms, which take as much memory as all the rest. An
+// Error when stopped.
+Expected<TileSource> tile_source(const PatternSet& set, int threads, std::stop_token stop,
+                                 const std::function<void(double)>& progress);
+
+// On rank 0, first: room for the matrices, and what an earlier run left if it is to go on.
+Expected<Done> begin_tiles(TileRun& run);
+
+// Makes all tiles that are missing, with the help of the other ranks; these see nothing but the
+// tiles they were given. An Error when stopped says how to go on.
+Expected<Done> make_all_tiles(TileRun& run, const RankGroup& ranks);
+
+}  // namespace tact

@@ -1,0 +1,49 @@
+// The inner loops of dtw.h, one file per instruction set, and which of them this processor runs.
+//
+// Exact     all of them give the bits of the textbook loop.
+// Left out  single precision; NaN, which no minimum here would order.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace tact {
+
+// Some consecutive rows of D[i, j], for several pairs of signals side by side: where an array has
+// one value per row or column, it has them [row or column][pair].
+//
+// Row r is at column t - r at step t. So with R rows, b and row are read, and row is written, up to
+// R - 1 columns before the first and after the last; there b may be anything finite.
+struct DtwStrip {
+    const double* a = nullptr;  // of the rows
+    const double* b = nullptr;  // of column 0, and backwards from there: b_j at b[-j]
+    double* row = nullptr;      // D of the row above; becomes D of the last row
+    double corner = 0.0;        // D of the row above, before column 0
+    std::size_t steps = 0;
+    double* last = nullptr;  // becomes D of each row where the last step left it
+};
+
+struct DtwSweep {
+    std::size_t pairs;  // side by side
+    std::size_t rows;   // of a strip
+    void (*along)(DtwStrip strip);
+};
+
+struct DtwKernel {
+    const char* name;     // as TACTSPACE_SIMD has it
+    DtwSweep many_pairs;  // one in every lane of a register
+    DtwSweep one_pair;    // several rows in a register: slower per cell, sooner there
+};
+
+// Those this processor can run, the fastest first.
+std::span<const DtwKernel> dtw_kernels();
+
+// The one of that name, or the fastest if there is none.
+const DtwKernel& dtw_kernel(std::string_view name);
+
+// The one in use: what the environment variable TACTSPACE_SIMD names (avx512, avx2 or baseline),
+// else the fastest. The variable is read once; a name that means nothing here is passed over.
+const DtwKernel& dtw_kernel();
+
+}  // namespace tact

@@ -1,0 +1,36 @@
+// One number for many bytes, to notice that they are others than before.
+//
+// Exact     same bytes, same number, on machines of one byte order.
+// Left out  protection against someone who looks for two inputs of one number.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace tact {
+
+// The number of what came before, with eight more bytes in it.
+constexpr std::uint64_t mixed(std::uint64_t so_far, std::uint64_t word) {
+    // The sum makes zeros count, too. An odd factor loses nothing; the shift brings high bits down
+    // to where the next word meets them.
+    constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15U;
+    so_far = ((so_far ^ word) + kOdd) * kOdd;
+    return so_far ^ (so_far >> 32U);
+}
+
+// Values by their bytes, and their count, so that where one array ends and the next begins counts.
+template <class Value>
+std::uint64_t mixed(std::uint64_t so_far, std::span<const Value> values) {
+    const auto bytes = std::as_bytes(values);
+    for (std::size_t k = 0; k < bytes.size(); k += sizeof(std::uint64_t)) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data() + k, std::min(sizeof word, bytes.size() - k));
+        so_far = mixed(so_far, word);
+    }
+    return mixed(so_far, std::uint64_t{bytes.size()});
+}
+
+}  // namespace tact

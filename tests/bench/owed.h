@@ -1,0 +1,58 @@
+// What a benchmark owes, printed beside what it measured, and times that can be compared.
+//
+// Other programs share the machine, so that single seconds say little: compare what ran in turns,
+// each at its best, and count the time of the thread rather than the clock's where one is enough.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <limits>
+
+namespace tact::bench {
+
+// The time this thread has computed.
+inline double thread_s() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+inline double clock_s() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
+
+// The shortest of several turns, in seconds of one of the above.
+struct Best {
+    double (*now_s)() = thread_s;
+    double shortest_s = std::numeric_limits<double>::infinity();
+
+    template <class Work>
+    void turn(const Work& work) {
+        const double begin_s = now_s();
+        work();
+        shortest_s = std::min(shortest_s, now_s() - begin_s);
+    }
+};
+
+inline void owe(benchmark::State& state, double value, const char* relation, double bar,
+                const char* unit, bool kept) {
+    char text[96];
+    std::snprintf(text, sizeof text, "%.3g %s, owed %s %g: %s", value, unit, relation, bar,
+                  kept ? "kept" : "MISSED");
+    state.SetLabel(text);
+}
+
+inline void owe_at_least(benchmark::State& state, double value, double bar, const char* unit) {
+    owe(state, value, ">=", bar, unit, value >= bar);
+}
+
+inline void owe_at_most(benchmark::State& state, double value, double bar, const char* unit) {
+    owe(state, value, "<=", bar, unit, value <= bar);
+}
+
+}  // namespace tact::bench

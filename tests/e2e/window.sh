@@ -1,0 +1,151 @@
+# Sourced by the stories: starts the program in a real window on a display of its own, and finds,
+# moves and reads what is in it. The program writes after each frame where its widgets are and what
+# they show (TACTSPACE_WIDGET_RECTS): lines of name, left, top, right, bottom and value.
+#
+# Everything waits for what it expects, up to a deadline; no story relies on how fast a machine is.
+set -euo pipefail
+
+program=$1
+deadline_s=90
+
+for tool in Xvfb xdotool; do
+    command -v "$tool" >/dev/null && continue
+    echo "$tool is missing: sudo apt-get install xvfb xdotool"
+    [ -n "${CI:-}" ] && exit 1
+    exit 77
+done
+
+scratch=$(mktemp -d)
+export HOME=$scratch XDG_STATE_HOME=$scratch/state TACTSPACE_WIDGET_RECTS=$scratch/rects
+unset WAYLAND_DISPLAY
+# Drivers of displays leak; the unit tests look for leaks of ours.
+export ASAN_OPTIONS=detect_leaks=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}
+pid=""
+display_pid=""
+: >"$scratch/display"
+
+end_story() {
+    local code=$?
+    if [ "$code" -ne 0 ] && [ -s "$scratch/err" ]; then cat "$scratch/err"; fi
+    [ -z "$pid" ] || kill -9 "$pid" 2>/dev/null || true
+    [ -z "$display_pid" ] || kill "$display_pid" 2>/dev/null || true
+    wait 2>/dev/null || true
+    rm -rf "$scratch"
+}
+trap end_story EXIT
+
+fail() {
+    echo "failed: $*"
+    if [ -s "$TACTSPACE_WIDGET_RECTS" ]; then grep -v '^point:' "$TACTSPACE_WIDGET_RECTS"; fi
+    exit 1
+}
+
+# until_true WHAT COMMAND...: the command must succeed before the deadline.
+until_true() {
+    local what=$1 end=$((SECONDS + deadline_s))
+    shift
+    until "$@"; do
+        [ "$SECONDS" -lt "$end" ] || fail "waited $deadline_s s until $what"
+        sleep 0.03
+    done
+}
+
+# Two servers that look for a free number at one time can end up without one: then anew.
+display_answers() {
+    if [ -z "$display_pid" ] || is_gone "$display_pid"; then
+        Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp 3>"$scratch/display" 2>/dev/null &
+        display_pid=$!
+    fi
+    DISPLAY=:$(tail -n 1 "$scratch/display")
+    export DISPLAY
+    xdotool getdisplaygeometry >/dev/null 2>&1
+}
+
+is_drawn() { [ -s "$TACTSPACE_WIDGET_RECTS" ] && window=$(xdotool search --onlyvisible --pid "$pid"); }
+is_exact() { says "title:Perceptual space" "exact, "; }  # the preview says "exact 40 %"
+is_gone() { ! kill -0 "$1" 2>/dev/null; }
+
+# Starts the program with the arguments and waits for its first exact map.
+start() {
+    rm -f "$TACTSPACE_WIDGET_RECTS"
+    "$program" "$@" >"$scratch/out" 2>"$scratch/err" &
+    pid=$!
+    until_true "the window is there" is_drawn
+    until_true "the map is exact" is_exact
+}
+
+# Ends the program as a person does; it must end well.
+quit() {
+    local code=0
+    key ctrl+q
+    until_true "the program has ended" is_gone "$pid"
+    wait "$pid" || code=$?
+    pid=""
+    [ "$code" -eq 0 ] || fail "exit code $code after Ctrl+Q"
+}
+
+crash() {
+    kill -9 "$pid"
+    wait "$pid" 2>/dev/null || true
+    pid=""
+}
+
+# What the program shows.
+
+value() { awk -F'\t' -v name="$1" '$1 == name { print $6; exit }' "$TACTSPACE_WIDGET_RECTS"; }
+middle() {
+    awk -F'\t' -v name="$1" '$1 == name { print int(($2 + $4) / 2), int(($3 + $5) / 2); exit }' \
+        "$TACTSPACE_WIDGET_RECTS"
+}
+shows() { grep -q "^$1	" "$TACTSPACE_WIDGET_RECTS"; }
+says() { [[ $(value "$1") == *"$2"* ]]; }  # its value has these words
+is_within() { # NAME NUMBER TOLERANCE
+    awk -v a="$(value "$1")" -v b="$2" -v most="$3" \
+        'BEGIN { exit !(a != "" && a - b <= most && b - a <= most) }'
+}
+is_number() { is_within "$1" "$2" 0; }
+is_unsaved() { says document "•"; }
+is_saved() { ! is_unsaved; }
+points() { grep '^point:' "$TACTSPACE_WIDGET_RECTS" | cut -f 1-3; }
+
+# Exact, and at rest since the last look.
+has_settled() {
+    local before=${settled_points:-}
+    settled_points=$(points)
+    is_exact && [ "$settled_points" = "$before" ] && sleep 0.2 && [ "$settled_points" = "$(points)" ]
+}
+
+# What a person does.
+
+point_at() {
+    local place
+    until_true "there is $1" shows "$1"
+    place=$(middle "$1")
+    # shellcheck disable=SC2086
+    xdotool mousemove --window "$window" $place
+}
+click() { point_at "$1" && xdotool click 1; }
+key() { xdotool key "$@"; }
+type_text() { xdotool type --delay 20 "$1"; }
+
+press() { xdotool mousedown 1; }
+release() { xdotool mouseup 1; }
+
+# The pointer to a share of the modulation slider's width, the button as it is.
+slide_to() {
+    local place
+    place=$(awk -F'\t' -v share="$1" '$1 == "slider:modulation_hz" {
+        print int($2 + share * ($4 - $2)), int(($3 + $5) / 2); exit }' "$TACTSPACE_WIDGET_RECTS")
+    # shellcheck disable=SC2086
+    xdotool mousemove --window "$window" $place
+}
+# The slider reaches from 0 to 100 Hz, less half the width of its grab at both ends.
+follows() { is_within slider:modulation_hz "$(awk -v share="$1" 'BEGIN { print 100 * share }')" 5; }
+
+# select_pattern NAME HZ: until the editor has its modulation.
+select_pattern() {
+    click "row:$1"
+    until_true "$1 is in the editor" is_number slider:modulation_hz "$2"
+}
+
+until_true "there is a display" display_answers
