@@ -139,8 +139,8 @@ slide_to() {
     # shellcheck disable=SC2086
     xdotool mousemove --window "$window" $place
 }
-# The slider reaches from 0 to 100 Hz, less half the width of its grab at both ends.
-follows() { is_within slider:modulation_hz "$(awk -v share="$1" 'BEGIN { print 100 * share }')" 5; }
+# From 0 to 100 Hz, over the width less half that of the grab at both ends.
+follows() { is_within slider:modulation_hz "$(awk -v share="$1" 'BEGIN { print 100 * share }')" 8; }
 
 # select_pattern NAME HZ: until the editor has its modulation.
 select_pattern() {
