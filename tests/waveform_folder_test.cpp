@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-
 #include "temporary_folder.h"
 #include "wave_bytes.h"
 
