@@ -52,7 +52,8 @@ SpikeForm coincidences(const PackedSpikes& a, const PackedSpikes& b) {
 // Adds `count` samples at which channels p fire in one pattern and channels q in the other.
 void add_case(SpikeForm& form, std::size_t p, std::size_t q, std::int64_t count) {
     const auto difference = [p, q](std::size_t channel) {
-        return static_cast<int>(p >> channel & 1U) - static_cast<int>(q >> channel & 1U);
+        return static_cast<std::int64_t>(p >> channel & 1U) -
+               static_cast<std::int64_t>(q >> channel & 1U);
     };
     for (std::size_t c = 0; c < kReceptorCount; ++c) {
         for (std::size_t d = 0; d < kReceptorCount; ++d) {

@@ -30,7 +30,7 @@ RelayLayer next_layer(const RelayLayer& input, const CrossKernel& kernel, double
                       int half_width) {
     // A border around the output: no cell at its edge is a special case.
     const RelayLayer wide = framed(input, half_width + 1);
-    const auto stride = static_cast<std::ptrdiff_t>(2 * half_width + 3);
+    const std::ptrdiff_t stride = 2 * half_width + 3;
     RelayLayer output = empty_layer(half_width);
     double* out = output.cells.data();
     for (int row = -half_width; row <= half_width; ++row) {
@@ -57,7 +57,7 @@ double& RelayLayer::cell(int column, int row) {
 }
 
 RelayLayer empty_layer(int half_width) {
-    const auto side = static_cast<std::size_t>(2 * half_width + 1);
+    const std::size_t side = 2 * static_cast<std::size_t>(half_width) + 1;
     return {half_width, std::vector<double>(side * side, 0.0)};
 }
 

@@ -60,7 +60,7 @@ std::vector<double> tile_values(const TileSource& source, Part part, const Tile&
 // Writes a tile's values to where they belong.
 void put_tile(Dissimilarity& matrix, const Tile& tile, std::span<const double> values);
 
-// They back, as tile_values gave them.
+// They come back as tile_values gave them.
 std::vector<double> tile_of(const Dissimilarity& matrix, const Tile& tile);
 
 // Where threads take tiles from and bring values to. Both are called from any thread.

@@ -20,7 +20,8 @@ namespace {
 // How many processes were started together: by Open MPI, by MPICH and its relatives, by Slurm.
 int processes_started() {
     for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"}) {
-        if (const char* count = std::getenv(name)) return std::max(1, std::atoi(count));
+        const char* count = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
+        if (count != nullptr) return std::max(1, std::atoi(count));
     }
     return 1;
 }
@@ -34,7 +35,11 @@ RankGroup::RankGroup(RankGroup&& other) noexcept
 
 namespace {
 
-enum Tag : int { kAsk = 1, kValues, kLeave, kTile };  // kTile + thread: answers to each
+// Tags of messages.
+constexpr int kAsk = 1;
+constexpr int kValues = 2;
+constexpr int kLeave = 3;
+constexpr int kTile = 4;  // and up, by thread: what each asked for
 constexpr long kNoTile = -1;
 
 // MPI's own waiting keeps a core busy; tiles take longer than this.

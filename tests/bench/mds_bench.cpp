@@ -134,33 +134,44 @@ void hundred_starts_of_14(benchmark::State& state) {
 }
 
 // The best of our 20 starts less the best of monoMDS's 20 starts and of isoMDS, at its worst.
-void least_stress(benchmark::State& state) {
+void least_stress(benchmark::State& state, const std::vector<Matrix>& matrices) {
     std::vector<Question> questions;
-    for (const std::size_t n : {8UL, 14UL, 20UL, 40UL, 70UL, 100UL}) {
-        for (const auto& matrix : {noisy(n), tied(n), structureless(n)}) {
-            questions.push_back({matrix, kStarts, true});
-        }
-    }
+    for (const Matrix& matrix : matrices) questions.push_back({matrix, kStarts, true});
     const auto theirs = ask_r(questions);
-    double worst = -1.0;
-    std::string where;
+    if (!theirs) state.SetLabel(kNoR);
     for (auto _ : state) {
-        for (std::size_t k = 0; theirs && k < questions.size(); ++k) {
-            const Dissimilarity& dissimilarity = questions[k].matrix.dissimilarity;
+        double worst = -1.0;
+        std::string where;
+        for (std::size_t k = 0; theirs && k < matrices.size(); ++k) {
+            const Dissimilarity& dissimilarity = matrices[k].dissimilarity;
             const auto space = nonmetric_mds(dissimilarity, params_of(dissimilarity.size, kStarts));
             const double above = space.stress1 - (*theirs)[k];
-            if (above > worst) {
-                worst = above;
-                where = questions[k].matrix.name;
-            }
+            if (above > worst) where = matrices[k].name;
+            worst = std::max(worst, above);
         }
+        if (theirs) owe_at_most(state, worst, 1e-4, ("above theirs, " + where).c_str());
     }
-    if (!theirs) {
-        state.SetLabel(kNoR);
-        return;
+    state.counters["matrices"] = static_cast<double>(matrices.size());
+}
+
+std::vector<Matrix> structured() {
+    std::vector<Matrix> matrices;
+    for (const std::size_t n : {8UL, 14UL, 20UL, 40UL, 70UL, 100UL}) {
+        matrices.push_back(noisy(n));
+        matrices.push_back(tied(n));
     }
-    state.counters["matrices"] = static_cast<double>(questions.size());
-    owe_at_most(state, worst, 1e-4, ("above theirs (" + where + ")").c_str());
+    return matrices;
+}
+
+// Past some 20 objects without structure every start ends elsewhere, theirs as ours: of 300 starts
+// each for 40 objects, the least stress of 20 has its median at .2625 for both, its worst at .263
+// and .264. Which of the two is ahead is a matter of luck.
+std::vector<Matrix> unstructured() {
+    std::vector<Matrix> matrices;
+    for (const std::size_t n : {8UL, 14UL, 20UL, 40UL, 70UL, 100UL}) {
+        matrices.push_back(structureless(n));
+    }
+    return matrices;
 }
 
 }  // namespace
@@ -178,4 +189,9 @@ BENCHMARK_CAPTURE(against_mono_mds, tied_100, tied(100), kStarts, false)
 BENCHMARK_CAPTURE(against_mono_mds, structureless_100, structureless(100), kStarts, false)
     ->Name("mds/100_objects_structureless/start")
     ->Iterations(1);
-BENCHMARK(least_stress)->Name("mds/least_stress")->Iterations(1);
+BENCHMARK_CAPTURE(least_stress, structured, structured())
+    ->Name("mds/least_stress/structured")
+    ->Iterations(1);
+BENCHMARK_CAPTURE(least_stress, structureless, unstructured())
+    ->Name("mds/least_stress/structureless")
+    ->Iterations(1);

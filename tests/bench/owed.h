@@ -1,13 +1,12 @@
 // What a benchmark owes, printed beside what it measured, and times that can be compared.
 //
-// Other programs share the machine, so that single seconds say little: compare what ran in turns,
-// each at its best, and count the time of the thread rather than the clock's where one is enough.
+// Other programs share the machine, so that seconds by the clock say little: compare what ran in
+// turns, each at its best, by the time a thread has computed.
 #pragma once
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <limits>
@@ -21,21 +20,15 @@ inline double thread_s() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-inline double clock_s() {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double>(now).count();
-}
-
-// The shortest of several turns, in seconds of one of the above.
+// The shortest of several turns.
 struct Best {
-    double (*now_s)() = thread_s;
     double shortest_s = std::numeric_limits<double>::infinity();
 
     template <class Work>
     void turn(const Work& work) {
-        const double begin_s = now_s();
+        const double begin_s = thread_s();
         work();
-        shortest_s = std::min(shortest_s, now_s() - begin_s);
+        shortest_s = std::min(shortest_s, thread_s() - begin_s);
     }
 };
 

@@ -1,0 +1,199 @@
+// The window of the twelve patterns of Lim & Park 2023, in its default layout.
+//
+// Headless, a frame is what the interface computes; on a display it is rasterised as well.
+//
+// Left out  idle: that no frame is drawn then is a test of the window's.
+#define DOCTEST_CONFIG_DISABLE
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "app/window.h"
+#include "model/io/set_file.h"
+#include "tests/bench/owed.h"
+
+// Its checks are switched off here, and leave a variable behind.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+#include "tests/program.h"
+#pragma GCC diagnostic pop
+
+using namespace tact;
+using namespace tact::bench;
+
+namespace {
+
+constexpr double kFrameS = 1.0 / 60.0;
+
+// What a person waits, other programs included.
+double clock_s() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
+
+PatternSet twelve() {
+    const auto loaded = read_set_file(TACT_ASSETS_DIR "/sets/pm_2023_twelve.tactspace.json");
+    return loaded ? loaded->set : PatternSet{};
+}
+
+void start_jobs(App& app) {
+    make_jobs(app);
+    request_maps(app);
+}
+
+// The points set out again, and keep moving.
+void move_points(App& app) { app.map.since_s = app.time_s; }
+
+void change_every_pattern(App& app, int turn) {
+    for (Vibration& vibration : app.document.set.vibrations) {
+        if (auto* pattern = std::get_if<Pattern>(&vibration.source)) {
+            pattern->modulation.frequency_hz = 1.0 + turn % 50;
+        }
+    }
+    ++app.revision;
+    request_maps(app);
+}
+
+// The time all threads of this program have computed.
+double process_s() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double share(std::vector<double> values, double of) {
+    if (values.empty()) return 0.0;
+    const auto place = static_cast<std::size_t>(of * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(place));
+    return values[place];
+}
+
+double frame_s(Program& program) {
+    const double begin_s = clock_s();
+    program.frame();
+    return clock_s() - begin_s;
+}
+
+void frame(benchmark::State& state) {
+    Program program(twelve());
+    start_jobs(program.app);
+    program.wait_for_exact_map();
+    std::vector<double> frames_s;
+    for (auto _ : state) {
+        move_points(program.app);
+        frames_s.push_back(frame_s(program));
+    }
+    state.counters["vertices"] = ImGui::GetDrawData()->TotalVtxCount;
+    state.counters["p99_ms"] = 1e3 * share(frames_s, 0.99);
+    owe_at_most(state, 1e3 * share(frames_s, 0.5), 3.0, "ms (median)");
+}
+
+// Sixty frames a second, while the map of twelve changed patterns is made again and again.
+void frame_while_computing(benchmark::State& state) {
+    Program program(twelve());
+    start_jobs(program.app);
+    program.wait_for_exact_map();
+    std::vector<double> frames_s;
+    int turn = 0;
+    for (auto _ : state) {
+        if (!is_computing(program.app)) change_every_pattern(program.app, ++turn);
+        const double begin_s = clock_s();
+        frames_s.push_back(frame_s(program));
+        const double left_s = kFrameS - (clock_s() - begin_s);
+        if (left_s > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(left_s));
+    }
+    const double median_s = share(frames_s, 0.5);
+    state.counters["median_ms"] = 1e3 * median_s;
+    state.counters["p99_ms"] = 1e3 * share(frames_s, 0.99);
+    state.counters["runs"] = turn;
+    owe_at_most(state, share(frames_s, 0.99) / median_s, 2.0, "x median (p99)");
+}
+
+// From the frame in which the button is let go to that which shows the new, exact map.
+void slider_to_space(benchmark::State& state) {
+    Program program(twelve());
+    start_jobs(program.app);
+    program.wait_for_exact_map();
+    std::vector<double> preview_s;
+    std::vector<double> exact_s;
+    std::vector<double> computed_s;
+    float x = 0.2F;
+    for (auto _ : state) {
+        const Place bar = program.at("slider:amplitude_g");
+        x = x > 0.7F ? 0.2F : x + 0.1F;
+        const ImVec2 to{bar.min.x + x * (bar.max.x - bar.min.x), bar.middle().y};
+        program.drag({bar.min.x + 20.0F, to.y}, to, 6);
+        const double begin_s = clock_s();
+        const double computed_before_s = process_s();
+        bool previewed = false;
+        while (map_state(program.app) != MapState::exact) {
+            program.frame();
+            if (!previewed && map_state(program.app) != MapState::stale) {
+                preview_s.push_back(clock_s() - begin_s);
+                previewed = true;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        exact_s.push_back(clock_s() - begin_s);
+        computed_s.push_back(process_s() - computed_before_s);
+    }
+    state.counters["all_threads_ms"] = 1e3 * share(computed_s, 0.5);
+    state.counters["preview_ms"] = 1e3 * share(preview_s, 0.5);
+    owe_at_most(state, 1e3 * share(exact_s, 0.5), 250.0, "ms (median)");
+}
+
+// In a real window, from the start of a frame until it is on the screen.
+void frame_on_display(benchmark::State& state) {
+    if (!display_available()) {
+        for (auto _ : state) continue;
+        state.SetLabel("not measured: no display");
+        return;
+    }
+    App app = make_app();
+    const PatternSet set = twelve();
+    app.document = {set, {}, set};
+    app.committed = std::make_shared<const PatternSet>(set);
+    start_jobs(app);
+    std::vector<double> frames_s;
+    std::vector<double> computed_s;
+    double begin_s = 0.0;
+    double computed_before_s = 0.0;
+    WindowClient client;
+    client.frame = [&](const FrameContext& context) {
+        begin_s = clock_s();
+        computed_before_s = process_s();
+        app.content_scale = context.content_scale;
+        if (map_state(app) == MapState::exact) move_points(app);
+        draw_frame(app, context.pressed, context.time_s);
+        FrameRequest request;
+        request.animate = true;
+        request.background = app.theme.background;
+        request.close = !state.KeepRunning();
+        return request;
+    };
+    client.build_fonts = [&](float content_scale) {
+        app.content_scale = content_scale;
+        make_theme(app);
+    };
+    client.after_frame = [&] {
+        if (map_state(app) != MapState::exact) return;
+        frames_s.push_back(clock_s() - begin_s);
+        computed_s.push_back(process_s() - computed_before_s);
+    };
+    const auto opened = run_window({}, client);
+    if (!opened) state.SkipWithError("no window");
+    state.counters["frames"] = static_cast<double>(frames_s.size());
+    state.counters["all_threads_ms"] = 1e3 * share(computed_s, 0.5);
+    state.counters["p99_ms"] = 1e3 * share(frames_s, 0.99);
+    owe_at_most(state, 1e3 * share(frames_s, 0.5), 33.0, "ms (median)");
+}
+
+}  // namespace
+
+BENCHMARK(frame)->Name("interface/frame")->Iterations(300);
+BENCHMARK(frame_while_computing)->Name("interface/frame_while_computing")->Iterations(600);
+BENCHMARK(slider_to_space)->Name("interface/slider_to_space")->Iterations(7);
+BENCHMARK(frame_on_display)->Name("interface/frame_on_display")->Iterations(400);
