@@ -61,7 +61,16 @@ struct MapTransition {
     double since_s = -10.0;
 };
 
+// A click in the list takes effect at the end of its frame: what it ends in the editor, such as a
+// number being typed, still belongs to the pattern selected before.
+struct RowClick {
+    std::size_t index = 0;
+    bool shift = false;
+    bool ctrl = false;
+};
+
 struct SetPanelState {
+    std::optional<RowClick> clicked;
     std::string search;
     std::string rename_text;
     std::optional<std::size_t> renaming;
@@ -69,8 +78,10 @@ struct SetPanelState {
 };
 
 struct EditorState {
-    std::string active_field;  // arrows nudge it
-    std::string rhythm_text;   // while being typed
+    std::string active_field;   // arrows nudge it
+    double typed_number = 0.0;  // in the entry of active_field; taken when the entry is left
+    bool typing_number = false;
+    std::string rhythm_text;  // while being typed
     bool rhythm_typing = false;
 };
 

@@ -142,8 +142,12 @@ void duplicate_selected(App& app) {
 }
 
 void remove_selected(App& app) {
-    const std::vector<std::size_t> gone = selected_indices(app);
-    if (gone.empty()) return;
+    std::vector<std::size_t> gone = selected_indices(app);
+    std::erase_if(gone, [&app](std::size_t index) { return vibrations(app)[index].locked; });
+    if (gone.empty()) {
+        if (current_vibration(app) != nullptr) say(app, "Locked patterns are not deleted.");
+        return;
+    }
     const std::string label = gone.size() == 1
                                   ? "Delete " + vibrations(app)[gone[0]].name
                                   : "Delete " + std::to_string(gone.size()) + " patterns";
@@ -219,6 +223,7 @@ void toggle_locked(App& app) {
     if (current == nullptr) return;
     const bool lock = !current->locked;
     for (const std::size_t index : selected_indices(app)) vibrations(app)[index].locked = lock;
+    document_changed(app);
     commit_step(app, of_selection(app, lock ? "Lock" : "Unlock"));
 }
 

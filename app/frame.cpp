@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/dialogs.h"
@@ -161,6 +163,18 @@ void draw_status(App& app, const Rect& area) {
     ImGui::End();
 }
 
+void take_row_click(App& app) {
+    const std::optional<RowClick> click = std::exchange(app.set_panel.clicked, std::nullopt);
+    if (!click || click->index >= app.document.set.vibrations.size()) return;
+    if (click->shift) {
+        select_through(app, click->index);
+    } else if (click->ctrl) {
+        toggle_selected(app, click->index);
+    } else {
+        select_only(app, click->index);
+    }
+}
+
 // The mouse, once used again, ends the keyboard's way through the widgets.
 void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     ImGuiIO& io = ImGui::GetIO();
@@ -172,6 +186,12 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     } else {
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    }
+    // Half of the world types 1,5: in a number the comma is a point.
+    if (std::exchange(app.editor.typing_number, false)) {
+        for (ImWchar& sign : io.InputQueueCharacters) {
+            if (sign == ',') sign = '.';
+        }
     }
     const bool moved = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
     if (moved) app.hover_since_s = app.time_s;
@@ -193,6 +213,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     const float top = ImGui::GetFrameHeight() + gap;
     const float foot = kStatusHeightPx * app.theme.scale;
     draw_columns(app, {{gap, top}, {screen.x - gap, screen.y - foot}});
+    take_row_click(app);
     draw_status(app, {{0.0F, screen.y - foot}, screen});
     draw_dialogs(app);
     draw_palette(app, pressed);

@@ -80,11 +80,17 @@ bool draw_bar(App& app, const Field& field, double& value) {
     return changed;
 }
 
-// True when a number was entered that differs from the value.
+// True when the entry was left, by whatever way, with a number that differs from the value.
 bool draw_entry(App& app, const Field& field, double& value) {
     double typed = value;
-    ImGui::InputDouble("##entry", &typed, 0.0, 0.0, field.format,
-                       ImGuiInputTextFlags_AutoSelectAll);
+    if (ImGui::InputDouble("##entry", &typed, 0.0, 0.0, field.format,
+                           ImGuiInputTextFlags_AutoSelectAll)) {
+        // ImGui tells the number while it is typed, not when the entry is left.
+        app.editor.typed_number = typed;
+    }
+    if (ImGui::IsItemActivated()) app.editor.typed_number = value;
+    app.editor.typing_number |= ImGui::IsItemActive();
+    typed = app.editor.typed_number;
     const bool entered =
         ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed) && typed != value;
     if (entered) value = std::clamp(typed, field.typed.low, field.typed.high);

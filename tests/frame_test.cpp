@@ -178,3 +178,31 @@ TEST_CASE("window: Ctrl+Z in a text field is the field's own") {
     program.press('z', true);
     CHECK(program.app.document.set.vibrations.size() == 3);
 }
+
+TEST_CASE("window: a number being typed is taken however its entry is left, for its own pattern") {
+    Program program(short_patterns(3));
+    program.click("entry:amplitude_g");
+    program.window.type("3.3");
+    program.settle();
+    program.click("row:p2");
+    CHECK(program.pattern(0).amplitude_g == 3.3);
+    CHECK(program.pattern(1).amplitude_g == 1.0);
+    CHECK(program.app.selection.current == 1);
+    program.click("entry:amplitude_g");
+    program.window.type("1,5");
+    program.window.press(key::kTab);
+    program.settle();
+    CHECK(program.pattern(1).amplitude_g == 1.5);
+}
+
+TEST_CASE("window: locking is an edit, and what is locked is not deleted") {
+    Program program(short_patterns(2));
+    program.press('l', true);
+    program.settle();
+    CHECK(program.app.unsaved);
+    program.press_key(key::kDelete);
+    CHECK(program.app.document.set.vibrations.size() == 2);
+    program.press('z', true);
+    program.press_key(key::kDelete);
+    CHECK(program.app.document.set.vibrations.size() == 1);
+}

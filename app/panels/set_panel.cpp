@@ -77,17 +77,6 @@ std::string strength_text(const Vibration& vibration) {
     return text;
 }
 
-void click_row(App& app, std::size_t index) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.KeyShift) {
-        select_through(app, index);
-    } else if (io.KeyCtrl) {
-        toggle_selected(app, index);
-    } else {
-        select_only(app, index);
-    }
-}
-
 void drag_row(App& app, std::size_t index) {
     if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) {
         ImGui::SetDragDropPayload(kDragKind, &index, sizeof index);
@@ -175,7 +164,9 @@ void draw_row(App& app, std::size_t index) {
     }
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
     ImGui::InvisibleButton("row", {width, height});
-    if (ImGui::IsItemClicked()) click_row(app, index);
+    if (ImGui::IsItemClicked()) {
+        app.set_panel.clicked = {index, ImGui::GetIO().KeyShift, ImGui::GetIO().KeyCtrl};
+    }
     if (ImGui::IsItemHovered()) {
         app.selection.hovered = index;
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {

@@ -81,7 +81,7 @@ void draw_nothing(App& app, const Rect& area, MapState state) {
 std::string verdict_text(const PerceptualSpace& space, std::size_t patterns) {
     switch (space.verdict) {
         case MdsVerdict::constant:
-            return "All pairs are equally different: any map fits, so none is drawn.";
+            return "All pairs are equally alike: any map fits, so none is drawn.";
         case MdsVerdict::trivial:
             return std::to_string(patterns) +
                    " patterns always fit: stress says nothing, the picture little.";
