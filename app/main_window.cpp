@@ -39,6 +39,12 @@ FrameRequest draw_window_frame(App& app, const FrameContext& context) {
 }  // namespace
 
 Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
+    for (const std::filesystem::path& set : sets) {
+        std::error_code fault;
+        if (!std::filesystem::exists(set, fault)) {
+            return Error{set.string() + ": there is no such file, folder or command"};
+        }
+    }
     if (!display_available()) {
         return Error{
             "no display to open a window on; \"tactspace predict SET\" and \"tactspace snapshot "

@@ -93,6 +93,7 @@ Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options) 
 }
 
 Expected<std::size_t> place_of(const PatternSet& set, const std::string& name) {
+    if (set.vibrations.empty()) return Error{"the set is empty, expected at least one pattern"};
     std::string known;
     for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
         if (set.vibrations[k].name == name) return k;
@@ -100,8 +101,7 @@ Expected<std::size_t> place_of(const PatternSet& set, const std::string& name) {
         if (k < kNamed) known += (k == 0 ? "" : ", ") + set.vibrations[k].name;
         if (k == kNamed) known += ", ...";
     }
-    return Error{"there is no pattern \"" + name + "\", expected one of " +
-                 (known.empty() ? "none: the set is empty" : known)};
+    return Error{"there is no pattern \"" + name + "\", expected one of " + known};
 }
 
 Expected<Done> make_folder(const std::filesystem::path& folder) {
