@@ -220,20 +220,13 @@ void draw_recent(App& app) {
     ImGui::EndMenu();
 }
 
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](char c) {
-        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    });
-    return text;
-}
-
 std::vector<const Command*> palette_matches(const App& app) {
     std::vector<const Command*> found;
-    const std::string wanted = lower(app.palette.text);
+    const std::string wanted = lower_case(app.palette.text);
     for (const Command& command : commands()) {
         if (*command.menu == '\0' || !command.enabled(app)) continue;
         const std::string all =
-            lower(std::string(command.menu) + " " + command.name + " " + command.words);
+            lower_case(std::string(command.menu) + " " + command.name + " " + command.words);
         if (all.find(wanted) != std::string::npos) found.push_back(&command);
     }
     return found;

@@ -237,14 +237,16 @@ App make_app() {
     return app;
 }
 
+std::string drawn_text(const PatternSet& set) {
+    std::string text = set.name;
+    for (const Vibration& vibration : set.vibrations) text += vibration.name + vibration.note;
+    return text;
+}
+
 void make_theme(App& app) {
     const float scale = app.content_scale * app.text_scale;
     app.theme = app.dark ? dark_theme(scale) : light_theme(scale);
-    std::string names = app.document.set.name;
-    for (const Vibration& vibration : app.document.set.vibrations) {
-        names += vibration.name + vibration.note;
-    }
-    app.theme.fonts = load_fonts(*ImGui::GetIO().Fonts, scale, names);
+    app.theme.fonts = load_fonts(*ImGui::GetIO().Fonts, scale, drawn_text(app.document.set));
     ImGui::GetStyle() = ImGuiStyle();
     apply(app.theme, ImGui::GetStyle());
     app.fonts_outdated = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "app/app.h"
 #include "app/input_queue.h"
@@ -19,6 +20,9 @@ bool is_computing(const App& app);
 
 // An App with theme and layout, ready for start_session(); fonts are made by make_theme().
 App make_app();
+
+// All words of a set that are drawn: what fonts need glyphs for.
+std::string drawn_text(const PatternSet& set);
 
 // Theme, fonts and style for the current ImGui context, at app.content_scale x app.text_scale.
 // The atlas must be empty.

@@ -8,8 +8,8 @@
 #include "app/frame.h"
 #include "app/live_map.h"
 #include "app/map_follow.h"
+#include "app/panels/panels.h"
 #include "model/spectrum.h"
-#include "viz/colour.h"
 #include "viz/marks.h"
 #include "viz/matrix_view.h"
 #include "viz/space_view.h"
@@ -19,12 +19,6 @@
 namespace tact {
 
 namespace {
-
-std::string all_names(const PatternSet& set) {
-    std::string names = set.name;
-    for (const Vibration& vibration : set.vibrations) names += vibration.name + vibration.note;
-    return names;
-}
 
 PictureOptions options_of(const PictureSize& size, std::string extra_text) {
     PictureOptions options;
@@ -75,12 +69,11 @@ Image space_picture(const PatternSet& set, const Dissimilarity& pm, const Percep
     std::snprintf(detail, sizeof detail, "predicted by PM, stress-1 %.3f, %s", space.stress1,
                   stress_label(space.stress1).c_str());
     return draw_picture(
-        size.width, size.height, options_of(size, all_names(set)), [&](const Theme& theme) {
+        size.width, size.height, options_of(size, drawn_text(set)), [&](const Theme& theme) {
             const Rect area = draw_title(theme, "Perceptual space", detail);
             std::vector<PatternLook> looks;
             for (std::size_t k = 0; k < labels.size(); ++k) {
-                const auto own = parse_colour(set.vibrations[k].colour);
-                looks.push_back(own ? PatternLook{*own, false} : pattern_look(theme, k));
+                looks.push_back(look_of(theme, set, k));
             }
             SpaceScene scene;
             scene.labels = labels;
@@ -141,7 +134,7 @@ Image window_picture(const PatternSet& set, int threads, const PictureSize& size
         const LiveCodeRequest shown{set.vibrations[0], longest_samples(set), set.model};
         app.code = std::make_shared<const LiveCode>(*compute_live_code(shown, {}, progress));
     }
-    PictureOptions options = options_of(size, all_names(set));
+    PictureOptions options = options_of(size, drawn_text(set));
     options.has_panes = true;
     return draw_picture(size.width, size.height, options, [&app](const Theme& theme) {
         app.theme = theme;

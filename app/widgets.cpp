@@ -1,6 +1,7 @@
 #include "app/widgets.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace tact {
@@ -205,6 +206,13 @@ void draw_tooltip(const App& app, const char* text) {
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+std::string lower_case(std::string text) {
+    std::ranges::transform(text, text.begin(), [](char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    });
+    return text;
 }
 
 void dim_text(const App& app, const std::string& text) {

@@ -63,6 +63,9 @@ void draw_hint(App& app, const char* id, const char* text);
 // A tooltip on the last item after a moment's rest.
 void draw_tooltip(const App& app, const char* text);
 
+// ASCII letters in lower case: for searches.
+std::string lower_case(std::string text);
+
 // Text in the theme's dim colour.
 void dim_text(const App& app, const std::string& text);
 

@@ -14,6 +14,7 @@ void draw_space_panel(App& app);
 void draw_matrix_panel(App& app);
 
 // Mark and colour of the pattern at a position: its own colour, else by position.
+PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index);
 PatternLook look_of(const App& app, std::size_t index);
 
 // What is left of the pane below the cursor.

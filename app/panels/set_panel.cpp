@@ -5,7 +5,6 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <optional>
 
@@ -23,19 +22,12 @@ namespace {
 constexpr float kRowHeightPx = 25.0F;
 constexpr const char* kDragKind = "tact-vibration";
 
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](char c) {
-        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    });
-    return text;
-}
-
 std::vector<std::size_t> found(const App& app) {
     const auto& all = app.document.set.vibrations;
-    const std::string wanted = lower(app.set_panel.search);
+    const std::string wanted = lower_case(app.set_panel.search);
     std::vector<std::size_t> indices;
     for (std::size_t k = 0; k < all.size(); ++k) {
-        if (lower(all[k].name).find(wanted) != std::string::npos) indices.push_back(k);
+        if (lower_case(all[k].name).find(wanted) != std::string::npos) indices.push_back(k);
     }
     return indices;
 }
@@ -223,10 +215,13 @@ void draw_rows(App& app) {
 
 }  // namespace
 
+PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index) {
+    const auto own = parse_colour(set.vibrations[index].colour);
+    return own ? PatternLook{*own, false} : pattern_look(theme, index);
+}
+
 PatternLook look_of(const App& app, std::size_t index) {
-    PatternLook look = pattern_look(app.theme, index);
-    const auto own = parse_colour(app.document.set.vibrations[index].colour);
-    return own ? PatternLook{*own, false} : look;
+    return look_of(app.theme, app.document.set, index);
 }
 
 Rect rest_of_pane() {
