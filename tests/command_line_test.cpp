@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "places.h"
 #include "run_program.h"
 #include "temporary_folder.h"
 
@@ -16,8 +17,9 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::string kAmSet = TACT_ASSETS_DIR "/sets/park_choi_2011_am_5hz.tactspace.json";
-const std::string kTwelve = TACT_ASSETS_DIR "/sets/pm_2023_twelve.tactspace.json";
+const std::string kAmSet =
+    std::string(tact::kAssetsDir) + "/sets/park_choi_2011_am_5hz.tactspace.json";
+const std::string kTwelve = std::string(tact::kAssetsDir) + "/sets/pm_2023_twelve.tactspace.json";
 
 // Five patterns of 0.1 s, as DTW is quadratic; stronger than 1 g and not alike.
 constexpr const char* kShortSet = R"({"tactspace": 1, "duration_s": 0.1, "patterns": [

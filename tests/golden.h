@@ -13,13 +13,14 @@
 
 #include "model/pattern.h"
 #include "model/perceptual_model_params.h"
+#include "places.h"
 
 namespace tact::golden {
 
 using Json = nlohmann::json;
 
 inline Json read(const std::string& file) {
-    std::ifstream stream(std::string(TACT_GOLDEN_DIR) + "/" + file);
+    std::ifstream stream(std::string(kGoldenDir) + "/" + file);
     REQUIRE_MESSAGE(stream.good(), "golden file is missing: " << file);
     return Json::parse(stream);
 }

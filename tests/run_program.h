@@ -14,6 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "places.h"
+
 struct Ran {
     int exit_code = 0;  // 128 + signal where one ended it, as shells say it
     std::string out;
@@ -52,7 +54,7 @@ inline std::vector<char*> pointers_to(std::vector<std::string>& texts) {
 // `limits` are words of the shell that starts the program, such as "ulimit -f 0". Outputs go
 // through pipes, which limits on files do not touch.
 inline Ran run_program(const std::vector<std::string>& arguments, const std::string& limits = ":") {
-    std::vector<std::string> words{"/bin/sh", "-c", limits + "; exec \"$@\"", "sh", TACT_PROGRAM};
+    std::vector<std::string> words{"/bin/sh", "-c", limits + "; exec \"$@\"", "sh", tact::kProgram};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::array<int, 2> out{};
     std::array<int, 2> err{};
