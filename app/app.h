@@ -2,6 +2,7 @@
 // view state of every panel. frame() in app/frame.h draws it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -14,9 +15,12 @@
 #include "app/file_chooser.h"
 #include "app/history.h"
 #include "app/latest_job.h"
-#include "app/live_code.h"
 #include "app/live_map.h"
+#include "app/live_stages.h"
+#include "app/playhead.h"
 #include "app/session.h"
+#include "app/stage_signals.h"
+#include "app/stages.h"
 #include "app/vibration_cache.h"
 #include "app/widget_rects.h"
 #include "viz/space_view.h"
@@ -32,7 +36,7 @@ struct Selection {
     std::optional<std::size_t> hovered_last;  // in the last frame, by any panel
 };
 
-enum class Pane { patterns, editor, vibration, space, matrix };
+enum class Pane { patterns, editor, physiology, space, matrix };
 
 struct Layout {
     float left = 0.21F;  // share of the window's width
@@ -91,7 +95,75 @@ struct PaletteState {
     int choice = 0;
 };
 
+// One receptor of one type: its place in the grid of the shown pattern.
+struct ReceptorPlace {
+    Receptor type = Receptor::pacinian;
+    std::size_t index = 0;
+
+    bool operator==(const ReceptorPlace&) const = default;
+};
+
+// The layers on screen, kept while neither the pattern nor the step changes.
+struct ShownLayers {
+    std::shared_ptr<const LiveStages> of;
+    std::size_t step = 0;
+    PerReceptor<std::vector<RelayLayer>> layers;
+};
+
+// Where two patterns part, kept while both stay what they are.
+struct ShownDifference {
+    std::shared_ptr<const LiveStages> a;
+    std::shared_ptr<const LiveStages> b;
+    StageDifferences stages;
+    std::array<std::vector<std::vector<double>>, kStages.size()> signals;  // a - b
+};
+
+struct PhysiologyState {
+    std::optional<Stage> open;              // fills the pane; none: all of them, small
+    std::optional<Stage> explained;         // its text is open beside it
+    Receptor network = Receptor::pacinian;  // whose layers the overview shows
+    bool network_chosen = false;            // by the person; else the strongest one
+    bool tilted = false;
+    double tilt_since_s = -10.0;
+    std::optional<double> crosshair_s;       // where any time axis is pointed at in this frame
+    std::optional<double> crosshair_last_s;  // and was in the last
+    std::optional<ReceptorPlace> hovered;    // in this frame, in any view
+    std::optional<ReceptorPlace> hovered_last;
+    std::optional<ReceptorPlace> selected;
+    ShownLayers layers;
+    ShownLayers pinned_layers;
+    ShownDifference difference;
+};
+
 enum class MatrixQuantity { pm, nc, oc };
+
+// What the lower right pane shows.
+enum class BenchTab { matrix, model };
+
+// Whose knots the model bench lists.
+struct ModelPanelState {
+    Receptor type = Receptor::pacinian;
+    bool threshold = true;  // or slope
+};
+
+// What a chosen path is for.
+enum class ChooserPurpose { open_document, save_document, load_tables };
+
+// What the tour turns to its own ends, as it was.
+struct ViewBeforeTour {
+    Layout layout;
+    std::size_t current = 0;
+    std::string pinned;
+    Playhead playhead;
+    TimeRange time_range;
+    std::optional<Stage> open;
+};
+
+struct TourState {
+    std::optional<std::size_t> step;  // under way
+    std::size_t left_at = 0;          // where to take it up again
+    ViewBeforeTour before;
+};
 
 enum class Dialog { none, about, keys };
 
@@ -113,26 +185,39 @@ struct App {
 
     std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> preview_job;
     std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> full_job;
-    std::unique_ptr<LatestJob<LiveCodeRequest, LiveCode>> code_job;
-    std::shared_ptr<const LiveCode> code;  // of the current vibration, or of one before it
-    LiveCodeRequest code_asked;
+    std::unique_ptr<LatestJob<LiveStagesRequest, LiveStages>> stages_job;
+    std::shared_ptr<const LiveStages> stages;  // of the current vibration, or of one before it
+    LiveStagesRequest stages_asked;
+    std::string pinned;  // name of the pattern shown for comparison; empty: none
+    std::unique_ptr<LatestJob<LiveStagesRequest, LiveStages>> pinned_job;
+    std::shared_ptr<const LiveStages> pinned_stages;
+    LiveStagesRequest pinned_asked;
+    Playhead playhead;
+    TimeRange time_range;  // of every time axis; of no length: the whole pattern
+    PhysiologyState physiology;
+    bool map_cancelled = false;  // by the person, until the next edit
     bool compute_large = false;  // the person asked for a live map of a very large set
     MapTransition map;
     SpaceCamera camera;
     int dimensions = 3;
     MatrixQuantity matrix_quantity = MatrixQuantity::pm;
+    BenchTab bench = BenchTab::matrix;
+    ModelPanelState model_panel;
 
     VibrationCache cache;
     SetPanelState set_panel;
     EditorState editor;
     PaletteState palette;
     FileChooser chooser;
+    ChooserPurpose chooser_purpose = ChooserPurpose::open_document;
     Dialog dialog = Dialog::none;
+    TourState tour;
     Session session;
     StatusLine status;
     std::vector<Vibration> clipboard;
 
     double time_s = 0.0;                 // of the current frame
+    double frame_s = 0.0;                // since the last one; short after a rest
     double hover_since_s = 0.0;          // when the mouse came to rest
     bool unsaved = false;                // the document differs from its file ...
     std::uint64_t unsaved_revision = 0;  // ... as of this revision

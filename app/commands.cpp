@@ -8,6 +8,8 @@
 
 #include "app/editing.h"
 #include "app/files.h"
+#include "app/panels/time_rows.h"
+#include "app/tour.h"
 #include "app/widgets.h"
 
 namespace tact {
@@ -32,13 +34,37 @@ void start_rename(App& app) {
     app.set_panel.scroll_to_current = true;
 }
 
-void no_device(App& app) {
-    say(app, "Nothing to play on: this version draws and predicts; actuators come with the next.");
+template <int kSteps>
+void step_playhead(App& app) {
+    app.playhead = stepped(app.playhead, kSteps, shown_duration_s(app));
+}
+
+template <int kSlower>
+void set_speed(App& app) {
+    app.playhead.speed = 1.0 / kSlower;
+}
+
+template <int kSlower>
+bool has_speed(const App& app) {
+    return app.playhead.speed == 1.0 / kSlower;
+}
+
+void rewind(App& app) {
+    app.playhead.at_s = 0.0;
+    app.playhead.playing = false;
 }
 
 void escape(App& app) {
     if (app.palette.open) {
         app.palette.open = false;
+    } else if (app.tour.step) {
+        leave_tour(app);
+    } else if (app.playhead.playing) {
+        app.playhead.playing = false;
+    } else if (app.physiology.explained) {
+        app.physiology.explained.reset();
+    } else if (app.physiology.open) {
+        app.physiology.open.reset();
     } else if (app.layout.maximised) {
         app.layout.maximised.reset();
     } else {
@@ -128,6 +154,20 @@ const auto kCommands = std::to_array<Command>({
      [](App& app) { set_theme(app, false); },
      [](const App& app) { return !app.dark; },
      "theme"},
+    {"View",
+     "Matrix",
+     {},
+     always,
+     [](App& app) { app.bench = BenchTab::matrix; },
+     nullptr,
+     "dissimilarity heat map"},
+    {"View",
+     "Model bench",
+     {},
+     always,
+     [](App& app) { app.bench = BenchTab::model; },
+     nullptr,
+     "parameters weights layers thresholds"},
     {"View", "Larger text", ctrl('+'), always, [](App& app) { step_text_scale(app, 1.1F); },
      nullptr, "zoom scale"},
     {"View", "Smaller text", ctrl('-'), always, [](App& app) { step_text_scale(app, 1.0F / 1.1F); },
@@ -142,6 +182,42 @@ const auto kCommands = std::to_array<Command>({
      "animation"},
     {"View", "Bring hints back", {}, always, [](App& app) { app.session.dismissed_hints.clear(); }},
 
+    {"Play", "Play or pause", special(key::kSpace), has_selection, toggle_playing, nullptr,
+     "animate silently"},
+    {"Play", "Back to the start", special(key::kHome), has_selection, rewind, nullptr, "rewind"},
+    {"Play", "5 ms on", plain('.'), has_selection, step_playhead<1>, nullptr, "step forward"},
+    {"Play", "5 ms back", plain(','), has_selection, step_playhead<-1>, nullptr, "step back"},
+    {"Play", "In real time", {}, always, set_speed<1>, has_speed<1>, "speed"},
+    {"Play", "Ten times slower", {}, always, set_speed<10>, has_speed<10>, "speed slow motion"},
+    {"Play",
+     "A hundred times slower",
+     {},
+     always,
+     set_speed<100>,
+     has_speed<100>,
+     "speed slow motion"},
+    {"Play",
+     "Loop",
+     {},
+     always,
+     [](App& app) { app.playhead.loop = !app.playhead.loop; },
+     [](const App& app) { return app.playhead.loop; },
+     "repeat"},
+    {"Play",
+     "Show the whole pattern",
+     {},
+     always,
+     [](App& app) { app.time_range = {}; },
+     nullptr,
+     "zoom out time"},
+
+    {"Help", "Guided tour", {}, has_selection, start_tour, nullptr, "learn teach explain"},
+    {"Help", "Guided tour from the start", {}, has_selection,
+     [](App& app) {
+         app.tour.left_at = 0;
+         start_tour(app);
+     },
+     nullptr, "learn teach explain"},
     {"Help", "Keys and mouse", special(key::kF1), always,
      [](App& app) { app.dialog = Dialog::keys; }, nullptr, "shortcuts help"},
     {"Help", "Command palette", ctrl('p'), always, [](App& app) { app.palette = {true, {}, 0}; }},
@@ -154,7 +230,6 @@ const auto kCommands = std::to_array<Command>({
      "licence model source left out"},
 
     // Not in a menu.
-    {"", "Play", special(key::kSpace), always, no_device},
     {"", "Redo", ctrl('y'), [](const App& app) { return app.history.redo_label() != nullptr; },
      redo},
     {"", "Larger text", ctrl('='), always, [](App& app) { step_text_scale(app, 1.1F); }},
@@ -250,6 +325,7 @@ std::string shortcut_text(const Shortcut& shortcut) {
     if (shortcut.code == key::kDelete) return text + "Del";
     if (shortcut.code == key::kSpace) return text + "Space";
     if (shortcut.code == key::kEscape) return text + "Esc";
+    if (shortcut.code == key::kHome) return text + "Home";
     if (shortcut.code == key::kUp) return text + "Up";
     if (shortcut.code == key::kDown) return text + "Down";
     if (shortcut.code >= key::kF1) return text + "F" + std::to_string(shortcut.code - key::kF1 + 1);
@@ -273,7 +349,7 @@ void run_shortcuts(App& app, std::span<const KeyPress> pressed) {
 
 void draw_menus(App& app) {
     if (!ImGui::BeginMainMenuBar()) return;
-    for (const char* menu : {"File", "Edit", "View", "Help"}) {
+    for (const char* menu : {"File", "Edit", "View", "Play", "Help"}) {
         const bool open = ImGui::BeginMenu(menu);
         note_item(app.rects, std::string("menu:") + menu);
         if (!open) continue;

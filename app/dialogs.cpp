@@ -30,6 +30,8 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Ctrl+O, Ctrl+S, Ctrl+Shift+S", "open, save, save as"},
     {"Ctrl+N, Ctrl+D, Del", "new pattern, duplicate, delete"},
     {"Ctrl+C, Ctrl+V, Ctrl+A", "copy, paste, select all patterns"},
+    {"Space; comma, full stop", "play or pause; 5 ms back, on"},
+    {"Wheel, Ctrl+wheel in a plot", "move through time, zoom; all plots follow"},
     {"Up, Down", "previous, next pattern"},
     {"Left, Right (Shift: five steps)", "nudge the field touched last"},
     {"F2, double click on a row", "rename a pattern"},
@@ -82,10 +84,13 @@ void draw_keys(App& app) {
 void draw_chooser(App& app) {
     const auto chosen = draw(app.chooser);
     if (!chosen) return;
-    if (app.chooser.use == ChooserUse::open) {
-        open_paths(app, {*chosen});
-    } else {
-        save_as(app, *chosen);
+    switch (app.chooser_purpose) {
+        case ChooserPurpose::open_document:
+            return open_paths(app, {*chosen});
+        case ChooserPurpose::save_document:
+            return save_as(app, *chosen);
+        case ChooserPurpose::load_tables:
+            return load_tables(app, *chosen);
     }
 }
 

@@ -227,6 +227,13 @@ void toggle_locked(App& app) {
     commit_step(app, of_selection(app, lock ? "Lock" : "Unlock"));
 }
 
+void toggle_playing(App& app) {
+    Playhead& playhead = app.playhead;
+    const double end_s = static_cast<double>(longest_samples(app.document.set)) / kModelRateHz;
+    if (!playhead.playing && playhead.at_s >= end_s) playhead.at_s = 0.0;
+    playhead.playing = !playhead.playing && end_s > 0.0;
+}
+
 void say(App& app, const std::string& text) { app.status = {text, false, app.time_s}; }
 
 void complain(App& app, const std::string& text) { app.status = {text, true, app.time_s}; }

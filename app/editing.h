@@ -46,6 +46,9 @@ void move_vibration(App& app, std::size_t from, std::size_t to);
 void rename_vibration(App& app, std::size_t index, const std::string& name);
 void toggle_locked(App& app);
 
+// Starts the playhead, from the start where it stood at the end, or halts it.
+void toggle_playing(App& app);
+
 // A line at the foot of the window.
 void say(App& app, const std::string& text);
 void complain(App& app, const std::string& text);

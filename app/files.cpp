@@ -127,6 +127,7 @@ void save(App& app) {
 }
 
 void open_dialog(App& app) {
+    app.chooser_purpose = ChooserPurpose::open_document;
     app.chooser.use = ChooserUse::open;
     app.chooser.title = "Open a set, a folder of recordings, or a recording";
     app.chooser.extensions = {".json", ".wav", ".txt"};
@@ -135,6 +136,7 @@ void open_dialog(App& app) {
 }
 
 void save_dialog(App& app) {
+    app.chooser_purpose = ChooserPurpose::save_document;
     app.chooser.use = ChooserUse::save;
     app.chooser.title = "Save the set";
     app.chooser.extensions = {kSetEnding};
@@ -142,6 +144,28 @@ void save_dialog(App& app) {
     std::string name = app.document.set.name.empty() ? "untitled" : app.document.set.name;
     std::ranges::replace(name, '/', '-');
     show(app.chooser, folder_of(app.document), name + kSetEnding);
+}
+
+void load_tables_dialog(App& app) {
+    app.chooser_purpose = ChooserPurpose::load_tables;
+    app.chooser.use = ChooserUse::open;
+    app.chooser.title = "Load a table of slopes or of thresholds";
+    app.chooser.extensions = {".csv"};
+    app.chooser.folders_too = false;
+    show(app.chooser, folder_of(app.document));
+}
+
+void load_tables(App& app, const std::filesystem::path& path) {
+    const Expected<std::string> text = read_text_file(path);
+    if (!text) return complain(app, text.error().message);
+    const bool thresholds = text->find("threshold_log10_um_peak") != std::string::npos;
+    const auto curves = thresholds ? parse_thresholds(*text) : parse_slopes(*text);
+    if (!curves) return complain(app, path.filename().string() + ": " + curves.error().message);
+    PhysiologyTables& tables = app.document.set.model.coding.tables;
+    (thresholds ? tables.threshold : tables.slope) = *curves;
+    document_changed(app);
+    commit_step(app, thresholds ? "Load thresholds" : "Load slopes");
+    say(app, std::string(thresholds ? "Thresholds" : "Slopes") + " loaded from " + path.string());
 }
 
 Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>& paths) {
@@ -180,6 +204,7 @@ void keep_layout(App& app) {
     kept["pitch_rad"] = app.camera.pitch_rad;
     kept["zoom"] = app.camera.zoom;
     kept["dimensions"] = app.dimensions;
+    kept["tour_step"] = static_cast<double>(app.tour.step.value_or(app.tour.left_at));
     kept["motion"] = app.motion ? 1.0 : 0.0;
 }
 
@@ -201,6 +226,7 @@ void restore_layout(App& app) {
     app.camera.pitch_rad = value("pitch_rad", -1.6, 1.6, app.camera.pitch_rad);
     app.camera.zoom = value("zoom", kLeastZoom, kMostZoom, app.camera.zoom);
     app.dimensions = value("dimensions", 2.0, 3.0, 3.0) < 2.5 ? 2 : 3;
+    app.tour.left_at = static_cast<std::size_t>(value("tour_step", 0.0, 10.0, 0.0));
     app.motion = value("motion", 0.0, 1.0, 1.0) > 0.5;
 }
 

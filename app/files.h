@@ -18,6 +18,10 @@ void open_dialog(App& app);
 void save_dialog(App& app);
 void save(App& app);
 
+// Physiology tables from a file, as a change of the document; an error changes nothing.
+void load_tables_dialog(App& app);
+void load_tables(App& app, const std::filesystem::path& path);
+
 // Opens what the paths name, as one set; an error leaves the open document as it is. Undo brings
 // the document before it back.
 void open_paths(App& app, const std::vector<std::filesystem::path>& paths);

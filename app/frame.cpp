@@ -12,6 +12,8 @@
 #include "app/files.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
+#include "app/panels/time_rows.h"
+#include "app/tour.h"
 #include "app/widgets.h"
 #include "model/mds.h"
 
@@ -69,14 +71,29 @@ PaneTitle title_of(const App& app, Pane pane) {
                     app.selection.others.empty()
                         ? ""
                         : std::to_string(app.selection.others.size() + 1) + " edited together"};
-        case Pane::vibration:
-            return {"Vibration", name, ""};
+        case Pane::physiology:
+            return {"Physiology", name, ""};
         case Pane::space:
             return {"Perceptual space", "", space_title_right(app)};
         case Pane::matrix:
-            return {"Matrix", "dissimilarity of every pair", map_state_text(app)};
+            return app.bench == BenchTab::matrix
+                       ? PaneTitle{"Matrix", "dissimilarity of every pair", map_state_text(app)}
+                       : PaneTitle{"Model", "parameters of PM", ""};
     }
     return {};
+}
+
+void draw_bench(App& app) {
+    const auto tab = [&app](BenchTab which, const char* name) {
+        if (draw_chip(app, name, name, app.bench == which)) app.bench = which;
+        note_item(app.rects, std::string("tab:") + name);
+        ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
+    };
+    tab(BenchTab::matrix, "Matrix");
+    tab(BenchTab::model, "Model");
+    ImGui::NewLine();
+    if (app.bench == BenchTab::matrix) return draw_matrix_panel(app);
+    draw_model_panel(app);
 }
 
 void draw_content(App& app, Pane pane) {
@@ -85,12 +102,12 @@ void draw_content(App& app, Pane pane) {
             return draw_set_panel(app);
         case Pane::editor:
             return draw_editor_panel(app);
-        case Pane::vibration:
-            return draw_vibration_panel(app);
+        case Pane::physiology:
+            return draw_physiology_panel(app);
         case Pane::space:
             return draw_space_panel(app);
         case Pane::matrix:
-            return draw_matrix_panel(app);
+            return draw_bench(app);
     }
 }
 
@@ -112,7 +129,7 @@ void draw_columns(App& app, const Rect& area) {
 
     draw(app, Pane::patterns, {area.min, {x1, y1}});
     draw(app, Pane::editor, {{area.min.x, y1 + bar}, {x1, area.max.y}});
-    draw(app, Pane::vibration, {{x1 + bar, area.min.y}, {x2 - bar, area.max.y}});
+    draw(app, Pane::physiology, {{x1 + bar, area.min.y}, {x2 - bar, area.max.y}});
     draw(app, Pane::space, {{x2, area.min.y}, {area.max.x, y2}});
     draw(app, Pane::matrix, {{x2, y2 + bar}, area.max});
 
@@ -175,6 +192,20 @@ void take_row_click(App& app) {
     }
 }
 
+void follow_playhead(App& app) {
+    const double duration_s = shown_duration_s(app);
+    app.playhead = advanced(app.playhead, app.frame_s, duration_s);
+    if (!app.playhead.playing) return;
+    app.time_range = followed(fitted(app.time_range, duration_s), app.playhead.at_s, duration_s);
+}
+
+// Where the middle column is, for what opens beside it.
+Rect physiology_area(const App& app, const Rect& columns) {
+    if (app.layout.maximised) return columns;
+    return {{columns.min.x + app.layout.left * columns.width(), columns.min.y},
+            {columns.max.x - app.layout.right * columns.width(), columns.max.y}};
+}
+
 // The mouse, once used again, ends the keyboard's way through the widgets.
 void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     ImGuiIO& io = ImGui::GetIO();
@@ -200,7 +231,9 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
 }  // namespace
 
 void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
+    app.frame_s = std::clamp(time_s - app.time_s, 0.0, 0.1);
     app.time_s = time_s;
+    follow_playhead(app);
     follow_input_mode(app, pressed);
     take_answers(app);
     app.selection.hovered_last = app.selection.hovered;
@@ -210,11 +243,15 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     run_shortcuts(app, pressed);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float gap = app.theme.splitter_px;
-    const float top = ImGui::GetFrameHeight() + gap;
+    const float menu = ImGui::GetFrameHeight();
+    const float top = menu + transport_height(app) + gap;
     const float foot = kStatusHeightPx * app.theme.scale;
+    draw_transport_bar(app, {{gap, menu}, {screen.x - gap, top - gap}});
     draw_columns(app, {{gap, top}, {screen.x - gap, screen.y - foot}});
     take_row_click(app);
     draw_status(app, {{0.0F, screen.y - foot}, screen});
+    draw_explain_window(app, physiology_area(app, {{gap, top}, {screen.x - gap, screen.y - foot}}));
+    draw_tour(app, {{gap, top}, {screen.x - gap, screen.y - foot}});
     draw_dialogs(app);
     draw_palette(app, pressed);
     follow_current(app);
@@ -226,8 +263,9 @@ bool is_computing(const App& app) { return app.full_job && app.full_job->busy();
 
 bool wants_another_frame(const App& app) {
     const bool hover_rests = app.time_s - app.hover_since_s < 0.5;
-    return is_moving(app) || hover_rests || app.fonts_outdated ||
-           app.selection.hovered != app.selection.hovered_last;
+    return app.playhead.playing || is_moving(app) || hover_rests || app.fonts_outdated ||
+           app.selection.hovered != app.selection.hovered_last ||
+           app.physiology.crosshair_s != app.physiology.crosshair_last_s;
 }
 
 App make_app() {

@@ -70,7 +70,8 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     // The jobs end before what they wake does.
     app.full_job.reset();
     app.preview_job.reset();
-    app.code_job.reset();
+    app.stages_job.reset();
+    app.pinned_job.reset();
     end_session(app);
     return answer;
 }

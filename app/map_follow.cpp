@@ -98,14 +98,17 @@ void show_map(App& app, std::shared_ptr<const LiveMap> map) {
 
 void make_jobs(App& app) {
     using MapJob = LatestJob<LiveMapRequest, LiveMap>;
-    using CodeJob = LatestJob<LiveCodeRequest, LiveCode>;
+    using StagesJob = LatestJob<LiveStagesRequest, LiveStages>;
     app.preview_job = std::make_unique<MapJob>(JobPolicy::finish, LiveMapWork{}, app.wake);
     app.full_job = std::make_unique<MapJob>(JobPolicy::supersede, LiveMapWork{}, app.wake);
-    app.code_job = std::make_unique<CodeJob>(JobPolicy::finish, compute_live_code, app.wake);
+    for (auto* job : {&app.stages_job, &app.pinned_job}) {
+        *job = std::make_unique<StagesJob>(JobPolicy::finish, compute_live_stages, app.wake);
+    }
 }
 
 void request_maps(App& app) {
     if (!app.full_job) return;  // a picture without a window computes its map itself
+    app.map_cancelled = false;
     const PatternSet& set = app.document.set;
     if (needs_asking(set) && !app.compute_large) {
         app.preview_job->cancel();
@@ -129,17 +132,35 @@ void take_answers(App& app) {
     for (const auto* job : {app.preview_job.get(), app.full_job.get()}) {
         if (auto map = job->latest(); is_news(app, map)) show_map(app, std::move(map));
     }
-    if (auto code = app.code_job->latest()) app.code = std::move(code);
+    if (auto stages = app.stages_job->latest()) app.stages = std::move(stages);
+    if (auto stages = app.pinned_job->latest()) app.pinned_stages = std::move(stages);
 }
 
+namespace {
+
+LiveStagesRequest stages_request(const PatternSet& set, std::size_t index) {
+    return {set.vibrations[index], longest_samples(set), set.model};
+}
+
+}  // namespace
+
 void follow_current(App& app) {
-    const auto& all = app.document.set.vibrations;
-    if (!app.code_job || app.selection.current >= all.size()) return;
-    LiveCodeRequest request{all[app.selection.current], longest_samples(app.document.set),
-                            app.document.set.model};
-    if (request == app.code_asked) return;
-    app.code_asked = request;
-    app.code_job->submit(std::move(request));
+    const PatternSet& set = app.document.set;
+    if (!app.stages_job || app.selection.current >= set.vibrations.size()) return;
+    LiveStagesRequest request = stages_request(set, app.selection.current);
+    if (request != app.stages_asked) {
+        app.stages_asked = request;
+        app.stages_job->submit(std::move(request));
+    }
+    const auto pinned = std::ranges::find(set.vibrations, app.pinned, &Vibration::name);
+    if (pinned == set.vibrations.end()) {
+        app.pinned.clear();
+        return;
+    }
+    request = stages_request(set, static_cast<std::size_t>(pinned - set.vibrations.begin()));
+    if (request == app.pinned_asked) return;
+    app.pinned_asked = request;
+    app.pinned_job->submit(std::move(request));
 }
 
 MapState map_state(const App& app) {

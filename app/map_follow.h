@@ -12,7 +12,8 @@ void request_maps(App& app);
 // Takes what the jobs have finished, aligns it to what is shown and starts the transition.
 void take_answers(App& app);
 
-// Asks for the code of the current vibration where it is not the one that was asked for last.
+// Asks for the stages of the current and of the pinned vibration where they are not those that were
+// asked for last.
 void follow_current(App& app);
 
 // Puts a map on the screen, aligned to the one before it.

@@ -131,8 +131,8 @@ Image window_picture(const PatternSet& set, int threads, const PictureSize& size
         show_map(app, std::make_shared<const LiveMap>(*std::move(map)));
     }
     if (!set.vibrations.empty()) {
-        const LiveCodeRequest shown{set.vibrations[0], longest_samples(set), set.model};
-        app.code = std::make_shared<const LiveCode>(*compute_live_code(shown, {}, progress));
+        const LiveStagesRequest shown{set.vibrations[0], longest_samples(set), set.model};
+        app.stages = std::make_shared<const LiveStages>(*compute_live_stages(shown, {}, progress));
     }
     PictureOptions options = options_of(size, drawn_text(set));
     options.has_panes = true;

@@ -4,6 +4,9 @@
 #include <cctype>
 #include <cmath>
 
+#include "viz/colour.h"
+#include "viz/marks.h"
+
 namespace tact {
 
 namespace {
@@ -109,7 +112,8 @@ void draw_pane(App& app, Pane pane, const Rect& area, const PaneTitle& title,
     constexpr ImGuiWindowFlags kFlags =
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
-    if (ImGui::Begin(title.title.c_str(), nullptr, kFlags)) {
+    const std::string id = "pane " + std::to_string(static_cast<int>(pane));
+    if (ImGui::Begin(id.c_str(), nullptr, kFlags)) {
         draw_pane_title(app, pane, title);
         content();
     }
@@ -133,7 +137,8 @@ FieldEdit draw_field(App& app, const Field& field, double& value) {
     if (field.help != nullptr) draw_tooltip(app, field.help);
 
     const float entry_width = kEntryWidthPx * app.theme.scale;
-    const float bar_width = ImGui::GetContentRegionAvail().x - entry_width - app.theme.gap_px;
+    const float bar_width =
+        ImGui::GetContentRegionAvail().x - entry_width - app.theme.gap_px - field.right_room_px;
     ImGui::SetNextItemWidth(std::max(40.0F, bar_width));
     edit.changed = draw_bar(app, field, value);
     edit.finished = ImGui::IsItemDeactivatedAfterEdit();
@@ -219,6 +224,34 @@ void dim_text(const App& app, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour4(app.theme.dim_text));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
+}
+
+bool draw_chip(App& app, const char* id, const char* text, bool lit) {
+    const Theme& theme = app.theme;
+    const ImVec2 pad{5.0F * theme.scale, 3.0F * theme.scale};
+    const ImVec2 size = text_size(theme.fonts.small, text) + pad * 2.0F;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(id, size);
+    const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (lit || over) {
+        list.AddRectFilled(corner, corner + size, lit ? faded(theme.accent, 0.28F) : theme.hover,
+                           theme.rounding_px);
+    }
+    draw_text(list, theme.fonts.small, corner + pad, lit || over ? theme.text : theme.dim_text,
+              text);
+    if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    return pressed;
+}
+
+void draw_info_mark(const App& app, ImVec2 centre, bool lit) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float radius = 6.5F * app.theme.scale;
+    const ImU32 colour = lit ? app.theme.accent : app.theme.dim_text;
+    list.AddCircle(centre, radius, colour, 0, app.theme.hairline_px);
+    const ImVec2 size = text_size(app.theme.fonts.small, "i");
+    draw_text(list, app.theme.fonts.small, {centre.x - size.x / 2.0F, centre.y - size.y / 2.0F},
+              colour, "i");
 }
 
 bool link(const App& app, const char* id, const std::string& text) {

@@ -33,6 +33,7 @@ struct Field {
     bool logarithmic = false;
     const char* help = nullptr;  // a tooltip
     bool enabled = true;
+    float right_room_px = 0.0F;  // left free after the entry
 };
 
 struct FieldEdit {
@@ -66,8 +67,14 @@ void draw_tooltip(const App& app, const char* text);
 // ASCII letters in lower case: for searches.
 std::string lower_case(std::string text);
 
+// A word to choose a view by: tabs and strips are made of them. True when pressed.
+bool draw_chip(App& app, const char* id, const char* text, bool lit);
+
 // Text in the theme's dim colour.
 void dim_text(const App& app, const std::string& text);
+
+// The "i" in a circle.
+void draw_info_mark(const App& app, ImVec2 centre, bool lit);
 
 // Clickable text in the accent colour.
 bool link(const App& app, const char* id, const std::string& text);

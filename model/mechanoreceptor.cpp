@@ -124,11 +124,19 @@ const PhysiologyTables& default_tables() {
     return tables;
 }
 
+Expected<PerReceptor<Curve>> parse_slopes(const std::string& csv) {
+    return parse_curves(csv, "slope table", "slope_imp_per_s_per_log10um");
+}
+
+Expected<PerReceptor<Curve>> parse_thresholds(const std::string& csv) {
+    return parse_curves(csv, "threshold table", "threshold_log10_um_peak");
+}
+
 Expected<PhysiologyTables> parse_tables(const std::string& slopes_csv,
                                         const std::string& thresholds_csv) {
-    auto slope = parse_curves(slopes_csv, "slope table", "slope_imp_per_s_per_log10um");
+    auto slope = parse_slopes(slopes_csv);
     if (!slope) return slope.error();
-    auto threshold = parse_curves(thresholds_csv, "threshold table", "threshold_log10_um_peak");
+    auto threshold = parse_thresholds(thresholds_csv);
     if (!threshold) return threshold.error();
     return PhysiologyTables{*slope, *threshold};
 }

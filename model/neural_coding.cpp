@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
+#include <iterator>
 
 #include "model/butterworth.h"
 #include "model/nc_matrix.h"
@@ -42,32 +44,39 @@ std::vector<double> perceived_waveform(const std::vector<double>& filtered_g, bo
     return perceived;
 }
 
+// How much of the way is kept for looking at.
+enum class Kept { code, stages, layers };
+
+// What a step brings to the square of `half_width` around the centre.
 RelayLayer spikes_of_step(const ChannelStages& channel, int half_width, std::size_t step) {
     RelayLayer layer = empty_layer(half_width);
     for (std::size_t k = 0; k < channel.grid.receptors.size(); ++k) {
         const GridReceptor& receptor = channel.grid.receptors[k];
+        if (std::max(std::abs(receptor.column), std::abs(receptor.row)) > half_width) continue;
         layer.cell(receptor.column, receptor.row) = channel.spike_count[k][step];
     }
     return layer;
 }
 
-// Counts of the central neuron per step. With `every_stage` the whole grid is kept and relayed,
-// else just the cone that can reach the centre.
+// Whole for the default kernels; a researcher's kernel may leave fractions.
+int central_count(double centre) { return static_cast<int>(std::floor(centre + 1e-9)); }
+
+// Counts of the central neuron per step. Unless layers are kept, just the cone that can reach the
+// centre is relayed.
 std::vector<int> relay_channel(ChannelStages& channel, std::size_t steps,
-                               const NeuralCodingParams& params, bool every_stage) {
+                               const NeuralCodingParams& params, Kept kept) {
     const int cone = params.excitatory_layers + params.inhibitory_layers;
-    const int half_width =
-        every_stage ? channel.grid.half_width : std::min(channel.grid.half_width, cone);
+    const int half_width = std::min(channel.grid.half_width, cone);
     std::vector<int> central(steps, 0);
     for (std::size_t step = 0; step < steps; ++step) {
-        RelayLayer spikes = spikes_of_step(channel, half_width, step);
-        std::vector<RelayLayer> layers = relay(spikes, params, !every_stage);
-        const double centre = layers.empty() ? spikes.centre() : layers.back().centre();
-        // Whole for the default kernels; a researcher's kernel may leave fractions.
-        central[step] = static_cast<int>(std::floor(centre + 1e-9));
-        if (!every_stage) continue;
-        layers.insert(layers.begin(), std::move(spikes));
-        channel.layers.push_back(std::move(layers));
+        if (kept == Kept::layers) {
+            channel.layers.push_back(relay_layers(channel, step, params));
+            central[step] = central_count(channel.layers.back().back().centre());
+            continue;
+        }
+        const RelayLayer spikes = spikes_of_step(channel, half_width, step);
+        const std::vector<RelayLayer> layers = relay(spikes, params, true);
+        central[step] = central_count(layers.empty() ? spikes.centre() : layers.back().centre());
     }
     return central;
 }
@@ -80,9 +89,9 @@ struct ChannelInput {
 
 ChannelStages code_channel(const ChannelInput& input, Receptor receptor,
                            const Activation& activated, const NeuralCodingParams& params,
-                           bool every_stage) {
-    const int reach =
-        every_stage ? kWholeGrid : params.excitatory_layers + params.inhibitory_layers;
+                           Kept kept) {
+    const int cone = params.excitatory_layers + params.inhibitory_layers;
+    const int reach = kept == Kept::code ? cone : kWholeGrid;
     ChannelStages channel;
     channel.grid = receptor_grid(activated, receptor, input.duration_s, params.share, reach);
     channel.filtered_g = channel_filter(input.input_g, receptor, params);
@@ -108,7 +117,7 @@ void mark_central_spikes(NeuralCode& code, Receptor receptor) {
 }
 
 NeuralCodingStages code_waveform(const Waveform& waveform, const NeuralCodingParams& params,
-                                 bool every_stage) {
+                                 Kept kept) {
     assert(waveform.rate_hz == kModelRateHz && "the model works at 10 kHz; resample first");
     ChannelInput input;
     input.input_g = params.remove_mean ? without_mean(waveform.samples_g) : waveform.samples_g;
@@ -123,11 +132,11 @@ NeuralCodingStages code_waveform(const Waveform& waveform, const NeuralCodingPar
         const std::size_t c = index_of(receptor);
         stages.code.activation[c] = activation(stages.components, receptor, params);
         ChannelStages channel =
-            code_channel(input, receptor, stages.code.activation[c], params, every_stage);
+            code_channel(input, receptor, stages.code.activation[c], params, kept);
         stages.code.activated[c] = channel.grid.activated;
-        stages.code.central_count[c] = relay_channel(channel, steps, params, every_stage);
+        stages.code.central_count[c] = relay_channel(channel, steps, params, kept);
         mark_central_spikes(stages.code, receptor);
-        if (every_stage) stages.channel[c] = std::move(channel);
+        if (kept != Kept::code) stages.channel[c] = std::move(channel);
     }
     return stages;
 }
@@ -146,12 +155,20 @@ std::array<double, 16> waveform_levels(const PerReceptor<double>& channel_weight
 }  // namespace
 
 NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& params) {
-    return code_waveform(waveform, params, false).code;
+    return code_waveform(waveform, params, Kept::code).code;
 }
 
-NeuralCodingStages neural_coding_stages(const Waveform& waveform,
-                                        const NeuralCodingParams& params) {
-    return code_waveform(waveform, params, true);
+NeuralCodingStages neural_coding_stages(const Waveform& waveform, const NeuralCodingParams& params,
+                                        KeepLayers keep) {
+    return code_waveform(waveform, params, keep == KeepLayers::all ? Kept::layers : Kept::stages);
+}
+
+std::vector<RelayLayer> relay_layers(const ChannelStages& channel, std::size_t step,
+                                     const NeuralCodingParams& params) {
+    std::vector<RelayLayer> layers{spikes_of_step(channel, channel.grid.half_width, step)};
+    std::vector<RelayLayer> relayed = relay(layers[0], params, false);
+    std::ranges::move(relayed, std::back_inserter(layers));
+    return layers;
 }
 
 std::vector<double> predicted_brain_waveform(const NeuralCode& code,

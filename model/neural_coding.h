@@ -38,7 +38,7 @@ struct ChannelStages {
     std::vector<double> filtered_g;               // before normalisation
     bool silent = false;                          // next to no energy in the channel's band
     std::vector<std::vector<int>> spike_count;    // receptor (as in grid), 5 ms step
-    std::vector<std::vector<RelayLayer>> layers;  // step, layer; layer 0 are the spikes
+    std::vector<std::vector<RelayLayer>> layers;  // step, layer; layer 0 are the spikes. Or empty
 };
 
 struct NeuralCodingStages {
@@ -50,8 +50,20 @@ struct NeuralCodingStages {
 // The code alone; about a millisecond for 1 s.
 NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& params);
 
-// The same numbers with every stage kept. Memory grows with the grids: tens of MB for strong tones.
-NeuralCodingStages neural_coding_stages(const Waveform& waveform, const NeuralCodingParams& params);
+// Which of the relay networks' layers are kept.
+enum class KeepLayers {
+    all,  // of every step; memory grows with the grids: tens of MB for strong tones
+    none  // relay_layers() gives those of a step
+};
+
+// The same numbers with every stage kept.
+NeuralCodingStages neural_coding_stages(const Waveform& waveform, const NeuralCodingParams& params,
+                                        KeepLayers keep = KeepLayers::all);
+
+// The layers of one step, the spikes first: 1 + L_E + L_I of them. `step` is below the count of
+// steps. The same as are kept.
+std::vector<RelayLayer> relay_layers(const ChannelStages& channel, std::size_t step,
+                                     const NeuralCodingParams& params);
 
 // PBW[n] = sum_c w_c [channel c fires at n].
 std::vector<double> predicted_brain_waveform(const NeuralCode& code,

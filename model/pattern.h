@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "model/range.h"
 #include "model/rhythm.h"
 #include "model/waveform.h"
 
@@ -51,13 +52,6 @@ struct Pattern {
 };
 
 // What a person may choose. Panels clamp to these; files outside them are refused.
-struct Range {
-    double low;
-    double high;
-
-    bool contains(double value) const { return value >= low && value <= high; }
-};
-
 namespace limits {
 inline constexpr Range kAmplitudeG{0.0, 50.0};
 inline constexpr Range kCarrierHz{0.1, 1000.0};

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "model/mechanoreceptor.h"
+#include "model/range.h"
 
 namespace tact {
 
@@ -55,6 +56,16 @@ struct CrossKernel {
 
     bool operator==(const CrossKernel&) const = default;
 };
+
+// What a researcher may choose. Panels clamp to these; files outside them are refused.
+namespace limits {
+inline constexpr Range kLayers{0, 16};  // the paper trains 0 to 4
+inline constexpr Range kFilterOrder{1, 20};
+inline constexpr Range kShare{0.0, 1.0};
+inline constexpr Range kKernel{-100.0, 100.0};
+inline constexpr Range kSpikeCap{1, 50};  // samples in 5 ms
+inline constexpr Range kWeight{0.0, 1000.0};
+}  // namespace limits
 
 struct NeuralCodingParams {
     // Trained in the paper.

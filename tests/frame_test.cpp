@@ -152,10 +152,10 @@ TEST_CASE("window: a pane is maximised by a double click on its title, Esc puts 
 
 TEST_CASE("window: a dragged splitter moves its panes") {
     Program program(short_patterns(2));
-    const float before = program.at("title:Vibration").min.x;
+    const float before = program.at("title:Physiology").min.x;
     const ImVec2 bar = program.at("splitter:left").middle();
     program.drag(bar, bar + ImVec2(80.0F, 0.0F), 4);
-    CHECK(std::abs(program.at("title:Vibration").min.x - before - 80.0F) <= 3.0F);
+    CHECK(std::abs(program.at("title:Physiology").min.x - before - 80.0F) <= 3.0F);
 }
 
 TEST_CASE("window: the command palette finds a command and runs it") {

@@ -150,6 +150,27 @@ TEST_CASE("neural coding: the code alone is the same, to the bit, as with every 
     }
 }
 
+TEST_CASE("neural coding: the layers made for one step are those kept with all") {
+    Pattern pattern;
+    pattern.amplitude_g = 2.0;
+    pattern.modulation.frequency_hz = 4.0;
+    const NeuralCodingParams params;
+    const NeuralCodingStages kept = neural_coding_stages(render(pattern), params);
+    const NeuralCodingStages lean = neural_coding_stages(render(pattern), params, KeepLayers::none);
+    CHECK(lean.code.central_count == kept.code.central_count);
+    for (std::size_t c = 0; c < kReceptorCount; ++c) {
+        CHECK(lean.channel[c].layers.empty());
+        CHECK(lean.channel[c].spike_count == kept.channel[c].spike_count);
+        for (const std::size_t step : {0, 17, 60, 199}) {
+            const auto layers = relay_layers(lean.channel[c], step, params);
+            REQUIRE(layers.size() == kept.channel[c].layers[step].size());
+            for (std::size_t k = 0; k < layers.size(); ++k) {
+                CHECK(layers[k].cells == kept.channel[c].layers[step][k].cells);
+            }
+        }
+    }
+}
+
 TEST_CASE("neural coding: silence in, silence out, and no distance between silences") {
     Waveform silence{kModelRateHz, std::vector<double>(1234, 0.0)};
     const NeuralCode code = neural_code(silence, {});

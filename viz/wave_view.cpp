@@ -17,15 +17,16 @@ Plot plot_of(const Theme& theme, const Rect& area, const WaveScene& scene,
     const double reach = 1.05 * (scene.largest > 0.0 ? scene.largest : largest_value(scene.traces));
     const Axis time{.low = scene.start_s, .high = scene.end_s};
     const Axis value{.low = scene.signed_values ? -reach : 0.0, .high = reach};
-    return plot_within(area, theme, time, value, labels);
+    Plot plot = plot_within(area, theme, time, value, labels);
+    plot.area.min.x = std::max(plot.area.min.x, area.min.x + scene.left_room_px);
+    plot.x.low_px = plot.area.min.x;
+    return plot;
 }
 
 void draw_value_at(ImDrawList& list, const Theme& theme, const Plot& plot, const WaveScene& scene,
-                   double time_s, ImVec2 mouse_px) {
+                   double time_s, std::size_t sample, ImVec2 mouse_px) {
     const WaveTrace& trace = scene.traces.back();
-    const double index = std::floor(time_s * trace.rate_hz);
-    if (index < 0.0 || index >= static_cast<double>(trace.samples.size())) return;
-    const double value = trace.samples[static_cast<std::size_t>(index)];
+    const double value = trace.samples[sample];
     const ImVec2 at{to_pixel(plot.x, time_s), to_pixel(plot.y, value)};
     draw_disc(list, theme, at, 3.5F * theme.scale, theme.pane);
     draw_disc(list, theme, at, 2.5F * theme.scale, trace.colour);
@@ -33,6 +34,15 @@ void draw_value_at(ImDrawList& list, const Theme& theme, const Plot& plot, const
         significant(value) + (scene.unit.empty() ? "" : " " + std::string{scene.unit}),
         significant(time_s) + " s"};
     draw_readout(list, theme, plot.area, mouse_px, lines);
+}
+
+// The sample of the last trace that is heard at a time.
+std::optional<std::size_t> sample_at(const WaveScene& scene, double time_s) {
+    if (scene.traces.empty()) return std::nullopt;
+    const WaveTrace& trace = scene.traces.back();
+    const double index = std::floor(time_s * trace.rate_hz);
+    if (index < 0.0 || index >= static_cast<double>(trace.samples.size())) return std::nullopt;
+    return static_cast<std::size_t>(index);
 }
 
 }  // namespace
@@ -78,7 +88,10 @@ WaveAction draw_wave(const char* id, const Theme& theme, const Rect& area, const
         if (hovered && plot.area.contains(mouse)) {
             action.hovered_s = time_s;
             draw_cursor_line(list, theme, plot, time_s, faded(theme.dim_text, 0.6F));
-            if (!scene.traces.empty()) draw_value_at(list, theme, plot, scene, time_s, mouse);
+            action.hovered_sample = sample_at(scene, time_s);
+            if (action.hovered_sample) {
+                draw_value_at(list, theme, plot, scene, time_s, *action.hovered_sample, mouse);
+            }
         }
     }
     return action;

@@ -29,6 +29,7 @@ struct WaveScene {
     std::string_view unit = "g";
     bool time_axis = true;  // with ticks; false for all but the lowest of several
     bool value_axis = true;
+    float left_room_px = 0.0F;  // at least so much left of the curve: axes above each other agree
     std::optional<double> playhead_s{};
     std::optional<double> crosshair_s{};  // where another time axis is pointed at
     bool stale = false;
@@ -36,6 +37,7 @@ struct WaveScene {
 
 struct WaveAction {
     std::optional<double> hovered_s{};
+    std::optional<std::size_t> hovered_sample{};  // of the last trace
     std::optional<double> scrubbed_s{};  // the mouse is held down: the playhead's new place
 };
 

@@ -9,9 +9,18 @@ namespace tact {
 
 void draw_set_panel(App& app);
 void draw_editor_panel(App& app);
-void draw_vibration_panel(App& app);
+void draw_physiology_panel(App& app);
 void draw_space_panel(App& app);
 void draw_matrix_panel(App& app);
+void draw_model_panel(App& app);
+
+// The knots of the physiology tables, as a part of the model bench.
+void draw_table_fields(App& app, const PhysiologyTables& original);
+
+// Windows of their own: the bar under the menus, and the text about a stage, beside its pane.
+float transport_height(const App& app);
+void draw_transport_bar(App& app, const Rect& area);
+void draw_explain_window(App& app, const Rect& beside);
 
 // Mark and colour of the pattern at a position: its own colour, else by position.
 PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index);

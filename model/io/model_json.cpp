@@ -17,31 +17,24 @@ constexpr const char* kSkinInput[] = {"displacement", "acceleration"};
 constexpr const char* kReceptorNames[] = {"meissner", "pacinian", "merkel", "ruffini"};
 static_assert(std::size(kReceptorNames) == kReceptorCount);
 
-constexpr Range kLayers{0, 16};  // the paper trains 0 to 4
-constexpr Range kFilterOrder{1, 20};
-constexpr Range kShare{0.0, 1.0};
-constexpr Range kKernel{-100.0, 100.0};
-constexpr Range kSpikeCap{1, 50};  // samples in 5 ms
-constexpr Range kWeight{0.0, 1000.0};
-
 // One list for both directions: `visit` is called with the key, the field and what it may hold.
 template <class Params, class Visit>
 void visit_coding(Params& p, Visit&& visit) {
-    visit("excitatory_layers", p.excitatory_layers, kLayers);
-    visit("inhibitory_layers", p.inhibitory_layers, kLayers);
+    visit("excitatory_layers", p.excitatory_layers, limits::kLayers);
+    visit("inhibitory_layers", p.inhibitory_layers, limits::kLayers);
     visit("remove_mean", p.remove_mean);
     visit("skin_input", p.skin_input, kSkinInput);
     visit("components", p.components, kComponents);
-    visit("peak_fraction", p.peak_fraction, kShare);
+    visit("peak_fraction", p.peak_fraction, limits::kShare);
     visit("subthreshold", p.subthreshold, kSubthreshold);
-    visit("band_pass_order_per_edge", p.band_pass_order_per_edge, kFilterOrder);
-    visit("low_pass_order", p.low_pass_order, kFilterOrder);
-    visit("silent_energy_fraction", p.silent_energy_fraction, kShare);
+    visit("band_pass_order_per_edge", p.band_pass_order_per_edge, limits::kFilterOrder);
+    visit("low_pass_order", p.low_pass_order, limits::kFilterOrder);
+    visit("silent_energy_fraction", p.silent_energy_fraction, limits::kShare);
     visit("share", p.share, kFireSharing);
     visit("split", p.split, kWindowSplit);
     visit("excitatory", p.excitatory);
     visit("inhibitory", p.inhibitory);
-    visit("spike_cap", p.spike_cap, kSpikeCap);
+    visit("spike_cap", p.spike_cap, limits::kSpikeCap);
     visit("tables", p.tables);
 }
 
@@ -54,8 +47,8 @@ void visit_envelope(Params& p, Visit&& visit) {
 template <class Params, class Visit>
 void visit_model(Params& p, Visit&& visit) {
     visit("channel_weight", p.channel_weight);
-    visit("nc_weight", p.nc_weight, kWeight);
-    visit("oc_weight", p.oc_weight, kWeight);
+    visit("nc_weight", p.nc_weight, limits::kWeight);
+    visit("oc_weight", p.oc_weight, limits::kWeight);
 }
 
 // [[f_hz, value], ...] with ascending frequencies.
@@ -111,14 +104,14 @@ struct TakeField {
     }
     void operator()(const char* key, CrossKernel& value) const {
         JsonObject kernel = object_field(*object, key);
-        value.centre = number_field(kernel, "centre", value.centre, kKernel);
-        value.arm = number_field(kernel, "arm", value.arm, kKernel);
+        value.centre = number_field(kernel, "centre", value.centre, limits::kKernel);
+        value.arm = number_field(kernel, "arm", value.arm, limits::kKernel);
         note_unknown(*unknown, key, unknown_fields(kernel));
     }
     void operator()(const char* key, PerReceptor<double>& value) const {
         JsonObject weights = object_field(*object, key);
         for (std::size_t c = 0; c < kReceptorCount; ++c) {
-            value[c] = number_field(weights, kReceptorNames[c], value[c], kWeight);
+            value[c] = number_field(weights, kReceptorNames[c], value[c], limits::kWeight);
         }
         note_unknown(*unknown, key, unknown_fields(weights));
     }

@@ -1,0 +1,13 @@
+// The values that a number may have, both ends included.
+#pragma once
+
+namespace tact {
+
+struct Range {
+    double low;
+    double high;
+
+    bool contains(double value) const { return value >= low && value <= high; }
+};
+
+}  // namespace tact
