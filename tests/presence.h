@@ -27,6 +27,18 @@ inline int count_pixels(const Image& image, const Rect& area, ImU32 colour, int 
     return count;
 }
 
+// Pixels beyond `area` that are not of the ground's colour: what was drawn where it should not be.
+inline int count_strays(const Image& image, const Rect& area, ImU32 ground) {
+    int count = 0;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const ImVec2 middle{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F};
+            if (!area.contains(middle) && pixel(image, x, y) != ground) ++count;
+        }
+    }
+    return count;
+}
+
 inline Rect whole(const Image& image) {
     return {{0, 0}, {static_cast<float>(image.width), static_cast<float>(image.height)}};
 }
