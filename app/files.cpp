@@ -6,6 +6,7 @@
 #include "app/editing.h"
 #include "app/map_follow.h"
 #include "assets/assets.h"
+#include "model/io/atomic_file.h"
 #include "model/io/load.h"
 #include "model/io/set_file.h"
 

@@ -128,7 +128,7 @@ std::vector<float> shared_out(std::span<const std::size_t> rows, float height, f
 }
 
 float names_width(const Theme& theme, const Rect& area, const RasterScene& scene) {
-    if (scene.names_px > 0.0F) return std::min(scene.names_px, 0.6F * area.width());
+    if (scene.names_px) return std::min(*scene.names_px, 0.6F * area.width());
     float widest = text_size(theme.fonts.small, "peak 0.00k imp/s").x;
     for (const RasterChannel& channel : scene.channels) {
         widest = std::max(widest, text_size(theme.fonts.small, traits(channel.receptor).name).x);
@@ -238,7 +238,7 @@ RasterAction draw_raster(const char* id, const Theme& theme, const Rect& area,
     }
     if (action.hovered_s) draw_cursor_line(list, theme, layout.plot, *action.hovered_s, dim);
     list.PopClipRect();
-    draw_names(list, theme, area, layout, scene, all);
+    if (scene.names_px != 0.0F) draw_names(list, theme, area, layout, scene, all);
     list.PopClipRect();
     return action;
 }

@@ -35,7 +35,8 @@ struct RasterScene {
     std::span<const RasterChannel> channels{};  // from the top; empty: not computed yet
     double start_s = 0.0;
     double end_s = 1.0;
-    float names_px = 0.0F;  // left of the time axis, so that panes line up; 0: as names need
+    // Left of the time axis, so that panes line up; none: as names need; 0: no names.
+    std::optional<float> names_px{};
     bool time_axis = true;  // with ticks; false for all but the lowest of several
     bool rates = true;
     std::optional<RasterSpot> selected{};

@@ -22,8 +22,8 @@ constexpr float kLabelColumnPx = 96.0F;
 constexpr float kLowestUnitPx = 30.0F;  // below, the column scrolls
 
 // Height of each stage in the overview, in units.
-constexpr std::array<float, kStages.size()> kUnits{1.0F, 1.9F, 1.9F, 3.2F, 2.4F,
-                                                   1.9F, 1.2F, 0.9F, 1.1F};
+constexpr std::array<float, kStages.size()> kUnits{1.0F, 2.1F, 1.8F, 3.2F, 2.1F,
+                                                   2.2F, 1.2F, 0.9F, 1.1F};
 
 // The patterns on screen: the current one, then the pinned one.
 struct Patterns {

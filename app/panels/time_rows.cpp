@@ -27,6 +27,8 @@ double shown_duration_s(const App& app) {
     return static_cast<double>(longest_samples(app.document.set)) / kModelRateHz;
 }
 
+float value_room_px(const App& app) { return kValueRoomPx * app.theme.scale; }
+
 float time_axis_height(const App& app) {
     return app.theme.fonts.small->FontSize + app.theme.gap_px * 0.75F;
 }

@@ -41,4 +41,7 @@ void take_time_gesture(App& app, const Rect& area, const TimeGesture& gesture);
 // Ticks and "s" along the top of the area, for a group of rows without ticks of their own.
 float time_axis_height(const App& app);
 
+// Left of the curves in a large view, where values stand.
+float value_room_px(const App& app);
+
 }  // namespace tact
