@@ -165,6 +165,16 @@ void tighten(FT_Library library, ImFontAtlas& atlas, const std::vector<std::stri
     }
 }
 
+// A font's design size over the line height that ImGui asks FreeType for; 1 if there is no font.
+float em_of(FT_Library library, const std::string& path) {
+    FT_Face face = nullptr;
+    if (FT_New_Face(library, path.c_str(), 0, &face) != 0) return 1.0F;
+    const float em = static_cast<float>(face->units_per_EM) /
+                     static_cast<float>(face->ascender - face->descender);
+    FT_Done_Face(face);
+    return em;
+}
+
 // Paints a disc whose edge falls off over one pixel around its radius.
 void paint_disc(ImFontAtlas& atlas, const ImFontAtlasCustomRect& rect) {
     const float centre = static_cast<float>(rect.Width) / 2.0F;
@@ -204,6 +214,7 @@ Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::string& extra_text)
     atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
     atlas.Build();
     tighten(library, atlas, loader.files);
+    fonts.em = em_of(library, loader.files.front());
     for (ImFontConfig& config : atlas.ConfigData) config.GlyphRanges = nullptr;  // ours end here
     if (library != nullptr) FT_Done_FreeType(library);
 

@@ -22,6 +22,7 @@ struct Fonts {
     ImFont* semibold = nullptr;                         // 15 px: titles
     ImFont* small = nullptr;                            // 12.5 px: axis labels and units
     ImFont* large = nullptr;                            // 20 px: headline numbers
+    float em = 1.0F;                                    // of all fonts, over their line height
     std::array<ImVec4, kDiscRadiiPx.size()> disc_uv{};  // all zero: no discs, triangles are used
 };
 

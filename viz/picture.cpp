@@ -7,6 +7,7 @@
 #include "model/io/atomic_file.h"
 #include "viz/colour.h"
 #include "viz/fonts.h"
+#include "viz/svg.h"
 
 namespace tact {
 namespace {
@@ -24,6 +25,47 @@ void run_frame(const Theme& theme, const std::function<void(const Theme&)>& draw
     draw(theme);
     ImGui::End();
     ImGui::Render();
+}
+
+// Soft for pixels; exact where lines and curves are to be read back from the triangles.
+enum class Edges { soft, exact };
+
+void set_edges(ImGuiStyle& style, Edges edges) {
+    if (edges == Edges::soft) return;
+    style.AntiAliasedLines = false;
+    style.AntiAliasedLinesUseTex = false;
+    style.AntiAliasedFill = false;
+    style.CircleTessellationMaxError = 0.05F;  // px; curves must bear magnifying
+}
+
+// Draws in a context of its own and hands the theme to `use` while the frame is there.
+void draw_frames(int width, int height, const PictureOptions& options, Edges edges,
+                 const std::function<void(const Theme&)>& draw,
+                 const std::function<void(const Theme&)>& use) {
+    assert(width > 0 && height > 0 && "a picture has pixels");
+    ImGuiContext* const before = ImGui::GetCurrentContext();
+    ImGuiContext* const own = ImGui::CreateContext();
+    ImGui::SetCurrentContext(own);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    io.DeltaTime = 1.0F / 60.0F;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    if (options.mouse_px) io.MousePos = *options.mouse_px;
+
+    Theme theme = options.dark ? dark_theme(options.scale) : light_theme(options.scale);
+    theme.fonts = load_fonts(*io.Fonts, options.scale, options.extra_text);
+    apply(theme, ImGui::GetStyle());
+    set_edges(ImGui::GetStyle(), edges);
+    run_frame(theme, draw);
+    run_frame(theme, draw);
+    use(theme);
+    ImGui::DestroyContext(own);
+    ImGui::SetCurrentContext(before);
+}
+
+ImU32 ground_of(const Theme& theme, const PictureOptions& options) {
+    return options.has_panes ? theme.background : theme.pane;
 }
 
 }  // namespace
@@ -51,29 +93,23 @@ ImU32 pixel(const Image& image, int x, int y) {
 
 Image draw_picture(int width, int height, const PictureOptions& options,
                    const std::function<void(const Theme&)>& draw) {
-    assert(width > 0 && height > 0 && "a picture has pixels");
-    ImGuiContext* const before = ImGui::GetCurrentContext();
-    ImGuiContext* const own = ImGui::CreateContext();
-    ImGui::SetCurrentContext(own);
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
-    io.DeltaTime = 1.0F / 60.0F;
-    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    if (options.mouse_px) io.MousePos = *options.mouse_px;
-
-    Theme theme = options.dark ? dark_theme(options.scale) : light_theme(options.scale);
-    theme.fonts = load_fonts(*io.Fonts, options.scale, options.extra_text);
-    apply(theme, ImGui::GetStyle());
-    run_frame(theme, draw);
-    run_frame(theme, draw);
-
-    Image image = blank_image(width, height, options.has_panes ? theme.background : theme.pane);
-    const AlphaTexture texture{io.Fonts->TexWidth, io.Fonts->TexHeight, io.Fonts->TexPixelsAlpha8};
-    rasterise(*ImGui::GetDrawData(), texture, image);
-    ImGui::DestroyContext(own);
-    ImGui::SetCurrentContext(before);
+    Image image;
+    draw_frames(width, height, options, Edges::soft, draw, [&](const Theme& theme) {
+        image = blank_image(width, height, ground_of(theme, options));
+        const ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+        rasterise(*ImGui::GetDrawData(), {atlas.TexWidth, atlas.TexHeight, atlas.TexPixelsAlpha8},
+                  image);
+    });
     return image;
+}
+
+std::string draw_svg(int width, int height, const PictureOptions& options,
+                     const std::function<void(const Theme&)>& draw) {
+    std::string text;
+    draw_frames(width, height, options, Edges::exact, draw, [&](const Theme& theme) {
+        text = svg_text(*ImGui::GetDrawData(), theme.fonts, ground_of(theme, options));
+    });
+    return text;
 }
 
 Expected<Done> write_png(const std::string& path, const Image& image) {

@@ -1,7 +1,7 @@
-// Pictures without a window: one ImGui frame drawn into memory by a small software rasteriser.
+// Pictures without a window: one ImGui frame, as pixels of a small software rasteriser or as SVG.
 //
 // Input     drawing code that needs a theme and ImGui, as in the window
-// Output    8-bit RGBA, rows from the top
+// Output    8-bit RGBA, rows from the top; or the text of svg.h
 // Left out  user textures (only the font texture is known), draw callbacks, gamma-correct blending
 //           (graphics cards do not do it either).
 // Exact     fill rule: a pixel belongs to a triangle if its centre is inside, or on a top or left
@@ -58,6 +58,10 @@ struct PictureOptions {
 // restores the current one.
 Image draw_picture(int width, int height, const PictureOptions& options,
                    const std::function<void(const Theme&)>& draw);
+
+// The same picture as SVG.
+std::string draw_svg(int width, int height, const PictureOptions& options,
+                     const std::function<void(const Theme&)>& draw);
 
 // Writes a PNG; a failed write leaves an existing file as it was.
 Expected<Done> write_png(const std::string& path, const Image& image);

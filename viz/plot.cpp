@@ -64,11 +64,12 @@ struct StripColumn {
     float bottom;
 };
 
-// A band between two lines with edges that fade over one pixel.
+// A band between two lines with edges that fade over one pixel, or do not in vector pictures.
 void draw_strip(ImDrawList& list, std::span<const StripColumn> columns, ImU32 colour) {
     if (columns.size() < 2) return;
     const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
     const ImU32 clear = colour & ~IM_COL32_A_MASK;
+    const float soft = (list.Flags & ImDrawListFlags_AntiAliasedFill) != 0 ? 0.5F : 0.0F;
     // Batches keep within the 16-bit indices of one draw command.
     constexpr std::size_t kBatch = 4096;
     for (std::size_t begin = 0; begin + 1 < columns.size(); begin += kBatch) {
@@ -77,10 +78,10 @@ void draw_strip(ImDrawList& list, std::span<const StripColumn> columns, ImU32 co
         list.PrimReserve(quads * 6, static_cast<int>(count) * 4);
         const unsigned base = list._VtxCurrentIdx;
         for (const StripColumn& c : columns.subspan(begin, count)) {
-            list.PrimWriteVtx({c.x, c.top - 0.5F}, uv, clear);
-            list.PrimWriteVtx({c.x, c.top + 0.5F}, uv, colour);
-            list.PrimWriteVtx({c.x, c.bottom - 0.5F}, uv, colour);
-            list.PrimWriteVtx({c.x, c.bottom + 0.5F}, uv, clear);
+            list.PrimWriteVtx({c.x, c.top - soft}, uv, clear);
+            list.PrimWriteVtx({c.x, c.top + soft}, uv, colour);
+            list.PrimWriteVtx({c.x, c.bottom - soft}, uv, colour);
+            list.PrimWriteVtx({c.x, c.bottom + soft}, uv, clear);
         }
         for (unsigned i = 0; i + 1 < count; ++i) {
             for (unsigned band = 0; band < 3; ++band) {
