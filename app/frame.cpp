@@ -37,6 +37,7 @@ std::string map_state_text(const App& app) {
         case MapState::too_large:
             return "map waits";
         case MapState::exact:
+            if (app.map.shown->seconds <= 0.0) return "exact";
             std::snprintf(text, sizeof text, "exact, %.2g s", app.map.shown->seconds);
             return text;
         case MapState::preview:

@@ -40,7 +40,7 @@ struct LiveMap {
     LiveMapRequest request;
     Prediction prediction;
     PerceptualSpace space;
-    double seconds = 0.0;  // it took
+    double seconds = 0.0;  // it took; 0: not to be told
 };
 
 // The work of one job. It keeps its last answer, so that an edit of one pattern costs one row, and

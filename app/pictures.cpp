@@ -14,6 +14,7 @@
 #include "viz/matrix_view.h"
 #include "viz/space_view.h"
 #include "viz/spectrum_view.h"
+#include "viz/svg.h"
 #include "viz/wave_view.h"
 
 namespace tact {
@@ -26,6 +27,14 @@ PictureOptions options_of(const PictureSize& size, std::string extra_text) {
     options.scale = size.scale;
     options.extra_text = std::move(extra_text);
     return options;
+}
+
+Picture drawn(const PictureSize& size, const PictureOptions& options,
+              const std::function<void(const Theme&)>& draw) {
+    if (size.format == PictureFormat::svg) {
+        return Svg{draw_svg(size.width, size.height, options, draw)};
+    }
+    return draw_picture(size.width, size.height, options, draw);
 }
 
 // Title at the top left, a dim detail after it; what is left of the picture.
@@ -46,12 +55,12 @@ std::string upper(std::string text) {
 
 }  // namespace
 
-Image matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
-                     const std::string& metric, const PictureSize& size) {
+Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
+                       const std::string& metric, const PictureSize& size) {
     std::string names;
     for (const std::string& label : labels) names += label;
     const std::string quantity = upper(metric);
-    return draw_picture(size.width, size.height, options_of(size, names), [&](const Theme& theme) {
+    return drawn(size, options_of(size, names), [&](const Theme& theme) {
         const Rect area = draw_title(theme, quantity, "predicted dissimilarity of every pair");
         MatrixScene scene;
         scene.condensed = matrix.condensed;
@@ -61,65 +70,62 @@ Image matrix_picture(const std::vector<std::string>& labels, const Dissimilarity
     });
 }
 
-Image space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
-                    const PictureSize& size) {
+Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
+                      const PictureSize& size) {
     std::vector<std::string> labels;
     for (const Vibration& vibration : set.vibrations) labels.push_back(vibration.name);
     char detail[96];
     std::snprintf(detail, sizeof detail, "predicted by PM, stress-1 %.3f, %s", space.stress1,
                   stress_label(space.stress1).c_str());
-    return draw_picture(
-        size.width, size.height, options_of(size, drawn_text(set)), [&](const Theme& theme) {
-            const Rect area = draw_title(theme, "Perceptual space", detail);
-            std::vector<PatternLook> looks;
-            for (std::size_t k = 0; k < labels.size(); ++k) {
-                looks.push_back(look_of(theme, set, k));
-            }
-            SpaceScene scene;
-            scene.labels = labels;
-            scene.looks = looks;
-            scene.points = &space.points;
-            scene.dissimilarity = [&pm](std::size_t i, std::size_t j) { return pm(i, j); };
-            scene.quantity = "PM";
-            SpaceCamera camera;
-            draw_space("space", theme, area, scene, camera);
-        });
+    return drawn(size, options_of(size, drawn_text(set)), [&](const Theme& theme) {
+        const Rect area = draw_title(theme, "Perceptual space", detail);
+        std::vector<PatternLook> looks;
+        for (std::size_t k = 0; k < labels.size(); ++k) {
+            looks.push_back(look_of(theme, set, k));
+        }
+        SpaceScene scene;
+        scene.labels = labels;
+        scene.looks = looks;
+        scene.points = &space.points;
+        scene.dissimilarity = [&pm](std::size_t i, std::size_t j) { return pm(i, j); };
+        scene.quantity = "PM";
+        SpaceCamera camera;
+        draw_space("space", theme, area, scene, camera);
+    });
 }
 
-Image wave_picture(const Vibration& vibration, const PictureSize& size) {
+Picture wave_picture(const Vibration& vibration, const PictureSize& size) {
     const Waveform waveform = waveform_of(vibration);
-    return draw_picture(
-        size.width, size.height, options_of(size, vibration.name), [&](const Theme& theme) {
-            const Rect area = draw_title(theme, vibration.name, "acceleration at the skin");
-            const WaveTrace trace{waveform.samples_g, waveform.rate_hz, theme.accent};
-            WaveScene scene;
-            scene.traces = {&trace, 1};
-            scene.end_s = std::max(duration_s(waveform), 1e-3);
-            draw_wave("wave", theme, area, scene);
-        });
+    return drawn(size, options_of(size, vibration.name), [&](const Theme& theme) {
+        const Rect area = draw_title(theme, vibration.name, "acceleration at the skin");
+        const WaveTrace trace{waveform.samples_g, waveform.rate_hz, theme.accent};
+        WaveScene scene;
+        scene.traces = {&trace, 1};
+        scene.end_s = std::max(duration_s(waveform), 1e-3);
+        draw_wave("wave", theme, area, scene);
+    });
 }
 
-Image spectrum_picture(const Vibration& vibration, const NeuralCodingParams& params,
-                       const PictureSize& size) {
+Picture spectrum_picture(const Vibration& vibration, const NeuralCodingParams& params,
+                         const PictureSize& size) {
     const Waveform waveform = waveform_of(vibration);
     const std::vector<double> input =
         params.remove_mean ? without_mean(waveform.samples_g) : waveform.samples_g;
     const std::vector<Component> found =
         components(amplitude_spectrum(input, waveform.rate_hz), params);
-    return draw_picture(size.width, size.height, options_of(size, vibration.name),
-                        [&](const Theme& theme) {
-                            const Rect area = draw_title(theme, vibration.name,
-                                                         "displacement over the receptors' "
-                                                         "thresholds");
-                            SpectrumScene scene;
-                            scene.components = found;
-                            scene.thresholds = &params.tables.threshold;
-                            scene.colour = theme.text;
-                            draw_spectrum("spectrum", theme, area, scene);
-                        });
+    return drawn(size, options_of(size, vibration.name), [&](const Theme& theme) {
+        const Rect area = draw_title(theme, vibration.name,
+                                     "displacement over the receptors' "
+                                     "thresholds");
+        SpectrumScene scene;
+        scene.components = found;
+        scene.thresholds = &params.tables.threshold;
+        scene.colour = theme.text;
+        draw_spectrum("spectrum", theme, area, scene);
+    });
 }
 
-Image window_picture(const PatternSet& set, int threads, const PictureSize& size) {
+Picture window_picture(const PatternSet& set, int threads, const PictureSize& size) {
     App app = make_app();
     app.motion = false;
     app.document = {set, {}, set};
@@ -128,6 +134,7 @@ Image window_picture(const PatternSet& set, int threads, const PictureSize& size
     std::atomic<float> progress = 0.0F;
     LiveMapWork work(threads);
     if (auto map = work(request, {}, progress)) {
+        map->seconds = 0.0;  // never the same twice
         show_map(app, std::make_shared<const LiveMap>(*std::move(map)));
     }
     if (!set.vibrations.empty()) {
@@ -136,10 +143,15 @@ Image window_picture(const PatternSet& set, int threads, const PictureSize& size
     }
     PictureOptions options = options_of(size, drawn_text(set));
     options.has_panes = true;
-    return draw_picture(size.width, size.height, options, [&app](const Theme& theme) {
+    return drawn(size, options, [&app](const Theme& theme) {
         app.theme = theme;
         draw_frame(app, {}, 1.0);
     });
+}
+
+Expected<Done> write_picture(const std::filesystem::path& path, const Picture& picture) {
+    if (const auto* svg = std::get_if<Svg>(&picture)) return write_svg(path.string(), svg->text);
+    return write_png(path.string(), std::get<Image>(picture));
 }
 
 }  // namespace tact

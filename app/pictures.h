@@ -1,35 +1,52 @@
-// Pictures of single views without a window, as the command line makes them.
+// Pictures of single views without a window, as the command line makes them: PNG or SVG.
+//
+// Exact     same input, same bytes.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "model/dissimilarity.h"
+#include "model/expected.h"
 #include "model/mds.h"
 #include "model/pattern_set.h"
 #include "viz/picture.h"
 
 namespace tact {
 
+enum class PictureFormat { png, svg };
+
 struct PictureSize {
     int width = 1000;
     int height = 900;
     float scale = 1.0F;
     bool dark = true;
+    PictureFormat format = PictureFormat::png;
 };
 
-Image matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
-                     const std::string& metric, const PictureSize& size);
+struct Svg {
+    std::string text;
+};
 
-Image space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
-                    const PictureSize& size);
+using Picture = std::variant<Image, Svg>;  // by the format asked for
 
-Image wave_picture(const Vibration& vibration, const PictureSize& size);
+Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
+                       const std::string& metric, const PictureSize& size);
 
-Image spectrum_picture(const Vibration& vibration, const NeuralCodingParams& params,
-                       const PictureSize& size);
+Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
+                      const PictureSize& size);
+
+Picture wave_picture(const Vibration& vibration, const PictureSize& size);
+
+Picture spectrum_picture(const Vibration& vibration, const NeuralCodingParams& params,
+                         const PictureSize& size);
 
 // The whole window as it would open on the set, its map computed.
-Image window_picture(const PatternSet& set, int threads, const PictureSize& size);
+Picture window_picture(const PatternSet& set, int threads, const PictureSize& size);
+
+// A failed write leaves an existing file as it was.
+Expected<Done> write_picture(const std::filesystem::path& path, const Picture& picture);
 
 }  // namespace tact

@@ -48,7 +48,7 @@ void add_prediction_commands(CLI::App& app, Commands& commands,
     predict.add_option("--metric", commands.predict.metric, "pm, nc or oc")
         ->check(CLI::IsMember({"pm", "nc", "oc"}));
     predict.add_option("--out", commands.predict.out, "file for the matrix");
-    predict.add_option("--image", commands.predict.image, "PNG picture of the matrix");
+    predict.add_option("--image", commands.predict.image, "picture of the matrix, .png or .svg");
     predict.add_flag("--resume", commands.predict.resume,
                      "go on where a stopped run with the same --out left off");
 
@@ -58,7 +58,7 @@ void add_prediction_commands(CLI::App& app, Commands& commands,
     space.add_option("--starts", commands.space.starts, "random starts besides Torgerson's")
         ->check(CLI::Range(0, 100'000));
     space.add_option("--out", commands.space.out, "file for the coordinates");
-    space.add_option("--image", commands.space.image, "PNG picture of the space");
+    space.add_option("--image", commands.space.image, "picture of the space, .png or .svg");
 }
 
 void add_pattern_commands(CLI::App& app, Commands& commands,
@@ -74,7 +74,7 @@ void add_pattern_commands(CLI::App& app, Commands& commands,
         ->check(CLI::IsMember({"wav", "txt", "csv"}));
     render.add_option("--out", commands.render.out, "folder for the files")->required();
 
-    CLI::App& snapshot = add_command(app, "snapshot", "a view as a PNG picture, without a window",
+    CLI::App& snapshot = add_command(app, "snapshot", "a view as a picture, without a window",
                                      commands.snapshot, chosen);
     snapshot
         .add_option("--view", commands.snapshot.view, "window, wave, spectrum, matrix or space")
@@ -87,7 +87,7 @@ void add_pattern_commands(CLI::App& app, Commands& commands,
         ->check(CLI::Range(64, 8192));
     snapshot.add_option("--scale", commands.snapshot.scale, "size of text and marks, 0.75-4")
         ->check(CLI::Range(0.75, 4.0));
-    snapshot.add_option("--out", commands.snapshot.out, "PNG file")->required();
+    snapshot.add_option("--out", commands.snapshot.out, "file, .png or .svg")->required();
 }
 
 }  // namespace

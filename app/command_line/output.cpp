@@ -13,6 +13,7 @@
 
 #include "model/io/atomic_file.h"
 #include "model/io/load.h"
+#include "model/io/recording.h"
 
 namespace tact {
 
@@ -110,6 +111,20 @@ Expected<Done> make_folder(const std::filesystem::path& folder) {
     if (!fault && std::filesystem::is_directory(folder, fault)) return Done{};
     return Error{folder.string() + ": cannot be made a folder" +
                  (fault ? ": " + fault.message() : "; there is a file of this name")};
+}
+
+Expected<PictureFormat> picture_format(const std::filesystem::path& file) {
+    const std::string ending = extension_of(file);
+    if (ending != ".png" && ending != ".svg" && !ending.empty()) {
+        return Error{file.string() + ": a picture's name ends in .png or .svg"};
+    }
+    // Pipes are left alone: who reads one would see it end.
+    std::error_code none;
+    if (std::filesystem::is_regular_file(file, none) || !std::filesystem::exists(file, none) ||
+        std::filesystem::is_directory(file, none)) {
+        if (const auto writable = AtomicFile::open(file); !writable) return writable.error();
+    }
+    return ending == ".svg" ? PictureFormat::svg : PictureFormat::png;
 }
 
 Expected<Done> write_result(const std::filesystem::path& out,

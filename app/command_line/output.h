@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/command_line/commands.h"
+#include "app/pictures.h"
 #include "model/pattern_set.h"
 
 namespace tact {
@@ -25,6 +26,10 @@ Expected<std::size_t> place_of(const PatternSet& set, const std::string& name);
 
 // The folder, made with its parents where it is missing.
 Expected<Done> make_folder(const std::filesystem::path& folder);
+
+// What the ending of a picture's name asks for: .png or .svg; none is PNG. An Error also if the
+// file cannot be written: better known before the work than after it.
+Expected<PictureFormat> picture_format(const std::filesystem::path& file);
 
 // Calls `write` on the file, which appears whole or not at all, or on standard output where the
 // path is empty.

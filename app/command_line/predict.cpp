@@ -27,6 +27,7 @@ struct Work {
     std::vector<std::string> labels;
     double nc_weight = 0.0;
     double oc_weight = 0.0;
+    PictureSize image;
 };
 
 std::vector<Part> parts_of(const std::string& metric) {
@@ -71,6 +72,11 @@ Expected<Work> prepared(const PredictCommand& command, const RankGroup& ranks,
         if (!file) return file.error();
         work.tiles.keeping.path = *file;
         work.tiles.keeping.resume = command.resume;
+        if (!command.image.empty()) {
+            const Expected<PictureFormat> format = picture_format(command.image);
+            if (!format) return format.error();
+            work.image.format = *format;
+        }
     }
     const Expected<PatternSet> set = load_on(ranks, command.common);
     if (!set) return set.error();
@@ -132,8 +138,9 @@ void print_json(std::ostream& stream, const std::vector<std::string>& labels,
            << "}\n";
 }
 
-Expected<Done> write_matrix(const PredictCommand& command, const std::vector<std::string>& labels,
+Expected<Done> write_matrix(const PredictCommand& command, const Work& work,
                             const Dissimilarity& matrix) {
+    const std::vector<std::string>& labels = work.labels;
     show("writing", matrix.condensed.size());
     const Expected<Done> written = write_result(command.out, [&](std::ostream& stream) {
         if (command.common.json) {
@@ -144,7 +151,7 @@ Expected<Done> write_matrix(const PredictCommand& command, const std::vector<std
     });
     show("", matrix.condensed.size());
     if (!written || command.image.empty()) return written;
-    return write_png(command.image.string(), matrix_picture(labels, matrix, command.metric, {}));
+    return write_picture(command.image, matrix_picture(labels, matrix, command.metric, work.image));
 }
 
 // The tiles, made by all ranks together.
@@ -171,7 +178,7 @@ Expected<Done> run(const PredictCommand& command) {
     if (!work) return work.error();
     if (ranks->rank > 0) return Done{};
     const Dissimilarity matrix = matrix_of(*work);
-    const Expected<Done> written = write_matrix(command, work->labels, matrix);
+    const Expected<Done> written = write_matrix(command, *work, matrix);
     if (written && work->tiles.keeping.file) work->tiles.keeping.file->remove();
     return written;
 }

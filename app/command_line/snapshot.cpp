@@ -11,8 +11,8 @@ namespace tact {
 
 namespace {
 
-Expected<Image> picture_of_set(const SnapshotCommand& command, const PatternSet& set,
-                               const PictureSize& size) {
+Expected<Picture> picture_of_set(const SnapshotCommand& command, const PatternSet& set,
+                                 const PictureSize& size) {
     if (command.view == "window") return window_picture(set, command.common.threads, size);
     if (const Expected<Done> pair = need_a_pair(set, command.common); !pair) return pair.error();
     PredictOptions options;
@@ -27,8 +27,8 @@ Expected<Image> picture_of_set(const SnapshotCommand& command, const PatternSet&
     return space_picture(set, prediction.pm, nonmetric_mds(prediction.pm, params), size);
 }
 
-Expected<Image> picture_of_pattern(const SnapshotCommand& command, const PatternSet& set,
-                                   const PictureSize& size) {
+Expected<Picture> picture_of_pattern(const SnapshotCommand& command, const PatternSet& set,
+                                     const PictureSize& size) {
     const std::string first = set.vibrations.empty() ? "" : set.vibrations[0].name;
     const Expected<std::size_t> place =
         place_of(set, command.pattern.empty() ? first : command.pattern);
@@ -41,18 +41,21 @@ Expected<Image> picture_of_pattern(const SnapshotCommand& command, const Pattern
 }  // namespace
 
 Expected<Done> run(const SnapshotCommand& command) {
+    const Expected<PictureFormat> format = picture_format(command.out);
+    if (!format) return format.error();
     const Expected<PatternSet> set = load_for(command.common);
     if (!set) return set.error();
     PictureSize size;
+    size.format = *format;
     size.width = command.width;
     size.height = command.height;
     size.scale = static_cast<float>(command.scale);
     size.dark = command.theme == "dark";
     const bool of_pattern = command.view == "wave" || command.view == "spectrum";
-    const Expected<Image> image =
+    const Expected<Picture> picture =
         of_pattern ? picture_of_pattern(command, *set, size) : picture_of_set(command, *set, size);
-    if (!image) return image.error();
-    return write_png(command.out.string(), *image);
+    if (!picture) return picture.error();
+    return write_picture(command.out, *picture);
 }
 
 }  // namespace tact

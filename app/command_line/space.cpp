@@ -53,6 +53,12 @@ void print_remarks(const PerceptualSpace& space, std::size_t patterns, int dimen
 }  // namespace
 
 Expected<Done> run(const SpaceCommand& command) {
+    PictureSize size;
+    if (!command.image.empty()) {
+        const Expected<PictureFormat> format = picture_format(command.image);
+        if (!format) return format.error();
+        size.format = *format;
+    }
     const Expected<PatternSet> set = load_for(command.common);
     if (!set) return set.error();
     if (const Expected<Done> pair = need_a_pair(*set, command.common); !pair) return pair;
@@ -75,7 +81,7 @@ Expected<Done> run(const SpaceCommand& command) {
         }
     });
     if (!written || command.image.empty()) return written;
-    return write_png(command.image.string(), space_picture(*set, prediction.pm, space, {}));
+    return write_picture(command.image, space_picture(*set, prediction.pm, space, size));
 }
 
 }  // namespace tact
