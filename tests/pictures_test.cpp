@@ -2,9 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <set>
 
 #include "presence.h"
+#include "svg_elements.h"
 #include "viz/theme.h"
 
 using namespace tact;
@@ -70,4 +72,69 @@ TEST_CASE("pictures: a set of none or one has its window, too") {
     CHECK(colours_in(std::get<Image>(window_picture(set, 1, size)), {{0, 0}, {1000, 900}}) > 20);
     set.vibrations.clear();
     CHECK(colours_in(std::get<Image>(window_picture(set, 1, size)), {{0, 0}, {1000, 900}}) > 20);
+}
+
+namespace {
+
+Dissimilarity distances(std::size_t n) {
+    Dissimilarity result{n, {}};
+    for (std::size_t k = 0; k < pair_count(n); ++k) {
+        result.condensed.push_back(1.0 + static_cast<double>(k));
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("pictures: as SVG, a matrix names every pattern at its row and its column") {
+    PictureSize size;
+    size.format = PictureFormat::svg;
+    const std::vector<std::string> labels{"60 Hz", "150 Hz", "a <long> & wide name of a pattern"};
+    for (const bool dark : {true, false}) {
+        size.dark = dark;
+        const auto svg = std::get<Svg>(matrix_picture(labels, distances(3), "pm", size)).text;
+        CHECK(text_count(svg, "60 Hz") == 2);
+        CHECK(text_count(svg, "150 Hz") == 2);
+        CHECK(text_count(svg, labels[2]) == 2);
+        CHECK(text_count(svg, "PM") == 1);
+        for (const std::string value : {"1", "2"}) CHECK(text_count(svg, value) == 2);
+    }
+}
+
+TEST_CASE("pictures: as SVG, a space names every pattern once, beside its point") {
+    PictureSize size;
+    size.format = PictureFormat::svg;
+    const PatternSet set = three_patterns();
+    PerceptualSpace space;
+    space.points.resize(3, 3);
+    space.points << 0.0, 0.0, 0.0, 1.0, 0.2, 0.0, -0.6, 0.9, 0.3;
+    const auto svg = std::get<Svg>(space_picture(set, distances(3), space, size)).text;
+    const auto circles = elements_of(svg, "circle");
+    for (const Vibration& vibration : set.vibrations) {
+        CHECK(text_count(svg, vibration.name) == 1);
+        for (const SvgElement& text : elements_of(svg, "text")) {
+            if (text.text != vibration.name) continue;
+            const double x = std::stod(text.value("x"));
+            const bool beside = std::any_of(circles.begin(), circles.end(), [&](const auto& c) {
+                return std::hypot(c.number("cx") - x, c.number("cy") - text.number("y")) < 60.0;
+            });
+            CHECK(beside);
+        }
+    }
+    CHECK(circles.size() >= 6);  // a point and its rim each
+}
+
+TEST_CASE("pictures: as SVG, the window is small, whole and the same each time") {
+    PictureSize size;
+    size.width = 1600;
+    size.height = 1000;
+    size.format = PictureFormat::svg;
+    const auto draw = [&] { return std::get<Svg>(window_picture(three_patterns(), 1, size)).text; };
+    const std::string svg = draw();
+    CHECK(svg.size() < 2'000'000);
+    CHECK(elements_of(svg).front().number("width") == 1600.0);
+    for (const std::string title : {"Patterns", "Editor", "Vibration", "Matrix"}) {
+        CHECK(text_count(svg, title) == 1);
+    }
+    CHECK((draw() == svg));
 }

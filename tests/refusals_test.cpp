@@ -207,6 +207,24 @@ TEST_CASE("refusals: pictures and folders that cannot be written") {
     CHECK(bytes_of(pair) == kPair);
 }
 
+TEST_CASE("refusals: a picture of no known kind or in no place, before any number is printed") {
+    const Folder folder;
+    const std::string pair = folder.write("pair.json", kPair).string();
+    const std::string jpeg = folder.at("a.jpeg");
+    const std::string lost = folder.at("no folder/a.svg");
+    for (const std::string command : {"predict", "space"}) {
+        CHECK(refusal_of({command, pair, "--image", jpeg}) ==
+              "tactspace: " + jpeg + ": a picture's name ends in .png or .svg\n");
+        CHECK(refusal_of({command, pair, "--image", lost}) ==
+              "tactspace: " + lost + ": cannot be written: No such file or directory\n");
+        CHECK(contains(refusal_of({command, pair, "--image", folder.path.string() + "/"}),
+                       "cannot be written: Is a directory"));
+    }
+    CHECK(contains(refusal_of({"snapshot", pair, "--out", jpeg}), "ends in .png or .svg"));
+    CHECK(contains(refusal_of({"snapshot", pair, "--out", lost}), "a.svg: cannot be written"));
+    CHECK(file_count(folder.path) == 1);
+}
+
 TEST_CASE("refusals: bad usage is exit code 2, says what is wrong and shows the way to help") {
     const Folder folder;
     const std::string pair = folder.write("pair.json", kPair).string();

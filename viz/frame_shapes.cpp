@@ -39,16 +39,8 @@ bool clear(ImU32 colour) { return (colour & IM_COL32_A_MASK) == 0; }
 
 Rect bounds_of(const Outline& points, float margin_px) {
     Rect box{points.front(), points.front()};
-    for (const ImVec2 p : points) {
-        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-    }
+    for (const ImVec2 p : points) box = around(box, {p, p});
     return inset(box, -margin_px);
-}
-
-Rect common(const Rect& a, const Rect& b) {
-    return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
-            {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
 
 bool same_clip(const std::optional<Rect>& a, const std::optional<Rect>& b) {
@@ -230,10 +222,10 @@ void absorb_halo(const std::vector<Shape>& shapes, TextRun& run, std::size_t& co
 void end_run(Reading& reading) {
     if (!reading.run) return;
     TextRun run = *std::exchange(reading.run, std::nullopt);
-    const Rect clip = common(reading.clip, run.kept);
-    // Edges of glyphs may touch the clip rectangle by less than shows.
-    const Clipping cut = clipping(clip, run.box, 0.5F);
+    // Edges of glyphs may pass the clip rectangle by less than shows.
+    Clipping cut = clipping(reading.clip, run.box, 0.5F);
     if (cut.nothing_left) return;
+    if (run.kept) cut.clip = common(reading.clip, *run.kept);
     std::size_t copies = 0;
     absorb_halo(reading.shapes, run, copies);
     reading.shapes.resize(reading.shapes.size() - copies);

@@ -34,7 +34,10 @@ float advance_px(const ImFont& font, float size_px, ImWchar character) {
 }
 
 // ImGui cuts the quads of level text at the sides of a fine clip.
-Rect kept_of(const ImFontGlyph& g, const TexturedQuad& quad) {
+std::optional<Rect> kept_of(const ImFontGlyph& g, const TexturedQuad& quad) {
+    const bool whole = quad[0].uv.x == g.U0 && quad[0].uv.y == g.V0 && quad[2].uv.x == g.U1 &&
+                       quad[2].uv.y == g.V1;
+    if (whole) return std::nullopt;
     Rect kept{{-kUnbounded, -kUnbounded}, {kUnbounded, kUnbounded}};
     if (quad[0].uv.x > g.U0) kept.min.x = quad[0].pos.x;
     if (quad[0].uv.y > g.V0) kept.min.y = quad[0].pos.y;
@@ -76,10 +79,7 @@ std::optional<DrawnGlyph> glyph_of(const GlyphIndex& index, const TexturedQuad& 
     const float baseline = std::round(found->font->Ascent);  // as the font builder rounds it
     drawn.across_px = across(drawn.direction, quad[0].pos) + scale * (baseline - corner.y);
     drawn.box = {quad[0].pos, quad[0].pos};
-    for (const ImDrawVert& v : quad) {
-        drawn.box.min = {std::min(drawn.box.min.x, v.pos.x), std::min(drawn.box.min.y, v.pos.y)};
-        drawn.box.max = {std::max(drawn.box.max.x, v.pos.x), std::max(drawn.box.max.y, v.pos.y)};
-    }
+    for (const ImDrawVert& v : quad) drawn.box = around(drawn.box, {v.pos, v.pos});
     drawn.kept = kept_of(g, quad);
     return drawn;
 }
@@ -113,14 +113,8 @@ bool extend(TextRun& run, const DrawnGlyph& glyph) {
     }
     run.characters.push_back(glyph.character);
     run.along_px.push_back(glyph.along_px);
-    const auto least = [](ImVec2 a, ImVec2 b) {
-        return ImVec2{std::min(a.x, b.x), std::min(a.y, b.y)};
-    };
-    const auto most = [](ImVec2 a, ImVec2 b) {
-        return ImVec2{std::max(a.x, b.x), std::max(a.y, b.y)};
-    };
-    run.box = {least(run.box.min, glyph.box.min), most(run.box.max, glyph.box.max)};
-    run.kept = {most(run.kept.min, glyph.kept.min), least(run.kept.max, glyph.kept.max)};
+    run.box = around(run.box, glyph.box);
+    if (glyph.kept) run.kept = run.kept ? common(*run.kept, *glyph.kept) : *glyph.kept;
     return true;
 }
 

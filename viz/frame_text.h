@@ -36,10 +36,10 @@ struct DrawnGlyph {
     const ImFont* font = nullptr;
     float size_px = 0;  // of the font: its line height
     ImVec2 direction{1, 0};
-    float along_px = 0;   // of the pen before the glyph
-    float across_px = 0;  // of the baseline
-    Rect box;             // on the screen
-    Rect kept;            // where a fine clip left the text, unbounded on sides that it left alone
+    float along_px = 0;          // of the pen before the glyph
+    float across_px = 0;         // of the baseline
+    Rect box;                    // on the screen
+    std::optional<Rect> kept{};  // what a fine clip left, unbounded on sides where it cut nothing
 };
 
 // Nothing for a quad that shows no glyph.
@@ -54,7 +54,7 @@ struct TextRun {
     const ImFont* font = nullptr;
     float size_px = 0;
     Rect box;
-    Rect kept;
+    std::optional<Rect> kept{};
     ImU32 halo = 0;  // behind the text; 0: none
     float halo_px = 0;
 };

@@ -39,6 +39,18 @@ inline Rect inset(const Rect& r, float margin) {
     return {{r.min.x + margin, r.min.y + margin}, {r.max.x - margin, r.max.y - margin}};
 }
 
+// What two rectangles share; without extent or less where they do not meet.
+inline Rect common(const Rect& a, const Rect& b) {
+    return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
+            {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
+}
+
+// The smallest rectangle around two.
+inline Rect around(const Rect& a, const Rect& b) {
+    return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
+            {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
+}
+
 // `inner` moved by the least that brings it into `outer` (top left wins if it is too large).
 inline Rect moved_into(Rect inner, const Rect& outer) {
     const ImVec2 size = inner.size();

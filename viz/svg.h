@@ -2,8 +2,9 @@
 //
 // Source    SVG 1.1 (2nd edition); paint-order: SVG 2.
 // Input     a frame drawn with the style's anti-aliasing off; viewers smooth the edges themselves
-// Output    UTF-8; one element a shape, lengths to 1/100 px. Text is set glyph by glyph in Inter,
-//           so it stays in place, can be searched and selected, and falls back to a sans serif.
+// Output    UTF-8; one element a shape (a colour where cells are thousands), lengths to 1/100 px.
+//           Text is set glyph by glyph in Inter or else a sans serif: it stays in place, and can be
+//           searched and selected.
 // Left out  embedded fonts; see frame_shapes.h for what is not read from a frame.
 // Exact     same frame, same bytes.
 #pragma once
