@@ -97,7 +97,7 @@ TEST_CASE("pictures: as SVG, a matrix names every pattern at its row and its col
         CHECK(text_count(svg, "150 Hz") == 2);
         CHECK(text_count(svg, labels[2]) == 2);
         CHECK(text_count(svg, "PM") == 1);
-        for (const std::string value : {"1", "2"}) CHECK(text_count(svg, value) == 2);
+        for (const std::string value : {"1.00", "2.00"}) CHECK(text_count(svg, value) == 2);
     }
 }
 

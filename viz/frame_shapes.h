@@ -3,7 +3,8 @@
 // Source    the triangles that ImGui 1.86 makes of each kind without anti-aliasing.
 // Input     a frame drawn with the style's anti-aliasing off, so that the geometry is exact
 // Output    shapes from back to front, those outside their clip rectangle left out
-// Left out  textures but the fonts', draw callbacks; a triangle of three colours gets their mean.
+// Left out  textures but the fonts', draw callbacks, holes in meshes (ImGui makes none). Corners of
+//           several colours that make no linear gradient get their mean.
 // Exact     outlines are the triangles' own. Where opaque shapes of one colour follow each other
 //           they become one; the halo around a text becomes part of it.
 #pragma once
