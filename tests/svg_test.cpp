@@ -287,6 +287,7 @@ TEST_CASE("svg: cells that touch are not smoothed, so that no ground shines thro
 
 TEST_CASE("svg: very many cells are gathered by colour, and cover what they covered") {
     const std::string svg = drawn([](ImDrawList& list, const Theme&) {
+        list.AddRectFilled({0, 0}, {200, 100}, rgb(0x00FF00));  // under them, and first
         for (int i = 0; i < 20'000; ++i) {
             const ImVec2 corner{static_cast<float>(i % 200), static_cast<float>(i / 200)};
             const ImU32 colour = (i + i / 200) % 2 == 0 ? rgb(0xFF0000) : rgb(0x0000FF);
@@ -296,6 +297,7 @@ TEST_CASE("svg: very many cells are gathered by colour, and cover what they cove
     CHECK(svg.size() < 20'000 * 20);
     const auto paths = elements_of(svg, "path");
     REQUIRE(paths.size() == 2);
+    CHECK(rects_of(svg).size() == 1);
     for (const SvgElement& path : paths) {
         CHECK(path.above.back() == "g");
         CHECK(std::ranges::count(path.value("d"), 'M') == 10'000);

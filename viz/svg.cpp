@@ -211,23 +211,23 @@ std::size_t cells_from(std::span<const Shape> shapes) {
     return end;
 }
 
-// Whether the cells are on whole pixels and none of these belongs to two: then order is free.
-bool disjoint(std::span<const Shape> cells, ImVec2 size) {
-    const auto width = static_cast<std::size_t>(size.x);
-    std::vector<bool> taken(width * static_cast<std::size_t>(size.y), false);
-    for (const Shape& cell : cells) {
-        if (!on_whole_pixels(cell)) return false;
-        const Rect& r = std::get<Rect>(cell.form);
-        for (auto y = static_cast<std::size_t>(r.min.y); y < static_cast<std::size_t>(r.max.y);
-             ++y) {
-            for (auto x = static_cast<std::size_t>(r.min.x); x < static_cast<std::size_t>(r.max.x);
-                 ++x) {
-                if (taken[y * width + x]) return false;
+// How many of the first cells are on whole pixels and share none of them: their order is free.
+std::size_t disjoint_from(std::span<const Shape> cells, ImVec2 size) {
+    const auto width = static_cast<std::size_t>(size.x) + 1;
+    std::vector<bool> taken(width * (static_cast<std::size_t>(size.y) + 1), false);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (!on_whole_pixels(cells[i])) return i;
+        const Rect& r = std::get<Rect>(cells[i].form);
+        const auto right = static_cast<std::size_t>(r.max.x);
+        const auto bottom = static_cast<std::size_t>(r.max.y);
+        for (auto y = static_cast<std::size_t>(r.min.y); y < bottom; ++y) {
+            for (auto x = static_cast<std::size_t>(r.min.x); x < right; ++x) {
+                if (taken[y * width + x]) return i;
                 taken[y * width + x] = true;
             }
         }
     }
-    return true;
+    return cells.size();
 }
 
 // One path a colour: a quarter of the bytes.
@@ -244,25 +244,39 @@ void write_by_colour(Writer& writer, std::span<const Shape> cells) {
     }
 }
 
-void write_all(Writer& writer, std::span<const Shape> shapes, ImVec2 size) {
-    const auto write_each = [&writer](std::span<const Shape> some) {
-        for (const Shape& shape : some) {
-            std::visit([&](const auto& form) { write(writer, shape, form); }, shape.form);
-        }
-    };
-    while (!shapes.empty()) {
-        const auto cells = shapes.first(cells_from(shapes));
-        if (cells.size() >= kCells) {
-            writer.body += "<g shape-rendering=\"crispEdges\">\n";
-            const bool many = cells.size() >= kManyCells && disjoint(cells, size);
-            many ? write_by_colour(writer, cells) : write_each(cells);
-            writer.body += "</g>\n";
-            shapes = shapes.subspan(cells.size());
+void write_each(Writer& writer, std::span<const Shape> shapes) {
+    for (const Shape& shape : shapes) {
+        std::visit([&](const auto& form) { write(writer, shape, form); }, shape.form);
+    }
+}
+
+void write_cells(Writer& writer, std::span<const Shape> cells, ImVec2 size) {
+    writer.body += "<g shape-rendering=\"crispEdges\">\n";
+    while (!cells.empty()) {
+        const std::size_t free = cells.size() < kManyCells ? 0 : disjoint_from(cells, size);
+        if (free >= kManyCells) {
+            write_by_colour(writer, cells.first(free));
+            cells = cells.subspan(free);
         } else {
-            const std::size_t count = std::max<std::size_t>(cells.size(), 1);
-            write_each(shapes.first(count));
-            shapes = shapes.subspan(count);
+            const std::size_t count =
+                cells.size() < kManyCells ? cells.size() : std::max<std::size_t>(free, 1);
+            write_each(writer, cells.first(count));
+            cells = cells.subspan(count);
         }
+    }
+    writer.body += "</g>\n";
+}
+
+void write_all(Writer& writer, std::span<const Shape> shapes, ImVec2 size) {
+    while (!shapes.empty()) {
+        const std::size_t cells = cells_from(shapes);
+        const std::size_t count = std::max<std::size_t>(cells, 1);
+        if (cells >= kCells) {
+            write_cells(writer, shapes.first(count), size);
+        } else {
+            write_each(writer, shapes.first(count));
+        }
+        shapes = shapes.subspan(count);
     }
 }
 
