@@ -34,12 +34,14 @@ void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const Rec
     draw_text(list, font, {left + mark_px + name_px, line.min.y}, theme.text, count);
 }
 
-std::string state_text(const ReceptorScene& scene) {
-    if (scene.grid == nullptr) return "not computed yet";
-    if (scene.activation.radius_mm <= 0.0) return "below threshold";
-    if (scene.silent) return "nothing in its band";
-    return significant(scene.activation.rate_hz) + " imp/s, " +
-           significant(scene.activation.radius_mm, 2) + " mm";
+// What there is to say, the radius only where it fits.
+std::string state_text(const ReceptorScene& scene, const ImFont* font, float room_px) {
+    if (scene.grid == nullptr) return shortened(font, "not computed yet", room_px);
+    if (scene.activation.radius_mm <= 0.0) return shortened(font, "below threshold", room_px);
+    if (scene.silent) return shortened(font, "nothing in its band", room_px);
+    const std::string rate = significant(scene.activation.rate_hz) + " imp/s";
+    const std::string both = rate + ", " + significant(scene.activation.radius_mm, 2) + " mm";
+    return text_size(font, both).x <= room_px ? both : shortened(font, rate, room_px);
 }
 
 void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line,
@@ -87,7 +89,7 @@ void draw_caption(ImDrawList& list, const Theme& theme, const Rect& caption,
     draw_name(list, theme, line, scene);
     line = rect_at({line.min.x, line.max.y}, {line.width(), text_px});
     const ImFont* font = theme.fonts.small;
-    const std::string state = shortened(font, state_text(scene), line.width());
+    const std::string state = state_text(scene, font, line.width());
     draw_text(list, font, {line.centre().x - text_size(font, state).x / 2.0F, line.min.y},
               theme.dim_text, state);
     line = rect_at({line.min.x, line.max.y}, {line.width(), text_px});
