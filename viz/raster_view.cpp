@@ -102,7 +102,12 @@ void draw_silent_words(ImDrawList& list, const Theme& theme, const RasterLayout&
     }
 }
 
-// As much height as the root of the number of rows asks for, at most `most_px` a row.
+// How much height a channel asks for: more for more rows, and some for its name.
+float weight_of(std::size_t rows) {
+    return rows > 0 ? 3.0F + std::sqrt(static_cast<float>(rows)) : 0.0F;
+}
+
+// The height, shared out by weight to channels of so many rows; at most `most_px` a row.
 std::vector<float> shared_out(std::span<const std::size_t> rows, float height, float most_px) {
     std::vector<float> result(rows.size(), 0.0F);
     std::vector<bool> capped(rows.size(), false);
@@ -111,15 +116,15 @@ std::vector<float> shared_out(std::span<const std::size_t> rows, float height, f
         float weight = 0.0F;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (capped[i]) free -= result[i];
-            if (!capped[i]) weight += std::sqrt(static_cast<float>(rows[i]));
+            if (!capped[i]) weight += weight_of(rows[i]);
         }
         bool changed = false;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (capped[i] || rows[i] == 0) continue;
-            const auto n = static_cast<float>(rows[i]);
-            result[i] = std::max(0.0F, free) * std::sqrt(n) / weight;
-            if (result[i] <= n * most_px) continue;
-            result[i] = n * most_px;
+            result[i] = std::max(0.0F, free) * weight_of(rows[i]) / weight;
+            const float most = most_px * static_cast<float>(rows[i]);
+            if (result[i] <= most) continue;
+            result[i] = most;
             capped[i] = changed = true;
         }
         if (!changed) break;
