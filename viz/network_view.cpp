@@ -169,20 +169,24 @@ int largest_half_width(const NetworkScene& scene) {
 // A grid of places for maps, and the cell size that fits there.
 struct Slots {
     std::size_t columns = 1;
-    ImVec2 size{0, 0};  // of one place, with its caption
+    ImVec2 size{0, 0};        // of one place, with its caption
+    float caption_px = 0.0F;  // 0 where words do not fit
     float cell_px = 0.0F;
 };
 
 Slots slots_for(const Theme& theme, const Rect& area, std::size_t count, std::size_t rows,
-                int cells, float caption_px) {
+                int cells) {
     const float gap = 1.5F * theme.gap_px;
+    const float text_px = font_or_current(theme.fonts.small).FontSize;
     Slots slots;
     slots.columns = (count + rows - 1) / rows;
     const auto in_row = static_cast<float>(slots.columns);
     const auto in_column = static_cast<float>(rows);
     slots.size = {(area.width() - (in_row - 1.0F) * gap) / in_row,
                   (area.height() - (in_column - 1.0F) * 0.5F * gap) / in_column};
-    const float room = std::min(slots.size.x, slots.size.y - caption_px);
+    const bool words = slots.size.x >= 4.0F * text_px && slots.size.y >= 5.0F * text_px;
+    slots.caption_px = words ? 2.6F * text_px : 0.0F;
+    const float room = std::min(slots.size.x, slots.size.y - slots.caption_px);
     const float cell_px = std::min(room / static_cast<float>(cells), 24.0F * theme.scale);
     // Whole pixels where that costs little.
     slots.cell_px = cell_px >= 4.0F ? std::floor(cell_px) : std::max(0.0F, cell_px);
@@ -206,26 +210,27 @@ NetworkLayout network_layout(const Theme& theme, const Rect& area, const Network
         layout.legend = {{area.min.x, area.max.y - 1.25F * text_px}, area.max};
         maps.max.y = layout.legend.min.y - 0.4F * text_px;
     }
-    const float caption_px = maps.height() >= 60.0F * theme.scale ? 2.6F * text_px : 0.0F;
     const int cells = 2 * largest_half_width(scene) + 1;
     Slots best;
     for (std::size_t rows = 1; rows <= count; ++rows) {
-        const Slots slots = slots_for(theme, maps, count, rows, cells, caption_px);
+        const Slots slots = slots_for(theme, maps, count, rows, cells);
         if (slots.cell_px > best.cell_px) best = slots;
     }
     if (best.cell_px <= 0.0F) return {};
     layout.cell_px = best.cell_px;
     const float side = best.cell_px * static_cast<float>(cells);
     for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t whole_rows = k / best.columns;
         const auto column = static_cast<float>(k % best.columns);
-        const auto row = static_cast<float>(k / best.columns);
+        const auto row = static_cast<float>(whole_rows);
         const ImVec2 corner = maps.min + ImVec2{column * (best.size.x + 1.5F * theme.gap_px),
                                                 row * (best.size.y + 0.75F * theme.gap_px)};
         const float own = best.cell_px * static_cast<float>(2 * scene.layers[k].half_width + 1);
         const ImVec2 first{std::round(corner.x + (best.size.x - own) / 2.0F),
                            std::round(corner.y + (side - own) / 2.0F)};
         layout.maps.push_back(rect_at(first, {own, own}));
-        layout.captions.push_back(rect_at({corner.x, corner.y + side}, {best.size.x, caption_px}));
+        layout.captions.push_back(
+            rect_at({corner.x, corner.y + side}, {best.size.x, best.caption_px}));
     }
     return layout;
 }
