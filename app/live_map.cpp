@@ -1,5 +1,6 @@
 #include "app/live_map.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "model/parallel.h"
@@ -42,8 +43,37 @@ bool needs_asking(const PatternSet& set) {
     return set.vibrations.size() > kMostLivePatterns || expected_map_s(set) > kLongestUnaskedS;
 }
 
+// The answer to the same question asked before; it becomes the one used last.
+std::optional<LiveMap> LiveMapWork::kept(const LiveMapRequest& request) {
+    if (request.preview) return std::nullopt;
+    const auto found = std::ranges::find_if(all_, [&request](const auto& map) {
+        return map->request.dimensions == request.dimensions && *map->request.set == *request.set;
+    });
+    if (found == all_.end()) return std::nullopt;
+    std::rotate(found, found + 1, all_.end());
+    last_ = all_.back();
+    LiveMap map = *last_;
+    map.request = request;
+    return map;
+}
+
+void LiveMapWork::keep(const LiveMap& map) {
+    last_ = std::make_shared<const LiveMap>(map);
+    if (map.request.preview) return;
+    all_.push_back(last_);
+    std::size_t pairs = 0;
+    auto oldest = all_.end();
+    while (oldest != all_.begin()) {
+        pairs += (*(oldest - 1))->prediction.pm.condensed.size();
+        if (pairs > kKeptPairs) break;
+        --oldest;
+    }
+    all_.erase(all_.begin(), oldest);
+}
+
 std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, std::stop_token stop,
                                                std::atomic<float>& progress) {
+    if (std::optional<LiveMap> map = kept(request)) return map;
     const auto begin = std::chrono::steady_clock::now();
     const std::vector<Waveform> waveforms = model_waveforms(*request.set);
     PredictOptions options;
@@ -70,7 +100,7 @@ std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, st
     if (stop.stop_requested()) return std::nullopt;
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     map.seconds = took.count();
-    last_ = std::make_shared<const LiveMap>(map);
+    keep(map);
     return map;
 }
 

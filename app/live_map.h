@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "model/mds.h"
 #include "model/pattern_set.h"
@@ -43,8 +44,11 @@ struct LiveMap {
     double seconds = 0.0;  // it took; 0: not to be told
 };
 
-// The work of one job. It keeps its last answer, so that an edit of one pattern costs one row, and
-// a preview starts from where the points were.
+// Pairs of all maps that are kept for undo: 32 bytes each, besides their patterns' codes.
+inline constexpr std::size_t kKeptPairs = 500'000;
+
+// The work of one job. It keeps its answers: an edit of one pattern costs one row of the last, a
+// preview starts from where the points were, and a set as it was before, by undo, costs nothing.
 class LiveMapWork {
   public:
     explicit LiveMapWork(int threads = 0) : threads_(threads) {}
@@ -54,7 +58,11 @@ class LiveMapWork {
                                       std::atomic<float>& progress);
 
   private:
-    int threads_;  // 0: all cores
+    std::optional<LiveMap> kept(const LiveMapRequest& request);
+    void keep(const LiveMap& map);
+
+    int threads_;                                      // 0: all cores
+    std::vector<std::shared_ptr<const LiveMap>> all_;  // exact ones; used last, last
     std::shared_ptr<const LiveMap> last_;
 };
 

@@ -3,6 +3,8 @@
 // Left out  sound: while a device plays, its own clock moves the playhead.
 #pragma once
 
+#include "model/spike_train.h"
+
 namespace tact {
 
 // Seconds from the start of the pattern.
@@ -21,8 +23,7 @@ struct TimeRange {
     bool operator==(const TimeRange&) const = default;
 };
 
-inline constexpr double kStepS = 0.005;           // of the model; what the arrow keys move by
-inline constexpr double kShortestRangeS = 0.005;  // one step fills the view
+inline constexpr double kShortestRangeS = kStepS;  // one step of the model fills the view
 
 // `elapsed_s` of real time later. At the end it starts over, or stays there and stops.
 Playhead advanced(Playhead playhead, double elapsed_s, double duration_s);

@@ -21,6 +21,7 @@ namespace tact {
 
 inline constexpr std::size_t kWindowSamples = 100;  // 10 ms
 inline constexpr std::size_t kStepSamples = 50;     // 5 ms
+inline constexpr double kStepS = 0.005;
 
 constexpr std::size_t window_count(std::size_t samples) {
     return (samples + kWindowSamples - 1) / kWindowSamples;

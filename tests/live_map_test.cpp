@@ -37,6 +37,27 @@ TEST_CASE("live map: a stopped run answers nothing, and the next one starts from
     CHECK(again->prediction.codes == first->prediction.codes);  // the very same, not computed anew
 }
 
+TEST_CASE("live map: a set as it was some edits ago is not computed again") {
+    LiveMapWork work(1);
+    std::atomic<float> progress = 0.0F;
+    PatternSet set = short_patterns(6);
+    const auto first = work(request_of(set, false), {}, progress);
+    for (int edit = 0; edit < 5; ++edit) {
+        std::get<Pattern>(set.vibrations[2].source).amplitude_g = 2.0 + edit;
+        CHECK(work(request_of(set, false), {}, progress)->prediction.pm != first->prediction.pm);
+    }
+    LiveMapRequest undone = request_of(short_patterns(6), false);
+    undone.revision = 17;
+    const auto again = work(undone, {}, progress);
+    CHECK(again->request.revision == 17);
+    CHECK(again->seconds == first->seconds);  // the very same answer
+    CHECK(again->prediction.codes == first->prediction.codes);
+    CHECK(again->space.points == first->space.points);
+    // Two dimensions are another question.
+    undone.dimensions = 2;
+    CHECK(work(undone, {}, progress)->space.points.cols() == 2);
+}
+
 TEST_CASE("live map: a preview says so and keeps the size of the set") {
     LiveMapWork work(1);
     std::atomic<float> progress = 0.0F;

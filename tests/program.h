@@ -122,6 +122,28 @@ struct Program {
         }
     }
 
+    // Frames until the stages on screen are those of the patterns as they are; starts the jobs.
+    void wait_for_stages() {
+        if (!app.full_job) make_jobs(app);
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        const auto arrived = [this] {
+            if (!app.stages || app.stages->request != app.stages_asked) return false;
+            if (app.pinned.empty()) return true;
+            return app.pinned_stages && app.pinned_stages->request == app.pinned_asked;
+        };
+        do {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            frame();
+        } while (!arrived());
+        settle();
+    }
+
+    void hover(ImVec2 at) {
+        window.move(at);
+        settle();
+    }
+
     const Pattern& pattern(std::size_t index) const {
         return std::get<Pattern>(app.document.set.vibrations[index].source);
     }

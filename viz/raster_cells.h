@@ -10,7 +10,6 @@
 
 namespace tact {
 
-inline constexpr double kStepS = static_cast<double>(kStepSamples) / kModelRateHz;
 inline constexpr int kShades = 16;
 
 // What to draw with, and where.

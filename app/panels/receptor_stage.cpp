@@ -269,7 +269,7 @@ void draw_spike_stage(App& app, const ShownStages& shown, const Rect& area, cons
     scene.stale = shown.stale;
     const std::string id = id_of(shown, "raster");
     const RasterAction action = draw_raster(id.c_str(), app.theme, area, scene);
-    note_rect(app.rects, "row:" + id, area.min, area.max);
+    note_rect(app.rects, "plot:" + id, area.min, area.max);
     take_time_gesture(app, area, {action.hovered_s, action.scrubbed_s});
     const auto place = [](const RasterSpot& s) {
         return ReceptorPlace{kReceptors[s.channel], s.receptor};

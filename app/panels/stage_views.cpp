@@ -126,7 +126,7 @@ void draw_spectrum_stage(App& app, const ShownStages& shown, const Rect& area) {
     scene.stale = shown.stale;
     const char* id = shown.pinned ? "spectrum pinned" : "spectrum";
     const SpectrumAction action = draw_spectrum(id, app.theme, area, scene);
-    note_rect(app.rects, std::string("row:") + id, area.min, area.max);
+    note_rect(app.rects, std::string("plot:") + id, area.min, area.max);
     if (!action.hovered) return;
     const Component& component = scene.components[*action.hovered];
     char text[96];

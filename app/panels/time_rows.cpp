@@ -67,7 +67,7 @@ void draw_time_row(App& app, const Rect& area, const TimeRow& row) {
     scene.crosshair_s = app.physiology.crosshair_last_s;
     scene.stale = row.stale;
     const WaveAction action = draw_wave(row.id.c_str(), app.theme, area, scene);
-    note_rect(app.rects, "row:" + row.id, area.min, area.max);
+    note_rect(app.rects, "plot:" + row.id, area.min, area.max);
     if (action.hovered_sample) {
         const std::size_t sample = *action.hovered_sample;
         note_rect(app.rects, "under the mouse:" + row.id, area.min, area.max,
