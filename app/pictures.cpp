@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <cstdio>
 
 #include "app/frame.h"
@@ -48,18 +47,12 @@ Rect draw_title(const Theme& theme, const std::string& title, const std::string&
     return {{area.min.x, area.min.y + 2.0F * ImGui::GetTextLineHeight()}, area.max};
 }
 
-std::string upper(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return text;
-}
-
 }  // namespace
 
 Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
-                       const std::string& metric, const PictureSize& size) {
+                       const std::string& quantity, const PictureSize& size) {
     std::string names;
     for (const std::string& label : labels) names += label;
-    const std::string quantity = upper(metric);
     return drawn(size, options_of(size, names), [&](const Theme& theme) {
         const Rect area = draw_title(theme, quantity, "predicted dissimilarity of every pair");
         MatrixScene scene;

@@ -33,7 +33,7 @@ struct Svg {
 using Picture = std::variant<Image, Svg>;  // by the format asked for
 
 Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
-                       const std::string& metric, const PictureSize& size);
+                       const std::string& quantity, const PictureSize& size);
 
 Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
                       const PictureSize& size);

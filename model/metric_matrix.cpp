@@ -118,13 +118,15 @@ Spectrum spectrum_of(const Waveform& waveform) {
 
 std::optional<Dissimilarity> rmse_matrix(Waveforms waveforms, const MetricOptions& options) {
     const SpectralRmseParams& params = options.baseline.rmse;
-    const auto one_way = [&params](const Spectrum& x, const Spectrum& y) {
+    const auto lines_of = [&](const Waveform& x) { return compared_lines(spectrum_of(x), params); };
+    const auto one_way = [&params](const auto& x, const auto& y) {
         return spectral_rmse(x, y, params);
     };
+    // The other errors are the same both ways.
     if (params.error != SpectralError::normalised) {
-        return compared(waveforms, options, spectrum_of, one_way);
+        return compared(waveforms, options, lines_of, one_way);
     }
-    return compared(waveforms, options, spectrum_of, directed(options, one_way));
+    return compared(waveforms, options, lines_of, directed(options, one_way));
 }
 
 std::optional<Dissimilarity> msm_matrix(Waveforms waveforms, const MetricOptions& options) {

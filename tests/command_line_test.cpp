@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "model/io/set_file.h"
+#include "model/metric_matrix.h"
 #include "places.h"
 #include "run_program.h"
 #include "svg_elements.h"
@@ -108,6 +110,49 @@ TEST_CASE("predict: NC and OC of the AM patterns are the known ones to the digit
           kHalfOfLastDigit);
     CHECK(farthest(first_seven("oc"), {2184.276, 2383.931, 2484.775, 2447.264, 2158.941, 824.318,
                                        784.763}) <= kHalfOfLastDigit);
+}
+
+TEST_CASE("predict: every metric by its key gives the model's numbers, exactly") {
+    const ShortSet set;
+    const auto read = tact::parse_set(kShortSet, "short", {});
+    REQUIRE(read);
+    std::vector<tact::Waveform> waveforms;
+    for (const auto& vibration : read->vibrations) {
+        waveforms.push_back(tact::waveform_of(vibration));
+    }
+    for (const tact::Metric metric : tact::kMetrics) {
+        const std::string key = tact::traits(metric).key;
+        CAPTURE(key);
+        const auto expected = tact::metric_matrix(metric, waveforms, {});
+        REQUIRE(expected);
+        CHECK(condensed_in(output_of({"predict", set.path, "--metric", key})) ==
+              expected->condensed);
+    }
+}
+
+TEST_CASE("predict --first-as-reference: the two ways have the mean for their sum's half") {
+    const TemporaryFolder folder;
+    const std::string there = folder
+                                  .write("there.json", R"({"tactspace": 1, "patterns": [
+        {"name": "a", "carriers": [{"frequency_hz": 70}]},
+        {"name": "b", "carriers": [{"frequency_hz": 110}], "amplitude_g": 0.7}]})")
+                                  .string();
+    const std::string back = folder
+                                 .write("back.json", R"({"tactspace": 1, "patterns": [
+        {"name": "b", "carriers": [{"frequency_hz": 110}], "amplitude_g": 0.7},
+        {"name": "a", "carriers": [{"frequency_hz": 70}]}]})")
+                                 .string();
+    for (const std::string metric : {"st-sim", "spqi"}) {
+        const auto value = [&](const std::string& set, std::vector<std::string> more) {
+            more.insert(more.begin(), {"predict", set, "--metric", metric});
+            return condensed_in(output_of(more)).at(0);
+        };
+        const double one_way = value(there, {"--first-as-reference"});
+        const double other_way = value(back, {"--first-as-reference"});
+        CHECK(one_way != other_way);
+        CHECK(value(there, {}) == (one_way + other_way) / 2.0);
+        CHECK(value(back, {}) == value(there, {}));
+    }
 }
 
 TEST_CASE("predict and space: the same bytes for any number of threads") {

@@ -92,7 +92,7 @@ TEST_CASE("pictures: as SVG, a matrix names every pattern at its row and its col
     const std::vector<std::string> labels{"60 Hz", "150 Hz", "a <long> & wide name of a pattern"};
     for (const bool dark : {true, false}) {
         size.dark = dark;
-        const auto svg = std::get<Svg>(matrix_picture(labels, distances(3), "pm", size)).text;
+        const auto svg = std::get<Svg>(matrix_picture(labels, distances(3), "PM", size)).text;
         CHECK(text_count(svg, "60 Hz") == 2);
         CHECK(text_count(svg, "150 Hz") == 2);
         CHECK(text_count(svg, labels[2]) == 2);

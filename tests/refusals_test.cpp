@@ -225,6 +225,21 @@ TEST_CASE("refusals: a picture of no known kind or in no place, before any numbe
     CHECK(file_count(folder.path) == 1);
 }
 
+TEST_CASE("refusals: options of predict that do not fit the metric") {
+    const Folder folder;
+    const std::string pair = folder.write("pair.json", kPair).string();
+    CHECK(refusal_of({"predict", pair, "--metric", "st-sim", "--resume"}) ==
+          "tactspace: --resume is for pm, nc and oc: nothing is kept of a run with --metric "
+          "st-sim\n");
+    for (const std::string metric : {"pm", "mtm"}) {
+        CHECK(refusal_of({"predict", pair, "--metric", metric, "--first-as-reference"}) ==
+              "tactspace: --first-as-reference is for st-sim and spqi: " + metric +
+                  " is the same both ways\n");
+    }
+    CHECK(contains(refusal_of({"predict", pair, "--metric", "dtw", "--out", "/proc/new"}),
+                   "/proc/new"));
+}
+
 TEST_CASE("refusals: bad usage is exit code 2, says what is wrong and shows the way to help") {
     const Folder folder;
     const std::string pair = folder.write("pair.json", kPair).string();
@@ -234,7 +249,9 @@ TEST_CASE("refusals: bad usage is exit code 2, says what is wrong and shows the 
     };
     const std::vector<Usage> all{
         {{"predict"}, "SET is required"},
-        {{"predict", pair, "--metric", "taste"}, "--metric: taste not in"},
+        {{"predict", pair, "--metric", "taste"},
+         "--metric: taste is no metric; expected one of pm, nc"},
+        {{"predict", pair, "--metric", "vibromaf"}, "--metric: vibromaf is no distance: "},
         {{"predict", pair, "--loud"}, "--loud"},
         {{"predict", pair, "--threads", "-1"}, "--threads: Value -1 not in range 0 to 1024"},
         {{"predict", pair, "--threads", "many"}, "--threads"},

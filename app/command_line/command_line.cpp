@@ -4,10 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <iostream>
+#include <string>
 
 #include "app/command_line/commands.h"
 #include "app/command_line/interrupt.h"
 #include "app/main_window.h"
+#include "model/metric.h"
 
 namespace tact {
 
@@ -41,16 +43,37 @@ struct Commands {
     SnapshotCommand snapshot;
 };
 
+// Empty where there is such a metric, as CLI11 wants it.
+std::string fault_of_metric(const std::string& key) {
+    const Expected<Metric> metric = metric_named(key);
+    return metric ? "" : metric.error().message;
+}
+
+std::string list_of_metrics() {
+    std::string list = "Metrics:";
+    for (const Metric metric : kMetrics) {
+        const MetricTraits& about = traits(metric);
+        const std::string key = about.key;
+        list += "\n  " + key + std::string(15 - key.size(), ' ') + about.description;
+        if (about.is_reference) list += " (a reference, not from the paper)";
+    }
+    return list;
+}
+
 void add_prediction_commands(CLI::App& app, Commands& commands,
                              std::function<Expected<Done>()>& chosen) {
     CLI::App& predict = add_command(
         app, "predict", "dissimilarity matrix of a set, as labelled CSV", commands.predict, chosen);
-    predict.add_option("--metric", commands.predict.metric, "pm, nc or oc")
-        ->check(CLI::IsMember({"pm", "nc", "oc"}));
+    predict.add_option("--metric", commands.predict.metric, "pm unless another of those below")
+        ->check(fault_of_metric);
     predict.add_option("--out", commands.predict.out, "file for the matrix");
     predict.add_option("--image", commands.predict.image, "picture of the matrix, .png or .svg");
     predict.add_flag("--resume", commands.predict.resume,
-                     "go on where a stopped run with the same --out left off");
+                     "go on where a stopped run with the same --out left off: pm, nc and oc");
+    predict.add_flag("--first-as-reference", commands.predict.first_as_reference,
+                     "st-sim and spqi: the earlier pattern of a pair is the reference, instead of "
+                     "the mean of both ways");
+    predict.footer(list_of_metrics());
 
     CLI::App& space = add_command(app, "space", "coordinates of the perceptual space, as CSV",
                                   commands.space, chosen);

@@ -20,10 +20,12 @@ struct CommonOptions {
 
 struct PredictCommand {
     CommonOptions common;
-    std::string metric = "pm";  // pm, nc, oc
+    std::string metric = "pm";  // a key of model/metric.h
     std::filesystem::path out;  // empty: standard output
     std::filesystem::path image;
     bool resume = false;  // with the tiles that a stopped run left in OUT.tiles
+    // Of metrics whose two ways differ: the earlier pattern of a pair is the reference.
+    bool first_as_reference = false;
 };
 Expected<Done> run(const PredictCommand& command);
 

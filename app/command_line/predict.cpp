@@ -1,4 +1,4 @@
-// tactspace predict: the dissimilarity of every pair, tile by tile.
+// tactspace predict: the dissimilarity of every pair; PM and its parts tile by tile.
 
 #include <unistd.h>
 
@@ -14,6 +14,7 @@
 #include "model/io/atomic_file.h"
 #include "model/io/matrix_file.h"
 #include "model/io/numbers.h"
+#include "model/metric_matrix.h"
 
 namespace tact {
 
@@ -36,23 +37,38 @@ std::vector<Part> parts_of(const std::string& metric) {
     return {Part::nc, Part::oc};
 }
 
+// False of a pipe or a device, which nothing can be kept beside.
+bool can_be_file(const fs::path& out) {
+    std::error_code none;
+    return !out.empty() && (fs::is_regular_file(out, none) || !fs::exists(out, none));
+}
+
 // The file for finished tiles; empty where none can be kept. Refuses now what would fail after
 // hours, and what would lose the hours of an earlier run.
 Expected<fs::path> tiles_file(const PredictCommand& command) {
-    std::error_code none;
-    const bool is_file = fs::is_regular_file(command.out, none) || !fs::exists(command.out, none);
-    if (command.out.empty() || !is_file) {
+    if (!can_be_file(command.out)) {
         if (!command.resume) return fs::path();
         return Error{"--resume needs --out FILE: finished tiles are kept in FILE.tiles"};
     }
     if (const auto writable = AtomicFile::open(command.out); !writable) return writable.error();
     const fs::path file = command.out.string() + ".tiles";
+    std::error_code none;
     if (!command.resume && fs::exists(file, none)) {
         return Error{file.string() +
                      ": holds what an earlier run finished; add --resume to go on with it, or "
                      "remove it to start anew"};
     }
     return file;
+}
+
+// With the format that the picture's name says, before any work.
+Expected<PictureSize> picture_asked_for(const PredictCommand& command) {
+    PictureSize image;
+    if (command.image.empty()) return image;
+    const Expected<PictureFormat> format = picture_format(command.image);
+    if (!format) return format.error();
+    image.format = *format;
+    return image;
 }
 
 // Remarks about a set that every rank reads are wanted once.
@@ -72,11 +88,9 @@ Expected<Work> prepared(const PredictCommand& command, const RankGroup& ranks,
         if (!file) return file.error();
         work.tiles.keeping.path = *file;
         work.tiles.keeping.resume = command.resume;
-        if (!command.image.empty()) {
-            const Expected<PictureFormat> format = picture_format(command.image);
-            if (!format) return format.error();
-            work.image.format = *format;
-        }
+        const Expected<PictureSize> image = picture_asked_for(command);
+        if (!image) return image.error();
+        work.image = *image;
     }
     const Expected<PatternSet> set = load_on(ranks, command.common);
     if (!set) return set.error();
@@ -138,9 +152,8 @@ void print_json(std::ostream& stream, const std::vector<std::string>& labels,
            << "}\n";
 }
 
-Expected<Done> write_matrix(const PredictCommand& command, const Work& work,
-                            const Dissimilarity& matrix) {
-    const std::vector<std::string>& labels = work.labels;
+Expected<Done> write_matrix(const PredictCommand& command, const std::vector<std::string>& labels,
+                            const Dissimilarity& matrix, const PictureSize& image) {
     show("writing", matrix.condensed.size());
     const Expected<Done> written = write_result(command.out, [&](std::ostream& stream) {
         if (command.common.json) {
@@ -151,7 +164,50 @@ Expected<Done> write_matrix(const PredictCommand& command, const Work& work,
     });
     show("", matrix.condensed.size());
     if (!written || command.image.empty()) return written;
-    return write_picture(command.image, matrix_picture(labels, matrix, command.metric, work.image));
+    const std::string quantity = traits(*metric_named(command.metric)).name;
+    return write_picture(command.image, matrix_picture(labels, matrix, quantity, image));
+}
+
+bool has_tiles(const std::string& metric) {
+    return metric == "pm" || metric == "nc" || metric == "oc";
+}
+
+// The metric asked for, with options that fit it.
+Expected<Metric> metric_of(const PredictCommand& command) {
+    const Expected<Metric> metric = metric_named(command.metric);
+    if (!metric) return metric;
+    if (command.resume && !has_tiles(command.metric)) {
+        return Error{"--resume is for pm, nc and oc: nothing is kept of a run with --metric " +
+                     command.metric};
+    }
+    if (command.first_as_reference && !traits(*metric).is_directional) {
+        return Error{"--first-as-reference is for st-sim and spqi: " + command.metric +
+                     " is the same both ways"};
+    }
+    return metric;
+}
+
+// A metric without tiles, the whole matrix at once.
+Expected<Done> run_whole(const PredictCommand& command, Metric metric, std::stop_token stop) {
+    if (can_be_file(command.out)) {
+        const auto writable = AtomicFile::open(command.out);
+        if (!writable) return writable.error();
+    }
+    const Expected<PictureSize> image = picture_asked_for(command);
+    if (!image) return image.error();
+    const Expected<PatternSet> set = load_for(command.common);
+    if (!set) return set.error();
+    if (const auto pair = need_a_pair(*set, command.common); !pair) return pair;
+    std::vector<Waveform> waveforms;  // unpadded: DTW takes them so
+    for (const Vibration& vibration : set->vibrations) waveforms.push_back(waveform_of(vibration));
+    MetricOptions options;
+    options.threads = command.common.threads;
+    options.stop = stop;
+    options.progress = progress_line("comparing patterns");
+    if (command.first_as_reference) options.direction = Direction::first_is_reference;
+    const auto matrix = metric_matrix(metric, waveforms, set->model, options);
+    if (!matrix) return Error{"stopped, and nothing is kept of a metric other than pm, nc and oc"};
+    return write_matrix(command, names_of(*set), *matrix, *image);
 }
 
 // The tiles, made by all ranks together.
@@ -174,11 +230,16 @@ Expected<Done> run(const PredictCommand& command) {
     const Interrupt interrupt;  // first: threads, MPI's too, inherit what it blocks
     Expected<RankGroup> ranks = RankGroup::join();
     if (!ranks) return ranks.error();
+    const Expected<Metric> metric = metric_of(command);
+    if (!metric) return metric.error();
+    if (!has_tiles(command.metric)) {
+        return ranks->rank > 0 ? Done{} : run_whole(command, *metric, interrupt.token());
+    }
     Expected<Work> work = computed(command, *ranks, interrupt.token());
     if (!work) return work.error();
     if (ranks->rank > 0) return Done{};
     const Dissimilarity matrix = matrix_of(*work);
-    const Expected<Done> written = write_matrix(command, *work, matrix);
+    const Expected<Done> written = write_matrix(command, work->labels, matrix, work->image);
     if (written && work->tiles.keeping.file) work->tiles.keeping.file->remove();
     return written;
 }

@@ -5,6 +5,7 @@
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
 #include "app/pictures.h"
+#include "model/metric.h"
 #include "model/perceptual_model.h"
 
 namespace tact {
@@ -20,7 +21,7 @@ Expected<Picture> picture_of_set(const SnapshotCommand& command, const PatternSe
     options.progress = progress_line("comparing pairs");
     const Prediction prediction = *predict(model_waveforms(set), set.model, options);
     if (command.view == "matrix") {
-        return matrix_picture(names_of(set), prediction.pm, "pm", size);
+        return matrix_picture(names_of(set), prediction.pm, traits(Metric::pm).name, size);
     }
     MdsParams params = standard_mds_params(set.vibrations.size(), 3);
     params.threads = command.common.threads;

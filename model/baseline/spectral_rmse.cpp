@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <vector>
 
 namespace tact {
 
@@ -11,8 +10,15 @@ namespace {
 
 constexpr double kFaintestG = 1e-6;
 
-// The lines of the band on the scale asked for.
-std::vector<double> scaled_lines(const Spectrum& spectrum, const SpectralRmseParams& params) {
+double product_sum(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
+    return sum;
+}
+
+}  // namespace
+
+std::vector<double> compared_lines(const Spectrum& spectrum, const SpectralRmseParams& params) {
     std::vector<double> lines = spectrum.amplitude_g;
     if (params.scale == SpectrumScale::decibel) {
         for (double& line : lines) line = 20.0 * std::log10(std::max(line, kFaintestG));
@@ -31,30 +37,21 @@ std::vector<double> scaled_lines(const Spectrum& spectrum, const SpectralRmsePar
     return kept;
 }
 
-double product_sum(const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
-    return sum;
-}
-
-}  // namespace
-
-double spectral_rmse(const Spectrum& x, const Spectrum& y, const SpectralRmseParams& params) {
-    assert(x.samples == y.samples && x.rate_hz == y.rate_hz && "spectra of different lines");
-    const std::vector<double> a = scaled_lines(x, params);
-    const std::vector<double> b = scaled_lines(y, params);
-    if (a.empty() || a == b) return 0.0;
+double spectral_rmse(const std::vector<double>& x, const std::vector<double>& y,
+                     const SpectralRmseParams& params) {
+    assert(x.size() == y.size() && "spectra of different lines");
+    if (x.empty() || x == y) return 0.0;
     if (params.error == SpectralError::goodness_of_fit) {
-        const double scale = std::sqrt(product_sum(a, a) * product_sum(b, b));
+        const double scale = std::sqrt(product_sum(x, x) * product_sum(y, y));
         if (scale == 0.0) return 1.0;
-        return std::max(0.0, 1.0 - std::abs(product_sum(a, b)) / scale);
+        return std::max(0.0, 1.0 - std::abs(product_sum(x, y)) / scale);
     }
     double squares = 0.0;
-    for (std::size_t k = 0; k < a.size(); ++k) squares += (a[k] - b[k]) * (a[k] - b[k]);
+    for (std::size_t k = 0; k < x.size(); ++k) squares += (x[k] - y[k]) * (x[k] - y[k]);
     if (params.error == SpectralError::rmse) {
-        return std::sqrt(squares / static_cast<double>(a.size()));
+        return std::sqrt(squares / static_cast<double>(x.size()));
     }
-    const double reference = product_sum(a, a);
+    const double reference = product_sum(x, x);
     return reference == 0.0 ? 1.0 : std::sqrt(squares / reference);
 }
 

@@ -11,7 +11,9 @@
 // Left out  phase, and so shifts in time of periodic signals; windows.
 #pragma once
 
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "model/spectrum.h"
 
@@ -38,7 +40,12 @@ struct SpectralRmseParams {
     bool operator==(const SpectralRmseParams&) const = default;
 };
 
-// Silence is 0 from silence and 1 from sound where the error is relative. An empty band gives 0.
-double spectral_rmse(const Spectrum& x, const Spectrum& y, const SpectralRmseParams& params = {});
+// The lines of the band, smoothed and on the scale asked for.
+std::vector<double> compared_lines(const Spectrum& spectrum, const SpectralRmseParams& params = {});
+
+// D of two such. Silence is 0 from silence and 1 from sound where the error is relative. An empty
+// band gives 0.
+double spectral_rmse(const std::vector<double>& x, const std::vector<double>& y,
+                     const SpectralRmseParams& params = {});
 
 }  // namespace tact
