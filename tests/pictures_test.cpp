@@ -101,6 +101,18 @@ TEST_CASE("pictures: as SVG, a matrix names every pattern at its row and its col
     }
 }
 
+TEST_CASE("pictures: a distance that is rounding alone is read as 0") {
+    PictureSize size;
+    size.format = PictureFormat::svg;
+    const Dissimilarity matrix{3, {6.0, 6e-14, 0.25}};
+    const auto svg =
+        std::get<Svg>(matrix_picture({"a", "b", "c"}, matrix, "Level difference", size)).text;
+    CHECK(text_count(svg, "6.00") >= 2);
+    CHECK(text_count(svg, "0.250") == 2);
+    CHECK(text_count(svg, "0") >= 2);
+    CHECK(svg.find("0.00000") == std::string::npos);
+}
+
 TEST_CASE("pictures: as SVG, a space names every pattern once, beside its point") {
     PictureSize size;
     size.format = PictureFormat::svg;

@@ -1,5 +1,4 @@
-// Numbers from the design page's worked examples; a path's length by another program is in the
-// exhaustive search below.
+// Numbers from the design page's worked examples, and a search of all paths.
 #include "model/baseline/raw_dtw.h"
 
 #include "dtw_textbook.h"

@@ -30,6 +30,13 @@ double largest_of(const MatrixScene& scene) {
     return largest > 0.0 ? largest : 1.0;
 }
 
+// A value as people read it: what is next to nothing beside the largest is rounding, and as a
+// number of fourteen zeros wider than its cell.
+std::string value_text(double value, double largest) {
+    constexpr double kRounding = 1e-9;
+    return std::abs(value) < kRounding * largest ? "0" : significant(value);
+}
+
 // Objects [first, last) that one drawn row stands for.
 std::pair<std::size_t, std::size_t> block(std::size_t row, std::size_t shown, std::size_t n) {
     return {row * n / shown, (row + 1) * n / shown};
@@ -92,7 +99,7 @@ void draw_values(ImDrawList& list, const Theme& theme, const MatrixLayout& layou
         for (std::size_t j = 0; j < n; ++j) {
             const double value = value_of(scene, i, j);
             if (std::isnan(value)) continue;
-            const std::string text = significant(value);
+            const std::string text = value_text(value, largest);
             const ImVec2 size = text_size(font, text);
             const ImVec2 middle{
                 layout.cells.min.x + (static_cast<float>(j) + 0.5F) * layout.cell_px,
@@ -294,7 +301,7 @@ MatrixAction draw_matrix(const char* id, const Theme& theme, const Rect& area,
     if (action.hovered) {
         const auto [i, j] = *action.hovered;
         const std::array<std::string, 2> lines{
-            std::string{scene.quantity} + " " + significant(value_of(scene, i, j)),
+            std::string{scene.quantity} + " " + value_text(value_of(scene, i, j), largest),
             scene.labels[i] + " – " + scene.labels[j]};
         draw_readout(list, theme, area, ImGui::GetIO().MousePos, lines);
     }

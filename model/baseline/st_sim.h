@@ -10,8 +10,8 @@
 // Confidence  [H] for the published code, [M] for the paper's text; [L] negative T-SIM, the unit
 // Source    Hassen & Steinbach 2020.
 // Input     blocks of two vibrations, as many of each
-// Output    about -1..1.05, not symmetric; 1 for equal blocks; 0 where one of the two is silent
-// Left out  a bound at 1: a weak reference can make S-SIM, and so ST-SIM, somewhat larger.
+// Output    about -1..1.05, more than 1 from weak references; not symmetric; 1 for equal blocks;
+//           0 where one of the two is silent
 #pragma once
 
 #include <vector>
