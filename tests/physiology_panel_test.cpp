@@ -108,7 +108,6 @@ TEST_CASE("physiology: numbers under the cursor are those that the command line 
             const auto cells = program.under_the_mouse(signal.row);
             const std::size_t sample = std::stoul(cells[0]);
             INFO(signal.row << " sample " << sample);
-            // Closer than 0.1 s the central signals are single spikes: see the next test.
             REQUIRE(sample < rows.size());
             CHECK(std::stod(cells[1]) == std::stod(rows[sample][signal.column]));
         }

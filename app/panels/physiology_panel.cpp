@@ -20,6 +20,7 @@ namespace {
 
 constexpr float kLabelColumnPx = 96.0F;
 constexpr float kLowestUnitPx = 30.0F;  // below, the column scrolls
+constexpr float kLowestPairUnitPx = 84.0F;
 
 // Height of each stage in the overview, in units.
 constexpr std::array<float, kStages.size()> kUnits{1.0F, 2.1F, 1.8F, 3.2F, 2.1F,
@@ -197,13 +198,18 @@ void draw_overview(App& app, const Patterns& patterns) {
     float units = 0.0F;
     for (const float unit : kUnits) units += unit;
     const float free = ImGui::GetContentRegionAvail().y - gap * static_cast<float>(kStages.size());
-    const float unit = std::max(free / units, kLowestUnitPx * theme.scale);
+    const float lowest = patterns.all.size() > 1 ? kLowestPairUnitPx : kLowestUnitPx;
+    const float unit = std::max(free / units, lowest * theme.scale);
     const float height = unit * units + gap * static_cast<float>(kStages.size());
     const bool scrolls = height > ImGui::GetContentRegionAvail().y + 1.0F;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::BeginChild("overview", ImGui::GetContentRegionAvail(), false,
-                      scrolls ? ImGuiWindowFlags_None
-                              : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    // The wheel moves through time where there is more of it than is shown.
+    const bool zoomed_in = app.time_range.length_s() < shown_duration_s(app) - 1e-9;
+    ImGuiWindowFlags flags = ImGuiWindowFlags_None;
+    if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar;
+    if (!scrolls || zoomed_in || ImGui::GetIO().KeyCtrl)
+        flags |= ImGuiWindowFlags_NoScrollWithMouse;
+    ImGui::BeginChild("overview", ImGui::GetContentRegionAvail(), false, flags);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const float label = kLabelColumnPx * theme.scale;
@@ -226,12 +232,13 @@ void draw_overview(App& app, const Patterns& patterns) {
 void draw_large(App& app, const Patterns& patterns, Stage stage) {
     const Rect pane = rest_of_pane();
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    draw_stage_label(app, stage, {pane.min, {pane.min.x + 260.0F * app.theme.scale, pane.max.y}});
     const StageText& text = text_of(stage);
-    draw_text(
-        *ImGui::GetWindowDrawList(), app.theme.fonts.small,
-        {pane.min.x + 280.0F * app.theme.scale, pane.min.y}, app.theme.dim_text,
-        shortened(app.theme.fonts.small, text.detail, pane.width() - 280.0F * app.theme.scale));
+    const float name = text_size(app.theme.fonts.small, text.name).x + 32.0F * app.theme.scale;
+    draw_stage_label(app, stage, {pane.min, {pane.min.x + name, pane.max.y}});
+    const float left = name + app.theme.gap_px;
+    draw_text(*ImGui::GetWindowDrawList(), app.theme.fonts.small, {pane.min.x + left, pane.min.y},
+              app.theme.dim_text,
+              shortened(app.theme.fonts.small, text.detail, pane.width() - left));
     StageSize size;
     size.large = true;
     size.time_axis =

@@ -88,7 +88,7 @@ TimeRow row_of(const App& app, const ShownStages& shown, const StageSignal& sign
 }
 
 // Close enough to tell spikes apart, the central signals show each of them.
-constexpr double kSingleSpikesS = 0.1;
+constexpr double kSingleSpikesS = 0.05;
 
 void draw_signals(App& app, const ShownStages& shown, Stage stage, const Rect& area,
                   const StageSize& size) {
