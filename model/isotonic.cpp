@@ -41,6 +41,45 @@ void pool_violators(std::span<double> values, std::span<const double> weights,
     }
 }
 
+// Runs of equal dissimilarities, single ones among them: the end of each in `ascending`.
+std::vector<std::size_t> level_ends(const PairOrder& order) {
+    std::vector<std::size_t> ends;
+    std::size_t next = 0;
+    for (const auto& [first, end] : order.ties) {
+        while (next < first) ends.push_back(++next);
+        ends.push_back(end);
+        next = end;
+    }
+    while (next < order.ascending.size()) ends.push_back(++next);
+    return ends;
+}
+
+// Secondary and tertiary ties: the means of the levels are fitted, each with the weight of its
+// pairs.
+void fit_levels(const PairOrder& order, std::span<const double> distances, Ties ties,
+                std::span<double> fitted) {
+    const std::vector<std::size_t> ends = level_ends(order);
+    std::vector<double> means;
+    std::vector<double> counts;
+    std::size_t first = 0;
+    for (const std::size_t end : ends) {
+        double sum = 0.0;
+        for (std::size_t k = first; k < end; ++k) sum += distances[order.ascending[k]];
+        counts.push_back(static_cast<double>(end - first));
+        means.push_back(sum / counts.back());
+        first = end;
+    }
+    const std::vector<double> levels = monotone_fit(means, counts);
+    first = 0;
+    for (std::size_t level = 0; level < ends.size(); ++level) {
+        for (; first < ends[level]; ++first) {
+            const std::size_t p = order.ascending[first];
+            const double spread = ties == Ties::tertiary ? distances[p] - means[level] : 0.0;
+            fitted[p] = levels[level] + spread;
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<double> monotone_fit(std::span<const double> values, std::span<const double> weights) {
@@ -52,11 +91,15 @@ std::vector<double> monotone_fit(std::span<const double> values, std::span<const
 }
 
 std::vector<double> disparities(std::span<const double> dissimilarities,
-                                std::span<const double> distances) {
+                                std::span<const double> distances, Ties ties) {
     assert(dissimilarities.size() == distances.size() && "one distance per dissimilarity");
     const PairOrder order = order_pairs(dissimilarities);
-    FitScratch scratch = fit_scratch(order);
     std::vector<double> fitted(distances.size(), std::numeric_limits<double>::quiet_NaN());
+    if (ties != Ties::primary) {
+        fit_levels(order, distances, ties, fitted);
+        return fitted;
+    }
+    FitScratch scratch = fit_scratch(order);
     fit_disparities(order, distances, scratch, fitted);
     return fitted;
 }

@@ -1,11 +1,11 @@
 // Disparities: the numbers closest to the distances of a map that keep the order of
 // dissimilarities.
 //
-// Source    Kruskal 1964 (stress-1, primary approach to ties); Ayer et al. 1955 (pooling of
-//           adjacent violators).
+// Source    Kruskal 1964 (stress-1, primary and secondary approach to ties); de Leeuw 1977
+// (tertiary);
+//           Ayer et al. 1955 (pooling of adjacent violators).
 // Input     dissimilarities, quantised before they are compared; NaN pairs have no say
 // Output    disparities in the order of the input, stress-1
-// Left out  secondary and tertiary ties.
 // Exact     same input, same bits.
 #pragma once
 
@@ -22,10 +22,17 @@ namespace tact {
 std::vector<double> monotone_fit(std::span<const double> values,
                                  std::span<const double> weights = {});
 
-// Disparities of `distances` in the order of `dissimilarities`, primary ties, and their stress-1.
-// The disparity of a NaN pair is NaN, and stress-1 leaves out pairs of a NaN disparity.
+// What equal dissimilarities ask of their disparities. Maps are made by the primary one.
+enum class Ties {
+    primary,    // nothing: they take the order of their distances
+    secondary,  // to be equal
+    tertiary    // to have means in order, and the spread of their distances
+};
+
+// Disparities of `distances` in the order of `dissimilarities`, and their stress-1. The disparity
+// of a NaN pair is NaN, and stress-1 leaves out pairs of a NaN disparity.
 std::vector<double> disparities(std::span<const double> dissimilarities,
-                                std::span<const double> distances);
+                                std::span<const double> distances, Ties ties = Ties::primary);
 double stress1(std::span<const double> distances, std::span<const double> fitted);
 
 // Kruskal's verbal scale: "perfect" (< 1e-6), "excellent" (at most .025), "good" (at most .05),

@@ -100,6 +100,37 @@ TEST_CASE("disparities: tied pairs take the order of their distances") {
     CHECK(std::abs(stress1(second, disparities(delta, second)) - 0.21320071635561) <= 1e-14);
 }
 
+TEST_CASE("disparities: tied pairs may have to be equal, or to be in order on average") {
+    const std::vector<double> delta{1, 2, 2, 3};
+    const std::vector<double> d{1, 3, 2, 2.5};
+    const auto secondary = disparities(delta, d, Ties::secondary);
+    CHECK(secondary == std::vector<double>{1, 2.5, 2.5, 2.5});
+    CHECK(std::abs(stress1(d, secondary) - 0.157134840263677) <= 1e-15);
+    const auto tertiary = disparities(delta, d, Ties::tertiary);
+    CHECK(tertiary == d);
+    CHECK(stress1(d, tertiary) == 0.0);
+
+    const std::vector<double> second{3, 1, 2, 2, 5, 4};
+    const std::vector<double> far{2, 1.5, 1, 3, 2.5, 4};
+    CHECK(std::abs(stress1(far, disparities(second, far, Ties::secondary)) - 0.284901441149095) <=
+          1e-14);
+    CHECK(std::abs(stress1(far, disparities(second, far, Ties::tertiary)) - 0.170940864689457) <=
+          1e-14);
+}
+
+TEST_CASE("disparities: without ties, all approaches to them agree; with ties, the freer fits") {
+    std::vector<double> delta = random_values(28, 8);
+    const std::vector<double> d = random_values(28, 9);
+    CHECK(worst(disparities(delta, d, Ties::secondary), disparities(delta, d)) <= kRounding);
+    CHECK(worst(disparities(delta, d, Ties::tertiary), disparities(delta, d)) <= kRounding);
+    for (double& value : delta) value = std::floor(4.0 * value);
+    delta[4] = kUnknown;
+    const double strict = stress1(d, disparities(delta, d, Ties::secondary));
+    CHECK(stress1(d, disparities(delta, d)) < strict);
+    CHECK(stress1(d, disparities(delta, d, Ties::tertiary)) < strict);
+    CHECK(std::isnan(disparities(delta, d, Ties::tertiary)[4]));
+}
+
 TEST_CASE("disparities: of all-tied dissimilarities, every map fits") {
     const std::vector<double> d = random_values(28, 5);
     CHECK(disparities(std::vector<double>(28, 4.0), d) == d);
