@@ -9,6 +9,7 @@
 
 #include "model/parallel.h"
 #include "model/principal_axes.h"
+#include "model/random.h"
 
 namespace tact {
 
@@ -163,26 +164,6 @@ PerceptualSpace space_at_once(const Task& task) {
     return space;
 }
 
-// The counter-th number of a stream: SplitMix64 (Steele, Lea & Flood 2014).
-std::uint64_t mixed(std::uint64_t stream, std::uint64_t counter) {
-    std::uint64_t z = stream + (counter + 1) * 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31);
-}
-
-// Even in the cube [-1, 1)^k. Not Gaussian: that takes log and cos, whose last bit depends on the
-// system's library; after a few steps no difference is left.
-MatrixXd random_start(Index n, Index k, std::uint64_t seed, std::size_t index) {
-    const std::uint64_t stream = mixed(seed, index);
-    MatrixXd points(n, k);
-    for (Index e = 0; e < points.size(); ++e) {
-        const std::uint64_t bits = mixed(stream, static_cast<std::uint64_t>(e)) >> 11;
-        points.data()[e] = static_cast<double>(bits) * 0x1p-52 - 1.0;
-    }
-    return points;
-}
-
 MatrixXd torgerson_start(const Task& task) {
     return classical(task.dissimilarity.size, tame(task.dissimilarity.condensed, task.order),
                      task.dimensions);
@@ -201,6 +182,15 @@ MatrixXd torgerson(const Dissimilarity& dissimilarity, int dimensions) {
     // Scaled to at most 1 within, so that no square overflows.
     const double unit = reach(dissimilarity.condensed, order);
     return unit * classical(dissimilarity.size, tame(dissimilarity.condensed, order), dimensions);
+}
+
+// Not Gaussian: that takes log, whose last bit depends on the system's library; after a few steps
+// no difference is left.
+MatrixXd random_start(Index n, Index k, std::uint64_t seed, std::size_t index) {
+    RandomStream random{random_bits(seed, index)};
+    MatrixXd points(n, k);
+    for (Index e = 0; e < points.size(); ++e) points.data()[e] = next_even(random);
+    return points;
 }
 
 PerceptualSpace smacof(const Dissimilarity& dissimilarity, const MatrixXd& start,

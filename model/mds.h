@@ -53,6 +53,9 @@ struct PerceptualSpace {
 // the mean of the others.
 Eigen::MatrixXd torgerson(const Dissimilarity& dissimilarity, int dimensions);
 
+// The index-th random start of a seed, from 1 on: n x k, even in the cube [-1, 1)^k.
+Eigen::MatrixXd random_start(Eigen::Index n, Eigen::Index k, std::uint64_t seed, std::size_t index);
+
 // SMACOF from one start; stress never rises from step to step. A start of another shape, with NaN,
 // or with all points in one place is replaced by Torgerson's.
 PerceptualSpace smacof(const Dissimilarity& dissimilarity, const Eigen::MatrixXd& start,
