@@ -18,10 +18,14 @@ namespace {
 constexpr const char* kSetHelp =
     "a .tactspace.json file, a folder of .txt or .wav files, or single .txt and .wav files";
 
+void add_threads(CLI::App& command, int& threads) {
+    command.add_option("--threads", threads, "threads to use; 0: all cores")
+        ->check(CLI::Range(0, 1024));
+}
+
 void add_common(CLI::App& command, CommonOptions& options) {
     command.add_option("SET", options.sets, kSetHelp)->required();
-    command.add_option("--threads", options.threads, "threads to use; 0: all cores")
-        ->check(CLI::Range(0, 1024));
+    add_threads(command, options.threads);
     command.add_flag("--json", options.json, "JSON instead of CSV on standard output");
 }
 
@@ -41,6 +45,8 @@ struct Commands {
     StagesCommand stages;
     RenderCommand render;
     SnapshotCommand snapshot;
+    CompareCommand compare;
+    FindingsCommand findings;
 };
 
 // Empty where there is such a metric, as CLI11 wants it.
@@ -113,6 +119,30 @@ void add_pattern_commands(CLI::App& app, Commands& commands,
     snapshot.add_option("--out", commands.snapshot.out, "file, .png or .svg")->required();
 }
 
+void add_study_commands(CLI::App& app, Commands& commands,
+                        std::function<Expected<Done>()>& chosen) {
+    CompareCommand& options = commands.compare;
+    CLI::App& compare = add_command(
+        app, "compare", "how well metrics agree with people: rho and K of each", options, chosen);
+    compare.add_option("--ratings", options.ratings,
+                       "files of ratings, one a participant, or a folder of them; for several "
+                       "sets a file or folder each. Without it, the ratings in the set file");
+    compare
+        .add_option("--scale", options.scale,
+                    "what a high rating means: similarity (0-100), dissimilarity, or guess")
+        ->check(CLI::IsMember({"guess", "similarity", "dissimilarity"}));
+    compare.add_option("--metric", options.metrics, "only these: pm, nc, oc")
+        ->check(CLI::IsMember({"pm", "nc", "oc"}));
+    compare.add_flag("--paper-mode", options.paper_mode,
+                     "digits and averages as in Table 2 of Lim & Park 2023");
+
+    CLI::App& findings =
+        *app.add_subcommand("findings", "what the publication found, checked one by one");
+    add_threads(findings, commands.findings.threads);
+    findings.add_flag("--json", commands.findings.json, "JSON instead of text");
+    findings.callback([&] { chosen = [&found = commands.findings] { return run(found); }; });
+}
+
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
@@ -124,6 +154,7 @@ int run_command_line(int argc, const char* const* argv) {
     std::function<Expected<Done>()> chosen = [&sets] { return run_main_window(sets); };
     add_prediction_commands(app, commands, chosen);
     add_pattern_commands(app, commands, chosen);
+    add_study_commands(app, commands, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {

@@ -64,4 +64,19 @@ struct SnapshotCommand {
 };
 Expected<Done> run(const SnapshotCommand& command);
 
+struct CompareCommand {
+    CommonOptions common;                        // sets are not merged: each has its own ratings
+    std::vector<std::filesystem::path> ratings;  // of one set all; else a file or folder each
+    std::vector<std::string> metrics;            // empty: all
+    std::string scale = "guess";                 // guess, similarity, dissimilarity
+    bool paper_mode = false;                     // Table 2's digits and averages
+};
+Expected<Done> run(const CompareCommand& command);
+
+struct FindingsCommand {
+    int threads = 0;
+    bool json = false;
+};
+Expected<Done> run(const FindingsCommand& command);
+
 }  // namespace tact

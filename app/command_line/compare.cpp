@@ -1,0 +1,323 @@
+// tactspace compare: metrics against what people said, as in the paper's Table 2.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "app/command_line/commands.h"
+#include "app/command_line/output.h"
+#include "app/command_line/text_table.h"
+#include "model/evaluation.h"
+#include "model/io/ratings_file.h"
+#include "model/perceptual_model.h"
+#include "model/ratings.h"
+
+namespace tact {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ComparedMetric {
+    const char* key;
+    bool is_simple;  // without physiology: what a model has to beat
+    Dissimilarity (*matrix)(const Prediction&);
+};
+
+constexpr std::array<ComparedMetric, 3> kCompared{
+    {{"pm", false, [](const Prediction& prediction) { return prediction.pm; }},
+     {"nc", false, [](const Prediction& prediction) { return prediction.nc; }},
+     {"oc", true, [](const Prediction& prediction) { return prediction.oc; }}}};
+
+// One set with its ratings, in the order of its patterns.
+struct RatedPatterns {
+    PatternSet set;
+    std::string name;
+    RatingStudy study;
+};
+
+struct Row {
+    std::string key;
+    bool is_simple = false;
+    Evaluation evaluation;
+};
+
+struct SetResult {
+    std::string name;
+    std::size_t patterns = 0;
+    std::size_t rated_pairs = 0;
+    Reliability reliability;
+    RatedSet rated;
+    std::vector<Row> rows;
+};
+
+RatingScale scale_of(const std::string& word) {
+    if (word == "similarity") return RatingScale::similarity;
+    if (word == "dissimilarity") return RatingScale::dissimilarity;
+    return RatingScale::guess;
+}
+
+// The ratings that a set file brings along, each as one voice.
+Expected<RatingStudy> own_ratings(const PatternSet& set, const fs::path& path) {
+    if (set.ratings.empty()) {
+        return Error{path.string() + ": has no ratings of its own, expected --ratings FILE"};
+    }
+    RatingStudy study{names_of(set), true, {}};
+    for (const Ratings& ratings : set.ratings) {
+        const RatingStudy one{ratings.labels, true, {{ratings.name, ratings.condensed}}};
+        const Expected<RatingStudy> fitting = matched(one, study.labels);
+        if (!fitting) {
+            return Error{path.string() + ": ratings \"" + ratings.name +
+                         "\": " + fitting.error().message};
+        }
+        study.judgements.push_back(fitting->judgements.front());
+    }
+    return study;
+}
+
+Expected<RatingStudy> ratings_for(const PatternSet& set, const fs::path& path,
+                                  std::span<const fs::path> files, RatingScale scale) {
+    if (files.empty()) return own_ratings(set, path);
+    const Expected<LoadedRatings> loaded = read_ratings(files, scale);
+    if (!loaded) return loaded.error();
+    for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
+    Expected<RatingStudy> study = matched(loaded->study, names_of(set));
+    if (!study) return Error{files.front().string() + ": " + study.error().message};
+    return study;
+}
+
+// The files of one set: all of them for a single set, else one for each.
+Expected<std::vector<RatedPatterns>> load_all(const CompareCommand& command) {
+    const auto& sets = command.common.sets;
+    const auto& ratings = command.ratings;
+    if (sets.size() > 1 && !ratings.empty() && ratings.size() != sets.size()) {
+        return Error{"expected a file or a folder of ratings for each of the " +
+                     std::to_string(sets.size()) + " sets, got " + std::to_string(ratings.size())};
+    }
+    std::vector<RatedPatterns> all;
+    for (std::size_t k = 0; k < sets.size(); ++k) {
+        const CommonOptions one{{sets[k]}, command.common.threads, command.common.json};
+        Expected<PatternSet> set = load_for(one);
+        if (!set) return set.error();
+        if (const auto pair = need_a_pair(*set, one); !pair) return pair.error();
+        const auto files = std::span(ratings);
+        const bool one_each = sets.size() > 1 && !ratings.empty();
+        auto study = ratings_for(*set, sets[k], one_each ? files.subspan(k, 1) : files,
+                                 scale_of(command.scale));
+        if (!study) return study.error();
+        const std::string name = set->name.empty() ? sets[k].filename().string() : set->name;
+        all.push_back({*std::move(set), name, *std::move(study)});
+    }
+    return all;
+}
+
+bool is_wanted(const CompareCommand& command, const std::string& key) {
+    return command.metrics.empty() ||
+           std::ranges::find(command.metrics, key) != command.metrics.end();
+}
+
+Expected<SetResult> compared(const CompareCommand& command, const RatedPatterns& patterns) {
+    EvaluationParams params;
+    params.threads = command.common.threads;
+    const Dissimilarity ratings = mean_ratings(patterns.study);
+    Expected<RatedSet> rated = rated_set(ratings, params);
+    if (!rated) return Error{patterns.name + ": " + rated.error().message};
+    SetResult result;
+    result.name = patterns.name;
+    result.patterns = ratings.size;
+    result.rated_pairs = order_pairs(ratings.condensed).ascending.size();
+    result.reliability = reliability(patterns.study);
+    result.rated = *std::move(rated);
+    PredictOptions options;
+    options.threads = command.common.threads;
+    options.progress = progress_line("comparing pairs");
+    const Prediction prediction =
+        *predict(model_waveforms(patterns.set), patterns.set.model, options);
+    for (const ComparedMetric& metric : kCompared) {
+        if (!is_wanted(command, metric.key)) continue;
+        result.rows.push_back({metric.key, metric.is_simple,
+                               evaluate(metric.matrix(prediction), result.rated, params)});
+    }
+    return result;
+}
+
+// What is the same for all metrics of the set.
+std::string head_of(const SetResult& result) {
+    const Reliability& people = result.reliability;
+    const PerceptualSpace& space = result.rated.people.space;
+    const AlienationChance& chance = result.rated.k_chance;
+    std::string text = result.name + ": " + std::to_string(result.patterns) + " patterns, " +
+                       std::to_string(result.rated_pairs) + " of " +
+                       std::to_string(pair_count(result.patterns)) + " pairs rated";
+    if (people.voices > 1) {
+        text += people.is_of_one_person ? ", one participant, " : ", ";
+        text += std::to_string(people.voices);
+        text += people.is_of_one_person ? " repetitions" : " participants";
+        text += "\npeople        reliability of their mean " +
+                fixed_digits(people.spearman_brown, 3) +
+                " (split halves, Spearman-Brown); one with the mean of the others rho " +
+                fixed_digits(people.one_with_others, 3);
+    } else {
+        text += "\npeople        no repetitions: how far a metric can agree is not known";
+    }
+    text += "\ntheir map     stress-1 " + fixed_digits(space.stress1, 3) + ", " +
+            stress_label(space.stress1) + "; of random ratings " +
+            fixed_digits(result.rated.random_stress.mean, 3);
+    text += "\nchance        unrelated maps have K " + fixed_digits(chance.mean, 3) +
+            ", nine in ten " + range_text(chance.middle.low, chance.middle.high, 3) + "\n";
+    return text;
+}
+
+std::vector<TextRow> table_of(const SetResult& result) {
+    std::vector<TextRow> rows{{"metric", "rho", "95 % interval", "p", "tau-b", "K", "K spread",
+                               "K p", "1-K/chance", "K Procrustes", "stress-1"}};
+    for (const Row& row : result.rows) {
+        const Evaluation& e = row.evaluation;
+        rows.push_back({row.key, fixed_digits(e.rho, 3),
+                        range_text(e.rho_interval.low, e.rho_interval.high, 2),
+                        fixed_digits(e.rho_p, 4), fixed_digits(e.tau_b, 3), fixed_digits(e.k, 3),
+                        range_text(e.k_spread.low, e.k_spread.high, 2), fixed_digits(e.k_p, 4),
+                        fixed_digits(e.k_corrected, 2), fixed_digits(e.k_procrustes, 3),
+                        fixed_digits(e.stress1, 3)});
+    }
+    return rows;
+}
+
+// As printed in Table 2: two digits, "-" for what is undefined.
+std::vector<TextRow> paper_table_of(const SetResult& result) {
+    std::vector<TextRow> rows{{"metric", "rho", "K"}};
+    for (const Row& row : result.rows) {
+        const Agreement agreement = agreement_of(row.evaluation, Bookkeeping::paper);
+        rows.push_back({row.key, fixed_digits(agreement.rho, 2), fixed_digits(agreement.k, 2)});
+    }
+    return rows;
+}
+
+// Says so where PM is not better than something without physiology.
+std::string verdict_on_pm(const SetResult& result) {
+    const Row* pm = nullptr;
+    const Row* best = nullptr;
+    for (const Row& row : result.rows) {
+        if (row.key == "pm") pm = &row;
+        const bool counts = row.is_simple && !std::isnan(row.evaluation.rho);
+        if (counts && (best == nullptr || row.evaluation.rho > best->evaluation.rho)) best = &row;
+    }
+    if (pm == nullptr || best == nullptr || pm->evaluation.rho > best->evaluation.rho) return {};
+    return "pm does not beat " + best->key + ", which knows nothing of physiology, on this set\n";
+}
+
+std::string text_of(const SetResult& result, bool is_paper) {
+    std::string text = head_of(result) + "\n";
+    text += aligned(is_paper ? paper_table_of(result) : table_of(result));
+    for (const Row& row : result.rows) {
+        for (const std::string& remark : row.evaluation.remarks) {
+            text += row.key + ": " + remark + "\n";
+        }
+    }
+    if (result.patterns <= 7) {
+        text += "K and stress of so few patterns say little: any ratings fit in three dimensions\n";
+    }
+    return text + verdict_on_pm(result);
+}
+
+MeanAgreement mean_of(const std::vector<SetResult>& results, std::size_t row, Bookkeeping books) {
+    std::vector<Agreement> agreements;
+    for (const SetResult& result : results) {
+        agreements.push_back(agreement_of(result.rows[row].evaluation, books));
+    }
+    return mean_agreement(agreements, books);
+}
+
+std::string means_text(const std::vector<SetResult>& results, Bookkeeping books) {
+    const bool is_paper = books == Bookkeeping::paper;
+    std::string text = "\nmeans over " + std::to_string(results.size()) + " sets";
+    text += is_paper ? ", as in Table 2: of |rho|, undefined ones as 0, failed maps as K = 1\n"
+                     : "; undefined ones are left out\n";
+    std::vector<TextRow> rows;
+    rows.push_back({"metric", is_paper ? "|rho|" : "rho", is_paper ? "signed rho" : "|rho|", "K",
+                    "undefined rho", "failed maps"});
+    for (std::size_t k = 0; k < results.front().rows.size(); ++k) {
+        const MeanAgreement mean = mean_of(results, k, books);
+        const std::string with_sign = fixed_digits(mean.signed_rho, 3);
+        const std::string absolute = fixed_digits(mean.absolute_rho, 3);
+        rows.push_back({results.front().rows[k].key, is_paper ? absolute : with_sign,
+                        is_paper ? with_sign : absolute, fixed_digits(mean.k, 3),
+                        std::to_string(mean.undefined_rho), std::to_string(mean.failed_maps)});
+    }
+    return text + aligned(rows);
+}
+
+nlohmann::json json_of(const SetResult& result, const Row& row, Bookkeeping books) {
+    const Evaluation& e = row.evaluation;
+    const Reliability& people = result.reliability;
+    // NaN becomes null.
+    return {{"set", result.name},
+            {"metric", row.key},
+            {"rho", e.rho},
+            {"rho_low", e.rho_interval.low},
+            {"rho_high", e.rho_interval.high},
+            {"p", e.rho_p},
+            {"tau_b", e.tau_b},
+            {"K", agreement_of(e, books).k},
+            {"K_low", e.k_spread.low},
+            {"K_high", e.k_spread.high},
+            {"K_chance", result.rated.k_chance.mean},
+            {"K_p", e.k_p},
+            {"K_corrected", e.k_corrected},
+            {"K_procrustes", e.k_procrustes},
+            {"stress1", e.stress1},
+            {"reliability", people.spearman_brown},
+            {"one_with_others", people.one_with_others},
+            {"remarks", e.remarks}};
+}
+
+nlohmann::json json_of(const MeanAgreement& mean, const std::string& key, Bookkeeping books) {
+    return {{"mean_of_sets", mean.sets},
+            {"metric", key},
+            {"rho", books == Bookkeeping::paper ? mean.absolute_rho : mean.signed_rho},
+            {"rho_signed", mean.signed_rho},
+            {"rho_absolute", mean.absolute_rho},
+            {"K", mean.k},
+            {"undefined_rho", mean.undefined_rho},
+            {"failed_maps", mean.failed_maps}};
+}
+
+std::string json_text(const std::vector<SetResult>& results, Bookkeeping books) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const SetResult& result : results) {
+        for (const Row& row : result.rows) all.push_back(json_of(result, row, books));
+    }
+    for (std::size_t k = 0; results.size() > 1 && k < results.front().rows.size(); ++k) {
+        all.push_back(json_of(mean_of(results, k, books), results.front().rows[k].key, books));
+    }
+    return all.dump() + "\n";
+}
+
+}  // namespace
+
+Expected<Done> run(const CompareCommand& command) {
+    const Expected<std::vector<RatedPatterns>> all = load_all(command);
+    if (!all) return all.error();
+    std::vector<SetResult> results;
+    for (const RatedPatterns& patterns : *all) {
+        Expected<SetResult> result = compared(command, patterns);
+        if (!result) return result.error();
+        results.push_back(*std::move(result));
+    }
+    const Bookkeeping books = command.paper_mode ? Bookkeeping::paper : Bookkeeping::plain;
+    std::string text;
+    if (command.common.json) {
+        text = json_text(results, books);
+    } else {
+        for (const SetResult& result : results) {
+            text += (text.empty() ? "" : "\n") + text_of(result, command.paper_mode);
+        }
+        if (results.size() > 1) text += means_text(results, books);
+    }
+    return write_result({}, [&text](std::ostream& stream) { stream << text; });
+}
+
+}  // namespace tact

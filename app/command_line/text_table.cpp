@@ -1,0 +1,40 @@
+#include "app/command_line/text_table.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+
+namespace tact {
+
+std::string aligned(const std::vector<TextRow>& rows) {
+    std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size(), 0);
+    for (const TextRow& row : rows) {
+        assert(row.size() == widths.size() && "as many cells in every row");
+        for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+    }
+    std::string text;
+    for (const TextRow& row : rows) {
+        std::string line;
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            const std::string blanks(widths[k] - row[k].size(), ' ');
+            line += k == 0 ? row[k] + blanks : "  " + blanks + row[k];
+        }
+        text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+}
+
+std::string fixed_digits(double value, int digits) {
+    if (std::isnan(value)) return "-";
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
+std::string range_text(double low, double high, int digits) {
+    if (std::isnan(low) || std::isnan(high)) return "-";
+    return fixed_digits(low, digits) + " to " + fixed_digits(high, digits);
+}
+
+}  // namespace tact

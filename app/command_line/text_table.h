@@ -1,0 +1,21 @@
+// Tables for people at a terminal.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tact {
+
+using TextRow = std::vector<std::string>;
+
+// Rows of equally many cells: the first column flush left, the others flush right, two blanks
+// between. No blanks at the ends of lines.
+std::string aligned(const std::vector<TextRow>& rows);
+
+// With so many digits after the point; "-" for NaN.
+std::string fixed_digits(double value, int digits);
+
+// "-0.11 to 0.78"; "-" for NaN.
+std::string range_text(double low, double high, int digits);
+
+}  // namespace tact
