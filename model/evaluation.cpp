@@ -121,9 +121,11 @@ Expected<RatedSet> rated_set(const Dissimilarity& ratings, const EvaluationParam
     RatedSet rated;
     rated.people = mapped(ratings, params);
     AlienationChanceParams chance;
+    chance.draws = params.chance_draws;
     chance.threads = params.threads;
     rated.k_chance = chance_alienation(ratings.size, params.dimensions, chance);
     RandomStressParams random;
+    random.draws = params.stress_draws;
     random.threads = params.threads;
     // Beyond this any stress that is worth a look is far below that of random orders.
     if (ratings.size <= 30) {

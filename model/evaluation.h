@@ -29,6 +29,8 @@ struct EvaluationParams {
     std::size_t rho_orders = 10'000;
     std::size_t k_orders = 5000;
     std::size_t bootstrap_draws = 2000;
+    std::size_t chance_draws = 10'000;  // pairs of unrelated maps
+    std::size_t stress_draws = 100;     // random orders
     // Single descents besides the best map; of these the ones with a stress of at most
     // `equal_stress` above the best fit practically as well, and show how much of K is left open.
     std::size_t spread_starts = 20;

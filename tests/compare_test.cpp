@@ -91,7 +91,8 @@ TEST_CASE("compare: participants in one file or in many, and how far they agree"
     CHECK(contains(ran.err, "taken as similarities from 0 to 100"));
     const Json all = Json::parse(ran.out);
     CHECK(all[0].at("reliability").get<double>() > 0.9);
-    CHECK(contains(output_of({"compare", study.set, "--ratings", file}), "; 3 participants\n"));
+    CHECK(
+        contains(output_of({"compare", study.set, "--ratings", file}), "rated, 3 participants\n"));
     // Alike is not unlike: the other scale turns every rho.
     const Json turned = Json::parse(
         output_of({"compare", study.set, "--ratings", file, "--scale", "dissimilarity", "--json"}));

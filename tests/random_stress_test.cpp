@@ -14,7 +14,7 @@ TEST_CASE("random stress: seven patterns without structure fit in space, twelve 
     for (const Printed& printed :
          {Printed{7, .013}, Printed{8, .059}, Printed{12, .136}, Printed{14, .158}}) {
         CAPTURE(printed.objects);
-        const RandomStress stress = random_stress(printed.objects, 3);
+        const RandomStress stress = random_stress(printed.objects, 3, {60, 10, 4, 0});
         // Both sides are means of draws, of maps from other starts.
         CHECK(std::abs(stress.mean - printed.mean) <= 0.008);
         CHECK(stress.middle.low <= stress.mean);

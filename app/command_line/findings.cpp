@@ -15,25 +15,35 @@ namespace tact {
 
 namespace {
 
-Expected<PredictedSet> predicted(const std::string& name, const FindingsCommand& command) {
+struct Predicted {
+    PatternSet set;
+    Prediction prediction;
+};
+
+// What a set shares with one predicted before is not computed again.
+Expected<Predicted> predicted(const std::string& name, const FindingsCommand& command,
+                              const Prediction* previous) {
     const std::string path = "sets/" + name + ".tactspace.json";
     Expected<PatternSet> set = parse_set(asset(path), path, {});
     if (!set) return set.error();
     PredictOptions options;
     options.threads = command.threads;
+    options.previous = previous;
     options.progress = progress_line("comparing pairs of " + set->name);
-    Dissimilarity pm = predict(model_waveforms(*set), set->model, options)->pm;
-    return PredictedSet{*std::move(set), std::move(pm)};
+    Prediction prediction = *predict(model_waveforms(*set), set->model, options);
+    return Predicted{*std::move(set), std::move(prediction)};
 }
 
 Expected<KnownSets> known_sets(const FindingsCommand& command) {
-    auto am_4hz = predicted(kAm4HzSet, command);
+    auto am_4hz = predicted(kAm4HzSet, command, nullptr);
     if (!am_4hz) return am_4hz.error();
-    auto am_5hz = predicted(kAm5HzSet, command);
+    auto am_5hz = predicted(kAm5HzSet, command, &am_4hz->prediction);
     if (!am_5hz) return am_5hz.error();
-    auto twelve = predicted(kTwelveSet, command);
+    auto twelve = predicted(kTwelveSet, command, nullptr);
     if (!twelve) return twelve.error();
-    return KnownSets{*std::move(am_4hz), *std::move(am_5hz), *std::move(twelve)};
+    return KnownSets{{am_4hz->set, am_4hz->prediction.pm},
+                     {am_5hz->set, am_5hz->prediction.pm},
+                     {twelve->set, twelve->prediction.pm}};
 }
 
 const char* word_of(FindingStatus status) {
