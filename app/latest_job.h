@@ -20,6 +20,8 @@
 #include <thread>
 #include <utility>
 
+#include "app/background.h"
+
 namespace tact {
 
 enum class JobPolicy {
@@ -81,6 +83,7 @@ class LatestJob {
     }
 
     void run(const std::stop_token& quit) {
+        give_way_to_interface();
         while (const std::optional<Request> request = next(quit)) {
             const std::stop_token stop = running_.get_token();
             publish(work_(*request, stop, progress_), stop);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/metric.h"
 #include "run_program.h"
 #include "temporary_folder.h"
 
@@ -39,7 +40,7 @@ TEST_CASE("compare: ratings that are a metric's own numbers agree with it in eve
     const Study study;
     const Json all = Json::parse(output_of(
         {"compare", study.set, "--ratings", study.ratings, "--scale", "dissimilarity", "--json"}));
-    REQUIRE(all.size() >= 3);
+    REQUIRE(all.size() == tact::kMetricCount);
     CHECK(all[0].at("metric") == "pm");
     for (const Json& row : all) {
         for (const char* key : {"rho", "rho_low", "rho_high", "p", "K", "K_chance", "K_p"}) {
@@ -56,15 +57,16 @@ TEST_CASE("compare: ratings that are a metric's own numbers agree with it in eve
 
 TEST_CASE("compare: a table for people, with remarks apart, the same for any number of threads") {
     const Study study;
-    const Ran ran = run_program({"compare", study.set, "--ratings", study.ratings});
+    const Ran ran = run_program(
+        {"compare", study.set, "--ratings", study.ratings, "--metric", "pm", "nc", "oc"});
     CHECK(ran.exit_code == 0);
     CHECK(ran.out.starts_with("five: 5 patterns, 10 of 10 pairs rated\n"));
     CHECK(contains(ran.out, "\nmetric "));
     CHECK(contains(ran.out, "\nnc      1.000"));
     CHECK(contains(ran.out, "any ratings fit in three dimensions"));
     CHECK(contains(ran.err, "mean.csv: taken as dissimilarities"));
-    CHECK(output_of({"compare", study.set, "--ratings", study.ratings, "--threads", "1"}) ==
-          ran.out);
+    CHECK(output_of({"compare", study.set, "--ratings", study.ratings, "--metric", "pm", "nc", "oc",
+                     "--threads", "1"}) == ran.out);
     const std::string only =
         output_of({"compare", study.set, "--ratings", study.ratings, "--metric", "oc"});
     CHECK(contains(only, "\noc "));
@@ -87,15 +89,16 @@ TEST_CASE("compare: participants in one file or in many, and how far they agree"
         }
     }
     const std::string file = study.written("people/all.csv", lines);
-    const Ran ran = run_program({"compare", study.set, "--ratings", file, "--json"});
+    const Ran ran =
+        run_program({"compare", study.set, "--ratings", file, "--metric", "pm", "--json"});
     CHECK(contains(ran.err, "taken as similarities from 0 to 100"));
     const Json all = Json::parse(ran.out);
     CHECK(all[0].at("reliability").get<double>() > 0.9);
-    CHECK(
-        contains(output_of({"compare", study.set, "--ratings", file}), "rated, 3 participants\n"));
+    CHECK(contains(output_of({"compare", study.set, "--metric", "pm", "--ratings", file}),
+                   "rated, 3 participants\n"));
     // Alike is not unlike: the other scale turns every rho.
-    const Json turned = Json::parse(
-        output_of({"compare", study.set, "--ratings", file, "--scale", "dissimilarity", "--json"}));
+    const Json turned = Json::parse(output_of({"compare", study.set, "--ratings", file, "--scale",
+                                               "dissimilarity", "--metric", "pm", "--json"}));
     CHECK(std::abs(all[0].at("rho").get<double>() + turned[0].at("rho").get<double>()) <= 1e-12);
 }
 
@@ -105,8 +108,8 @@ TEST_CASE("compare: several sets, each with its ratings, and their means") {
         study.written("flat.csv",
                       ",v 1,v 2,v 3,v 10,v 11\nv 1,0,1,2,3,4\nv 2,1,0,5,6,7\nv 3,2,5,0,8,9\n"
                       "v 10,3,6,8,0,10\nv 11,4,7,9,10,0\n");
-    const std::vector<std::string> arguments{"compare",   study.set,     study.set,
-                                             "--ratings", study.ratings, flat};
+    const std::vector<std::string> arguments{
+        "compare", study.set, study.set, "--metric", "pm", "nc", "--ratings", study.ratings, flat};
     auto with = arguments;
     with.push_back("--json");
     const Json all = Json::parse(output_of(with));
@@ -132,7 +135,8 @@ TEST_CASE("compare: ratings in the set file serve where none are named") {
     const std::string own = study.written(
         "own.json", set_with(R"(, "ratings": [{"name": "us", "labels": ["v 11", "v 10", "v 3",
             "v 2", "v 1"], "condensed": [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]}])"));
-    CHECK(output_of({"compare", own}).starts_with("five: 5 patterns, 10 of 10 pairs rated\n"));
+    CHECK(output_of({"compare", own, "--metric", "oc"})
+              .starts_with("five: 5 patterns, 10 of 10 pairs rated\n"));
     CHECK(refusal_of({"compare", study.set}) ==
           "tactspace: " + study.set + ": has no ratings of its own, expected --ratings FILE\n");
 }

@@ -131,8 +131,9 @@ void add_study_commands(CLI::App& app, Commands& commands,
         .add_option("--scale", options.scale,
                     "what a high rating means: similarity (0-100), dissimilarity, or guess")
         ->check(CLI::IsMember({"guess", "similarity", "dissimilarity"}));
-    compare.add_option("--metric", options.metrics, "only these: pm, nc, oc")
-        ->check(CLI::IsMember({"pm", "nc", "oc"}));
+    compare.add_option("--metric", options.metrics, "only these of those below")
+        ->check(fault_of_metric);
+    compare.footer(list_of_metrics());
     compare.add_flag("--paper-mode", options.paper_mode,
                      "digits and averages as in Table 2 of Lim & Park 2023");
 

@@ -12,7 +12,7 @@
 #include "app/command_line/text_table.h"
 #include "model/evaluation.h"
 #include "model/io/ratings_file.h"
-#include "model/perceptual_model.h"
+#include "model/metric_comparison.h"
 #include "model/ratings.h"
 
 namespace tact {
@@ -21,28 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ComparedMetric {
-    const char* key;
-    bool is_simple;  // without physiology: what a model has to beat
-    Dissimilarity (*matrix)(const Prediction&);
-};
-
-constexpr std::array<ComparedMetric, 3> kCompared{
-    {{"pm", false, [](const Prediction& prediction) { return prediction.pm; }},
-     {"nc", false, [](const Prediction& prediction) { return prediction.nc; }},
-     {"oc", true, [](const Prediction& prediction) { return prediction.oc; }}}};
-
 // One set with its ratings, in the order of its patterns.
 struct RatedPatterns {
     PatternSet set;
     std::string name;
     RatingStudy study;
-};
-
-struct Row {
-    std::string key;
-    bool is_simple = false;
-    Evaluation evaluation;
 };
 
 struct SetResult {
@@ -51,7 +34,7 @@ struct SetResult {
     std::size_t rated_pairs = 0;
     Reliability reliability;
     RatedSet rated;
-    std::vector<Row> rows;
+    std::vector<ComparedMetric> rows;
 };
 
 RatingScale scale_of(const std::string& word) {
@@ -114,12 +97,22 @@ Expected<std::vector<RatedPatterns>> load_all(const CompareCommand& command) {
     return all;
 }
 
-bool is_wanted(const CompareCommand& command, const std::string& key) {
-    return command.metrics.empty() ||
-           std::ranges::find(command.metrics, key) != command.metrics.end();
+const char* key_of(const ComparedMetric& row) { return traits(row.metric).key; }
+
+// Those asked for, or all.
+Expected<std::vector<Metric>> metrics_of(const CompareCommand& command) {
+    if (command.metrics.empty()) return std::vector<Metric>(kMetrics.begin(), kMetrics.end());
+    std::vector<Metric> metrics;
+    for (const std::string& key : command.metrics) {
+        const Expected<Metric> metric = metric_named(key);
+        if (!metric) return metric.error();
+        metrics.push_back(*metric);
+    }
+    return metrics;
 }
 
-Expected<SetResult> compared(const CompareCommand& command, const RatedPatterns& patterns) {
+Expected<SetResult> compared(const CompareCommand& command, std::span<const Metric> metrics,
+                             const RatedPatterns& patterns) {
     EvaluationParams params;
     params.threads = command.common.threads;
     const Dissimilarity ratings = mean_ratings(patterns.study);
@@ -131,16 +124,10 @@ Expected<SetResult> compared(const CompareCommand& command, const RatedPatterns&
     result.rated_pairs = order_pairs(ratings.condensed).ascending.size();
     result.reliability = reliability(patterns.study);
     result.rated = *std::move(rated);
-    PredictOptions options;
+    MetricOptions options;
     options.threads = command.common.threads;
-    options.progress = progress_line("comparing pairs");
-    const Prediction prediction =
-        *predict(model_waveforms(patterns.set), patterns.set.model, options);
-    for (const ComparedMetric& metric : kCompared) {
-        if (!is_wanted(command, metric.key)) continue;
-        result.rows.push_back({metric.key, metric.is_simple,
-                               evaluate(metric.matrix(prediction), result.rated, params)});
-    }
+    options.progress = progress_line("comparing metrics");
+    result.rows = *compare_metrics(patterns.set, result.rated, metrics, params, options);
     return result;
 }
 
@@ -174,9 +161,9 @@ std::string head_of(const SetResult& result) {
 std::vector<TextRow> table_of(const SetResult& result) {
     std::vector<TextRow> rows{{"metric", "rho", "95 % interval", "p", "tau-b", "K", "K spread",
                                "K p", "1-K/chance", "K Procrustes", "stress-1"}};
-    for (const Row& row : result.rows) {
+    for (const ComparedMetric& row : result.rows) {
         const Evaluation& e = row.evaluation;
-        rows.push_back({row.key, fixed_digits(e.rho, 3),
+        rows.push_back({key_of(row), fixed_digits(e.rho, 3),
                         range_text(e.rho_interval.low, e.rho_interval.high, 2),
                         fixed_digits(e.rho_p, 4), fixed_digits(e.tau_b, 3), fixed_digits(e.k, 3),
                         range_text(e.k_spread.low, e.k_spread.high, 2), fixed_digits(e.k_p, 4),
@@ -189,32 +176,33 @@ std::vector<TextRow> table_of(const SetResult& result) {
 // As printed in Table 2: two digits, "-" for what is undefined.
 std::vector<TextRow> paper_table_of(const SetResult& result) {
     std::vector<TextRow> rows{{"metric", "rho", "K"}};
-    for (const Row& row : result.rows) {
+    for (const ComparedMetric& row : result.rows) {
         const Agreement agreement = agreement_of(row.evaluation, Bookkeeping::paper);
-        rows.push_back({row.key, fixed_digits(agreement.rho, 2), fixed_digits(agreement.k, 2)});
+        rows.push_back({key_of(row), fixed_digits(agreement.rho, 2), fixed_digits(agreement.k, 2)});
     }
     return rows;
 }
 
 // Says so where PM is not better than something without physiology.
 std::string verdict_on_pm(const SetResult& result) {
-    const Row* pm = nullptr;
-    const Row* best = nullptr;
-    for (const Row& row : result.rows) {
-        if (row.key == "pm") pm = &row;
-        const bool counts = row.is_simple && !std::isnan(row.evaluation.rho);
+    const ComparedMetric* pm = nullptr;
+    const ComparedMetric* best = nullptr;
+    for (const ComparedMetric& row : result.rows) {
+        if (row.metric == Metric::pm) pm = &row;
+        const bool counts = is_simple(row.metric) && !std::isnan(row.evaluation.rho);
         if (counts && (best == nullptr || row.evaluation.rho > best->evaluation.rho)) best = &row;
     }
     if (pm == nullptr || best == nullptr || pm->evaluation.rho > best->evaluation.rho) return {};
-    return "pm does not beat " + best->key + ", which knows nothing of physiology, on this set\n";
+    return std::string("pm does not beat ") + key_of(*best) +
+           " on this set, which takes no model of the nerves\n";
 }
 
 std::string text_of(const SetResult& result, bool is_paper) {
     std::string text = head_of(result) + "\n";
     text += aligned(is_paper ? paper_table_of(result) : table_of(result));
-    for (const Row& row : result.rows) {
+    for (const ComparedMetric& row : result.rows) {
         for (const std::string& remark : row.evaluation.remarks) {
-            text += row.key + ": " + remark + "\n";
+            text += std::string(key_of(row)) + ": " + remark + "\n";
         }
     }
     if (result.patterns <= 7) {
@@ -243,19 +231,19 @@ std::string means_text(const std::vector<SetResult>& results, Bookkeeping books)
         const MeanAgreement mean = mean_of(results, k, books);
         const std::string with_sign = fixed_digits(mean.signed_rho, 3);
         const std::string absolute = fixed_digits(mean.absolute_rho, 3);
-        rows.push_back({results.front().rows[k].key, is_paper ? absolute : with_sign,
+        rows.push_back({key_of(results.front().rows[k]), is_paper ? absolute : with_sign,
                         is_paper ? with_sign : absolute, fixed_digits(mean.k, 3),
                         std::to_string(mean.undefined_rho), std::to_string(mean.failed_maps)});
     }
     return text + aligned(rows);
 }
 
-nlohmann::json json_of(const SetResult& result, const Row& row, Bookkeeping books) {
+nlohmann::json json_of(const SetResult& result, const ComparedMetric& row, Bookkeeping books) {
     const Evaluation& e = row.evaluation;
     const Reliability& people = result.reliability;
     // NaN becomes null.
     return {{"set", result.name},
-            {"metric", row.key},
+            {"metric", key_of(row)},
             {"rho", e.rho},
             {"rho_low", e.rho_interval.low},
             {"rho_high", e.rho_interval.high},
@@ -288,10 +276,10 @@ nlohmann::json json_of(const MeanAgreement& mean, const std::string& key, Bookke
 std::string json_text(const std::vector<SetResult>& results, Bookkeeping books) {
     nlohmann::json all = nlohmann::json::array();
     for (const SetResult& result : results) {
-        for (const Row& row : result.rows) all.push_back(json_of(result, row, books));
+        for (const ComparedMetric& row : result.rows) all.push_back(json_of(result, row, books));
     }
     for (std::size_t k = 0; results.size() > 1 && k < results.front().rows.size(); ++k) {
-        all.push_back(json_of(mean_of(results, k, books), results.front().rows[k].key, books));
+        all.push_back(json_of(mean_of(results, k, books), key_of(results.front().rows[k]), books));
     }
     return all.dump() + "\n";
 }
@@ -299,11 +287,13 @@ std::string json_text(const std::vector<SetResult>& results, Bookkeeping books) 
 }  // namespace
 
 Expected<Done> run(const CompareCommand& command) {
+    const Expected<std::vector<Metric>> metrics = metrics_of(command);
+    if (!metrics) return metrics.error();
     const Expected<std::vector<RatedPatterns>> all = load_all(command);
     if (!all) return all.error();
     std::vector<SetResult> results;
     for (const RatedPatterns& patterns : *all) {
-        Expected<SetResult> result = compared(command, patterns);
+        Expected<SetResult> result = compared(command, *metrics, patterns);
         if (!result) return result.error();
         results.push_back(*std::move(result));
     }
