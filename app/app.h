@@ -181,6 +181,7 @@ struct App {
     float content_scale = 1.0F;  // the screen's
     bool fonts_outdated = false;
     bool motion = true;
+    bool as_picture = false;     // panes without what is there to be pressed
     bool keyboard_mode = false;  // Tab moves between widgets, until the mouse is used again
 
     std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> preview_job;

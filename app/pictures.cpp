@@ -1,12 +1,9 @@
 #include "app/pictures.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 
 #include "app/frame.h"
-#include "app/live_map.h"
-#include "app/map_follow.h"
 #include "app/panels/panels.h"
 #include "model/spectrum.h"
 #include "viz/marks.h"
@@ -28,14 +25,6 @@ PictureOptions options_of(const PictureSize& size, std::string extra_text) {
     return options;
 }
 
-Picture drawn(const PictureSize& size, const PictureOptions& options,
-              const std::function<void(const Theme&)>& draw) {
-    if (size.format == PictureFormat::svg) {
-        return Svg{draw_svg(size.width, size.height, options, draw)};
-    }
-    return draw_picture(size.width, size.height, options, draw);
-}
-
 // Title at the top left, a dim detail after it; what is left of the picture.
 Rect draw_title(const Theme& theme, const std::string& title, const std::string& detail) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -48,6 +37,14 @@ Rect draw_title(const Theme& theme, const std::string& title, const std::string&
 }
 
 }  // namespace
+
+Picture drawn(const PictureSize& size, const PictureOptions& options,
+              const std::function<void(const Theme&)>& draw) {
+    if (size.format == PictureFormat::svg) {
+        return Svg{draw_svg(size.width, size.height, options, draw)};
+    }
+    return draw_picture(size.width, size.height, options, draw);
+}
 
 Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
                        const std::string& quantity, const PictureSize& size) {
@@ -115,30 +112,6 @@ Picture spectrum_picture(const Vibration& vibration, const NeuralCodingParams& p
         scene.thresholds = &params.tables.threshold;
         scene.colour = theme.text;
         draw_spectrum("spectrum", theme, area, scene);
-    });
-}
-
-Picture window_picture(const PatternSet& set, int threads, const PictureSize& size) {
-    App app = make_app();
-    app.motion = false;
-    app.document = {set, {}, set};
-    app.dark = size.dark;
-    LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(set), 3, false};
-    std::atomic<float> progress = 0.0F;
-    LiveMapWork work(threads);
-    if (auto map = work(request, {}, progress)) {
-        map->seconds = 0.0;  // never the same twice
-        show_map(app, std::make_shared<const LiveMap>(*std::move(map)));
-    }
-    if (!set.vibrations.empty()) {
-        const LiveStagesRequest shown{set.vibrations[0], longest_samples(set), set.model};
-        app.stages = std::make_shared<const LiveStages>(*compute_live_stages(shown, {}, progress));
-    }
-    PictureOptions options = options_of(size, drawn_text(set));
-    options.has_panes = true;
-    return drawn(size, options, [&app](const Theme& theme) {
-        app.theme = theme;
-        draw_frame(app, {}, 1.0);
     });
 }
 

@@ -1,9 +1,10 @@
-// Pictures of single views without a window, as the command line makes them: PNG or SVG.
+// Pictures of single views without a window: PNG or SVG.
 //
 // Exact     same input, same bytes.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,6 +33,10 @@ struct Svg {
 
 using Picture = std::variant<Image, Svg>;  // by the format asked for
 
+// What `draw` draws, in the format asked for.
+Picture drawn(const PictureSize& size, const PictureOptions& options,
+              const std::function<void(const Theme&)>& draw);
+
 Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
                        const std::string& quantity, const PictureSize& size);
 
@@ -42,9 +47,6 @@ Picture wave_picture(const Vibration& vibration, const PictureSize& size);
 
 Picture spectrum_picture(const Vibration& vibration, const NeuralCodingParams& params,
                          const PictureSize& size);
-
-// The whole window as it would open on the set, its map computed.
-Picture window_picture(const PatternSet& set, int threads, const PictureSize& size);
 
 // A failed write leaves an existing file as it was.
 Expected<Done> write_picture(const std::filesystem::path& path, const Picture& picture);

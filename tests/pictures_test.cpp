@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/view_pictures.h"
 #include "presence.h"
 #include "svg_elements.h"
 #include "viz/theme.h"
@@ -25,6 +26,13 @@ PatternSet three_patterns() {
         set.vibrations.push_back(vibration);
     }
     return set;
+}
+
+Picture window_picture(const PatternSet& set, int threads, const PictureSize& size) {
+    ViewChoice choice;
+    choice.threads = threads;
+    App view = opened_view(set, choice);
+    return view_picture(view, PictureView::window, 0.0, size);
 }
 
 std::size_t colours_in(const Image& image, const Rect& area) {

@@ -8,7 +8,9 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/interrupt.h"
+#include "app/frame_sequence.h"
 #include "app/main_window.h"
+#include "app/stages.h"
 #include "model/metric.h"
 
 namespace tact {
@@ -102,21 +104,49 @@ void add_pattern_commands(CLI::App& app, Commands& commands,
     render.add_option("--format", commands.render.format, "wav, txt or csv")
         ->check(CLI::IsMember({"wav", "txt", "csv"}));
     render.add_option("--out", commands.render.out, "folder for the files")->required();
+}
 
-    CLI::App& snapshot = add_command(app, "snapshot", "a view as a picture, without a window",
-                                     commands.snapshot, chosen);
+constexpr const char* kSnapshotHelp =
+    "a view as a picture, without a window; with --frames, as many as make a film";
+
+constexpr const char* kFilmHelp =
+    "A film of a folder of frames:\n"
+    "  ffmpeg -framerate 30 -i FOLDER/frame_%04d.png -pix_fmt yuv420p film.mp4";
+
+void add_moment_options(CLI::App& snapshot, SnapshotCommand& command) {
+    snapshot.add_option("--at", command.at_s, "where the playhead is, s; else 0");
     snapshot
-        .add_option("--view", commands.snapshot.view, "window, wave, spectrum, matrix or space")
-        ->check(CLI::IsMember({"window", "wave", "spectrum", "matrix", "space"}));
-    snapshot.add_option("--pattern", commands.snapshot.pattern, "pattern to show; else the first");
-    snapshot.add_option("--theme", commands.snapshot.theme, "dark or light")
+        .add_option("--frames", command.frames,
+                    "draws so many pictures over time into the folder --out: frame_0001.png ...")
+        ->check(CLI::Range(1, kMostFrames));
+    snapshot.add_option("--from", command.from_s, "time of the first frame, s; else 0");
+    snapshot.add_option("--to", command.to_s,
+                        "time at which the last frame ends, s; else the end of the pattern");
+    snapshot.footer(kFilmHelp);
+}
+
+void add_snapshot_command(CLI::App& app, SnapshotCommand& command,
+                          std::function<Expected<Done>()>& chosen) {
+    CLI::App& snapshot = add_command(app, "snapshot", kSnapshotHelp, command, chosen);
+    snapshot
+        .add_option("--view", command.view, "window, physiology, wave, spectrum, matrix or space")
+        ->check(CLI::IsMember({"window", "physiology", "wave", "spectrum", "matrix", "space"}));
+    snapshot.add_option("--pattern", command.pattern, "pattern to show; else the first");
+    snapshot.add_option("--with", command.with, "another pattern to compare it with");
+    std::vector<std::string> keys;
+    for (const Stage stage : kStages) keys.emplace_back(text_of(stage).key);
+    snapshot.add_option("--stage", command.stage, "the stage to show large; else all of them")
+        ->check(CLI::IsMember(keys));
+    snapshot.add_flag("--tilted", command.tilted, "the receptors seen from the side");
+    add_moment_options(snapshot, command);
+    snapshot.add_option("--theme", command.theme, "dark or light")
         ->check(CLI::IsMember({"dark", "light"}));
-    snapshot.add_option("--width", commands.snapshot.width, "pixels")->check(CLI::Range(64, 8192));
-    snapshot.add_option("--height", commands.snapshot.height, "pixels")
-        ->check(CLI::Range(64, 8192));
-    snapshot.add_option("--scale", commands.snapshot.scale, "size of text and marks, 0.75-4")
+    snapshot.add_option("--width", command.width, "pixels")->check(CLI::Range(64, 8192));
+    snapshot.add_option("--height", command.height, "pixels")->check(CLI::Range(64, 8192));
+    snapshot.add_option("--scale", command.scale, "size of text and marks, 0.75-4")
         ->check(CLI::Range(0.75, 4.0));
-    snapshot.add_option("--out", commands.snapshot.out, "file, .png or .svg")->required();
+    snapshot.add_option("--out", command.out, "file, .png or .svg; with --frames a folder")
+        ->required();
 }
 
 void add_study_commands(CLI::App& app, Commands& commands,
@@ -156,6 +186,7 @@ int run_command_line(int argc, const char* const* argv) {
     add_prediction_commands(app, commands, chosen);
     add_pattern_commands(app, commands, chosen);
     add_study_commands(app, commands, chosen);
+    add_snapshot_command(app, commands.snapshot, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {

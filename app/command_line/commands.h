@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,8 +55,15 @@ Expected<Done> run(const RenderCommand& command);
 
 struct SnapshotCommand {
     CommonOptions common;
-    std::string view = "window";  // window, wave, spectrum, matrix, space
-    std::string pattern;          // for wave and spectrum; empty: the first
+    std::string view = "window";  // window, physiology, wave, spectrum, matrix, space
+    std::string pattern;          // but for matrix and space; empty: the first
+    std::string with;             // for window and physiology: compared with this one ...
+    std::string stage;            // ... at this stage, large; a key of app/stages.h
+    std::optional<double> at_s;   // ... with the playhead there
+    bool tilted = false;          // ... and the receptors
+    int frames = 0;               // of a sequence in the folder `out`; 0: a single picture
+    std::optional<double> from_s;
+    std::optional<double> to_s;
     std::string theme = "dark";
     int width = 1600;
     int height = 1000;

@@ -105,14 +105,6 @@ Expected<std::size_t> place_of(const PatternSet& set, const std::string& name) {
     return Error{"there is no pattern \"" + name + "\", expected one of " + known};
 }
 
-Expected<Done> make_folder(const std::filesystem::path& folder) {
-    std::error_code fault;
-    std::filesystem::create_directories(folder, fault);
-    if (!fault && std::filesystem::is_directory(folder, fault)) return Done{};
-    return Error{folder.string() + ": cannot be made a folder" +
-                 (fault ? ": " + fault.message() : "; there is a file of this name")};
-}
-
 Expected<PictureFormat> picture_format(const std::filesystem::path& file) {
     const std::string ending = extension_of(file);
     if (ending != ".png" && ending != ".svg" && !ending.empty()) {

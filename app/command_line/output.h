@@ -24,9 +24,6 @@ Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options);
 // Where the pattern of a name stands. An Error names some that there are.
 Expected<std::size_t> place_of(const PatternSet& set, const std::string& name);
 
-// The folder, made with its parents where it is missing.
-Expected<Done> make_folder(const std::filesystem::path& folder);
-
 // What the ending of a picture's name asks for: .png or .svg; none is PNG. An Error also if the
 // file cannot be written: better known before the work than after it.
 Expected<PictureFormat> picture_format(const std::filesystem::path& file);

@@ -8,6 +8,7 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
+#include "app/folders.h"
 #include "model/io/atomic_file.h"
 #include "model/io/text_waveform.h"
 #include "model/io/wave_file.h"

@@ -76,7 +76,7 @@ void draw_pair(App& app, const Rect& area, std::optional<Pair> pair,
 }  // namespace
 
 void draw_matrix_panel(App& app) {
-    draw_choice(app);
+    if (!app.as_picture) draw_choice(app);
     Rect area = rest_of_pane();
     if (area.empty()) return;
     const bool has_pairs = app.map.shown && !app.map.shown->prediction.pm.condensed.empty();
@@ -92,7 +92,7 @@ void draw_matrix_panel(App& app) {
     for (const Vibration& vibration : app.map.shown->request.set->vibrations) {
         labels.push_back(vibration.name);
     }
-    const float foot = 2.2F * ImGui::GetTextLineHeightWithSpacing();
+    const float foot = app.as_picture ? 0.0F : 2.2F * ImGui::GetTextLineHeightWithSpacing();
     Rect foot_area = area;
     foot_area.min.y = area.max.y - foot;
     area.max.y = foot_area.min.y - app.theme.gap_px * 0.5F;
@@ -108,7 +108,7 @@ void draw_matrix_panel(App& app) {
     if (same_order && action.clicked) select_only(app, action.clicked->first);
     if (same_order && action.clicked_row) select_only(app, *action.clicked_row);
     if (same_order && action.hovered) app.selection.hovered = action.hovered->second;
-    draw_pair(app, foot_area, action.hovered, labels);
+    if (!app.as_picture) draw_pair(app, foot_area, action.hovered, labels);
 }
 
 }  // namespace tact

@@ -160,6 +160,7 @@ void draw_stage_label(App& app, Stage stage, const Rect& area) {
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
 
+    if (app.as_picture) return ImGui::PopID();
     const ImVec2 centre{area.max.x - icon * 0.6F, area.min.y + line * 0.5F};
     ImGui::SetCursorScreenPos({centre.x - icon * 0.5F, centre.y - icon * 0.5F});
     if (ImGui::InvisibleButton("i", {icon, icon})) {
@@ -264,11 +265,13 @@ void draw_physiology_panel(App& app) {
     app.playhead.at_s = std::clamp(app.playhead.at_s, 0.0, duration_s);
     const Patterns patterns = shown_patterns(app);
     follow_difference(app, patterns);
-    draw_hint(app, "physiology",
-              "Space plays silently, in slow motion; drag in any plot to move through time; a "
-              "stage's name opens it large.");
-    draw_strip(app);
-    draw_pin_choice(app);
+    if (!app.as_picture) {
+        draw_hint(app, "physiology",
+                  "Space plays silently, in slow motion; drag in any plot to move through time; a "
+                  "stage's name opens it large.");
+        draw_strip(app);
+        draw_pin_choice(app);
+    }
     if (patterns.all.empty()) {
         draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(), "Computing",
                    "The receptors and nerves of " + vibration->name + " are on their way.");

@@ -138,8 +138,10 @@ void note_points(App& app, const Rect& area, const std::vector<std::string>& lab
 }  // namespace
 
 void draw_space_panel(App& app) {
-    draw_controls(app);
-    ImGui::NewLine();
+    if (!app.as_picture) {
+        draw_controls(app);
+        ImGui::NewLine();
+    }
     const MapState state = map_state(app);
     const Rect area = rest_of_pane();
     if (area.empty()) return;

@@ -1,0 +1,171 @@
+#include "app/view_pictures.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+
+#include "app/editing.h"
+#include "app/frame.h"
+#include "app/live_map.h"
+#include "app/map_follow.h"
+#include "app/panels/panels.h"
+#include "app/panels/time_rows.h"
+#include "app/widgets.h"
+
+namespace tact {
+
+namespace {
+
+std::shared_ptr<const LiveStages> stages_of(const PatternSet& set, std::size_t index) {
+    std::atomic<float> progress = 0.0F;
+    const LiveStagesRequest request{set.vibrations[index], longest_samples(set), set.model};
+    return std::make_shared<const LiveStages>(*compute_live_stages(request, {}, progress));
+}
+
+void compute_map(App& app, const PatternSet& set, int threads) {
+    const LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(set), 3, false};
+    std::atomic<float> progress = 0.0F;
+    LiveMapWork work(threads);
+    if (auto map = work(request, {}, progress)) {
+        map->seconds = 0.0;  // never the same twice
+        show_map(app, std::make_shared<const LiveMap>(*std::move(map)));
+    }
+}
+
+const char* quantity_name(MatrixQuantity quantity) {
+    switch (quantity) {
+        case MatrixQuantity::pm:
+            return "PM, predicted dissimilarity of every pair";
+        case MatrixQuantity::nc:
+            return "NC, neural coding of every pair";
+        case MatrixQuantity::oc:
+            return "OC, rhythm of every pair";
+    }
+    return "";
+}
+
+PaneTitle physiology_title(const App& app) {
+    PaneTitle title{"Physiology", "", ""};
+    if (const Vibration* current = current_vibration(app)) title.detail = current->name;
+    if (!app.pinned.empty()) title.detail += "   compared with   " + app.pinned;
+    char at[64];
+    std::snprintf(at, sizeof at, "at %.3f s of %.3f s", app.playhead.at_s, shown_duration_s(app));
+    title.right = at;
+    return title;
+}
+
+PaneTitle space_title(const App& app) {
+    PaneTitle title{"Perceptual space", app.document.set.name, ""};
+    if (!app.map.shown || app.map.shown->space.verdict == MdsVerdict::constant) return title;
+    const double stress1 = app.map.shown->space.stress1;
+    char text[96];
+    std::snprintf(text, sizeof text, "predicted by PM, stress-1 %.3f, %s", stress1,
+                  stress_label(stress1).c_str());
+    title.right = text;
+    return title;
+}
+
+void draw_view(App& app, PictureView view) {
+    const Rect area = rect_at({0.0F, 0.0F}, ImGui::GetIO().DisplaySize);
+    switch (view) {
+        case PictureView::window:
+            return draw_frame(app, {}, 1.0);
+        case PictureView::physiology:
+            return draw_pane(app, Pane::physiology, area, physiology_title(app),
+                             [&app] { draw_physiology_panel(app); });
+        case PictureView::space:
+            return draw_pane(app, Pane::space, area, space_title(app),
+                             [&app] { draw_space_panel(app); });
+        case PictureView::matrix:
+            return draw_pane(app, Pane::matrix, area,
+                             {"Matrix", quantity_name(app.matrix_quantity), ""},
+                             [&app] { draw_matrix_panel(app); });
+    }
+}
+
+}  // namespace
+
+const char* name_of(PictureView view) {
+    switch (view) {
+        case PictureView::window:
+            return "window";
+        case PictureView::physiology:
+            return "physiology";
+        case PictureView::space:
+            return "space";
+        case PictureView::matrix:
+            return "matrix";
+    }
+    return "";
+}
+
+App opened_view(const PatternSet& set, const ViewChoice& choice) {
+    App app = make_app();
+    app.rects = {};
+    app.motion = false;
+    app.document = {set, {}, set};
+    app.unsaved_revision = app.revision;  // nothing to keep
+    if (choice.view != PictureView::physiology) compute_map(app, set, choice.threads);
+    if (choice.pattern >= set.vibrations.size()) return app;
+    app.selection.current = choice.pattern;
+    app.stages = stages_of(set, choice.pattern);
+    app.physiology.open = choice.stage;
+    app.physiology.tilted = choice.tilted;
+    if (!choice.pinned) return app;
+    app.pinned = set.vibrations[*choice.pinned].name;
+    app.pinned_stages = stages_of(set, *choice.pinned);
+    return app;
+}
+
+App still_view(const App& app) {
+    App still;
+    still.motion = false;
+    still.document = app.document;
+    still.revision = app.revision;
+    still.unsaved_revision = app.revision;
+    still.unsaved = app.unsaved;
+    still.selection = app.selection;
+    still.selection.hovered.reset();
+    still.layout = app.layout;
+    still.dark = app.dark;
+    still.stages = app.stages;
+    still.pinned = app.pinned;
+    still.pinned_stages = app.pinned_stages;
+    still.playhead = app.playhead;
+    still.playhead.playing = false;
+    still.time_range = app.time_range;
+    still.physiology = app.physiology;
+    still.physiology.crosshair_s.reset();
+    still.physiology.hovered.reset();
+    still.physiology.explained.reset();
+    still.map_cancelled = app.map_cancelled;
+    still.compute_large = app.compute_large;
+    still.map = app.map;
+    still.camera = app.camera;
+    still.dimensions = app.dimensions;
+    still.matrix_quantity = app.matrix_quantity;
+    still.bench = app.bench;
+    still.model_panel = app.model_panel;
+    still.set_panel.search = app.set_panel.search;
+    still.session.dismissed_hints = app.session.dismissed_hints;
+    return still;
+}
+
+Picture view_picture(App& still, PictureView view, double at_s, const PictureSize& size) {
+    still.dark = size.dark;
+    still.as_picture = view != PictureView::window;
+    still.playhead.at_s = at_s;
+    const double duration_s = shown_duration_s(still);
+    still.time_range = followed(fitted(still.time_range, duration_s), at_s, duration_s);
+    PictureOptions options;
+    options.dark = size.dark;
+    options.scale = size.scale;
+    options.extra_text = drawn_text(still.document.set);
+    options.has_panes = view == PictureView::window;
+    return drawn(size, options, [&still, view](const Theme& theme) {
+        still.theme = theme;
+        draw_view(still, view);
+    });
+}
+
+}  // namespace tact
