@@ -70,7 +70,7 @@ std::string film_command(const fs::path& folder, int width, int height) {
     // The pixels of most players come in squares of four.
     const bool odd = width % 2 != 0 || height % 2 != 0;
     return "ffmpeg -framerate 30 -i " + shell_word((folder / "frame_%04d.png").string()) +
-           (odd ? " -vf pad=ceil(iw/2)*2:ceil(ih/2)*2" : "") + " -pix_fmt yuv420p film.mp4";
+           (odd ? " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2'" : "") + " -pix_fmt yuv420p film.mp4";
 }
 
 }  // namespace tact
