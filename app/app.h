@@ -17,6 +17,7 @@
 #include "app/latest_job.h"
 #include "app/live_map.h"
 #include "app/live_stages.h"
+#include "app/pictures.h"
 #include "app/playhead.h"
 #include "app/session.h"
 #include "app/stage_signals.h"
@@ -147,7 +148,14 @@ struct ModelPanelState {
 };
 
 // What a chosen path is for.
-enum class ChooserPurpose { open_document, save_document, load_tables };
+enum class ChooserPurpose {
+    open_document,
+    save_document,
+    load_tables,
+    export_view,
+    export_stages,
+    export_animation
+};
 
 // What the tour turns to its own ends, as it was.
 struct ViewBeforeTour {
@@ -165,7 +173,25 @@ struct TourState {
     ViewBeforeTour before;
 };
 
-enum class Dialog { none, about, keys };
+enum class Dialog { none, about, keys, export_view, export_animation };
+
+// What of the window is drawn as a picture.
+enum class PictureView { window, physiology, space, matrix };
+
+struct RunningAnimation;  // app/exports.h
+
+// What the dialogs for export were left at, and what is on its way to files.
+struct ExportState {
+    PictureView view = PictureView::physiology;
+    PictureView moving_view = PictureView::physiology;
+    PictureSize picture_size;
+    PictureSize frame_size;
+    double from_s = 0.0;
+    double to_s = 0.0;  // 0: the end of the pattern
+    int frames = 150;
+    std::filesystem::path picture;  // to be drawn when the window's own frame is done
+    std::shared_ptr<RunningAnimation> animation;
+};
 
 struct App {
     Document document;
@@ -212,6 +238,7 @@ struct App {
     FileChooser chooser;
     ChooserPurpose chooser_purpose = ChooserPurpose::open_document;
     Dialog dialog = Dialog::none;
+    ExportState exports;
     TourState tour;
     Session session;
     StatusLine status;

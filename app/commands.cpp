@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "app/editing.h"
+#include "app/exports.h"
 #include "app/files.h"
 #include "app/panels/time_rows.h"
 #include "app/tour.h"
@@ -57,6 +58,8 @@ void rewind(App& app) {
 void escape(App& app) {
     if (app.palette.open) {
         app.palette.open = false;
+    } else if (app.exports.animation) {
+        cancel_animation(app);
     } else if (app.tour.step) {
         leave_tour(app);
     } else if (app.playhead.playing) {
@@ -115,6 +118,12 @@ const auto kCommands = std::to_array<Command>({
     {"File", "Open the example set", {}, always, open_example, nullptr, "twelve patterns PM 2023"},
     {"File", "Save", ctrl('s'), always, save},
     {"File", "Save as...", ctrl('s', true), always, save_dialog},
+    {"File", "Export view...", ctrl('e'), always, export_view_dialog, nullptr,
+     "picture image png svg save"},
+    {"File", "Export stage as CSV...", {}, has_selection, export_stages_dialog, nullptr,
+     "stages table numbers save"},
+    {"File", "Export animation...", {}, has_selection, export_animation_dialog, nullptr,
+     "film video frames png save"},
     {"File", "Quit", ctrl('q'), always, [](App& app) { app.quit = true; }},
 
     {"Edit", "Undo", ctrl('z'), [](const App& app) { return app.history.undo_label() != nullptr; },

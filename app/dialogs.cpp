@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/exports.h"
 #include "app/files.h"
 #include "app/widgets.h"
 
@@ -43,16 +44,6 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Drop files or a folder on the window", "open them"},
 });
 
-bool begin_dialog(App& app, const char* title) {
-    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(screen * 0.5F, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({std::min(560.0F * app.theme.scale, screen.x * 0.9F), 0.0F});
-    return ImGui::BeginPopupModal(
-        title, nullptr,
-        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
-}
-
 void end_dialog(App& app) {
     ImGui::Spacing();
     const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
@@ -91,13 +82,30 @@ void draw_chooser(App& app) {
             return save_as(app, *chosen);
         case ChooserPurpose::load_tables:
             return load_tables(app, *chosen);
+        case ChooserPurpose::export_view:
+            return export_view(app, *chosen);
+        case ChooserPurpose::export_stages:
+            return export_stages(app, *chosen);
+        case ChooserPurpose::export_animation:
+            return export_animation(app, *chosen);
     }
 }
 
 }  // namespace
 
+bool begin_dialog(App& app, const char* title) {
+    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(screen * 0.5F, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({std::min(560.0F * app.theme.scale, screen.x * 0.9F), 0.0F});
+    return ImGui::BeginPopupModal(
+        title, nullptr,
+        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
+}
+
 void draw_dialogs(App& app) {
     draw_chooser(app);
+    draw_exports(app);
     if (app.dialog == Dialog::about) draw_about(app);
     if (app.dialog == Dialog::keys) draw_keys(app);
 }

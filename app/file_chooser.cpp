@@ -98,9 +98,30 @@ Chosen accept_to_save(FileChooser& chooser, fs::path path) {
     return std::nullopt;
 }
 
+// Asks before a file in the folder is replaced.
+Chosen accept_folder(FileChooser& chooser, const fs::path& folder) {
+    for (const std::string& name : chooser.file_names) {
+        if (!is_there(folder / name)) continue;
+        chooser.replacing = folder / name;
+        return std::nullopt;
+    }
+    return folder;
+}
+
+Chosen accept_new_folder(FileChooser& chooser, const fs::path& path) {
+    if (!is_there(path) && is_folder(path.parent_path())) return path;
+    chooser.remark = is_there(path) ? path.string() + " is a file."
+                                    : "There is no folder " + path.parent_path().string() + ".";
+    chooser.focus_name = true;
+    return std::nullopt;
+}
+
 // What Enter does with the name as it stands.
 Chosen accept(FileChooser& chooser) {
     chooser.remark.clear();
+    if (chooser.name.empty() && chooser.use == ChooserUse::save_folder) {
+        return accept_folder(chooser, chooser.listing.folder);
+    }
     if (chooser.name.empty()) {
         chooser.remark = "Type a name, or pick one from the list.";
         chooser.focus_name = true;
@@ -109,10 +130,20 @@ Chosen accept(FileChooser& chooser) {
     const fs::path path = typed_path(chooser, chooser.name);
     if (is_folder(path)) {
         go(chooser, path);
+        // Of a folder that was saved into before, and not of one of the same name in it.
+        const bool again = path.filename() == chooser.offered;
+        if (chooser.use == ChooserUse::save_folder && again) chooser.name.clear();
         return std::nullopt;
     }
-    return chooser.use == ChooserUse::open ? accept_to_open(chooser, path)
-                                           : accept_to_save(chooser, path);
+    switch (chooser.use) {
+        case ChooserUse::open:
+            return accept_to_open(chooser, path);
+        case ChooserUse::save:
+            return accept_to_save(chooser, path);
+        case ChooserUse::save_folder:
+            return accept_new_folder(chooser, path);
+    }
+    return std::nullopt;
 }
 
 void move_cursor(FileChooser& chooser, bool down) {
@@ -211,9 +242,24 @@ Chosen draw_list(FileChooser& chooser) {
 bool is_pressed(ImGuiKey which) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false); }
 
 // The folder itself, where that may be an answer.
-Chosen whole_folder(const FileChooser& chooser) {
-    const bool may_be = chooser.folders_too && chooser.listing.fault.empty();
-    return may_be ? Chosen(chooser.listing.folder) : std::nullopt;
+Chosen whole_folder(FileChooser& chooser) {
+    if (!chooser.folders_too || !chooser.listing.fault.empty()) return std::nullopt;
+    if (chooser.use == ChooserUse::save_folder) {
+        return accept_folder(chooser, chooser.listing.folder);
+    }
+    return chooser.listing.folder;
+}
+
+const char* name_hint(ChooserUse use) {
+    switch (use) {
+        case ChooserUse::open:
+            return "File name or path";
+        case ChooserUse::save:
+            return "New file's name or path";
+        case ChooserUse::save_folder:
+            return "New folder's name or path";
+    }
+    return "";
 }
 
 Chosen draw_name(FileChooser& chooser) {
@@ -221,9 +267,9 @@ Chosen draw_name(FileChooser& chooser) {
     if (std::exchange(chooser.focus_name, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
     const bool entered = ImGui::InputTextWithHint(
-        "##name", chooser.use == ChooserUse::open ? "File name or path" : "New file's name or path",
-        &chooser.name, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory,
-        on_history, &chooser);
+        "##name", name_hint(chooser.use), &chooser.name,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory, on_history,
+        &chooser);
     if (was_empty && ImGui::IsItemActive() && is_pressed(ImGuiKey_Backspace)) {
         go(chooser, chooser.listing.folder.parent_path());
     }
@@ -237,8 +283,14 @@ Chosen draw_buttons(FileChooser& chooser) {
     if (ImGui::Button(chooser.use == ChooserUse::open ? "Open" : "Save")) chosen = accept(chooser);
     if (chooser.folders_too) {
         ImGui::SameLine();
-        if (ImGui::Button("Open this folder")) chosen = whole_folder(chooser);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("All files of the folder (Ctrl-Enter)");
+        const bool saves = chooser.use == ChooserUse::save_folder;
+        if (ImGui::Button(saves ? "Save into this folder" : "Open this folder")) {
+            chosen = whole_folder(chooser);
+        }
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s (Ctrl-Enter)",
+                              saves ? "Makes no new folder in it" : "All files of the folder");
+        }
     }
     ImGui::SameLine();
     if (ImGui::Button("Cancel") || is_pressed(ImGuiKey_Escape)) chooser.is_open = false;
@@ -247,7 +299,10 @@ Chosen draw_buttons(FileChooser& chooser) {
 
 Chosen draw_replace_question(FileChooser& chooser) {
     const fs::path path = chooser.replacing;
-    ImGui::TextWrapped("%s exists. Replace it?", path.filename().c_str());
+    const bool of_folder = chooser.use == ChooserUse::save_folder;
+    ImGui::TextWrapped(of_folder ? "%s exists there. Replace it, and others of this export?"
+                                 : "%s exists. Replace it?",
+                       path.filename().c_str());
     const bool yes = ImGui::Button("Replace") || is_pressed(ImGuiKey_Enter);
     ImGui::SameLine();
     const bool no = ImGui::Button("Keep it") || is_pressed(ImGuiKey_Escape);
@@ -255,7 +310,8 @@ Chosen draw_replace_question(FileChooser& chooser) {
         chooser.replacing.clear();
         chooser.focus_name = true;
     }
-    return yes ? Chosen(path) : std::nullopt;
+    if (!yes) return std::nullopt;
+    return of_folder ? path.parent_path() : path;
 }
 
 Chosen draw_content(FileChooser& chooser) {

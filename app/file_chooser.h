@@ -1,4 +1,4 @@
-// A dialog to open or save a file.
+// A dialog to open or save a file, or to save into a folder, a new one too.
 //
 // Typing always goes into the name field, so that everything works by keyboard: up and down walk
 // through the folder, Enter opens, Backspace in the empty field goes to the parent, Esc leaves;
@@ -6,7 +6,7 @@
 //
 // Input     a folder to start in and the kinds of file wanted
 // Output    the path chosen, once
-// Left out  hidden files, sizes and dates, several files at once, making folders.
+// Left out  hidden files, sizes and dates, several files at once, making folders of folders.
 #pragma once
 
 #include <filesystem>
@@ -33,7 +33,7 @@ struct FolderListing {
 FolderListing list_folder(const std::filesystem::path& folder,
                           const std::vector<std::string>& extensions);
 
-enum class ChooserUse { open, save };
+enum class ChooserUse { open, save, save_folder };
 
 struct FileChooser {
     // What the caller wants; to be set before show().
@@ -41,6 +41,7 @@ struct FileChooser {
     std::string title = "Open";
     std::vector<std::string> extensions;           // the first is added to a name saved without
     bool folders_too = false;                      // a folder may be the answer
+    std::vector<std::string> file_names;           // that go into the folder of save_folder
     std::vector<std::filesystem::path> bookmarks;  // besides the home folder
 
     // What the person is doing.

@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/dialogs.h"
 #include "app/editing.h"
+#include "app/exports.h"
 #include "app/files.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
@@ -265,8 +266,8 @@ bool is_computing(const App& app) { return app.full_job && app.full_job->busy();
 bool wants_another_frame(const App& app) {
     const bool hover_rests = app.time_s - app.hover_since_s < 0.5;
     const bool tilts = app.time_s - app.physiology.tilt_since_s < 0.3;
-    return app.playhead.playing || tilts || is_moving(app) || hover_rests || app.fonts_outdated ||
-           app.selection.hovered != app.selection.hovered_last ||
+    return app.playhead.playing || is_exporting(app) || tilts || is_moving(app) || hover_rests ||
+           app.fonts_outdated || app.selection.hovered != app.selection.hovered_last ||
            app.physiology.crosshair_s != app.physiology.crosshair_last_s;
 }
 

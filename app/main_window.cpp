@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/exports.h"
 #include "app/files.h"
 #include "app/frame.h"
 #include "app/map_follow.h"
@@ -66,6 +67,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
         app.content_scale = content_scale;
         make_theme(app);
     };
+    client.after_frame = [&app] { continue_exports(app); };
     const Expected<Done> answer = run_window(options_of(app), client);
     // The jobs end before what they wake does.
     app.full_job.reset();

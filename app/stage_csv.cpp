@@ -1,5 +1,6 @@
 #include "app/stage_csv.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <numeric>
@@ -172,14 +173,52 @@ std::string signal_csv(const char* name, std::span<const double> signal) {
     return table.text();
 }
 
-std::vector<CsvFile> filter_files(const NeuralCodingStages& stages) {
-    return {{"filtered.csv",
-             channels_csv(
-                 stages, "_g", [](const ChannelStages& c) -> auto& { return c.filtered_g; })},
-            {"perceived.csv",
-             channels_csv(
-                 stages, "", [](const ChannelStages& c) -> auto& { return c.perceived; })}};
+std::string brain_csv(const StageValues& values) {
+    return signal_csv("predicted_brain_waveform",
+                      predicted_brain_waveform(values.neural.code, values.model.channel_weight));
 }
+
+std::string envelope_csv(const StageValues& values) {
+    return signal_csv("envelope",
+                      rhythm_envelope(values.waveform.samples_g, values.model.envelope));
+}
+
+struct StageFile {
+    Stage stage;
+    const char* name;
+    std::string (*text)(const StageValues&);
+};
+
+constexpr auto kFiles = std::to_array<StageFile>({
+    {Stage::vibration, "input.csv",
+     [](const StageValues& values) { return input_csv(values.waveform); }},
+    {Stage::spectrum, "spectrum.csv",
+     [](const StageValues& values) {
+         return spectrum_csv(values.neural, values.model.coding.tables);
+     }},
+    {Stage::spectrum, "activation.csv",
+     [](const StageValues& values) { return activation_csv(values.neural); }},
+    {Stage::filtered, "filtered.csv",
+     [](const StageValues& values) {
+         return channels_csv(
+             values.neural, "_g", [](const ChannelStages& c) -> auto& { return c.filtered_g; });
+     }},
+    {Stage::filtered, "perceived.csv",
+     [](const StageValues& values) {
+         return channels_csv(
+             values.neural, "", [](const ChannelStages& c) -> auto& { return c.perceived; });
+     }},
+    {Stage::receptors, "receptors.csv",
+     [](const StageValues& values) { return receptors_csv(values.neural); }},
+    {Stage::spikes, "spikes.csv",
+     [](const StageValues& values) { return spikes_csv(values.neural); }},
+    {Stage::networks, "layers.csv",
+     [](const StageValues& values) { return layers_csv(values.neural); }},
+    {Stage::central, "central.csv",
+     [](const StageValues& values) { return central_csv(values.neural.code); }},
+    {Stage::brain, "brain_waveform.csv", brain_csv},
+    {Stage::envelope, "envelope.csv", envelope_csv},
+});
 
 }  // namespace
 
@@ -187,35 +226,20 @@ StageValues stage_values(const Waveform& waveform, const PerceptualModelParams& 
     return {waveform, model, neural_coding_stages(waveform, model.coding)};
 }
 
-std::vector<CsvFile> stage_csv(const StageValues& values, Stage stage) {
-    const NeuralCodingStages& neural = values.neural;
-    const PerceptualModelParams& model = values.model;
-    switch (stage) {
-        case Stage::vibration:
-            return {{"input.csv", input_csv(values.waveform)}};
-        case Stage::spectrum:
-            return {{"spectrum.csv", spectrum_csv(neural, model.coding.tables)},
-                    {"activation.csv", activation_csv(neural)}};
-        case Stage::filtered:
-            return filter_files(neural);
-        case Stage::receptors:
-            return {{"receptors.csv", receptors_csv(neural)}};
-        case Stage::spikes:
-            return {{"spikes.csv", spikes_csv(neural)}};
-        case Stage::networks:
-            return {{"layers.csv", layers_csv(neural)}};
-        case Stage::central:
-            return {{"central.csv", central_csv(neural.code)}};
-        case Stage::brain:
-            return {{"brain_waveform.csv",
-                     signal_csv("predicted_brain_waveform",
-                                predicted_brain_waveform(neural.code, model.channel_weight))}};
-        case Stage::envelope:
-            return {{"envelope.csv",
-                     signal_csv("envelope",
-                                rhythm_envelope(values.waveform.samples_g, model.envelope))}};
+std::vector<std::string> stage_csv_names(Stage stage) {
+    std::vector<std::string> names;
+    for (const StageFile& file : kFiles) {
+        if (file.stage == stage) names.emplace_back(file.name);
     }
-    return {};
+    return names;
+}
+
+std::vector<CsvFile> stage_csv(const StageValues& values, Stage stage) {
+    std::vector<CsvFile> files;
+    for (const StageFile& file : kFiles) {
+        if (file.stage == stage) files.push_back({file.name, file.text(values)});
+    }
+    return files;
 }
 
 }  // namespace tact

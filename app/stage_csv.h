@@ -25,9 +25,11 @@ struct StageValues {
 StageValues stage_values(const Waveform& waveform, const PerceptualModelParams& model);
 
 struct CsvFile {
-    const char* name;  // "brain_waveform.csv"
+    std::string name;  // "brain_waveform.csv"
     std::string text;
 };
+
+std::vector<std::string> stage_csv_names(Stage stage);
 
 // The files of one stage: one, or two where it has two kinds of rows.
 std::vector<CsvFile> stage_csv(const StageValues& values, Stage stage);

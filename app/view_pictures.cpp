@@ -22,6 +22,19 @@ std::shared_ptr<const LiveStages> stages_of(const PatternSet& set, std::size_t i
     return std::make_shared<const LiveStages>(*compute_live_stages(request, {}, progress));
 }
 
+// Edits may be ahead of the jobs; stages take no time worth waiting for.
+void bring_up_to_date(App& app) {
+    const PatternSet& set = app.document.set;
+    const auto follow = [&set](std::shared_ptr<const LiveStages>& shown, std::size_t index) {
+        const LiveStagesRequest wanted{set.vibrations[index], longest_samples(set), set.model};
+        if (!shown || shown->request != wanted) shown = stages_of(set, index);
+    };
+    if (app.selection.current < set.vibrations.size()) follow(app.stages, app.selection.current);
+    const auto pinned = std::ranges::find(set.vibrations, app.pinned, &Vibration::name);
+    if (pinned == set.vibrations.end()) return;
+    follow(app.pinned_stages, static_cast<std::size_t>(pinned - set.vibrations.begin()));
+}
+
 void compute_map(App& app, const PatternSet& set, int threads) {
     const LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(set), 3, false};
     std::atomic<float> progress = 0.0F;
@@ -56,6 +69,8 @@ PaneTitle physiology_title(const App& app) {
 
 PaneTitle space_title(const App& app) {
     PaneTitle title{"Perceptual space", app.document.set.name, ""};
+    if (map_state(app) == MapState::stale) title.detail += "   before the last change";
+    if (map_state(app) == MapState::preview) title.detail += "   preview";
     if (!app.map.shown || app.map.shown->space.verdict == MdsVerdict::constant) return title;
     const double stress1 = app.map.shown->space.stress1;
     char text[96];
@@ -148,6 +163,7 @@ App still_view(const App& app) {
     still.model_panel = app.model_panel;
     still.set_panel.search = app.set_panel.search;
     still.session.dismissed_hints = app.session.dismissed_hints;
+    bring_up_to_date(still);
     return still;
 }
 

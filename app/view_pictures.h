@@ -11,8 +11,6 @@
 
 namespace tact {
 
-enum class PictureView { window, physiology, space, matrix };
-
 inline constexpr std::array<PictureView, 4> kPictureViews{
     PictureView::window, PictureView::physiology, PictureView::space, PictureView::matrix};
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <set>
 
 #include "model/io/set_file.h"
 #include "model/metric_matrix.h"
@@ -385,6 +386,81 @@ TEST_CASE("snapshot: a name that ends in .svg gives well-formed SVG, the same ea
         CHECK(elements.size() > 20);
         CHECK((draw("light") != dark));
         CHECK((draw("dark") == dark));
+    }
+}
+
+TEST_CASE("snapshot: physiology is drawn at a time, of one stage, of two patterns, tilted") {
+    const ShortSet set;
+    const TemporaryFolder folder;
+    const fs::path file = folder.path / "view.png";
+    const auto draw = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"snapshot", set.path, "--width", "400",
+                                           "--height", "500",    "--out",   file.string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        output_of(arguments);
+        return bytes_of(file);
+    };
+    for (const std::string view : {"physiology", "window"}) {
+        CAPTURE(view);
+        const std::string plain = draw({"--view", view});
+        CHECK((draw({"--view", view, "--at", "0", "--pattern", "v 1"}) == plain));
+        std::set<std::string> different{plain};
+        different.insert(draw({"--view", view, "--at", "0.05"}));
+        different.insert(draw({"--view", view, "--pattern", "v 2"}));
+        different.insert(draw({"--view", view, "--with", "v 2"}));
+        different.insert(draw({"--view", view, "--stage", "receptors"}));
+        different.insert(draw({"--view", view, "--stage", "receptors", "--tilted"}));
+        CHECK(different.size() == 6);
+    }
+}
+
+TEST_CASE("snapshot --frames: as many whole pictures as asked for, the same bytes each time") {
+    const ShortSet set;
+    const TemporaryFolder folder;
+    const auto draw = [&](const std::string& name, const std::vector<std::string>& more) {
+        const fs::path out = folder.path / name;
+        std::vector<std::string> arguments{"snapshot", set.path, "--view",   "physiology",
+                                           "--width",  "300",    "--height", "400",
+                                           "--frames", "4",      "--out",    out.string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Ran ran = run_program(arguments);
+        CHECK(ran.exit_code == 0);
+        CHECK(ran.out == "");
+        CHECK(contains(ran.err, "tactspace: wrote 4 frames, in a film 1.33 times slower"));
+        CHECK(contains(ran.err, "ffmpeg -framerate 30 -i " + out.string() + "/frame_%04d.png"));
+        CHECK(file_count(out) == 4);
+        std::vector<std::string> frames;
+        for (const char* k : {"1", "2", "3", "4"}) {
+            frames.push_back(bytes_of(out / (std::string("frame_000") + k + ".png")));
+            CHECK(contains(frames.back().substr(frames.back().size() - 12), "IEND"));
+        }
+        return frames;
+    };
+    const auto frames = draw("a", {});
+    CHECK(std::set<std::string>(frames.begin(), frames.end()).size() == 4);
+    CHECK((draw("b", {"--from", "0", "--to", "0.1"}) == frames));
+    CHECK((draw("a", {}) == frames));  // over the first ones
+    const fs::path single = folder.path / "single.png";
+    output_of({"snapshot", set.path, "--view", "physiology", "--width", "300", "--height", "400",
+               "--at", "0.05", "--out", single.string()});
+    CHECK((bytes_of(single) == frames[2]));
+}
+
+TEST_CASE("snapshot --frames: Ctrl+C ends it after a whole frame") {
+    const ShortSet set;
+    const TemporaryFolder folder;
+    const fs::path out = folder.path / "out";
+    const Ran ran = run_program(
+        {"snapshot", set.path, "--view", "physiology", "--frames", "9999", "--out", out.string()},
+        "me=$$; (while kill -0 $me && [ ! -e '" + (out / "frame_0002.png").string() +
+            "' ]; do sleep 0.01; done; kill -INT $me) >/dev/null 2>&1 & :");
+    CHECK(ran.exit_code == 130);
+    CHECK(contains(ran.err, "of 9999 frames written, each of them whole\n"));
+    CHECK(file_count(out) >= 2);
+    for (const auto& entry : fs::directory_iterator(out)) {
+        const std::string bytes = bytes_of(entry.path());
+        CHECK(entry.path().extension() == ".png");
+        CHECK(contains(bytes.substr(bytes.size() - 12), "IEND"));
     }
 }
 

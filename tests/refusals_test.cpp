@@ -240,6 +240,41 @@ TEST_CASE("refusals: options of predict that do not fit the metric") {
                    "/proc/new"));
 }
 
+TEST_CASE("refusals: choices of a snapshot that do not go together, before anything is made") {
+    const Folder folder;
+    const std::string pair = folder.write("pair.json", kPair).string();
+    const auto refused = [&](std::vector<std::string> more, const std::string& out = "a.png") {
+        more.insert(more.begin(), {"snapshot", pair, "--out", folder.at(out)});
+        return refusal_of(more);
+    };
+    const std::vector<std::vector<std::string>> options{
+        {"--at", "0"}, {"--with", "b"}, {"--stage", "brain"}, {"--tilted"}};
+    for (const std::vector<std::string>& option : options) {
+        for (const std::string view : {"space", "matrix", "wave", "spectrum"}) {
+            std::vector<std::string> more{"--view", view};
+            more.insert(more.end(), option.begin(), option.end());
+            CHECK(contains(refused(more), option[0] + " needs --view physiology or window"));
+        }
+    }
+    CHECK(contains(refused({"--view", "space", "--frames", "3"}, "f"), "needs a view that moves"));
+    CHECK(contains(refused({"--view", "matrix", "--pattern", "a"}), "needs a view of one pattern"));
+    CHECK(contains(refused({"--from", "0"}), "--from needs --frames"));
+    CHECK(contains(refused({"--to", "1"}), "--to needs --frames"));
+    CHECK(contains(refused({"--frames", "3", "--at", "0"}, "f"), "--at is for a single picture"));
+    CHECK(contains(refused({"--frames", "3"}, "a.svg"), "this names a picture"));
+    CHECK(contains(refused({"--view", "physiology", "--with", "a"}), "is the pattern itself"));
+    CHECK(contains(refused({"--view", "physiology", "--with", "c"}), "expected one of a, b"));
+    CHECK(contains(refused({"--view", "physiology", "--at", "-1"}), "--at: expected a time from"));
+    CHECK(contains(refused({"--frames", "3", "--to", "99"}, "f"), "--to: expected a time from 0"));
+    CHECK(contains(refused({"--frames", "3", "--from", "0.01", "--to", "0.01"}, "f"),
+                   "expected a time after --from 0.01 s"));
+    CHECK(contains(refused({"--frames", "3"}, "pair.json"), "cannot be made a folder"));
+    CHECK(file_count(folder.path) == 1);
+    folder.write("f/frame_0004.png", "of a longer film");
+    CHECK(contains(refused({"--frames", "3"}, "f"), "holds frame_0004.png of a longer sequence"));
+    CHECK(file_count(folder.at("f")) == 1);
+}
+
 TEST_CASE("refusals: bad usage is exit code 2, says what is wrong and shows the way to help") {
     const Folder folder;
     const std::string pair = folder.write("pair.json", kPair).string();
@@ -260,6 +295,8 @@ TEST_CASE("refusals: bad usage is exit code 2, says what is wrong and shows the 
         {{"render", pair}, "--out is required"},
         {{"render", pair, "--format", "mp3", "--out", folder.at("out")}, "--format: mp3 not in"},
         {{"snapshot", pair, "--view", "inside", "--out", folder.at("a.png")}, "--view: inside"},
+        {{"snapshot", pair, "--stage", "soul", "--out", folder.at("a.png")}, "--stage: soul"},
+        {{"snapshot", pair, "--frames", "0", "--out", folder.at("f")}, "--frames: Value 0"},
         {{"snapshot", pair, "--width", "0", "--out", folder.at("a.png")}, "--width: Value 0"},
     };
     for (const auto& [arguments, words] : all) {
