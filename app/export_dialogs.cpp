@@ -35,11 +35,11 @@ const char* label_of(PictureView view) {
 }
 
 // A size that suits the view; a person who set another one sets it again for another view.
-void suit(PictureSize& size, PictureView view) {
+void suit(PictureSize& size, PictureView view, bool pair) {
     const bool upright = view == PictureView::physiology;
     const bool wide = view == PictureView::window;
     size.width = wide ? 1600 : 1000;
-    size.height = wide ? 1000 : upright ? 1200 : 900;
+    size.height = wide ? 1000 : upright && pair ? 1800 : upright ? 1200 : 900;
 }
 
 void draw_views(App& app, std::span<const PictureView> views, PictureView& chosen,
@@ -48,7 +48,7 @@ void draw_views(App& app, std::span<const PictureView> views, PictureView& chose
     for (const PictureView view : views) {
         if (draw_chip(app, name_of(view), label_of(view), chosen == view) && chosen != view) {
             chosen = view;
-            suit(size, view);
+            suit(size, view, !app.pinned.empty());
         }
         note_item(app.rects, std::string("export view:") + name_of(view),
                   chosen == view ? "chosen" : "");

@@ -150,7 +150,7 @@ void draw_stage_label(App& app, Stage stage, const Rect& area) {
     const ImVec2 size = ImGui::CalcTextSize(text.name, nullptr, false, area.width() - icon);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool pressed = ImGui::InvisibleButton("open", size);
-    const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    const bool over = !app.as_picture && (ImGui::IsItemHovered() || ImGui::IsItemFocused());
     if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     list.AddText(nullptr, 0.0F, area.min, over ? theme.accent : theme.text, text.name, nullptr,
                  area.width() - icon);
@@ -199,7 +199,8 @@ void draw_overview(App& app, const Patterns& patterns) {
     float units = 0.0F;
     for (const float unit : kUnits) units += unit;
     const float free = ImGui::GetContentRegionAvail().y - gap * static_cast<float>(kStages.size());
-    const float lowest = patterns.all.size() > 1 ? kLowestPairUnitPx : kLowestUnitPx;
+    float lowest = patterns.all.size() > 1 ? kLowestPairUnitPx : kLowestUnitPx;
+    if (app.as_picture) lowest = 1.0F;  // nobody can scroll it
     const float unit = std::max(free / units, lowest * theme.scale);
     const float height = unit * units + gap * static_cast<float>(kStages.size());
     const bool scrolls = height > ImGui::GetContentRegionAvail().y + 1.0F;

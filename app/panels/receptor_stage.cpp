@@ -223,7 +223,7 @@ void draw_receptor_stage(App& app, const ShownStages& shown, const Rect& area,
                          const StageSize& size) {
     const double extent_mm = common_extent_mm(shown.live->neural.code.activation);
     Rect maps = area;
-    if (size.large && !shown.pinned) {
+    if (size.large && !shown.pinned && !app.as_picture) {
         draw_view_choice(app, area);
         maps.min.y += chip_height(app);
     }
