@@ -193,6 +193,12 @@ struct ExportState {
     std::shared_ptr<RunningAnimation> animation;
 };
 
+// How far the exact map is, and since when: what the time left is told from.
+struct MapProgress {
+    float share = 0.0F;
+    double since_s = 0.0;
+};
+
 struct App {
     Document document;
     History<PatternSet> history;
@@ -222,8 +228,9 @@ struct App {
     Playhead playhead;
     TimeRange time_range;  // of every time axis; of no length: the whole pattern
     PhysiologyState physiology;
-    bool map_cancelled = false;  // by the person, until the next edit
-    bool compute_large = false;  // the person asked for a live map of a very large set
+    std::optional<MapProgress> map_progress;  // while it is being computed
+    bool map_cancelled = false;               // by the person, until the next edit
+    bool compute_large = false;               // the person asked for a live map of a very large set
     MapTransition map;
     SpaceCamera camera;
     int dimensions = 3;
@@ -243,6 +250,9 @@ struct App {
     Session session;
     StatusLine status;
     std::vector<Vibration> clipboard;
+    // Shortcuts pressed in the middle of a drag or an entry, until that has ended: in the same
+    // frame, for the pattern it began on.
+    std::vector<void (*)(App&)> waiting;
 
     double time_s = 0.0;                 // of the current frame
     double frame_s = 0.0;                // since the last one; short after a rest

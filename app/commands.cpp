@@ -1,5 +1,6 @@
 #include "app/commands.h"
 
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "app/panels/time_rows.h"
 #include "app/tour.h"
 #include "app/widgets.h"
+#include "viz/marks.h"
 
 namespace tact {
 
@@ -21,11 +23,15 @@ bool always(const App&) { return true; }
 bool has_selection(const App& app) { return current_vibration(app) != nullptr; }
 
 void step_selection(App& app, int step) {
-    const std::size_t count = app.document.set.vibrations.size();
-    if (count == 0) return;
-    const auto last = static_cast<int>(count) - 1;
-    const int next = std::clamp(static_cast<int>(app.selection.current) + step, 0, last);
-    select_only(app, static_cast<std::size_t>(next));
+    const std::vector<std::size_t> listed = listed_indices(app);
+    if (listed.empty()) return;
+    const auto last = static_cast<int>(listed.size()) - 1;
+    // From a pattern that the search hides, on to the next one in the list.
+    const auto from = std::ranges::lower_bound(listed, app.selection.current);
+    const bool hidden = from == listed.end() || *from != app.selection.current;
+    const int place = static_cast<int>(from - listed.begin()) - (hidden && step > 0 ? 1 : 0);
+    const int next = std::clamp(place + step, 0, last);
+    select_only(app, listed[static_cast<std::size_t>(next)]);
     app.set_panel.scroll_to_current = true;
 }
 
@@ -316,6 +322,46 @@ std::vector<const Command*> palette_matches(const App& app) {
     return found;
 }
 
+// Changes the document, or which part of it is edited.
+bool touches_document(const Command& command) {
+    const std::string_view menu = command.menu;
+    if (menu.empty()) return command.shortcut.code != key::kEscape;
+    return menu == "File" || menu == "Edit";
+}
+
+// A drag or an entry in mid-air ends first, on the pattern it began on: it takes its value and its
+// undo step while the panels are drawn, and the command follows in the same frame.
+void run(App& app, const Command& command) {
+    if (!ImGui::IsAnyItemActive() || !touches_document(command)) return command.run(app);
+    ImGui::ClearActiveID();
+    app.waiting.push_back(command.run);
+}
+
+// As in a menu: the name, its menu dim after it, the shortcut at the right end.
+bool draw_palette_row(App& app, const Command& command, bool lit) {
+    const Theme& theme = app.theme;
+    const std::string name = item_text(app, command);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::PushID(&command);
+    const bool pressed = ImGui::Selectable("##row", lit);
+    ImGui::PopID();
+    note_item(app.rects, std::string("palette:") + command.name, shortcut_text(command.shortcut));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string keys = shortcut_text(command.shortcut);
+    const float keys_px = text_size(theme.fonts.regular, keys).x;
+    draw_text(list, theme.fonts.regular, {corner.x + width - keys_px, corner.y}, theme.dim_text,
+              keys);
+    const float room = width - (keys.empty() ? 0.0F : keys_px + 2.0F * theme.gap_px);
+    const std::string shown = shortened(theme.fonts.regular, name, room);
+    draw_text(list, theme.fonts.regular, corner, theme.text, shown);
+    const float used = text_size(theme.fonts.regular, shown).x + theme.gap_px;
+    if (used + text_size(theme.fonts.small, command.menu).x > room) return pressed;
+    draw_text(list, theme.fonts.small, {corner.x + used, corner.y + 2.0F * theme.scale},
+              theme.dim_text, command.menu);
+    return pressed;
+}
+
 bool was_pressed(std::span<const KeyPress> pressed, int code) {
     return std::ranges::any_of(pressed, [code](const KeyPress& p) { return p.code == code; });
 }
@@ -343,14 +389,18 @@ std::string shortcut_text(const Shortcut& shortcut) {
 
 void run_shortcuts(App& app, std::span<const KeyPress> pressed) {
     const bool dialog = app.dialog != Dialog::none || app.chooser.is_open;
-    if (dialog || app.palette.open || is_popup_open()) return;
+    if (dialog || app.palette.open) return;
+    if (is_popup_open()) {
+        if (was_pressed(pressed, key::kEscape)) ImGui::ClosePopupToLevel(0, true);
+        return;
+    }
     for (const KeyPress& press : pressed) {
         for (const Command& command : commands()) {
             if (!matches(command.shortcut, press)) continue;
             if (is_text_active() && belongs_to_text(command.shortcut)) continue;
             const bool arrow = press.code == key::kUp || press.code == key::kDown;
             if (arrow && app.keyboard_mode) continue;
-            if (command.enabled(app)) command.run(app);
+            if (command.enabled(app)) run(app, command);
             break;
         }
     }
@@ -370,9 +420,11 @@ void draw_menus(App& app) {
         ImGui::EndMenu();
     }
     const std::string title = document_title(app);
-    const float width = ImGui::CalcTextSize(title.c_str()).x;
-    ImGui::SameLine(ImGui::GetWindowWidth() - width - 2.0F * app.theme.padding_px);
-    dim_text(app, title);
+    const float right = ImGui::GetWindowWidth() - 2.0F * app.theme.padding_px;
+    const float room = right - ImGui::GetCursorPosX() - app.theme.padding_px;
+    const std::string shown = shortened(app.theme.fonts.regular, title, std::max(0.0F, room));
+    ImGui::SameLine(right - ImGui::CalcTextSize(shown.c_str()).x);
+    dim_text(app, shown);
     note_item(app.rects, "document", title);
     ImGui::EndMainMenuBar();
 }
@@ -384,6 +436,9 @@ void draw_palette(App& app, std::span<const KeyPress> pressed) {
     ImGui::SetNextWindowPos({screen.x / 2.0F, screen.y * 0.18F}, ImGuiCond_Always, {0.5F, 0.0F});
     ImGui::SetNextWindowSize({std::min(560.0F * app.theme.scale, screen.x * 0.9F), 0.0F});
     ImGui::SetNextWindowFocus();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, app.theme.hairline_px);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, app.theme.pane);
     if (ImGui::Begin("Command palette", &state.open,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoNav)) {
@@ -398,12 +453,12 @@ void draw_palette(App& app, std::span<const KeyPress> pressed) {
         if (was_pressed(pressed, key::kUp)) --state.choice;
         state.choice = std::clamp(state.choice, 0, std::max(0, last));
         const Command* chosen = nullptr;
-        constexpr int kShown = 12;
-        const int first = std::max(0, state.choice - kShown + 1);
-        for (int k = first; k <= last && k < first + kShown; ++k) {
+        const float row_px = ImGui::GetTextLineHeightWithSpacing();
+        const int shown = std::clamp(static_cast<int>((screen.y * 0.72F) / row_px) - 2, 3, 12);
+        const int first = std::max(0, state.choice - shown + 1);
+        for (int k = first; k <= last && k < first + shown; ++k) {
             const Command& command = *found[static_cast<std::size_t>(k)];
-            const std::string text = std::string(command.menu) + ": " + item_text(app, command);
-            if (ImGui::Selectable(text.c_str(), k == state.choice)) chosen = &command;
+            if (draw_palette_row(app, command, k == state.choice)) chosen = &command;
         }
         if (found.empty()) dim_text(app, "No command has this in its name.");
         if (was_pressed(pressed, key::kEnter) && !found.empty()) {
@@ -416,6 +471,8 @@ void draw_palette(App& app, std::span<const KeyPress> pressed) {
         }
     }
     ImGui::End();
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar();
 }
 
 }  // namespace tact

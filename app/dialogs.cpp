@@ -66,8 +66,11 @@ void draw_keys(App& app) {
     if (!begin_dialog(app, "Keys and mouse")) return;
     for (const Key& line : kKeys) {
         ImGui::TextUnformatted(line.keys);
-        ImGui::SameLine(280.0F * app.theme.scale);
+        const float column = 290.0F * app.theme.scale;
+        if (ImGui::GetItemRectSize().x < column) ImGui::SameLine(column);
+        ImGui::PushTextWrapPos(0.0F);
         dim_text(app, line.what);
+        ImGui::PopTextWrapPos();
     }
     end_dialog(app);
 }
@@ -97,7 +100,9 @@ bool begin_dialog(App& app, const char* title) {
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(screen * 0.5F, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({std::min(560.0F * app.theme.scale, screen.x * 0.9F), 0.0F});
+    const float width = std::min(620.0F * app.theme.scale, screen.x * 0.9F);
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y * 0.9F});
+    ImGui::SetNextWindowSize({width, 0.0F});
     return ImGui::BeginPopupModal(
         title, nullptr,
         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);

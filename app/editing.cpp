@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/map_follow.h"
+#include "app/widgets.h"
 
 namespace tact {
 
@@ -55,6 +56,16 @@ std::vector<std::size_t> selected_indices(const App& app) {
     std::set<std::size_t> all = app.selection.others;
     all.insert(app.selection.current);
     return {all.begin(), all.end()};
+}
+
+std::vector<std::size_t> listed_indices(const App& app) {
+    const auto& all = app.document.set.vibrations;
+    const std::string wanted = lower_case(app.set_panel.search);
+    std::vector<std::size_t> indices;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (lower_case(all[k].name).find(wanted) != std::string::npos) indices.push_back(k);
+    }
+    return indices;
 }
 
 void select_only(App& app, std::size_t index) {
@@ -143,10 +154,15 @@ void duplicate_selected(App& app) {
 
 void remove_selected(App& app) {
     std::vector<std::size_t> gone = selected_indices(app);
+    const std::vector<std::size_t> listed = listed_indices(app);
+    const std::size_t hidden = std::erase_if(
+        gone, [&listed](std::size_t k) { return !std::ranges::binary_search(listed, k); });
     std::erase_if(gone, [&app](std::size_t index) { return vibrations(app)[index].locked; });
     if (gone.empty()) {
-        if (current_vibration(app) != nullptr) say(app, "Locked patterns are not deleted.");
-        return;
+        if (current_vibration(app) == nullptr) return;
+        return say(app, hidden > 0
+                            ? "Not deleted: the search hides what is selected. Clear it first."
+                            : "Locked patterns are not deleted.");
     }
     const std::string label = gone.size() == 1
                                   ? "Delete " + vibrations(app)[gone[0]].name
@@ -159,7 +175,8 @@ void remove_selected(App& app) {
     mend_selection(app);
     document_changed(app);
     commit_step(app, label);
-    say(app, label + ". Ctrl+Z brings it back.");
+    say(app, label + ". Ctrl+Z brings it back." +
+                 (hidden > 0 ? " What the search hides was kept." : ""));
 }
 
 void copy_selected(App& app) {

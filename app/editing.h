@@ -16,6 +16,9 @@ const Vibration* current_vibration(const App& app);
 // Current and others, ascending; empty in an empty set.
 std::vector<std::size_t> selected_indices(const App& app);
 
+// What the list shows: those with the search's text in their names, ascending.
+std::vector<std::size_t> listed_indices(const App& app);
+
 void select_only(App& app, std::size_t index);
 void toggle_selected(App& app, std::size_t index);
 void select_through(App& app, std::size_t index);  // everything between current and index
@@ -39,7 +42,7 @@ void redo(App& app);
 // One step each. New vibrations come after the current one and are selected.
 void add_pattern(App& app);
 void duplicate_selected(App& app);
-void remove_selected(App& app);
+void remove_selected(App& app);  // of those in the list: what a search hides is kept, and told
 void copy_selected(App& app);
 void paste(App& app);
 void move_vibration(App& app, std::size_t from, std::size_t to);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "app/tour.h"
 #include "app/widgets.h"
 #include "model/mds.h"
+#include "viz/marks.h"
 
 namespace tact {
 
@@ -51,14 +53,28 @@ std::string map_state_text(const App& app) {
     return {};
 }
 
-std::string space_title_right(const App& app) {
-    if (!app.map.shown || app.map.to.rows() < 2) return map_state_text(app);
+// "exact, 5.8 s", or where there is no room for that "exact".
+std::vector<std::string> map_state_forms(const App& app) {
+    const std::string whole = map_state_text(app);
+    return {whole, whole.substr(0, whole.find(','))};
+}
+
+std::vector<std::string> space_title_right(const App& app) {
+    if (!app.map.shown || app.map.to.rows() < 2) return map_state_forms(app);
     const PerceptualSpace& space = app.map.shown->space;
-    if (space.verdict == MdsVerdict::constant) return map_state_text(app);
-    char text[160];
-    std::snprintf(text, sizeof text, "stress-1 %.3f, %s    %s", space.stress1,
-                  stress_label(space.stress1).c_str(), map_state_text(app).c_str());
-    return text;
+    if (space.verdict == MdsVerdict::constant) return map_state_forms(app);
+    char stress[32];
+    std::snprintf(stress, sizeof stress, "stress-1 %.3f", space.stress1);
+    const std::string worded = std::string(stress) + ", " + stress_label(space.stress1);
+    const std::vector<std::string> state = map_state_forms(app);
+    return {worded + "    " + state[0], worded + "    " + state[1],
+            std::string(stress) + "    " + state[1], worded, stress};
+}
+
+std::vector<std::string> together_forms(const App& app) {
+    if (app.selection.others.empty()) return {};
+    const std::string count = std::to_string(app.selection.others.size() + 1);
+    return {count + " edited together", count + " together", count};
 }
 
 PaneTitle title_of(const App& app, Pane pane) {
@@ -67,20 +83,17 @@ PaneTitle title_of(const App& app, Pane pane) {
     const std::string name = current == nullptr ? "" : current->name;
     switch (pane) {
         case Pane::patterns:
-            return {"Patterns", "", std::to_string(count)};
+            return {"Patterns", "", {std::to_string(count)}};
         case Pane::editor:
-            return {"Editor", name,
-                    app.selection.others.empty()
-                        ? ""
-                        : std::to_string(app.selection.others.size() + 1) + " edited together"};
+            return {"Editor", name, together_forms(app)};
         case Pane::physiology:
-            return {"Physiology", name, ""};
+            return {"Physiology", name, {}};
         case Pane::space:
             return {"Perceptual space", "", space_title_right(app)};
         case Pane::matrix:
             return app.bench == BenchTab::matrix
-                       ? PaneTitle{"Matrix", "dissimilarity of every pair", map_state_text(app)}
-                       : PaneTitle{"Model", "parameters of PM", ""};
+                       ? PaneTitle{"Matrix", "dissimilarity of every pair", map_state_forms(app)}
+                       : PaneTitle{"Model", "parameters of PM", {}};
     }
     return {};
 }
@@ -89,11 +102,10 @@ void draw_bench(App& app) {
     const auto tab = [&app](BenchTab which, const char* name) {
         if (draw_chip(app, name, name, app.bench == which)) app.bench = which;
         note_item(app.rects, std::string("tab:") + name);
-        ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
     };
     tab(BenchTab::matrix, "Matrix");
+    ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
     tab(BenchTab::model, "Model");
-    ImGui::NewLine();
     if (app.bench == BenchTab::matrix) return draw_matrix_panel(app);
     draw_model_panel(app);
 }
@@ -117,17 +129,87 @@ void draw(App& app, Pane pane, const Rect& area) {
     draw_pane(app, pane, area, title_of(app, pane), [&app, pane] { draw_content(app, pane); });
 }
 
+// What a column or a row of panes needs for its content at this size of text, as a share of the
+// window; in a small window the others need room, too.
+double least_share(const App& app, float wanted_px, float total_px, float most) {
+    return static_cast<double>(std::min(wanted_px * app.theme.scale / total_px, most));
+}
+
+struct LayoutLimits {
+    Range left{0.14, 0.40};
+    Range right{0.18, 0.58};
+    Range left_split{0.15, 0.80};
+    Range right_split{0.20, 0.85};
+};
+
+LayoutLimits layout_limits(const App& app, const Rect& area) {
+    LayoutLimits limits;
+    limits.left.low = std::max(0.14, least_share(app, 276.0F, area.width(), 0.28F));
+    limits.right.low = std::max(0.18, least_share(app, 300.0F, area.width(), 0.34F));
+    limits.left_split.low = std::max(0.15, least_share(app, 150.0F, area.height(), 0.40F));
+    limits.right_split.high = 1.0 - std::max(0.15, least_share(app, 240.0F, area.height(), 0.46F));
+    return limits;
+}
+
+// The shares as they are on screen; the person's own stay as they were for a larger window.
+Layout within(const LayoutLimits& limits, Layout layout) {
+    const auto keep = [](float& share, const Range& range) {
+        share = std::clamp(share, static_cast<float>(range.low), static_cast<float>(range.high));
+    };
+    keep(layout.left, limits.left);
+    keep(layout.right, limits.right);
+    keep(layout.left_split, limits.left_split);
+    keep(layout.right_split, limits.right_split);
+    return layout;
+}
+
+// A bar that starts from the share on screen.
+void move_splitter(App& app, const Splitter& splitter, float shown, float& share) {
+    const float before = shown;
+    draw_splitter(app, splitter, shown);
+    if (shown != before) share = shown;
+}
+
+void draw_splitters(App& app, const Rect& area, const LayoutLimits& limits, const Layout& shown) {
+    const float bar = app.theme.splitter_px;
+    const float width = area.width();
+    const float height = area.height();
+    const float x1 = area.min.x + std::round(shown.left * width);
+    const float x2 = area.max.x - std::round(shown.right * width);
+    const float y1 = area.min.y + std::round(shown.left_split * height);
+    const float y2 = area.min.y + std::round(shown.right_split * height);
+    Layout& layout = app.layout;
+    move_splitter(app,
+                  {"left", {{x1, area.min.y}, {x1 + bar, area.max.y}}, true, width, limits.left},
+                  shown.left, layout.left);
+    move_splitter(
+        app, {"left split", {{area.min.x, y1}, {x1, y1 + bar}}, false, height, limits.left_split},
+        shown.left_split, layout.left_split);
+    // The right share grows when its bar moves left.
+    float from_left = 1.0F - layout.right;
+    move_splitter(app,
+                  {"right",
+                   {{x2 - bar, area.min.y}, {x2, area.max.y}},
+                   true,
+                   width,
+                   {1.0 - limits.right.high, 1.0 - limits.right.low}},
+                  1.0F - shown.right, from_left);
+    if (from_left != 1.0F - layout.right) layout.right = 1.0F - from_left;
+    move_splitter(
+        app, {"right split", {{x2, y2}, {area.max.x, y2 + bar}}, false, height, limits.right_split},
+        shown.right_split, layout.right_split);
+}
+
 // Three columns, two of them split; the bars between them move the shares.
 void draw_columns(App& app, const Rect& area) {
     if (app.layout.maximised) return draw(app, *app.layout.maximised, area);
     const float bar = app.theme.splitter_px;
-    Layout& layout = app.layout;
-    const float width = area.width();
-    const float height = area.height();
-    const float x1 = area.min.x + std::round(layout.left * width);
-    const float x2 = area.max.x - std::round(layout.right * width);
-    const float y1 = area.min.y + std::round(layout.left_split * height);
-    const float y2 = area.min.y + std::round(layout.right_split * height);
+    const LayoutLimits limits = layout_limits(app, area);
+    const Layout layout = within(limits, app.layout);
+    const float x1 = area.min.x + std::round(layout.left * area.width());
+    const float x2 = area.max.x - std::round(layout.right * area.width());
+    const float y1 = area.min.y + std::round(layout.left_split * area.height());
+    const float y2 = area.min.y + std::round(layout.right_split * area.height());
 
     draw(app, Pane::patterns, {area.min, {x1, y1}});
     draw(app, Pane::editor, {{area.min.x, y1 + bar}, {x1, area.max.y}});
@@ -135,34 +217,27 @@ void draw_columns(App& app, const Rect& area) {
     draw(app, Pane::space, {{x2, area.min.y}, {area.max.x, y2}});
     draw(app, Pane::matrix, {{x2, y2 + bar}, area.max});
 
-    draw_splitter(app,
-                  {"left", {{x1, area.min.y}, {x1 + bar, area.max.y}}, true, width, {0.14, 0.40}},
-                  layout.left);
-    draw_splitter(app,
-                  {"left split", {{area.min.x, y1}, {x1, y1 + bar}}, false, height, {0.15, 0.80}},
-                  layout.left_split);
-    // The right share grows when its bar moves left.
-    float from_left = 1.0F - layout.right;
-    draw_splitter(app,
-                  {"right", {{x2 - bar, area.min.y}, {x2, area.max.y}}, true, width, {0.42, 0.82}},
-                  from_left);
-    layout.right = 1.0F - from_left;
-    draw_splitter(app,
-                  {"right split", {{x2, y2}, {area.max.x, y2 + bar}}, false, height, {0.20, 0.85}},
-                  layout.right_split);
+    draw_splitters(app, area, limits, layout);
+}
+
+double status_left_s(const App& app) {
+    if (app.status.text.empty()) return 0.0;
+    if (app.status.is_error) return std::numeric_limits<double>::infinity();
+    return std::max(0.0, app.status.since_s + kStatusFadeS - app.time_s);
 }
 
 void draw_status_line(App& app, const Rect& area, ImDrawList& list) {
     const Theme& theme = app.theme;
     const float y = area.centre().y - ImGui::GetTextLineHeight() / 2.0F;
-    const bool fresh = app.status.is_error || app.time_s - app.status.since_s < kStatusFadeS;
-    if (!app.status.text.empty() && fresh) {
-        list.AddText({area.min.x + theme.padding_px, y},
-                     app.status.is_error ? theme.error : theme.dim_text, app.status.text.c_str());
+    const float width = is_computing(app) ? 160.0F * theme.scale : 0.0F;
+    const float room = area.width() - width - 3.0F * theme.padding_px;
+    if (!app.status.text.empty() && status_left_s(app) > 0.0) {
+        draw_text(list, theme.fonts.regular, {area.min.x + theme.padding_px, y},
+                  app.status.is_error ? theme.error : theme.dim_text,
+                  shortened(theme.fonts.regular, app.status.text, room));
         note_rect(app.rects, "status", area.min, area.max, app.status.text);
     }
     if (!is_computing(app)) return;
-    const float width = 160.0F * theme.scale;
     const ImVec2 min{area.max.x - width - theme.padding_px, area.centre().y - 2.0F * theme.scale};
     const ImVec2 max{area.max.x - theme.padding_px, min.y + 4.0F * theme.scale};
     list.AddRectFilled(min, max, theme.field, 2.0F * theme.scale);
@@ -194,6 +269,18 @@ void take_row_click(App& app) {
     }
 }
 
+void run_waiting(App& app) {
+    for (const auto run : std::exchange(app.waiting, {})) run(app);
+}
+
+void follow_progress(App& app) {
+    if (!is_computing(app)) return app.map_progress.reset();
+    const float share = app.full_job->progress();
+    // A newer request begins again.
+    const bool begun = app.map_progress && share >= app.map_progress->share;
+    app.map_progress = MapProgress{share, begun ? app.map_progress->since_s : app.time_s};
+}
+
 void follow_playhead(App& app) {
     const double duration_s = shown_duration_s(app);
     app.playhead = advanced(app.playhead, app.frame_s, duration_s);
@@ -204,8 +291,9 @@ void follow_playhead(App& app) {
 // Where the middle column is, for what opens beside it.
 Rect physiology_area(const App& app, const Rect& columns) {
     if (app.layout.maximised) return columns;
-    return {{columns.min.x + app.layout.left * columns.width(), columns.min.y},
-            {columns.max.x - app.layout.right * columns.width(), columns.max.y}};
+    const Layout shown = within(layout_limits(app, columns), app.layout);
+    return {{columns.min.x + shown.left * columns.width(), columns.min.y},
+            {columns.max.x - shown.right * columns.width(), columns.max.y}};
 }
 
 // The mouse, once used again, ends the keyboard's way through the widgets.
@@ -238,6 +326,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_playhead(app);
     follow_input_mode(app, pressed);
     take_answers(app);
+    follow_progress(app);
     app.selection.hovered_last = app.selection.hovered;
     app.selection.hovered.reset();
 
@@ -251,6 +340,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     draw_transport_bar(app, {{gap, menu}, {screen.x - gap, top - gap}});
     draw_columns(app, {{gap, top}, {screen.x - gap, screen.y - foot}});
     take_row_click(app);
+    run_waiting(app);
     draw_status(app, {{0.0F, screen.y - foot}, screen});
     draw_explain_window(app, physiology_area(app, {{gap, top}, {screen.x - gap, screen.y - foot}}));
     draw_tour(app, {{gap, top}, {screen.x - gap, screen.y - foot}});
@@ -269,6 +359,15 @@ bool wants_another_frame(const App& app) {
     return app.playhead.playing || is_exporting(app) || tilts || is_moving(app) || hover_rests ||
            app.fonts_outdated || app.selection.hovered != app.selection.hovered_last ||
            app.physiology.crosshair_s != app.physiology.crosshair_last_s;
+}
+
+double next_wake_s(const App& app) {
+    double wake_s = std::numeric_limits<double>::infinity();
+    if (is_computing(app)) wake_s = 0.1;  // progress
+    if (app.autosave_pending) wake_s = std::min(wake_s, 0.5);
+    // A little later than it fades, lest the clock's last digit asks for it twice.
+    if (status_left_s(app) > 0.0) wake_s = std::min(wake_s, status_left_s(app) + 0.01);
+    return wake_s;
 }
 
 App make_app() {

@@ -15,6 +15,10 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s);
 // Another frame is needed without input: something moves.
 bool wants_another_frame(const App& app);
 
+// Without input, when the next frame is needed at the latest: for progress, for a line at the foot
+// that fades, for the copy on the disk. Infinite: not at all.
+double next_wake_s(const App& app);
+
 // The full run is under way: its progress is worth a look now and then.
 bool is_computing(const App& app);
 

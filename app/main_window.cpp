@@ -1,7 +1,5 @@
 #include "app/main_window.h"
 
-#include <algorithm>
-
 #include "app/exports.h"
 #include "app/files.h"
 #include "app/frame.h"
@@ -28,8 +26,7 @@ FrameRequest draw_window_frame(App& app, const FrameContext& context) {
     draw_frame(app, context.pressed, context.time_s);
     FrameRequest request;
     request.animate = wants_another_frame(app);
-    if (is_computing(app)) request.wake_after_s = 0.1;  // progress
-    if (app.autosave_pending) request.wake_after_s = std::min(request.wake_after_s, 0.5);
+    request.wake_after_s = next_wake_s(app);
     request.rebuild_fonts = app.fonts_outdated;
     request.close = app.quit;
     request.title = document_title(app) + " - tactspace";

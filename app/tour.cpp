@@ -173,8 +173,11 @@ void draw_tour(App& app, const Rect& window) {
         ImGui::PushFont(theme.fonts.semibold);
         ImGui::TextUnformatted(step.title);
         ImGui::PopFont();
-        ImGui::SameLine(width - ImGui::CalcTextSize(count).x - theme.padding_px);
-        dim_text(app, count);
+        const float count_px = ImGui::CalcTextSize(count).x;
+        if (ImGui::GetItemRectSize().x + count_px + 3.0F * theme.padding_px < width) {
+            ImGui::SameLine(width - count_px - theme.padding_px);
+            dim_text(app, count);
+        }
         ImGui::PushTextWrapPos(width - theme.padding_px);
         ImGui::TextUnformatted(step.text);
         ImGui::PopTextWrapPos();
@@ -182,14 +185,15 @@ void draw_tour(App& app, const Rect& window) {
         if (ImGui::Button("Back")) go_to_step(app, at - 1);
         note_item(app.rects, "tour:back");
         ImGui::EndDisabled();
-        ImGui::SameLine();
         const bool last = at + 1 == kSteps.size();
+        if (!last) flow_on(button_width("Next"), theme.gap_px);
         if (!last && ImGui::Button("Next")) go_to_step(app, at + 1);
         if (!last) {
             note_item(app.rects, "tour:next");
-            ImGui::SameLine();
         }
-        if (ImGui::Button(last ? "Finish" : "Leave the tour")) leave_tour(app);
+        const char* leave = last ? "Finish" : "Leave the tour";
+        flow_on(button_width(leave), theme.gap_px);
+        if (ImGui::Button(leave)) leave_tour(app);
         note_item(app.rects, last ? "tour:finish" : "tour:leave");
         note_rect(app.rects, "tour", ImGui::GetWindowPos(),
                   ImGui::GetWindowPos() + ImGui::GetWindowSize(), count);

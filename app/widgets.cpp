@@ -6,36 +6,59 @@
 
 #include "viz/colour.h"
 #include "viz/marks.h"
+#include "viz/plot.h"
 
 namespace tact {
 
 namespace {
 
-constexpr float kLabelWidthPx = 92.0F;
+constexpr float kLabelColumnPx = 104.0F;
 constexpr float kEntryWidthPx = 86.0F;
+constexpr float kLeastBarPx = 36.0F;
 
 ImVec4 colour4(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
-void draw_pane_title(App& app, Pane pane, const PaneTitle& title) {
-    const float width = ImGui::GetContentRegionAvail().x;
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::PushFont(app.theme.fonts.semibold);
-    ImGui::TextUnformatted(title.title.c_str());
-    ImGui::PopFont();
-    ImGui::SameLine();
-    dim_text(app, title.detail);
-    if (!title.right.empty()) {
-        const float right_width = ImGui::CalcTextSize(title.right.c_str()).x;
-        ImGui::SameLine(std::max(ImGui::GetCursorPosX(),
-                                 width - right_width + ImGui::GetStyle().WindowPadding.x));
-        dim_text(app, title.right);
+// The longest form that fits; else the shortest one, cut, where some of it is left to read.
+std::string fitting(const std::vector<std::string>& forms, const ImFont* font, float room_px) {
+    if (forms.empty() || forms.back().empty()) return {};
+    for (const std::string& form : forms) {
+        if (text_size(font, form).x <= room_px) return form;
     }
-    const ImVec2 end{corner.x + width, corner.y + ImGui::GetTextLineHeight()};
-    const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, end);
+    if (room_px < 4.0F * font_or_current(font).FontSize) return {};
+    return shortened(font, forms.back(), room_px);
+}
+
+void draw_title_part(App& app, const ImFont* font, ImVec2 corner, ImU32 colour,
+                     const std::string& text, const std::string& noted) {
+    if (text.empty()) return;
+    draw_text(*ImGui::GetWindowDrawList(), font, corner, colour, text);
+    note_rect(app.rects, noted, corner, corner + text_size(font, text), text);
+}
+
+// The title goes first; the detail has what it leaves, the right end what both leave.
+void draw_pane_title(App& app, Pane pane, const PaneTitle& title) {
+    const Theme& theme = app.theme;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight()};
+    const Fonts& fonts = theme.fonts;
+    const std::string head = shortened(fonts.semibold, title.title, size.x);
+    float used = text_size(fonts.semibold, head).x + theme.gap_px;
+    draw_title_part(app, fonts.semibold, corner, theme.text, head, "title text:" + title.title);
+    const std::string detail = fitting({title.detail}, fonts.regular, size.x - used);
+    draw_title_part(app, fonts.regular, corner + ImVec2{used, 0.0F}, theme.dim_text, detail,
+                    "title detail:" + title.title);
+    if (!detail.empty()) used += text_size(fonts.regular, detail).x + 2.0F * theme.gap_px;
+    const std::string right = fitting(title.right, fonts.regular, size.x - used);
+    const float right_px = text_size(fonts.regular, right).x;
+    draw_title_part(app, fonts.regular, corner + ImVec2{size.x - right_px, 0.0F}, theme.dim_text,
+                    right, "title right:" + title.title);
+    ImGui::Dummy(size);
+    const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, corner + size);
     if (over && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive()) {
         app.layout.maximised = app.layout.maximised ? std::nullopt : std::optional(pane);
     }
-    note_rect(app.rects, "title:" + title.title, corner, end, title.right);
+    note_rect(app.rects, "title:" + title.title, corner, corner + size,
+              title.right.empty() ? "" : title.right.front());
 }
 
 // The part of the slider up to its value, drawn over the frame.
@@ -102,6 +125,26 @@ bool draw_entry(App& app, const Field& field, double& value) {
     return entered;
 }
 
+float label_column(const App& app) { return kLabelColumnPx * app.theme.scale; }
+
+struct FieldRow {
+    bool stacked = false;  // the label above the rest
+    float bar_px = 0.0F;   // none: no slider
+    float entry_px = 0.0F;
+};
+
+FieldRow field_row(const App& app, const Field& field) {
+    const float s = app.theme.scale;
+    const float width = ImGui::GetContentRegionAvail().x - field.right_room_px;
+    const float entry = kEntryWidthPx * s;
+    const float column =
+        std::max(label_column(app), ImGui::CalcTextSize(field.label).x + app.theme.gap_px);
+    const float bar = width - entry - app.theme.gap_px;
+    if (bar - column >= kLeastBarPx * s) return {false, bar - column, entry};
+    if (bar >= kLeastBarPx * s) return {true, bar, entry};
+    return {true, 0.0F, std::max(width, 1.0F)};
+}
+
 }  // namespace
 
 void draw_pane(App& app, Pane pane, const Rect& area, const PaneTitle& title,
@@ -114,6 +157,7 @@ void draw_pane(App& app, Pane pane, const Rect& area, const PaneTitle& title,
         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
     const std::string id = "pane " + std::to_string(static_cast<int>(pane));
     if (ImGui::Begin(id.c_str(), nullptr, kFlags)) {
+        note_rect(app.rects, "pane:" + title.title, area.min, area.max);
         draw_pane_title(app, pane, title);
         content();
     }
@@ -121,31 +165,37 @@ void draw_pane(App& app, Pane pane, const Rect& area, const PaneTitle& title,
     ImGui::PopStyleVar();
 }
 
-float label_width(const App& app) { return kLabelWidthPx * app.theme.scale; }
-
-void draw_label(const App& app, const char* label) {
-    ImGui::AlignTextToFramePadding();
+void draw_label(const App& app, const char* label, float room_px) {
+    const float column =
+        std::max(label_column(app), ImGui::CalcTextSize(label).x + app.theme.gap_px);
+    const bool beside = ImGui::GetContentRegionAvail().x - column >= room_px;
+    if (*label == '\0') {
+        if (beside) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + column);
+        return;
+    }
+    if (beside) ImGui::AlignTextToFramePadding();
     dim_text(app, label);
-    ImGui::SameLine(label_width(app) + ImGui::GetStyle().WindowPadding.x);
+    if (beside) ImGui::SameLine(0.0F, column - ImGui::GetItemRectSize().x);
 }
 
 FieldEdit draw_field(App& app, const Field& field, double& value) {
     FieldEdit edit;
     ImGui::PushID(field.id);
     ImGui::BeginDisabled(!field.enabled);
-    draw_label(app, field.label);
+    const FieldRow row = field_row(app, field);
+    draw_label(app, field.label, row.stacked ? ImGui::GetContentRegionAvail().x : 0.0F);
+    note_item(app.rects, std::string("field label:") + field.id);
     if (field.help != nullptr) draw_tooltip(app, field.help);
 
-    const float entry_width = kEntryWidthPx * app.theme.scale;
-    const float bar_width =
-        ImGui::GetContentRegionAvail().x - entry_width - app.theme.gap_px - field.right_room_px;
-    ImGui::SetNextItemWidth(std::max(40.0F, bar_width));
-    edit.changed = draw_bar(app, field, value);
-    edit.finished = ImGui::IsItemDeactivatedAfterEdit();
-    bool touched = ImGui::IsItemActivated();
-
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    ImGui::SetNextItemWidth(entry_width);
+    bool touched = false;
+    if (row.bar_px > 0.0F) {
+        ImGui::SetNextItemWidth(row.bar_px);
+        edit.changed = draw_bar(app, field, value);
+        edit.finished = ImGui::IsItemDeactivatedAfterEdit();
+        touched = ImGui::IsItemActivated();
+        ImGui::SameLine(0.0F, app.theme.gap_px);
+    }
+    ImGui::SetNextItemWidth(row.entry_px);
     if (draw_entry(app, field, value)) edit.changed = edit.finished = true;
     touched |= ImGui::IsItemActivated();
     if (touched) app.editor.active_field = field.id;
@@ -153,6 +203,38 @@ FieldEdit draw_field(App& app, const Field& field, double& value) {
     ImGui::EndDisabled();
     ImGui::PopID();
     return edit;
+}
+
+float radio_width(const App& app, const char* label) {
+    return 18.0F * app.theme.scale + ImGui::CalcTextSize(label).x;
+}
+
+bool draw_radio(const App& app, const char* label, bool chosen) {
+    const Theme& theme = app.theme;
+    const float s = theme.scale;
+    const ImVec2 size{radio_width(app, label), ImGui::GetFrameHeight()};
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(label, size);
+    const bool lit = ImGui::IsItemHovered() || (app.keyboard_mode && ImGui::IsItemFocused());
+    // GetColorU32 fades what is disabled.
+    const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 centre{corner.x + 6.0F * s, corner.y + size.y * 0.5F};
+    list.AddCircle(centre, 5.5F * s, ink(chosen || lit ? theme.accent : theme.dim_text), 0,
+                   theme.hairline_px);
+    if (chosen) list.AddCircleFilled(centre, 3.2F * s, ink(theme.accent));
+    list.AddText({corner.x + 18.0F * s, corner.y + ImGui::GetStyle().FramePadding.y},
+                 ink(chosen || lit ? theme.text : theme.dim_text), label);
+    return pressed;
+}
+
+void flow_on(float width_px, float gap_px) {
+    const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + gap_px + width_px <= right) ImGui::SameLine(0.0F, gap_px);
+}
+
+float button_width(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
 void draw_splitter(App& app, const Splitter& splitter, float& share) {
@@ -188,13 +270,14 @@ void draw_hint(App& app, const char* id, const char* text) {
     if (app.session.dismissed_hints.contains(id)) return;
     ImGui::PushID(id);
     ImGui::PushStyleColor(ImGuiCol_Text, colour4(app.theme.dim_text));
-    ImGui::PushTextWrapPos(ImGui::GetContentRegionMax().x - 24.0F * app.theme.scale);
+    const float button = ImGui::GetContentRegionMax().x - button_width("\u00d7");
+    ImGui::PushTextWrapPos(button - app.theme.gap_px);
     ImGui::PushFont(app.theme.fonts.small);
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - 18.0F * app.theme.scale);
+    ImGui::SameLine(button);
     if (ImGui::SmallButton("\u00d7")) app.session.dismissed_hints.insert(id);
     note_item(app.rects, std::string("hint:") + id);
     draw_tooltip(app, "Dismiss this hint");
@@ -211,6 +294,16 @@ void draw_tooltip(const App& app, const char* text) {
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+std::string grouped(double value) {
+    std::string text = significant(value, 4);
+    const std::size_t point = std::min(text.find('.'), text.size());
+    const std::size_t first = text.find_first_of("0123456789");
+    if (first == std::string::npos) return text;
+    // No-break spaces: a plain one would let the number be broken in two.
+    for (std::size_t at = point; at > first + 3;) text.insert(at -= 3, "\u00a0");
+    return text;
 }
 
 std::string lower_case(std::string text) {

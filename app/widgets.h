@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "app/app.h"
 #include "model/pattern.h"
@@ -14,14 +15,15 @@ namespace tact {
 // Draws `content` inside, with the cursor at its top left.
 struct PaneTitle {
     std::string title;
-    std::string detail;  // dim, after the title
-    std::string right;   // dim, at the right end
+    std::string detail;              // dim, after the title
+    std::vector<std::string> right;  // dim, at the right end: the longest form that has room
 };
 void draw_pane(App& app, Pane pane, const Rect& area, const PaneTitle& title,
                const std::function<void()>& content);
 
 // A number with a slider and typed entry. Typing reaches further than the slider and is exact; the
-// slider and the arrow keys keep to multiples of `snap`.
+// slider and the arrow keys keep to multiples of `snap`. Where the row is too narrow for all three
+// the label stands above, and where even that is too narrow the slider goes.
 struct Field {
     const char* id;      // "amplitude_g": also its name for tests
     const char* label;   // "Amplitude"
@@ -43,9 +45,17 @@ struct FieldEdit {
 
 FieldEdit draw_field(App& app, const Field& field, double& value);
 
-// A row's label column, for rows that are no Field.
-void draw_label(const App& app, const char* label);
-float label_width(const App& app);
+// A row's label column, for rows that are no Field. The label stands above where less than
+// `room_px` would be left beside it. An empty one only moves the cursor to what follows.
+void draw_label(const App& app, const char* label, float room_px = 0.0F);
+
+// One of a few: a ring and its word. True when pressed.
+bool draw_radio(const App& app, const char* label, bool chosen);
+float radio_width(const App& app, const char* label);
+
+// The next item comes beside the last one where its width has room, else below.
+void flow_on(float width_px, float gap_px);
+float button_width(const char* label);
 
 // A 6 px bar between two panes that moves a share of `total` pixels while it is dragged. Upright
 // bars part columns.
@@ -63,6 +73,9 @@ void draw_hint(App& app, const char* id, const char* text);
 
 // A tooltip on the last item after a moment's rest.
 void draw_tooltip(const App& app, const char* text);
+
+// Four significant digits, the thousands apart: "61.75", "499 500".
+std::string grouped(double value);
 
 // ASCII letters in lower case: for searches.
 std::string lower_case(std::string text);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "viz/colour.h"
 
@@ -22,6 +23,23 @@ const ImVec4& disc_uv_for(const Fonts& fonts, float radius_px, float& baked_px) 
     while (i + 1 < kDiscRadiiPx.size() && static_cast<float>(kDiscRadiiPx[i]) < radius_px) ++i;
     baked_px = static_cast<float>(kDiscRadiiPx[i]);
     return fonts.disc_uv[i];
+}
+
+// The text in lines that fit; a word that does not is cut.
+std::vector<std::string> wrapped(const ImFont* font, std::string_view text, float width_px) {
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        std::size_t kept = 0;
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t end = std::min(text.find(' ', at), text.size());
+            if (kept > 0 && text_size(font, text.substr(0, end)).x > width_px) break;
+            kept = end;
+            at = end + 1;
+        }
+        lines.push_back(shortened(font, text.substr(0, kept), width_px));
+        text.remove_prefix(std::min(kept + 1, text.size()));
+    }
+    return lines;
 }
 
 }  // namespace
@@ -161,14 +179,16 @@ void draw_empty(ImDrawList& list, const Theme& theme, const Rect& area, std::str
                 std::string_view reason) {
     const Fonts& f = theme.fonts;
     const std::string head = shortened(f.regular, title, area.width());
-    const std::string body = shortened(f.small, reason, area.width());
     const ImVec2 head_size = text_size(f.regular, head);
-    const ImVec2 body_size = text_size(f.small, body);
     const ImVec2 middle = area.centre();
     draw_text(list, f.regular, {middle.x - head_size.x / 2, middle.y - head_size.y}, theme.text,
               head);
-    draw_text(list, f.small, {middle.x - body_size.x / 2, middle.y + 4.0F * theme.scale},
-              theme.dim_text, body);
+    float y = middle.y + 4.0F * theme.scale;
+    for (const std::string& line : wrapped(f.small, reason, area.width())) {
+        const ImVec2 size = text_size(f.small, line);
+        draw_text(list, f.small, {middle.x - size.x / 2, y}, theme.dim_text, line);
+        y += size.y;
+    }
 }
 
 void draw_readout(ImDrawList& list, const Theme& theme, const Rect& bounds, ImVec2 at,

@@ -61,9 +61,28 @@ double block_mean(const MatrixScene& scene, std::pair<std::size_t, std::size_t> 
     return known > 0 ? sum / known : std::numeric_limits<double>::quiet_NaN();
 }
 
+// Ranks that are all the same say nothing about any pair; a value of zero does.
+bool is_flat(const MatrixScene& scene) {
+    const auto& all = scene.condensed;
+    return all.size() > 1 && all[0] > 0.0 &&
+           std::all_of(all.begin(), all.end(), [&](double value) { return value == all[0]; });
+}
+
+// Bright or dark by value; the same quiet tone where all are equal.
+struct Shades {
+    const Theme& theme;
+    double largest = 1.0;
+    bool flat = false;
+
+    ImU32 operator()(double value) const {
+        if (std::isnan(value)) return theme.field;
+        return flat ? theme.hover : viridis(value / largest);
+    }
+};
+
 // Cells as flat quads; edges on whole pixels, so that there are no seams between them.
 void draw_cells(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
-                const MatrixScene& scene, double largest) {
+                const MatrixScene& scene, const Shades& shades) {
     const std::size_t n = scene.labels.size();
     const float side = layout.cells.width() / static_cast<float>(layout.shown);
     const auto edge = [&](float from, std::size_t row) {
@@ -81,7 +100,7 @@ void draw_cells(ImDrawList& list, const Theme& theme, const MatrixLayout& layout
         for (std::size_t column = row; column < layout.shown; ++column) {
             const double mean =
                 block_mean(scene, block(row, layout.shown, n), block(column, layout.shown, n));
-            const ImU32 colour = std::isnan(mean) ? theme.field : viridis(mean / largest);
+            const ImU32 colour = shades(mean);
             cell(row, column, colour);
             if (row != column) cell(column, row, colour);
         }
@@ -89,10 +108,10 @@ void draw_cells(ImDrawList& list, const Theme& theme, const MatrixLayout& layout
 }
 
 void draw_values(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
-                 const MatrixScene& scene, double largest) {
+                 const MatrixScene& scene, const Shades& shades) {
     const ImFont* font = theme.fonts.small;
     const float room = layout.cell_px - theme.gap_px;
-    if (text_size(font, significant(largest)).x > room) return;
+    if (text_size(font, significant(shades.largest)).x > room) return;
     if (font_or_current(font).FontSize > room) return;
     const std::size_t n = scene.labels.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -104,8 +123,7 @@ void draw_values(ImDrawList& list, const Theme& theme, const MatrixLayout& layou
             const ImVec2 middle{
                 layout.cells.min.x + (static_cast<float>(j) + 0.5F) * layout.cell_px,
                 layout.cells.min.y + (static_cast<float>(i) + 0.5F) * layout.cell_px};
-            draw_text(list, font, middle - size * 0.5F, readable_on(viridis(value / largest)),
-                      text);
+            draw_text(list, font, middle - size * 0.5F, readable_on(shades(value)), text);
         }
     }
 }
@@ -121,15 +139,18 @@ void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const Ma
                 const MatrixScene& scene, std::optional<Pair> pointed) {
     const ImFont* font = theme.fonts.small;
     const float text_px = font_or_current(font).FontSize;
-    const float room = layout.cells.min.x - area.min.x - theme.gap_px;
+    // The cells begin on a whole pixel, which may take a part of one from the names.
+    const float room = layout.cells.min.x - area.min.x - theme.gap_px + 1.0F;
     const auto draw_row = [&](std::size_t i) {
-        const std::string name = shortened(font, scene.labels[i], room);
+        // Short names need little room; of a long one too little would be left to read.
+        const std::string& whole = scene.labels[i];
+        if (room < 2.0F * text_px && text_size(font, whole).x > room) return;
+        const std::string name = shortened(font, whole, room);
         const ImVec2 size = text_size(font, name);
         const float middle = layout.cells.min.y + (static_cast<float>(i) + 0.5F) * layout.cell_px;
         const ImVec2 corner{layout.cells.min.x - theme.gap_px - size.x, middle - text_px * 0.55F};
         draw_text(list, font, corner, label_colour(theme, scene, pointed, i), name);
     };
-    if (room < 2.0F * text_px) return;
     std::vector<std::size_t> standing;
     for (const auto& i : {scene.selected, pointed ? std::optional{pointed->first} : std::nullopt,
                           pointed ? std::optional{pointed->second} : std::nullopt}) {
@@ -147,7 +168,7 @@ void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const Ma
     }
     for (const std::size_t i : standing) draw_row(i);
     if (!layout.column_labels) return;
-    const float height = layout.cells.min.y - area.min.y - theme.gap_px;
+    const float height = layout.cells.min.y - area.min.y - theme.gap_px + 1.0F;
     for (std::size_t i = 0; i < scene.labels.size(); ++i) {
         const std::string name = shortened(font, scene.labels[i], height);
         const float middle = layout.cells.min.x + (static_cast<float>(i) + 0.5F) * layout.cell_px;
@@ -165,9 +186,16 @@ void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const Ma
 }
 
 void draw_scale(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
-                const MatrixScene& scene, double largest) {
+                const MatrixScene& scene, const Shades& shades) {
     const Rect& bar = layout.scale;
     if (bar.empty()) return;
+    const ImFont* font = theme.fonts.small;
+    const float text_px = font_or_current(font).FontSize;
+    const std::string top = significant(shades.largest) + " " + std::string{scene.quantity};
+    if (shades.flat) {
+        draw_text(list, font, bar.min, theme.dim_text, "all pairs equal");
+        return draw_text(list, font, {bar.min.x, bar.min.y + 1.2F * text_px}, theme.dim_text, top);
+    }
     constexpr int kSteps = 64;
     for (int i = 0; i < kSteps; ++i) {
         const float low = static_cast<float>(i) / kSteps;
@@ -176,14 +204,13 @@ void draw_scale(ImDrawList& list, const Theme& theme, const MatrixLayout& layout
                            {bar.max.x, std::round(bar.max.y - low * bar.height())},
                            viridis((i + 0.5) / kSteps));
     }
-    const ImFont* font = theme.fonts.small;
-    const float text_px = font_or_current(font).FontSize;
     const float left = bar.max.x + theme.gap_px * 0.75F;
-    const std::string top = significant(largest) + " " + std::string{scene.quantity};
     draw_text(list, font, {left, bar.min.y - text_px * 0.2F}, theme.dim_text, top);
+    if (bar.height() < 1.9F * text_px) return;
+    draw_text(list, font, {left, bar.max.y - text_px * 0.9F}, theme.dim_text, "0");
+    if (bar.height() < 4.2F * text_px) return;
     draw_text(list, font, {left, bar.min.y + text_px * 1.0F}, theme.dim_text, "far apart");
     draw_text(list, font, {left, bar.max.y - text_px * 2.1F}, theme.dim_text, "alike");
-    draw_text(list, font, {left, bar.max.y - text_px * 0.9F}, theme.dim_text, "0");
 }
 
 // A thin frame around the row and the column of one object.
@@ -241,7 +268,9 @@ MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixSce
     }
     const float left = std::min(widest, area.width() * 0.3F) + theme.gap_px;
     const float right =
-        text_size(theme.fonts.small, "0000 " + std::string{scene.quantity}).x + 5.0F * theme.gap_px;
+        std::max(text_size(theme.fonts.small, "0000 " + std::string{scene.quantity}).x,
+                 is_flat(scene) ? text_size(theme.fonts.small, "all pairs equal").x : 0.0F) +
+        5.0F * theme.gap_px;
     const bool with_scale = area.width() > left + right + area.height() * 0.4F;
 
     const auto objects = static_cast<float>(std::max<std::size_t>(n, 1));
@@ -288,11 +317,11 @@ MatrixAction draw_matrix(const char* id, const Theme& theme, const Rect& area,
     const std::optional<Pair> pointed = action.hovered ? action.hovered : scene.pointed;
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const double largest = largest_of(scene);
-    draw_cells(list, theme, layout, scene, largest);
-    draw_values(list, theme, layout, scene, largest);
+    const Shades shades{theme, largest_of(scene), is_flat(scene)};
+    draw_cells(list, theme, layout, scene, shades);
+    draw_values(list, theme, layout, scene, shades);
     if (scene.stale) draw_stale(list, theme, layout.cells, ImGui::GetTime());
-    draw_scale(list, theme, layout, scene, largest);
+    draw_scale(list, theme, layout, scene, shades);
     if (scene.selected && *scene.selected < n) {
         draw_band(list, theme, layout, *scene.selected, theme.text);
     }

@@ -2,6 +2,7 @@
 //
 // Input     condensed values of n objects; NaN: unknown
 // Output    the pair under the mouse and the pair clicked
+//           Where all pairs are equal, and not zero, they say so and none is bright.
 // Valid     any n; at most kMostCells x kMostCells cells are drawn. Where that is fewer than n a
 //           cell shows the mean of at most 3 x 3 of its pairs, evenly spread: cost is bounded.
 // Left out  reordering, dendrograms.

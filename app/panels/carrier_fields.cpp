@@ -25,6 +25,7 @@ bool leaks(const Pattern& pattern) {
 
 void draw_leak_warning(App& app, const Pattern& pattern) {
     if (!leaks(pattern) || !pattern.rhythm.text.empty()) return;
+    flow_on(ImGui::CalcTextSize("leaks").x, 2.0F * app.theme.gap_px);
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.warning));
     ImGui::TextUnformatted("leaks");
     ImGui::PopStyleColor();
@@ -32,9 +33,9 @@ void draw_leak_warning(App& app, const Pattern& pattern) {
                  "A carrier does not fit a whole number of cycles into the pattern. Its spectrum "
                  "leaks into neighbouring bins, and the model counts each of them: rates come out "
                  "too high. Frequencies that are multiples of 1 / duration do not leak.");
-    ImGui::SameLine(0.0F, app.theme.gap_px);
     char label[64];
-    std::snprintf(label, sizeof label, "Snap to %g Hz steps", 1.0 / pattern.duration_s);
+    std::snprintf(label, sizeof label, "Snap to %.4g Hz steps", 1.0 / pattern.duration_s);
+    flow_on(ImGui::CalcTextSize(label).x, app.theme.gap_px);
     if (link(app, "snap", label)) {
         edit_patterns(app, [](Pattern& p) {
             for (Carrier& carrier : p.carriers) {
@@ -130,20 +131,19 @@ void remove_carrier(App& app) {
 }
 
 void draw_carrier_links(App& app, const Pattern& pattern) {
-    ImGui::Dummy({0.0F, 0.0F});
-    ImGui::SameLine(label_width(app) + ImGui::GetStyle().WindowPadding.x);
-    if (pattern.carriers.size() < limits::kMaxCarriers) {
-        if (link(app, "add carrier", "Add carrier")) add_carrier(app);
+    constexpr const char* kAdd = "Add carrier";
+    draw_label(app, "", ImGui::CalcTextSize(kAdd).x);
+    const bool can_add = pattern.carriers.size() < limits::kMaxCarriers;
+    if (can_add) {
+        if (link(app, "add carrier", kAdd)) add_carrier(app);
         note_item(app.rects, "link:add carrier");
-        ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
     }
     if (pattern.carriers.size() > 1) {
+        if (can_add) flow_on(ImGui::CalcTextSize("Remove").x, 2.0F * app.theme.gap_px);
         if (link(app, "remove carrier", "Remove")) remove_carrier(app);
         note_item(app.rects, "link:remove carrier");
-        ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
     }
     draw_leak_warning(app, pattern);
-    ImGui::NewLine();
 }
 
 }  // namespace

@@ -41,9 +41,11 @@ void draw_modulation(App& app, const Pattern& pattern) {
                  .enabled = am},
                 modulation.depth, "depth",
                 [](Pattern& p, double value) { p.modulation.depth = value; });
-    draw_label(app, "Kind");
+    const float room =
+        radio_width(app, "product") + radio_width(app, "1 + m sin") + 2.0F * app.theme.gap_px;
+    draw_label(app, "Kind", room);
     const auto choose = [&](const char* label, ModulationKind kind) {
-        if (ImGui::RadioButton(label, modulation.kind == kind) && modulation.kind != kind) {
+        if (draw_radio(app, label, modulation.kind == kind) && modulation.kind != kind) {
             edit_patterns(app, [kind](Pattern& p) { p.modulation.kind = kind; });
             commit_step(app, "Change " + of_selection(app, "modulation kind"));
         }
@@ -51,7 +53,7 @@ void draw_modulation(App& app, const Pattern& pattern) {
     };
     choose("product", ModulationKind::product);
     draw_tooltip(app, "sin(2 pi f t): Eq. 7 of the paper; the envelope has twice the frequency.");
-    ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
+    flow_on(radio_width(app, "1 + m sin"), 2.0F * app.theme.gap_px);
     choose("1 + m sin", ModulationKind::am);
 }
 
@@ -141,16 +143,17 @@ void draw_editor_panel(App& app) {
     const Vibration* vibration = current_vibration(app);
     if (vibration == nullptr) {
         draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(), "Nothing to edit",
-                   "Select a pattern above, or press New.");
+                   "Press New above to make a pattern, or open a set.");
         return;
     }
-    draw_hint(app, "editor",
-              "Drag a slider and watch the point move on the right. Type a number for an exact "
-              "value; arrow keys nudge.");
     if (!ImGui::BeginChild("fields")) {
         ImGui::EndChild();
         return;
     }
+    // Inside, so that it scrolls away where the pane is low.
+    draw_hint(app, "editor",
+              "Drag a slider and watch the point move on the right. Type a number for an exact "
+              "value; arrow keys nudge.");
     const Vibration shown = *vibration;  // edits below replace the document's own
     ImGui::BeginDisabled(shown.locked);
     if (const auto* pattern = std::get_if<Pattern>(&shown.source)) {

@@ -21,12 +21,12 @@ void draw_way(App& app, Stage stage) {
     ImGui::BeginDisabled(at == 0);
     if (ImGui::Button("Previous stage")) app.physiology.explained = kStages[at - 1];
     ImGui::EndDisabled();
-    ImGui::SameLine();
+    flow_on(button_width("Next stage"), app.theme.gap_px);
     ImGui::BeginDisabled(at + 1 == kStages.size());
     if (ImGui::Button("Next stage")) app.physiology.explained = kStages[at + 1];
     note_item(app.rects, "explain:next");
     ImGui::EndDisabled();
-    ImGui::SameLine();
+    flow_on(button_width("Close"), app.theme.gap_px);
     if (ImGui::Button("Close")) app.physiology.explained.reset();
     note_item(app.rects, "explain:close");
 }
@@ -41,14 +41,15 @@ void draw_explain_window(App& app, const Rect& beside) {
     const float width = std::min(400.0F * app.theme.scale, screen.x - 2.0F * app.theme.gap_px);
     const float left =
         std::min(beside.max.x + app.theme.gap_px, screen.x - width - app.theme.gap_px);
-    ImGui::SetNextWindowPos({left, beside.min.y + app.theme.gap_px}, ImGuiCond_Appearing);
-    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y * 0.9F});
+    const float top = beside.min.y + app.theme.gap_px;
+    ImGui::SetNextWindowPos({left, top}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y - top - app.theme.gap_px});
     bool open = true;
     const std::string title = std::string(text.name) + "###explain";
     if (ImGui::Begin(title.c_str(), &open,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing)) {
-        ImGui::PushTextWrapPos(width - app.theme.padding_px);
+        ImGui::PushTextWrapPos(width - app.theme.padding_px - ImGui::GetStyle().ScrollbarSize);
         draw_paragraph(app, "In the body", text.in_body);
         draw_paragraph(app, "In the model", text.in_model);
         draw_paragraph(app, "Equation and section", text.equation);

@@ -28,21 +28,20 @@ const char* quantity_name(MatrixQuantity quantity) {
 }
 
 void draw_choice(App& app) {
-    const auto choose = [&app](MatrixQuantity quantity, const char* help) {
+    float gap = 3.0F * app.theme.gap_px;  // apart from the tabs before them
+    const auto choose = [&app, &gap](MatrixQuantity quantity, const char* help) {
         const char* name = quantity_name(quantity);
-        if (ImGui::RadioButton(name, app.matrix_quantity == quantity)) {
-            app.matrix_quantity = quantity;
-        }
+        flow_on(radio_width(app, name), gap);
+        gap = 1.5F * app.theme.gap_px;
+        if (draw_radio(app, name, app.matrix_quantity == quantity)) app.matrix_quantity = quantity;
         note_item(app.rects, std::string("radio:") + name);
         draw_tooltip(app, help);
-        ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
     };
     choose(MatrixQuantity::pm,
            "Predicted dissimilarity: the weighted ranks of NC and OC. It depends on the set: a "
            "pattern more or less changes every number.");
     choose(MatrixQuantity::nc, "Neural coding: difference of the predicted brain waveforms.");
     choose(MatrixQuantity::oc, "Rhythm: dynamic time warping of the two envelopes.");
-    ImGui::NewLine();
 }
 
 // The pair's numbers beneath the map: all three, so that PM explains itself.
@@ -51,8 +50,9 @@ void draw_pair(App& app, const Rect& area, std::optional<Pair> pair,
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Theme& theme = app.theme;
     if (!pair) {
+        const char* hint = "Point at a cell for its numbers; click one to select its row.";
         draw_text(list, theme.fonts.small, area.min, theme.dim_text,
-                  "Point at a cell for its numbers; click one to select its row.");
+                  shortened(theme.fonts.small, hint, area.width()));
         return;
     }
     const auto [i, j] = *pair;
@@ -63,10 +63,11 @@ void draw_pair(App& app, const Rect& area, std::optional<Pair> pair,
     draw_text(list, theme.fonts.semibold, area.min, theme.text,
               shortened(theme.fonts.semibold, names, area.width()));
     char numbers[160];
-    std::snprintf(numbers, sizeof numbers,
-                  "PM %.4g of %zu    NC %.3g, rank %.4g    OC %.4g, rank %.4g",
-                  prediction.pm.condensed[k], m, prediction.nc.condensed[k], prediction.nc_rank[k],
-                  prediction.oc.condensed[k], prediction.oc_rank[k]);
+    std::snprintf(numbers, sizeof numbers, "PM %s of %s    NC %.3g, rank %s    OC %.4g, rank %s",
+                  grouped(prediction.pm.condensed[k]).c_str(),
+                  grouped(static_cast<double>(m)).c_str(), prediction.nc.condensed[k],
+                  grouped(prediction.nc_rank[k]).c_str(), prediction.oc.condensed[k],
+                  grouped(prediction.oc_rank[k]).c_str());
     draw_text(list, theme.fonts.small,
               {area.min.x, area.min.y + ImGui::GetTextLineHeightWithSpacing()}, theme.dim_text,
               shortened(theme.fonts.small, numbers, area.width()));
@@ -92,7 +93,10 @@ void draw_matrix_panel(App& app) {
     for (const Vibration& vibration : app.map.shown->request.set->vibrations) {
         labels.push_back(vibration.name);
     }
-    const float foot = app.as_picture ? 0.0F : 2.2F * ImGui::GetTextLineHeightWithSpacing();
+    // Low panes need it for the map; the pair under the mouse is told there, too.
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const bool has_foot = !app.as_picture && area.height() > 9.0F * line;
+    const float foot = has_foot ? 2.2F * line : 0.0F;
     Rect foot_area = area;
     foot_area.min.y = area.max.y - foot;
     area.max.y = foot_area.min.y - app.theme.gap_px * 0.5F;
@@ -108,7 +112,7 @@ void draw_matrix_panel(App& app) {
     if (same_order && action.clicked) select_only(app, action.clicked->first);
     if (same_order && action.clicked_row) select_only(app, *action.clicked_row);
     if (same_order && action.hovered) app.selection.hovered = action.hovered->second;
-    if (!app.as_picture) draw_pair(app, foot_area, action.hovered, labels);
+    if (has_foot) draw_pair(app, foot_area, action.hovered, labels);
 }
 
 }  // namespace tact

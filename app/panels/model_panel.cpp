@@ -219,9 +219,10 @@ void commit_model(App& app, const std::string& what) { commit_step(app, "Change 
 // After a row that was changed: what it was, and the way back. True when pressed.
 bool draw_way_back(App& app, const char* id, bool changed, const std::string& original) {
     if (!changed) return false;
-    ImGui::SameLine(0.0F, app.theme.gap_px * 0.5F);
+    flow_on(ImGui::CalcTextSize(original.c_str()).x, app.theme.gap_px * 0.5F);
     ImGui::PushID(id);
-    ImGui::AlignTextToFramePadding();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
     const bool pressed = link(app, "back", original);
     note_item(app.rects, std::string("reset:") + id, original);
     draw_tooltip(app, "Changed. Click to go back to this value.");
@@ -253,24 +254,25 @@ void draw_choice(App& app, const ChoiceRow& row, const Model& original) {
     const int before = row.get(app.document.set.model);
     const int known = row.get(original);
     ImGui::PushID(row.id);
-    draw_label(app, row.label);
+    const float gap = 1.5F * app.theme.gap_px;
+    draw_label(app, row.label,
+               radio_width(app, row.options[0]) + gap + radio_width(app, row.options[1]));
     draw_tooltip(app, row.help);
     for (int k = 0; k < 2; ++k) {
         const char* option = row.options[static_cast<std::size_t>(k)];
-        if (ImGui::RadioButton(option, before == k)) {
+        if (k > 0) flow_on(radio_width(app, option), gap);
+        if (draw_radio(app, option, before == k) && before != k) {
             change_model(app, [&](Model& m) { row.set(m, k); });
             commit_model(app, row.label);
         }
         note_item(app.rects, std::string("choice:") + row.id + " " + option,
                   before == k ? "chosen" : "");
         draw_tooltip(app, row.help);
-        ImGui::SameLine(0.0F, 1.5F * app.theme.gap_px);
     }
     if (draw_way_back(app, row.id, before != known, row.options[static_cast<std::size_t>(known)])) {
         change_model(app, [&](Model& m) { row.set(m, known); });
         commit_model(app, row.label);
     }
-    ImGui::NewLine();
     ImGui::PopID();
 }
 
@@ -302,9 +304,11 @@ int count_changed(const Model& model, const Model& original) {
 void draw_summary(App& app, const Model& original) {
     const int changed = count_changed(app.document.set.model, original);
     if (changed == 0) {
+        ImGui::PushTextWrapPos(0.0F);
         dim_text(app,
                  "As published: trained parameters of the paper, choices of ours where it "
                  "leaves one open.");
+        ImGui::PopTextWrapPos();
         return;
     }
     char text[96];
@@ -314,8 +318,9 @@ void draw_summary(App& app, const Model& original) {
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();
     note_item(app.rects, "model:changed", std::to_string(changed));
-    ImGui::SameLine();
-    if (link(app, "reset model", "Back to the paper's")) {
+    constexpr const char* kBack = "Back to the paper's";
+    flow_on(ImGui::CalcTextSize(kBack).x, app.theme.gap_px);
+    if (link(app, "reset model", kBack)) {
         change_model(app, [&](Model& m) { m = original; });
         commit_model(app, "the model back to the paper's");
     }
@@ -326,11 +331,11 @@ void draw_summary(App& app, const Model& original) {
 
 void draw_model_panel(App& app) {
     const Model original;
+    ImGui::BeginChild("parameters", ImGui::GetContentRegionAvail());
     draw_hint(app, "model",
               "Every number here changes the prediction at once, for this set only. Changed ones "
               "show what they were; click it to go back.");
     draw_summary(app, original);
-    ImGui::BeginChild("parameters", ImGui::GetContentRegionAvail());
     draw_heading(app, "Trained in the paper",
                  "With the authors' own tables and kernels; with ours they are a starting point.");
     for (const NumberRow& row : kTrained) draw_number(app, row, original);

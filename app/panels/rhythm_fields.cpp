@@ -63,7 +63,7 @@ void draw_rhythm_grid(App& app, const Rhythm& rhythm) {
 
 void draw_rhythm_fields(App& app, const Pattern& pattern) {
     EditorState& state = app.editor;
-    draw_label(app, "Rhythm");
+    draw_label(app, "Rhythm", 120.0F * app.theme.scale);
     if (!state.rhythm_typing) state.rhythm_text = pattern.rhythm.text;
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::InputTextWithHint("##rhythm", "one note throughout; x=-x note, hold, rest",
@@ -85,12 +85,11 @@ void draw_rhythm_fields(App& app, const Pattern& pattern) {
     }
     if (state.rhythm_typing && !fault.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.error));
-        ImGui::TextUnformatted(fault.c_str());
+        ImGui::TextWrapped("%s", fault.c_str());
         ImGui::PopStyleColor();
     }
     if (pattern.rhythm.text.empty()) {
-        ImGui::Dummy({0.0F, 0.0F});
-        ImGui::SameLine(label_width(app) + ImGui::GetStyle().WindowPadding.x);
+        draw_label(app, "", 120.0F * app.theme.scale);
         if (link(app, "make grid", "Make a rhythm")) set_rhythm(app, "x=--x=--");
         note_item(app.rects, "link:make a rhythm");
         return;

@@ -22,27 +22,43 @@ namespace {
 constexpr float kRowHeightPx = 25.0F;
 constexpr const char* kDragKind = "tact-vibration";
 
-std::vector<std::size_t> found(const App& app) {
+// Which parts of a row there is room for, beside most of the names.
+struct RowParts {
+    float thumbnail_px = 0.0F;  // 0: none
+    float strength_px = 0.0F;
+};
+
+// The strength goes first, then the thumbnail, then the ends of names.
+RowParts row_parts(const App& app, float row_px) {
+    const float s = app.theme.scale;
     const auto& all = app.document.set.vibrations;
-    const std::string wanted = lower_case(app.set_panel.search);
-    std::vector<std::size_t> indices;
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        if (lower_case(all[k].name).find(wanted) != std::string::npos) indices.push_back(k);
+    float widest = 0.0F;
+    for (std::size_t k = 0; k < std::min<std::size_t>(all.size(), 500); ++k) {
+        widest = std::max(widest, text_size(app.theme.fonts.regular, all[k].name).x);
     }
-    return indices;
+    // One long name must not take the pictures of all.
+    const float free = row_px - 32.0F * s - std::min(widest, 0.5F * row_px);
+    const float least = 36.0F * s;
+    const float most = std::min(76.0F * s, 0.28F * row_px);
+    constexpr float kStrengthPx = 62.0F;
+    if (free >= kStrengthPx * s + least) {
+        return {std::min(free - kStrengthPx * s, most), kStrengthPx * s};
+    }
+    if (free >= least) return {std::min(free, most), 0.0F};
+    return {};
 }
 
 void draw_toolbar(App& app) {
     if (ImGui::Button("New")) add_pattern(app);
     note_item(app.rects, "button:new");
     draw_tooltip(app, "Add a pattern (Ctrl+N)");
-    ImGui::SameLine();
+    flow_on(button_width("Duplicate"), app.theme.gap_px);
     ImGui::BeginDisabled(app.document.set.vibrations.empty());
     if (ImGui::Button("Duplicate")) duplicate_selected(app);
     note_item(app.rects, "button:duplicate");
     draw_tooltip(app, "Copy the selected patterns (Ctrl+D)");
     ImGui::EndDisabled();
-    ImGui::SameLine();
+    flow_on(72.0F * app.theme.scale, app.theme.gap_px);
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::InputTextWithHint("##search", "Search", &app.set_panel.search);
     note_item(app.rects, "search");
@@ -111,7 +127,28 @@ void draw_rename(App& app, std::size_t index) {
     if (entered || ImGui::IsItemDeactivated()) state.renaming.reset();
 }
 
-void draw_row_content(App& app, std::size_t index, const Rect& row) {
+// Strength and thumbnail at the right end; where they begin. A name that needs the room has it.
+float draw_row_end(App& app, const Vibration& vibration, const PatternLook& look, const Rect& row,
+                   float name_end, const RowParts& parts) {
+    const Theme& theme = app.theme;
+    const float s = theme.scale;
+    float end = row.max.x - 6.0F * s;
+    if (parts.strength_px > 0.0F && name_end <= row.max.x - parts.strength_px) {
+        const std::string strength = strength_text(vibration);
+        const ImVec2 size = text_size(theme.fonts.small, strength);
+        draw_text(*ImGui::GetWindowDrawList(), theme.fonts.small,
+                  {end - size.x, row.centre().y - size.y / 2.0F}, theme.dim_text, strength);
+        end = row.max.x - parts.strength_px;
+    }
+    const float thumbnail_end = std::min(end, row.max.x - parts.strength_px);
+    const float begin = thumbnail_end - parts.thumbnail_px;
+    if (parts.thumbnail_px <= 0.0F || name_end > begin) return end;
+    draw_thumbnail(app, {{begin, row.min.y + 5.0F * s}, {thumbnail_end, row.max.y - 5.0F * s}},
+                   vibration, look.colour);
+    return begin;
+}
+
+void draw_row_content(App& app, std::size_t index, const Rect& row, const RowParts& parts) {
     const Vibration& vibration = app.document.set.vibrations[index];
     const Theme& theme = app.theme;
     const float s = theme.scale;
@@ -128,24 +165,20 @@ void draw_row_content(App& app, std::size_t index, const Rect& row) {
     const PatternLook look = look_of(app, index);
     draw_pattern_mark(list, theme, {row.min.x + 12.0F * s, middle}, 5.5F * s, look, theme.pane);
 
-    const std::string strength = strength_text(vibration);
-    const float strength_width = text_size(theme.fonts.small, strength).x;
-    const float right = row.max.x - 6.0F * s;
-    draw_text(list, theme.fonts.small, {right - strength_width, text_y + 1.0F * s}, theme.dim_text,
-              strength);
-    const float picture_end = row.max.x - 62.0F * s;
-    const float picture_begin = picture_end - std::min(76.0F * s, row.width() * 0.28F);
-    draw_thumbnail(app,
-                   {{picture_begin, row.min.y + 5.0F * s}, {picture_end, row.max.y - 5.0F * s}},
-                   vibration, look.colour);
     const float name_begin = row.min.x + 26.0F * s;
     std::string name = vibration.name;
     if (vibration.locked) name += "  (locked)";
-    draw_text(list, theme.fonts.regular, {name_begin, text_y}, theme.text,
-              shortened(theme.fonts.regular, name, picture_begin - name_begin - 6.0F * s));
+    const float name_end = name_begin + text_size(theme.fonts.regular, name).x + 6.0F * s;
+    const float end = draw_row_end(app, vibration, look, row, name_end, parts);
+    const std::string shown =
+        shortened(theme.fonts.regular, name, std::max(0.0F, end - name_begin - 5.0F * s));
+    draw_text(list, theme.fonts.regular, {name_begin, text_y}, theme.text, shown);
+    const ImVec2 corner{name_begin, text_y};
+    note_rect(app.rects, "row name:" + vibration.name, corner,
+              corner + text_size(theme.fonts.regular, shown), shown);
 }
 
-void draw_row(App& app, std::size_t index) {
+void draw_row(App& app, std::size_t index, const RowParts& parts) {
     const float height = kRowHeightPx * app.theme.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::PushID(static_cast<int>(index));
@@ -170,7 +203,7 @@ void draw_row(App& app, std::size_t index) {
     note_rect(app.rects, "row:" + app.document.set.vibrations[index].name, row.min, row.max);
     drag_row(app, index);
     draw_row_menu(app, index);
-    draw_row_content(app, index, row);
+    draw_row_content(app, index, row, parts);
     ImGui::PopID();
 }
 
@@ -188,17 +221,20 @@ void scroll_to_current(App& app, const std::vector<std::size_t>& rows) {
 }
 
 void draw_rows(App& app) {
-    const std::vector<std::size_t> rows = found(app);
+    const std::vector<std::size_t> rows = listed_indices(app);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 1.0F));
     if (ImGui::BeginChild("rows")) {
         scroll_to_current(app, rows);
+        const RowParts parts = row_parts(app, ImGui::GetContentRegionAvail().x);
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(rows.size()));
         while (clipper.Step()) {
             for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
                 const std::size_t index = rows[static_cast<std::size_t>(k)];
                 // A row's own action may have removed patterns.
-                if (index < app.document.set.vibrations.size()) draw_row(app, index);
+                if (index < app.document.set.vibrations.size()) {
+                    draw_row(app, index, parts);
+                }
             }
         }
         if (rows.empty()) {

@@ -35,18 +35,23 @@ std::vector<std::optional<std::size_t>> places_in_document(const App& app) {
 
 void draw_controls(App& app) {
     const auto choose = [&app](const char* label, int dimensions) {
-        if (ImGui::RadioButton(label, app.dimensions == dimensions) &&
-            app.dimensions != dimensions) {
+        if (draw_radio(app, label, app.dimensions == dimensions) && app.dimensions != dimensions) {
             app.dimensions = dimensions;
             document_changed(app);
         }
         note_item(app.rects, std::string("radio:") + label);
-        ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
     };
+    constexpr const char* kReset = "Reset view";
     choose("3-D", 3);
+    ImGui::SameLine(0.0F, 1.5F * app.theme.gap_px);
     choose("2-D", 2);
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y);
-    if (link(app, "reset view", "Reset view")) app.camera = SpaceCamera{};
+    // Every map begins unturned: the way back is of use only after that.
+    if (app.camera == SpaceCamera{}) return;
+    const float width = ImGui::CalcTextSize(kReset).x;
+    flow_on(width, 2.0F * app.theme.gap_px);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
+    if (link(app, "reset view", kReset)) app.camera = SpaceCamera{};
     note_item(app.rects, "link:reset view");
 }
 
@@ -138,10 +143,7 @@ void note_points(App& app, const Rect& area, const std::vector<std::string>& lab
 }  // namespace
 
 void draw_space_panel(App& app) {
-    if (!app.as_picture) {
-        draw_controls(app);
-        ImGui::NewLine();
-    }
+    if (!app.as_picture) draw_controls(app);
     const MapState state = map_state(app);
     const Rect area = rest_of_pane();
     if (area.empty()) return;
@@ -173,9 +175,9 @@ void draw_space_panel(App& app) {
     note_points(app, area, labels, points);
     const std::string verdict = verdict_text(app.map.shown->space, shown.size());
     if (!verdict.empty()) {
-        draw_text(*ImGui::GetWindowDrawList(), app.theme.fonts.small,
-                  {area.min.x, area.max.y - ImGui::GetTextLineHeight()}, app.theme.warning,
-                  verdict);
+        // At the top: the foot has the axes and what the mouse can do.
+        draw_text(*ImGui::GetWindowDrawList(), app.theme.fonts.small, area.min, app.theme.warning,
+                  shortened(app.theme.fonts.small, verdict, area.width()));
     }
 }
 

@@ -26,16 +26,16 @@ const Curve& curve_of(const PhysiologyTables& tables, bool threshold, Receptor t
 
 void draw_choices(App& app) {
     ModelPanelState& state = app.model_panel;
+    const float gap = 1.5F * app.theme.gap_px;
     for (const Receptor receptor : kReceptors) {
-        if (ImGui::RadioButton(traits(receptor).name, state.type == receptor))
-            state.type = receptor;
+        const char* name = traits(receptor).name;
+        if (receptor != kReceptors[0]) flow_on(radio_width(app, name), gap);
+        if (draw_radio(app, name, state.type == receptor)) state.type = receptor;
         note_item(app.rects, std::string("table:") + traits(receptor).afferent);
-        ImGui::SameLine(0.0F, app.theme.gap_px);
     }
-    ImGui::NewLine();
-    if (ImGui::RadioButton("threshold", state.threshold)) state.threshold = true;
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    if (ImGui::RadioButton("slope", !state.threshold)) state.threshold = false;
+    if (draw_radio(app, "threshold", state.threshold)) state.threshold = true;
+    flow_on(radio_width(app, "slope"), gap);
+    if (draw_radio(app, "slope", !state.threshold)) state.threshold = false;
     note_item(app.rects, "table:slope");
 }
 
@@ -98,8 +98,9 @@ void draw_table_fields(App& app, const PhysiologyTables& original) {
                  "A file with columns receptor, frequency_hz and either "
                  "slope_imp_per_s_per_log10um or threshold_log10_um_peak");
     if (curve == known) return;
-    ImGui::SameLine(0.0F, app.theme.padding_px);
-    if (link(app, "reset table", "This table as it was")) {
+    constexpr const char* kReset = "This table as it was";
+    flow_on(ImGui::CalcTextSize(kReset).x, app.theme.padding_px);
+    if (link(app, "reset table", kReset)) {
         curve_of(app.document.set.model.coding.tables, state.threshold, state.type) = known;
         document_changed(app);
         commit_step(app, std::string("Reset ") + traits(state.type).name + " table");

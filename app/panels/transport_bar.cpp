@@ -9,6 +9,7 @@
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
 #include "app/panels/time_rows.h"
+#include "app/time_left.h"
 #include "app/widgets.h"
 #include "viz/colour.h"
 #include "viz/marks.h"
@@ -95,54 +96,138 @@ void draw_speeds(App& app) {
     }
 }
 
-// "0.382 s of 1.000 s": digits that do not dance.
-void draw_time(App& app) {
+struct TimeTexts {
+    std::string at;
+    std::string whole;
+    std::string range;  // empty: all of it is shown
+};
+
+TimeTexts time_texts(const App& app) {
     char at[32];
     char whole[48];
     std::snprintf(at, sizeof at, "%.3f s", app.playhead.at_s);
     std::snprintf(whole, sizeof whole, "of %.3f s", shown_duration_s(app));
-    ImGui::PushFont(app.theme.fonts.semibold);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(at);
-    ImGui::PopFont();
-    note_item(app.rects, "playhead", at);
-    ImGui::SameLine(0.0F, app.theme.gap_px * 0.75F);
-    dim_text(app, whole);
     const TimeRange& range = app.time_range;
     const bool zoomed_in =
         range.length_s() > 0.0 && range.length_s() < shown_duration_s(app) - 1e-9;
-    if (!zoomed_in) return;
+    char shown[64] = "";
+    if (zoomed_in) {
+        std::snprintf(shown, sizeof shown, "%.4g\u2013%.4g s shown", range.start_s, range.end_s);
+    }
+    return {at, whole, shown};
+}
+
+// What is being computed, at length and in short; empty: nothing.
+struct ComputingTexts {
+    std::string full;
+    std::string brief;
+    const char* action = "";
+};
+
+ComputingTexts computing_texts(const App& app) {
+    if (app.map_progress) {
+        char percent[16];
+        std::snprintf(percent, sizeof percent, "%.0f %%",
+                      static_cast<double>(100.0F * app.map_progress->share));
+        const std::string left =
+            time_left_text(app.time_s - app.map_progress->since_s, app.map_progress->share);
+        return {std::string("computing the map, ") + percent + (left.empty() ? "" : ", " + left),
+                percent, "Cancel"};
+    }
+    if (app.map_cancelled) return {"map not computed", "no map", "Compute"};
+    return {};
+}
+
+// What the bar has room for; the parts, from the one that goes first to the one that goes last.
+struct BarParts {
+    bool computing_in_full = true;
+    bool whole = true;
+    bool range = true;
+    bool speeds = true;
+    bool steps = true;
+    bool computing = true;
+    bool loop = true;
+};
+constexpr std::array<bool BarParts::*, 7> kFirstToGo{&BarParts::computing_in_full,
+                                                     &BarParts::whole,
+                                                     &BarParts::range,
+                                                     &BarParts::speeds,
+                                                     &BarParts::steps,
+                                                     &BarParts::computing,
+                                                     &BarParts::loop};
+
+constexpr const char* kShowAll = "Show all";
+
+float bar_width(const App& app, const BarParts& parts) {
+    const float gap = app.theme.gap_px;
+    const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+    const float icon = 1.15F * ImGui::GetFrameHeight() + 0.5F * gap;
+    const TimeTexts time = time_texts(app);
+    const ComputingTexts computing = computing_texts(app);
+    float sum = icon * (1.0F + (parts.steps ? 3.0F : 0.0F) + (parts.loop ? 1.0F : 0.0F));
+    if (parts.speeds) {
+        sum += app.theme.padding_px;
+        for (const Speed& speed : kSpeeds) sum += button_width(speed.text) + 0.5F * gap;
+    }
+    sum += app.theme.padding_px + text_size(app.theme.fonts.semibold, time.at).x;
+    if (parts.whole) sum += 0.75F * gap + width(time.whole);
+    if (!time.range.empty()) {
+        sum += app.theme.padding_px + width(kShowAll);
+        if (parts.range) sum += gap + width(time.range);
+    }
+    if (parts.computing && !computing.full.empty()) {
+        sum += 2.0F * gap + width(parts.computing_in_full ? computing.full : computing.brief) +
+               gap + width(computing.action);
+    }
+    return sum;
+}
+
+BarParts fitting_parts(const App& app, float room_px) {
+    BarParts parts;
+    for (const auto part : kFirstToGo) {
+        if (bar_width(app, parts) <= room_px) break;
+        parts.*part = false;
+    }
+    return parts;
+}
+
+// "0.382 s of 1.000 s": digits that do not dance.
+void draw_time(App& app, const BarParts& parts) {
+    const TimeTexts time = time_texts(app);
+    ImGui::PushFont(app.theme.fonts.semibold);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(time.at.c_str());
+    ImGui::PopFont();
+    note_item(app.rects, "playhead", time.at);
+    if (parts.whole) {
+        ImGui::SameLine(0.0F, app.theme.gap_px * 0.75F);
+        dim_text(app, time.whole);
+        note_item(app.rects, "bar:whole");
+    }
+    if (time.range.empty()) return;
     ImGui::SameLine(0.0F, app.theme.padding_px);
-    char shown[64];
-    std::snprintf(shown, sizeof shown, "%.4g\u2013%.4g s shown", range.start_s, range.end_s);
-    dim_text(app, shown);
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    if (link(app, "show all", "Show all")) app.time_range = {};
+    if (parts.range) {
+        dim_text(app, time.range);
+        note_item(app.rects, "bar:range");
+        ImGui::SameLine(0.0F, app.theme.gap_px);
+    }
+    if (link(app, "show all", kShowAll)) app.time_range = {};
     note_item(app.rects, "show all");
 }
 
-void draw_computing(App& app) {
+void draw_computing(App& app, const BarParts& parts) {
+    const ComputingTexts texts = computing_texts(app);
+    if (texts.full.empty() || !parts.computing) return;
+    const std::string& text = parts.computing_in_full ? texts.full : texts.brief;
     const float right = ImGui::GetWindowWidth() - app.theme.padding_px;
-    const bool busy = app.full_job && app.full_job->busy();
-    std::string text;
-    if (busy) {
-        char percent[64];
-        std::snprintf(percent, sizeof percent, "computing the map, %.0f %%",
-                      static_cast<double>(100.0F * app.full_job->progress()));
-        text = percent;
-    } else if (app.map_cancelled) {
-        text = "map not computed";
-    }
-    if (text.empty()) return;
-    const char* action = busy ? "Cancel" : "Compute";
-    const float width =
-        ImGui::CalcTextSize(text.c_str()).x + ImGui::CalcTextSize(action).x + app.theme.gap_px;
-    if (right - width < ImGui::GetCursorPosX()) return;
+    const float width = ImGui::CalcTextSize(text.c_str()).x + ImGui::CalcTextSize(texts.action).x +
+                        app.theme.gap_px;
     ImGui::SameLine(right - width);
     dim_text(app, text);
+    note_item(app.rects, "bar:computing", text);
     ImGui::SameLine(0.0F, app.theme.gap_px);
-    if (link(app, "map action", action)) {
-        if (busy) {
+    if (link(app, "map action", texts.action)) {
+        if (app.map_progress) {
             app.full_job->cancel();
             app.preview_job->cancel();
             app.map_cancelled = true;
@@ -150,7 +235,32 @@ void draw_computing(App& app) {
             request_maps(app);
         }
     }
-    note_item(app.rects, std::string("map:") + action);
+    note_item(app.rects, std::string("map:") + texts.action);
+}
+
+void draw_buttons(App& app, const BarParts& parts) {
+    Playhead& playhead = app.playhead;
+    const double duration_s = shown_duration_s(app);
+    const bool playing = playhead.playing;
+    if (icon_button(app, "play", playing ? Icon::pause : Icon::play, playing,
+                    playing ? "Pause (Space)" : "Play silently (Space)")) {
+        toggle_playing(app);
+    }
+    if (parts.steps) {
+        if (icon_button(app, "to start", Icon::to_start, false, "Back to the start (Home)")) {
+            playhead.at_s = 0.0;
+        }
+        if (icon_button(app, "back", Icon::back, false, "5 ms back ( , )")) {
+            playhead = stepped(playhead, -1, duration_s);
+        }
+        if (icon_button(app, "forward", Icon::forward, false, "5 ms on ( . )")) {
+            playhead = stepped(playhead, 1, duration_s);
+        }
+    }
+    if (parts.loop &&
+        icon_button(app, "loop", Icon::loop, playhead.loop, "Start over at the end")) {
+        playhead.loop = !playhead.loop;
+    }
 }
 
 }  // namespace
@@ -167,30 +277,15 @@ void draw_transport_bar(App& app, const Rect& area) {
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
                          ImGuiWindowFlags_NoBringToFrontOnFocus)) {
-        Playhead& playhead = app.playhead;
-        const double duration_s = shown_duration_s(app);
-        const bool playing = playhead.playing;
-        if (icon_button(app, "play", playing ? Icon::pause : Icon::play, playing,
-                        playing ? "Pause (Space)" : "Play silently (Space)")) {
-            toggle_playing(app);
-        }
-        if (icon_button(app, "to start", Icon::to_start, false, "Back to the start (Home)")) {
-            playhead.at_s = 0.0;
-        }
-        if (icon_button(app, "back", Icon::back, false, "5 ms back ( , )")) {
-            playhead = stepped(playhead, -1, duration_s);
-        }
-        if (icon_button(app, "forward", Icon::forward, false, "5 ms on ( . )")) {
-            playhead = stepped(playhead, 1, duration_s);
-        }
-        if (icon_button(app, "loop", Icon::loop, playhead.loop, "Start over at the end")) {
-            playhead.loop = !playhead.loop;
+        const BarParts parts = fitting_parts(app, area.width() - 2.0F * app.theme.padding_px);
+        draw_buttons(app, parts);
+        if (parts.speeds) {
+            ImGui::SameLine(0.0F, app.theme.padding_px);
+            draw_speeds(app);
         }
         ImGui::SameLine(0.0F, app.theme.padding_px);
-        draw_speeds(app);
-        ImGui::SameLine(0.0F, app.theme.padding_px);
-        draw_time(app);
-        draw_computing(app);
+        draw_time(app, parts);
+        draw_computing(app, parts);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

@@ -1,0 +1,15 @@
+// How long a run under way will still take, from how far it is: "about 40 s left".
+//
+// Input     seconds since it began, share done (0 to 1)
+// Output    words; empty while too little is known or too little is left to be worth them
+// Valid     work that goes on as fast as it went
+#pragma once
+
+#include <string>
+
+namespace tact {
+
+// Rounded up, coarser the longer it is: a number that dances tells less.
+std::string time_left_text(double elapsed_s, double share);
+
+}  // namespace tact
