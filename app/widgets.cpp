@@ -6,7 +6,6 @@
 
 #include "viz/colour.h"
 #include "viz/marks.h"
-#include "viz/plot.h"
 
 namespace tact {
 
@@ -18,14 +17,18 @@ constexpr float kLeastBarPx = 36.0F;
 
 ImVec4 colour4(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
-// The longest form that fits; else the shortest one, cut, where some of it is left to read.
+// The longest form that fits, or none: half a number would be a wrong one.
 std::string fitting(const std::vector<std::string>& forms, const ImFont* font, float room_px) {
-    if (forms.empty() || forms.back().empty()) return {};
     for (const std::string& form : forms) {
         if (text_size(font, form).x <= room_px) return form;
     }
-    if (room_px < 4.0F * font_or_current(font).FontSize) return {};
-    return shortened(font, forms.back(), room_px);
+    return {};
+}
+
+// Of a name a part is better than nothing, if it is enough to know it by.
+std::string cut(const std::string& name, const ImFont* font, float room_px) {
+    if (text_size(font, name).x <= room_px) return name;
+    return room_px < 4.0F * font_or_current(font).FontSize ? "" : shortened(font, name, room_px);
 }
 
 void draw_title_part(App& app, const ImFont* font, ImVec2 corner, ImU32 colour,
@@ -44,7 +47,7 @@ void draw_pane_title(App& app, Pane pane, const PaneTitle& title) {
     const std::string head = shortened(fonts.semibold, title.title, size.x);
     float used = text_size(fonts.semibold, head).x + theme.gap_px;
     draw_title_part(app, fonts.semibold, corner, theme.text, head, "title text:" + title.title);
-    const std::string detail = fitting({title.detail}, fonts.regular, size.x - used);
+    const std::string detail = cut(title.detail, fonts.regular, size.x - used);
     draw_title_part(app, fonts.regular, corner + ImVec2{used, 0.0F}, theme.dim_text, detail,
                     "title detail:" + title.title);
     if (!detail.empty()) used += text_size(fonts.regular, detail).x + 2.0F * theme.gap_px;
@@ -228,9 +231,11 @@ bool draw_radio(const App& app, const char* label, bool chosen) {
     return pressed;
 }
 
-void flow_on(float width_px, float gap_px) {
+bool flow_on(float width_px, float gap_px) {
     const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
-    if (ImGui::GetItemRectMax().x + gap_px + width_px <= right) ImGui::SameLine(0.0F, gap_px);
+    const bool beside = ImGui::GetItemRectMax().x + gap_px + width_px <= right;
+    if (beside) ImGui::SameLine(0.0F, gap_px);
+    return beside;
 }
 
 float button_width(const char* label) {
@@ -294,16 +299,6 @@ void draw_tooltip(const App& app, const char* text) {
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
-}
-
-std::string grouped(double value) {
-    std::string text = significant(value, 4);
-    const std::size_t point = std::min(text.find('.'), text.size());
-    const std::size_t first = text.find_first_of("0123456789");
-    if (first == std::string::npos) return text;
-    // No-break spaces: a plain one would let the number be broken in two.
-    for (std::size_t at = point; at > first + 3;) text.insert(at -= 3, "\u00a0");
-    return text;
 }
 
 std::string lower_case(std::string text) {

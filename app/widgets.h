@@ -53,8 +53,8 @@ void draw_label(const App& app, const char* label, float room_px = 0.0F);
 bool draw_radio(const App& app, const char* label, bool chosen);
 float radio_width(const App& app, const char* label);
 
-// The next item comes beside the last one where its width has room, else below.
-void flow_on(float width_px, float gap_px);
+// The next item comes beside the last one where its width has room, else below: false.
+bool flow_on(float width_px, float gap_px);
 float button_width(const char* label);
 
 // A 6 px bar between two panes that moves a share of `total` pixels while it is dragged. Upright
@@ -73,9 +73,6 @@ void draw_hint(App& app, const char* id, const char* text);
 
 // A tooltip on the last item after a moment's rest.
 void draw_tooltip(const App& app, const char* text);
-
-// Four significant digits, the thousands apart: "61.75", "499 500".
-std::string grouped(double value);
 
 // ASCII letters in lower case: for searches.
 std::string lower_case(std::string text);

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -139,6 +140,39 @@ TEST_CASE("matrix: few patterns have all their names, many only some") {
     CHECK(few.column_labels);
     CHECK(many.label_step > 20);
     CHECK_FALSE(many.column_labels);
+}
+
+TEST_CASE("matrix: names of one or two letters are shown") {
+    for (const char* stem : {"", "k"}) {
+        Example e = example(6);
+        for (std::size_t i = 0; i < 6; ++i) {
+            e.labels[i] = stem + std::string(1, static_cast<char>('A' + i));
+        }
+        MatrixLayout layout;
+        const Image image = picture(scene_of(e), std::nullopt, nullptr, &layout);
+        for (std::size_t i = 0; i < 6; ++i) {
+            const float top = layout.cells.min.y + static_cast<float>(i) * layout.cell_px;
+            const Rect beside{{kArea.min.x, top}, {layout.cells.min.x, top + layout.cell_px}};
+            CHECK(count_pixels(image, beside, dark_theme(1.0F).dim_text, 60) >= 5);
+        }
+    }
+}
+
+TEST_CASE("matrix: where all pairs are equal none is bright, except that nothing is apart") {
+    Example e = example(4);
+    const auto first_pair = [&e] {
+        MatrixLayout layout;
+        const Image image = picture(scene_of(e), std::nullopt, nullptr, &layout);
+        return pixel(image, static_cast<int>(layout.cells.min.x + layout.cell_px + 3.0F),
+                     static_cast<int>(layout.cells.min.y + 3.0F));
+    };
+    std::fill(e.condensed.begin(), e.condensed.end(), 3.5);
+    CHECK(first_pair() == dark_theme(1.0F).hover);
+    std::fill(e.condensed.begin(), e.condensed.end(), 0.0);
+    CHECK(first_pair() == viridis(0.0));
+    // A single pair is equal to itself, which says nothing.
+    e = example(2);
+    CHECK(first_pair() == viridis(1.0));
 }
 
 }  // namespace tact

@@ -106,6 +106,10 @@ TEST_CASE("plot: numbers read as a person would write them") {
     CHECK(significant(1234.5) == "1234");
     CHECK(significant(0.0) == "0.00");
     CHECK(significant(NAN) == "–");
+    CHECK(grouped(61.749) == "61.7");
+    CHECK(grouped(999.6) == "1\u00a0000");
+    CHECK(grouped(499500.0) == "499\u00a0500");
+    CHECK(grouped(-1234567.0) == "−1\u00a0234\u00a0567");
 }
 
 }  // namespace tact

@@ -34,7 +34,7 @@ double largest_of(const MatrixScene& scene) {
 // number of fourteen zeros wider than its cell.
 std::string value_text(double value, double largest) {
     constexpr double kRounding = 1e-9;
-    return std::abs(value) < kRounding * largest ? "0" : significant(value);
+    return std::abs(value) < kRounding * largest ? "0" : grouped(value);
 }
 
 // Objects [first, last) that one drawn row stands for.
@@ -111,14 +111,14 @@ void draw_values(ImDrawList& list, const Theme& theme, const MatrixLayout& layou
                  const MatrixScene& scene, const Shades& shades) {
     const ImFont* font = theme.fonts.small;
     const float room = layout.cell_px - theme.gap_px;
-    if (text_size(font, significant(shades.largest)).x > room) return;
+    if (text_size(font, grouped(shades.largest)).x > room) return;
     if (font_or_current(font).FontSize > room) return;
     const std::size_t n = scene.labels.size();
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j < n; ++j) {
             const double value = value_of(scene, i, j);
             if (std::isnan(value)) continue;
-            const std::string text = value_text(value, largest);
+            const std::string text = value_text(value, shades.largest);
             const ImVec2 size = text_size(font, text);
             const ImVec2 middle{
                 layout.cells.min.x + (static_cast<float>(j) + 0.5F) * layout.cell_px,
@@ -191,7 +191,7 @@ void draw_scale(ImDrawList& list, const Theme& theme, const MatrixLayout& layout
     if (bar.empty()) return;
     const ImFont* font = theme.fonts.small;
     const float text_px = font_or_current(font).FontSize;
-    const std::string top = significant(shades.largest) + " " + std::string{scene.quantity};
+    const std::string top = grouped(shades.largest) + " " + std::string{scene.quantity};
     if (shades.flat) {
         draw_text(list, font, bar.min, theme.dim_text, "all pairs equal");
         return draw_text(list, font, {bar.min.x, bar.min.y + 1.2F * text_px}, theme.dim_text, top);
@@ -330,7 +330,7 @@ MatrixAction draw_matrix(const char* id, const Theme& theme, const Rect& area,
     if (action.hovered) {
         const auto [i, j] = *action.hovered;
         const std::array<std::string, 2> lines{
-            std::string{scene.quantity} + " " + value_text(value_of(scene, i, j), largest),
+            std::string{scene.quantity} + " " + value_text(value_of(scene, i, j), shades.largest),
             scene.labels[i] + " – " + scene.labels[j]};
         draw_readout(list, theme, area, ImGui::GetIO().MousePos, lines);
     }

@@ -174,6 +174,16 @@ std::string significant(double value, int digits) {
     return result;
 }
 
+std::string grouped(double value, int digits) {
+    std::string text = significant(value, digits);
+    const std::size_t point = std::min(text.find('.'), text.size());
+    const std::size_t first = text.find_first_of("0123456789");
+    if (first == std::string::npos) return text;
+    // No-break spaces: a plain one would let the number be broken in two.
+    for (std::size_t at = point; at > first + 3;) text.insert(at -= 3, "\u00a0");
+    return text;
+}
+
 std::vector<double> ticks_apart(const Axis& axis, float apart_px) {
     std::vector<double> ticks = round_ticks(axis.low, axis.high, axis.scale);
     while (ticks.size() > 2 &&

@@ -44,6 +44,9 @@ std::string tick_text(double value);
 // `digits` significant digits without an exponent: "31.2", "0.0304".
 std::string significant(double value, int digits = 3);
 
+// The same with the thousands apart: "61.8", "499 500".
+std::string grouped(double value, int digits = 3);
+
 // Where the curves go, and the axes that span it.
 struct Plot {
     Rect outer;  // with the labels

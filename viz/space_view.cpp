@@ -170,7 +170,7 @@ Rect free_plate(const Stage& stage, ImVec2 size, ImVec2 from, ImVec2 to) {
 Rect draw_pair_value(const Stage& stage, std::size_t a, std::size_t b) {
     if (!stage.scene.dissimilarity) return {};
     const Theme& theme = stage.theme;
-    std::string text = significant(stage.scene.dissimilarity(a, b));
+    std::string text = grouped(stage.scene.dissimilarity(a, b));
     if (!stage.scene.quantity.empty()) text = std::string{stage.scene.quantity} + " " + text;
     const ImVec2 pad{6.0F * theme.scale, 3.0F * theme.scale};
     const ImVec2 size = text_size(theme.fonts.semibold, text) + pad * 2.0F;
@@ -227,24 +227,32 @@ void draw_names(const Stage& stage, std::span<const Rect> occupied,
     }
     const LabelField field{discs, occupied, stage.pane, 3.0F * theme.scale};
     const auto placed = place_labels(wanted, field);
+    // No free place, but asked for: on a plate, which keeps others from under it.
+    std::vector<Rect> plates(wanted.size());
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+        const std::size_t i = wanted[k].disc;
+        if (placed[k] || !asked_for(stage, hovered, i)) continue;
+        const float pad = 2.0F * theme.scale;
+        const float away = discs[i].radius + pad + theme.scale;
+        const ImVec2 corner = discs[i].centre + ImVec2{away, -wanted[k].size.y / 2};
+        plates[k] = moved_into(inset(rect_at(corner, wanted[k].size), -pad), stage.pane);
+    }
     for (std::size_t k = 0; k < wanted.size(); ++k) {
         const std::size_t i = wanted[k].disc;
         const ImFont* font = name_font(stage, hovered, i);
         const bool special = asked_for(stage, hovered, i);
         const std::string name = shortened(font, stage.scene.labels[i], wanted[k].size.x + 0.5F);
-        if (placed[k]) {
+        const auto under = [&](const Rect& plate) {
+            return !plate.empty() && plate.intersects(*placed[k]);
+        };
+        if (placed[k] && (special || std::none_of(plates.begin(), plates.end(), under))) {
             const float strength = special ? 1.0F : 0.35F + 0.5F * presence(stage, i);
             draw_text_halo(stage.list, font, placed[k]->min, toned(stage, theme.text, strength),
                            theme.pane, theme.scale, name);
-        } else if (special) {
-            // No free place, but it was asked for: over the others, on a plate.
-            const float pad = 2.0F * theme.scale;
-            const float away = discs[i].radius + pad + theme.scale;
-            const ImVec2 corner = discs[i].centre + ImVec2{away, -wanted[k].size.y / 2};
-            const Rect plate = moved_into(inset(rect_at(corner, wanted[k].size), -pad), stage.pane);
-            stage.list.AddRectFilled(plate.min, plate.max, theme.hover, theme.rounding_px);
-            draw_text(stage.list, font, inset(plate, pad).min, theme.text, name);
         }
+        if (plates[k].empty()) continue;
+        stage.list.AddRectFilled(plates[k].min, plates[k].max, theme.hover, theme.rounding_px);
+        draw_text(stage.list, font, inset(plates[k], 2.0F * theme.scale).min, theme.text, name);
     }
 }
 

@@ -25,7 +25,12 @@ bool leaks(const Pattern& pattern) {
 
 void draw_leak_warning(App& app, const Pattern& pattern) {
     if (!leaks(pattern) || !pattern.rhythm.text.empty()) return;
-    flow_on(ImGui::CalcTextSize("leaks").x, 2.0F * app.theme.gap_px);
+    char label[64];
+    std::snprintf(label, sizeof label, "Snap to %.4g Hz steps", 1.0 / pattern.duration_s);
+    const float gap = app.theme.gap_px;
+    const float snap = ImGui::CalcTextSize(label).x;
+    const float both = ImGui::CalcTextSize("leaks").x + gap + snap;
+    if (!flow_on(both, 2.0F * gap)) draw_label(app, "", both);
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.warning));
     ImGui::TextUnformatted("leaks");
     ImGui::PopStyleColor();
@@ -33,9 +38,7 @@ void draw_leak_warning(App& app, const Pattern& pattern) {
                  "A carrier does not fit a whole number of cycles into the pattern. Its spectrum "
                  "leaks into neighbouring bins, and the model counts each of them: rates come out "
                  "too high. Frequencies that are multiples of 1 / duration do not leak.");
-    char label[64];
-    std::snprintf(label, sizeof label, "Snap to %.4g Hz steps", 1.0 / pattern.duration_s);
-    flow_on(ImGui::CalcTextSize(label).x, app.theme.gap_px);
+    flow_on(snap, gap);
     if (link(app, "snap", label)) {
         edit_patterns(app, [](Pattern& p) {
             for (Carrier& carrier : p.carriers) {

@@ -28,11 +28,18 @@ const char* quantity_name(MatrixQuantity quantity) {
 }
 
 void draw_choice(App& app) {
-    float gap = 3.0F * app.theme.gap_px;  // apart from the tabs before them
-    const auto choose = [&app, &gap](MatrixQuantity quantity, const char* help) {
+    const float gap = 1.5F * app.theme.gap_px;
+    float all = 2.0F * gap;
+    for (const auto q : {MatrixQuantity::pm, MatrixQuantity::nc, MatrixQuantity::oc}) {
+        all += radio_width(app, quantity_name(q));
+    }
+    // Beside the tabs, on the line of their words, or all of them below.
+    const float lower = 0.5F * (ImGui::GetFrameHeight() - ImGui::GetItemRectSize().y);
+    const bool beside = flow_on(all, 2.0F * gap);
+    if (beside) ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lower);
+    const auto choose = [&app, gap](MatrixQuantity quantity, const char* help) {
         const char* name = quantity_name(quantity);
-        flow_on(radio_width(app, name), gap);
-        gap = 1.5F * app.theme.gap_px;
+        if (quantity != MatrixQuantity::pm) flow_on(radio_width(app, name), gap);
         if (draw_radio(app, name, app.matrix_quantity == quantity)) app.matrix_quantity = quantity;
         note_item(app.rects, std::string("radio:") + name);
         draw_tooltip(app, help);
@@ -64,10 +71,10 @@ void draw_pair(App& app, const Rect& area, std::optional<Pair> pair,
               shortened(theme.fonts.semibold, names, area.width()));
     char numbers[160];
     std::snprintf(numbers, sizeof numbers, "PM %s of %s    NC %.3g, rank %s    OC %.4g, rank %s",
-                  grouped(prediction.pm.condensed[k]).c_str(),
-                  grouped(static_cast<double>(m)).c_str(), prediction.nc.condensed[k],
-                  grouped(prediction.nc_rank[k]).c_str(), prediction.oc.condensed[k],
-                  grouped(prediction.oc_rank[k]).c_str());
+                  grouped(prediction.pm.condensed[k], 4).c_str(),
+                  grouped(static_cast<double>(m), 4).c_str(), prediction.nc.condensed[k],
+                  grouped(prediction.nc_rank[k], 4).c_str(), prediction.oc.condensed[k],
+                  grouped(prediction.oc_rank[k], 4).c_str());
     draw_text(list, theme.fonts.small,
               {area.min.x, area.min.y + ImGui::GetTextLineHeightWithSpacing()}, theme.dim_text,
               shortened(theme.fonts.small, numbers, area.width()));

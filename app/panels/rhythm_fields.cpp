@@ -66,8 +66,10 @@ void draw_rhythm_fields(App& app, const Pattern& pattern) {
     draw_label(app, "Rhythm", 120.0F * app.theme.scale);
     if (!state.rhythm_typing) state.rhythm_text = pattern.rhythm.text;
     ImGui::SetNextItemWidth(-1.0F);
-    ImGui::InputTextWithHint("##rhythm", "one note throughout; x=-x note, hold, rest",
-                             &state.rhythm_text);
+    const char* long_hint = "one note throughout; x=-x note, hold, rest";
+    const bool has_room = button_width(long_hint) <= ImGui::GetContentRegionAvail().x;
+    ImGui::InputTextWithHint("##rhythm", has_room ? long_hint : "one note", &state.rhythm_text);
+    draw_tooltip(app, "x note, = hold, - rest; the text repeats. Empty: one note throughout.");
     note_item(app.rects, "rhythm", pattern.rhythm.text);
     state.rhythm_typing = ImGui::IsItemActive();
     const std::string fault = rhythm_fault(state.rhythm_text);
