@@ -191,6 +191,11 @@ BarParts fitting_parts(const App& app, float room_px) {
     return parts;
 }
 
+// A link has no frame: on a line of buttons it would stand too high.
+void lower_to_text() {
+    ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y + ImGui::GetStyle().FramePadding.y);
+}
+
 // "0.382 s of 1.000 s": digits that do not dance.
 void draw_time(App& app, const BarParts& parts) {
     const TimeTexts time = time_texts(app);
@@ -211,6 +216,7 @@ void draw_time(App& app, const BarParts& parts) {
         note_item(app.rects, "bar:range");
         ImGui::SameLine(0.0F, app.theme.gap_px);
     }
+    lower_to_text();
     if (link(app, "show all", kShowAll)) app.time_range = {};
     note_item(app.rects, "show all");
 }
@@ -223,9 +229,11 @@ void draw_computing(App& app, const BarParts& parts) {
     const float width = ImGui::CalcTextSize(text.c_str()).x + ImGui::CalcTextSize(texts.action).x +
                         app.theme.gap_px;
     ImGui::SameLine(right - width);
+    lower_to_text();
     dim_text(app, text);
     note_item(app.rects, "bar:computing", text);
     ImGui::SameLine(0.0F, app.theme.gap_px);
+    lower_to_text();
     if (link(app, "map action", texts.action)) {
         if (app.map_progress) {
             app.full_job->cancel();
