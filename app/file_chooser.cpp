@@ -266,10 +266,11 @@ Chosen draw_name(FileChooser& chooser) {
     const bool was_empty = chooser.name.empty();
     if (std::exchange(chooser.focus_name, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
-    const bool entered = ImGui::InputTextWithHint(
-        "##name", name_hint(chooser.use), &chooser.name,
-        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory, on_history,
-        &chooser);
+    const bool entered = ImGui::InputTextWithHint("##name", name_hint(chooser.use), &chooser.name,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue |
+                                                      ImGuiInputTextFlags_CallbackHistory |
+                                                      ImGuiInputTextFlags_AutoSelectAll,
+                                                  on_history, &chooser);
     if (was_empty && ImGui::IsItemActive() && is_pressed(ImGuiKey_Backspace)) {
         go(chooser, chooser.listing.folder.parent_path());
     }
