@@ -58,17 +58,17 @@ const char* quantity_name(MatrixQuantity quantity) {
 }
 
 PaneTitle physiology_title(const App& app) {
-    PaneTitle title{"Physiology", "", ""};
+    PaneTitle title{"Physiology", "", {}};
     if (const Vibration* current = current_vibration(app)) title.detail = current->name;
     if (!app.pinned.empty()) title.detail += "   compared with   " + app.pinned;
     char at[64];
     std::snprintf(at, sizeof at, "at %.3f s of %.3f s", app.playhead.at_s, shown_duration_s(app));
-    title.right = at;
+    title.right = {at};
     return title;
 }
 
 PaneTitle space_title(const App& app) {
-    PaneTitle title{"Perceptual space", app.document.set.name, ""};
+    PaneTitle title{"Perceptual space", app.document.set.name, {}};
     if (map_state(app) == MapState::stale) title.detail += "   before the last change";
     if (map_state(app) == MapState::preview) title.detail += "   preview";
     if (!app.map.shown || app.map.shown->space.verdict == MdsVerdict::constant) return title;
@@ -76,7 +76,7 @@ PaneTitle space_title(const App& app) {
     char text[96];
     std::snprintf(text, sizeof text, "predicted by PM, stress-1 %.3f, %s", stress1,
                   stress_label(stress1).c_str());
-    title.right = text;
+    title.right = {text};
     return title;
 }
 
@@ -93,7 +93,7 @@ void draw_view(App& app, PictureView view) {
                              [&app] { draw_space_panel(app); });
         case PictureView::matrix:
             return draw_pane(app, Pane::matrix, area,
-                             {"Matrix", quantity_name(app.matrix_quantity), ""},
+                             {"Matrix", quantity_name(app.matrix_quantity), {}},
                              [&app] { draw_matrix_panel(app); });
     }
 }

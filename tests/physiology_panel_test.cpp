@@ -365,6 +365,8 @@ TEST_CASE("physiology: silence, saturation, nothing at all and an edit under way
 
 TEST_CASE("model bench: a weight is changed, marked, undone, and brought back by one click") {
     Physiology program;
+    program.app.layout.maximised = Pane::matrix;
+    program.frame();
     program.click("tab:Model");
     const Place bar = program.at("slider:weight_FA1");
     program.drag({bar.middle().x, bar.middle().y}, {bar.max.x - 3.0F, bar.middle().y}, 3);

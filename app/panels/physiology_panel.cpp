@@ -273,6 +273,8 @@ void draw_physiology_panel(App& app) {
         draw_strip(app);
         draw_pin_choice(app);
     }
+    // The links above may have turned to another range.
+    app.time_range = fitted(app.time_range, duration_s);
     if (patterns.all.empty()) {
         draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(), "Computing",
                    "The receptors and nerves of " + vibration->name + " are on their way.");
