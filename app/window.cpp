@@ -12,6 +12,8 @@
 #include <memory>
 #include <mutex>
 
+#include "app/kept_frame.h"
+
 namespace tact {
 namespace {
 
@@ -65,6 +67,7 @@ struct Window {
     unsigned buttons_held = 0;  // one bit each
     int frames_due = kSettlingFrames;
     double next_wake_s = 0.0;
+    KeptFrame kept;
 };
 
 Window& window_of(GLFWwindow* glfw) {
@@ -232,6 +235,7 @@ void rebuild_fonts(Window& window) {
     if (window.client->build_fonts) window.client->build_fonts(content_scale(window.glfw));
     if (atlas.Fonts.empty()) atlas.AddFontDefault();
     ImGui_ImplOpenGL3_CreateFontsTexture();
+    forget(window.kept);
     window.fonts_outdated = false;
 }
 
@@ -248,11 +252,7 @@ FrameContext context_of(const Window& window, double time_s) {
 }
 
 void put_on_screen(Window& window, Size pixels, ImU32 background) {
-    const ImVec4 colour = ImGui::ColorConvertU32ToFloat4(background);
-    glViewport(0, 0, pixels.width, pixels.height);
-    glClearColor(colour.x, colour.y, colour.z, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    paint(window.kept, *ImGui::GetDrawData(), pixels.width, pixels.height, background);
     glfwSwapBuffers(window.glfw);
 }
 
@@ -375,6 +375,7 @@ Expected<Done> run_window(const WindowOptions& options, const WindowClient& clie
     ImGuiContext* context = ImGui::CreateContext();
     connect_imgui(window);
     run_loop(window);
+    destroy(window.kept);
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(context);
     glfwDestroyWindow(window.glfw);

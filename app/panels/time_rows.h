@@ -38,6 +38,10 @@ struct TimeGesture {
 };
 void take_time_gesture(App& app, const Rect& area, const TimeGesture& gesture);
 
+// The playhead through one plot. Drawn after the plot and apart from it: a frame in which just the
+// playhead moved then paints no more than its line.
+void draw_playhead(App& app, const Rect& curves);
+
 // Ticks and "s" along the top of the area, for a group of rows without ticks of their own.
 float time_axis_height(const App& app);
 

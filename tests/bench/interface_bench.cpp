@@ -152,8 +152,8 @@ PatternSet strong() {
     set.duration_s = 2.5;
     Pattern pattern;
     pattern.duration_s = 2.5;
-    pattern.amplitude_g = 8.0;
-    pattern.carriers = {{70.0, 0.5, 0.0}, {210.0, 0.5, 0.0}};
+    pattern.amplitude_g = 3.0;
+    pattern.carriers = {{30.0, 0.5, 0.0}, {210.0, 0.5, 0.0}};
     pattern.modulation.frequency_hz = 4.0;
     Vibration vibration;
     vibration.name = "strong";
