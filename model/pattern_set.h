@@ -3,6 +3,7 @@
 // Left out  where it is stored and how (model/io).
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <variant>
@@ -35,15 +36,20 @@ struct Vibration {
     bool operator==(const Vibration&) const = default;
 };
 
-// Mean ratings of a set of people, in the set file's own form.
+// One voice among those who said how unlike the patterns feel: a person's pass through the pairs,
+// or the mean of many.
 struct Ratings {
-    std::string name;
+    std::string name;  // of the participant, the same for repetitions; or of the study
     std::vector<std::string> labels;
-    std::vector<double> condensed;  // (1,2),(1,3)..(2,3).. dissimilarities
+    std::vector<double> condensed;  // (1,2),(1,3)..(2,3).. dissimilarities; kUnrated: not rated
     std::string unknown_json;
+    std::string file{};  // they were read from, without its folder
 
     bool operator==(const Ratings&) const = default;
 };
+
+// No NaN, which would make two equal sets differ.
+inline constexpr double kUnrated = std::numeric_limits<double>::infinity();
 
 struct PatternSet {
     std::string name;

@@ -171,10 +171,11 @@ Ratings ratings_of(JsonObject& object) {
                         grouped_digits(values.size());
     }
     for (std::size_t k = 0; k < values.size() && reading.fault.empty(); ++k) {
+        const std::string place = place_of(object, "condensed") + "/" + std::to_string(k);
         ratings.condensed.push_back(
-            number_at(reading, *values[k], place_of(object, "condensed") + "/" + std::to_string(k),
-                      kAnyNumber));
+            values[k]->is_null() ? kUnrated : number_at(reading, *values[k], place, kAnyNumber));
     }
+    ratings.file = text_field(object, "file", "");
     ratings.unknown_json = kept_text(unknown_fields(object));
     return ratings;
 }
@@ -261,6 +262,7 @@ Json json_of(const Vibration& vibration, double set_duration_s, const fs::path& 
 Json json_of(const Ratings& ratings) {
     Json fields = {
         {"name", ratings.name}, {"labels", ratings.labels}, {"condensed", ratings.condensed}};
+    if (!ratings.file.empty()) fields["file"] = ratings.file;
     restore_text(fields, ratings.unknown_json);
     return fields;
 }
