@@ -15,6 +15,8 @@
 #include "app/file_chooser.h"
 #include "app/history.h"
 #include "app/latest_job.h"
+#include "app/live_comparison.h"
+#include "app/live_difference.h"
 #include "app/live_map.h"
 #include "app/live_stages.h"
 #include "app/pictures.h"
@@ -24,6 +26,7 @@
 #include "app/stages.h"
 #include "app/vibration_cache.h"
 #include "app/widget_rects.h"
+#include "model/findings.h"
 #include "viz/space_view.h"
 #include "viz/theme.h"
 
@@ -139,7 +142,19 @@ struct PhysiologyState {
 enum class MatrixQuantity { pm, nc, oc };
 
 // What the lower right pane shows.
-enum class BenchTab { matrix, model };
+enum class BenchTab { matrix, compare, shepard, why, model };
+
+enum class CompareView { table, scatter, findings };
+
+struct ComparePanelState {
+    CompareView view = CompareView::table;
+    Metric metric = Metric::pm;         // whose scatter is shown, and whose Shepard diagram
+    bool shepard_of_people = false;     // instead
+    bool cancelled = false;             // by the person, until the next edit ...
+    std::uint64_t cancelled_at = 0;     // ... of this revision
+    bool compute_large = false;         // the person asked for many patterns
+    std::shared_ptr<const LiveMap> of;  // what was asked for last
+};
 
 // Whose knots the model bench lists.
 struct ModelPanelState {
@@ -152,6 +167,7 @@ enum class ChooserPurpose {
     open_document,
     save_document,
     load_tables,
+    load_ratings,
     export_view,
     export_stages,
     export_animation
@@ -225,6 +241,16 @@ struct App {
     std::unique_ptr<LatestJob<LiveStagesRequest, LiveStages>> pinned_job;
     std::shared_ptr<const LiveStages> pinned_stages;
     LiveStagesRequest pinned_asked;
+    std::unique_ptr<LatestJob<ComparisonRequest, Comparison>> comparison_job;
+    std::shared_ptr<const Comparison> comparison;  // of the map on screen, or of one before it
+    std::unique_ptr<LatestJob<DifferenceRequest, LiveDifference>> difference_job;
+    std::shared_ptr<const LiveDifference> difference;
+    DifferenceRequest difference_asked;
+    std::unique_ptr<LatestJob<int, std::vector<Finding>>> findings_job;  // asked for by number
+    std::shared_ptr<const std::vector<Finding>> findings;
+    std::string partner;       // name of the pattern that makes a pair with the current one
+    bool show_people = false;  // their map over the predicted one
+    ComparePanelState compare;
     Playhead playhead;
     TimeRange time_range;  // of every time axis; of no length: the whole pattern
     PhysiologyState physiology;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 
+#include "app/bench_follow.h"
 #include "app/editing.h"
 #include "app/exports.h"
 #include "app/files.h"
@@ -124,6 +125,8 @@ const auto kCommands = std::to_array<Command>({
     {"File", "Open the example set", {}, always, open_example, nullptr, "twelve patterns PM 2023"},
     {"File", "Save", ctrl('s'), always, save},
     {"File", "Save as...", ctrl('s', true), always, save_dialog},
+    {"File", "Load ratings...", {}, has_selection, load_ratings_dialog, nullptr,
+     "people study participants compare csv"},
     {"File", "Export view...", ctrl('e'), always, export_view_dialog, nullptr,
      "picture image png svg save"},
     {"File", "Export stage as CSV...", {}, has_selection, export_stages_dialog, nullptr,
@@ -176,6 +179,12 @@ const auto kCommands = std::to_array<Command>({
      [](App& app) { app.bench = BenchTab::matrix; },
      nullptr,
      "dissimilarity heat map"},
+    {"View", "Compare with people", {}, always,
+     [](App& app) { app.bench = BenchTab::compare; }, nullptr, "ratings metrics rho table"},
+    {"View", "Shepard diagram", {}, always, [](App& app) { app.bench = BenchTab::shepard; },
+     nullptr, "stress fit map"},
+    {"View", "Why are these two different?", {}, always,
+     [](App& app) { app.bench = BenchTab::why; }, nullptr, "pair channels explain"},
     {"View",
      "Model bench",
      {},
@@ -233,6 +242,12 @@ const auto kCommands = std::to_array<Command>({
          start_tour(app);
      },
      nullptr, "learn teach explain"},
+    {"Help", "Findings of the paper", {}, always,
+     [](App& app) {
+         app.bench = BenchTab::compare;
+         app.compare.view = CompareView::findings;
+     },
+     nullptr, "publication checks holds fails"},
     {"Help", "Keys and mouse", special(key::kF1), always,
      [](App& app) { app.dialog = Dialog::keys; }, nullptr, "shortcuts help"},
     {"Help", "Command palette", ctrl('p'), always, [](App& app) { app.palette = {true, {}, 0}; }},

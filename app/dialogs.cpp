@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/bench_follow.h"
 #include "app/exports.h"
 #include "app/files.h"
 #include "app/widgets.h"
@@ -85,6 +86,8 @@ void draw_chooser(App& app) {
             return save_as(app, *chosen);
         case ChooserPurpose::load_tables:
             return load_tables(app, *chosen);
+        case ChooserPurpose::load_ratings:
+            return load_ratings(app, {*chosen});
         case ChooserPurpose::export_view:
             return export_view(app, *chosen);
         case ChooserPurpose::export_stages:

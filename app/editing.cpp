@@ -229,6 +229,10 @@ void rename_vibration(App& app, std::size_t index, const std::string& name) {
         auto* measurement = std::get_if<Measurement>(&vibration.source);
         if (measurement != nullptr && measurement->measures == before) measurement->measures = name;
     }
+    for (Ratings& ratings : app.document.set.ratings) {
+        std::ranges::replace(ratings.labels, before, name);
+    }
+    if (app.partner == before) app.partner = name;
     all[index].name = name;
     app.fonts_outdated = true;  // the name may need new glyphs
     document_changed(app);

@@ -46,6 +46,8 @@ void show_document(App& app, Document document, std::string text) {
     app.selection = {};
     app.fonts_outdated = true;  // its names may need other glyphs
     app.compute_large = false;
+    app.compare.compute_large = false;
+    app.partner.clear();
     app.history.clear();
     app.committed = std::make_shared<const PatternSet>(app.document.set);
     document_changed(app);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/bench_follow.h"
 #include "app/commands.h"
 #include "app/dialogs.h"
 #include "app/editing.h"
@@ -77,6 +78,22 @@ std::vector<std::string> together_forms(const App& app) {
     return {count + " edited together", count + " together", count};
 }
 
+PaneTitle bench_title(const App& app) {
+    switch (app.bench) {
+        case BenchTab::matrix:
+            return {"Matrix", "dissimilarity of every pair", map_state_forms(app)};
+        case BenchTab::compare:
+            return {"Compare", "metrics against people", {}};
+        case BenchTab::shepard:
+            return {"Shepard", "how well the map fits", {}};
+        case BenchTab::why:
+            return {"Why", "are these two different?", {}};
+        case BenchTab::model:
+            return {"Model", "parameters of PM", {}};
+    }
+    return {};
+}
+
 PaneTitle title_of(const App& app, Pane pane) {
     const std::size_t count = app.document.set.vibrations.size();
     const Vibration* current = current_vibration(app);
@@ -91,9 +108,7 @@ PaneTitle title_of(const App& app, Pane pane) {
         case Pane::space:
             return {"Perceptual space", "", space_title_right(app)};
         case Pane::matrix:
-            return app.bench == BenchTab::matrix
-                       ? PaneTitle{"Matrix", "dissimilarity of every pair", map_state_forms(app)}
-                       : PaneTitle{"Model", "parameters of PM", {}};
+            return bench_title(app);
     }
     return {};
 }
@@ -104,10 +119,25 @@ void draw_bench(App& app) {
         note_item(app.rects, std::string("tab:") + name);
     };
     tab(BenchTab::matrix, "Matrix");
-    ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
-    tab(BenchTab::model, "Model");
-    if (app.bench == BenchTab::matrix) return draw_matrix_panel(app);
-    draw_model_panel(app);
+    for (const auto& [which, name] : {std::pair{BenchTab::compare, "Compare"},
+                                      {BenchTab::shepard, "Shepard"},
+                                      {BenchTab::why, "Why"},
+                                      {BenchTab::model, "Model"}}) {
+        ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
+        tab(which, name);
+    }
+    switch (app.bench) {
+        case BenchTab::matrix:
+            return draw_matrix_panel(app);
+        case BenchTab::compare:
+            return draw_compare_panel(app);
+        case BenchTab::shepard:
+            return draw_shepard_panel(app);
+        case BenchTab::why:
+            return draw_why_panel(app);
+        case BenchTab::model:
+            return draw_model_panel(app);
+    }
 }
 
 void draw_content(App& app, Pane pane) {
@@ -347,11 +377,16 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     draw_dialogs(app);
     draw_palette(app, pressed);
     follow_current(app);
+    follow_bench(app);
     autosave_if_due(app);
     write_rects(app.rects);
 }
 
 bool is_computing(const App& app) { return app.full_job && app.full_job->busy(); }
+
+bool is_bench_computing(const App& app) {
+    return app.comparison_job && (app.comparison_job->busy() || app.findings_job->busy());
+}
 
 bool wants_another_frame(const App& app) {
     const bool hover_rests = app.time_s - app.hover_since_s < 0.5;
@@ -363,7 +398,7 @@ bool wants_another_frame(const App& app) {
 
 double next_wake_s(const App& app) {
     double wake_s = std::numeric_limits<double>::infinity();
-    if (is_computing(app)) wake_s = 0.1;  // progress
+    if (is_computing(app) || is_bench_computing(app)) wake_s = 0.1;  // progress
     if (app.autosave_pending) wake_s = std::min(wake_s, 0.5);
     // A little later than it fades, lest the clock's last digit asks for it twice.
     if (status_left_s(app) > 0.0) wake_s = std::min(wake_s, status_left_s(app) + 0.01);

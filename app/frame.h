@@ -22,6 +22,9 @@ double next_wake_s(const App& app);
 // The full run is under way: its progress is worth a look now and then.
 bool is_computing(const App& app);
 
+// So is a comparison with people, or a check of findings.
+bool is_bench_computing(const App& app);
+
 // An App with theme and layout, ready for start_session(); fonts are made by make_theme().
 App make_app();
 

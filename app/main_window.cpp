@@ -1,5 +1,6 @@
 #include "app/main_window.h"
 
+#include "app/bench_follow.h"
 #include "app/exports.h"
 #include "app/files.h"
 #include "app/frame.h"
@@ -58,7 +59,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     WindowClient client;
     client.frame = [&app](const FrameContext& context) { return draw_window_frame(app, context); };
     client.drop = [&app](const std::vector<std::filesystem::path>& paths) {
-        open_paths(app, paths);
+        drop_paths(app, paths);
     };
     client.build_fonts = [&app](float content_scale) {
         app.content_scale = content_scale;
@@ -67,6 +68,9 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     client.after_frame = [&app] { continue_exports(app); };
     const Expected<Done> answer = run_window(options_of(app), client);
     // The jobs end before what they wake does.
+    app.findings_job.reset();
+    app.difference_job.reset();
+    app.comparison_job.reset();
     app.full_job.reset();
     app.preview_job.reset();
     app.stages_job.reset();

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "app/bench_follow.h"
 #include "model/procrustes.h"
 
 namespace tact {
@@ -104,6 +105,7 @@ void make_jobs(App& app) {
     for (auto* job : {&app.stages_job, &app.pinned_job}) {
         *job = std::make_unique<StagesJob>(JobPolicy::finish, compute_live_stages, app.wake);
     }
+    make_bench_jobs(app);
 }
 
 void request_maps(App& app) {
@@ -134,6 +136,7 @@ void take_answers(App& app) {
     }
     if (auto stages = app.stages_job->latest()) app.stages = std::move(stages);
     if (auto stages = app.pinned_job->latest()) app.pinned_stages = std::move(stages);
+    take_bench_answers(app);
 }
 
 namespace {

@@ -44,15 +44,23 @@ ScatterAction clicked(const ScatterScene& scene, ImVec2 at) {
     return seen;
 }
 
+// Where a point is, in a frame with fonts.
+ImVec2 place(const ScatterScene& scene, std::size_t index) {
+    HeadlessWindow window;
+    const Theme theme = dark_theme(1.0F);
+    ImVec2 at{0, 0};
+    window.frame([&] { at = scatter_point(theme, kArea, scene, index); });
+    return at;
+}
+
 }  // namespace
 
 TEST_CASE("scatter: a click takes the point under the mouse, beside all points none") {
     const std::vector<double> x{1.0, 2.0, 3.0, 4.0};
     const std::vector<double> y{10.0, 40.0, 20.0, 30.0};
     const ScatterScene scene = scene_of(x, y);
-    const Theme theme = dark_theme(1.0F);
     for (std::size_t k = 0; k < x.size(); ++k) {
-        const ScatterAction action = clicked(scene, scatter_point(theme, kArea, scene, k));
+        const ScatterAction action = clicked(scene, place(scene, k));
         CHECK(action.clicked == k);
         CHECK(action.hovered == k);
     }
@@ -64,9 +72,8 @@ TEST_CASE("scatter: larger values are farther right and higher; unrated pairs ar
     const std::vector<double> x{1.0, 2.0, 3.0};
     const std::vector<double> y{1.0, none, 2.0};
     const ScatterScene scene = scene_of(x, y);
-    const Theme theme = dark_theme(1.0F);
-    const ImVec2 low = scatter_point(theme, kArea, scene, 0);
-    const ImVec2 high = scatter_point(theme, kArea, scene, 2);
+    const ImVec2 low = place(scene, 0);
+    const ImVec2 high = place(scene, 2);
     CHECK(low.x < high.x);
     CHECK(low.y > high.y);
     CHECK(kArea.contains(low));
@@ -75,7 +82,6 @@ TEST_CASE("scatter: larger values are farther right and higher; unrated pairs ar
 }
 
 TEST_CASE("scatter: no points, one point, equal points and thousands all can be drawn") {
-    const Theme theme = dark_theme(1.0F);
     for (const std::size_t count : {0UL, 1UL, 2UL, 20'000UL}) {
         const std::vector<double> same(count, 7.0);
         ScatterScene scene = scene_of(same, same);

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "app/bench_follow.h"
 #include "app/editing.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
@@ -116,7 +117,9 @@ void draw_matrix_panel(App& app) {
     if (same_order) scene.selected = app.selection.current;
     note_rect(app.rects, "view:Matrix", area.min, area.max);
     const MatrixAction action = draw_matrix("matrix", app.theme, area, scene);
-    if (same_order && action.clicked) select_only(app, action.clicked->first);
+    if (same_order && action.clicked) {
+        choose_pair(app, action.clicked->first, action.clicked->second);
+    }
     if (same_order && action.clicked_row) select_only(app, *action.clicked_row);
     if (same_order && action.hovered) app.selection.hovered = action.hovered->second;
     if (has_foot) draw_pair(app, foot_area, action.hovered, labels);

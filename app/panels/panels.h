@@ -13,6 +13,12 @@ void draw_physiology_panel(App& app);
 void draw_space_panel(App& app);
 void draw_matrix_panel(App& app);
 void draw_model_panel(App& app);
+void draw_compare_panel(App& app);
+void draw_shepard_panel(App& app);
+void draw_why_panel(App& app);
+
+// Parts of the Compare tab.
+void draw_findings(App& app, const Rect& area);
 
 // The knots of the physiology tables, as a part of the model bench.
 void draw_table_fields(App& app, const PhysiologyTables& original);

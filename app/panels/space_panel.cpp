@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "app/bench_follow.h"
 #include "app/editing.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
@@ -33,6 +34,17 @@ std::vector<std::optional<std::size_t>> places_in_document(const App& app) {
     return places;
 }
 
+void draw_overlay_choice(App& app) {
+    if (app.document.set.ratings.empty()) return;
+    constexpr const char* kOverlay = "Overlay ratings";
+    flow_on(ImGui::GetFrameHeight() + ImGui::CalcTextSize(kOverlay).x, 1.5F * app.theme.gap_px);
+    ImGui::Checkbox(kOverlay, &app.show_people);
+    note_item(app.rects, "check:overlay ratings", app.show_people ? "on" : "off");
+    draw_tooltip(app,
+                 "Lays the map of what people said over the predicted one, turned and sized to "
+                 "fit it best: rings, with a line from each to its prediction.");
+}
+
 void draw_controls(App& app) {
     const auto choose = [&app](const char* label, int dimensions) {
         if (draw_radio(app, label, app.dimensions == dimensions) && app.dimensions != dimensions) {
@@ -45,6 +57,7 @@ void draw_controls(App& app) {
     choose("3-D", 3);
     ImGui::SameLine(0.0F, 1.5F * app.theme.gap_px);
     choose("2-D", 2);
+    draw_overlay_choice(app);
     // Every map begins unturned: the way back is of use only after that.
     if (app.camera == SpaceCamera{}) return;
     const float width = ImGui::CalcTextSize(kReset).x;
@@ -170,7 +183,13 @@ void draw_space_panel(App& app) {
                                   : PatternLook{app.theme.dim_text, true});
     }
     const Eigen::MatrixXd points = eased_points(app);
-    const SpaceScene scene = scene_of(app, labels, looks, points, places);
+    SpaceScene scene = scene_of(app, labels, looks, points, places);
+    const auto people = app.show_people ? people_over_map(app) : std::nullopt;
+    if (people) {
+        scene.ghosts = &*people;
+        scene.ghost_opacity = 1.0;
+        note_rect(app.rects, "overlay", area.min, area.max);
+    }
     act(app, draw_space("space", app.theme, area, scene, app.camera), places);
     note_points(app, area, labels, points);
     const std::string verdict = verdict_text(app.map.shown->space, shown.size());

@@ -1,0 +1,182 @@
+#include "app/bench_follow.h"
+
+#include <algorithm>
+
+#include "app/check_findings.h"
+#include "app/editing.h"
+#include "app/files.h"
+#include "app/map_follow.h"
+#include "model/io/ratings_file.h"
+#include "model/procrustes.h"
+#include "model/set_ratings.h"
+
+namespace tact {
+
+namespace {
+
+std::optional<std::size_t> place_of(const App& app, const std::string& name) {
+    const auto& all = app.document.set.vibrations;
+    const auto found = std::ranges::find(all, name, &Vibration::name);
+    if (found == all.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - all.begin());
+}
+
+bool has_exact_map(const App& app) {
+    return map_state(app) == MapState::exact && app.map.shown->prediction.pm.size >= 2;
+}
+
+bool wants_comparison(const App& app) {
+    return app.bench == BenchTab::compare || app.bench == BenchTab::shepard || app.show_people;
+}
+
+std::optional<std::vector<Finding>> find(std::stop_token stop, std::atomic<float>& progress) {
+    CheckOptions options;
+    options.stop = stop;
+    int set = 0;
+    options.progress_of = [&progress, &set](const std::string&) {
+        const float before = static_cast<float>(set++) / 3.0F;
+        return [&progress, before](double share) {
+            progress = before + static_cast<float>(share) / 3.0F;
+        };
+    };
+    return check_findings(options);
+}
+
+void follow_comparison(App& app) {
+    const bool again = !comparison_waits(app) && app.compare.of != app.map.shown;
+    if (!wants_comparison(app) || !has_exact_map(app) || !again) return;
+    app.compare.of = app.map.shown;
+    app.comparison_job->submit({app.map.shown});
+}
+
+void follow_difference(App& app) {
+    const std::optional<ChosenPair> pair = chosen_pair(app);
+    if (app.bench != BenchTab::why || !pair || !has_exact_map(app)) return;
+    const DifferenceRequest request{app.map.shown, pair->current, pair->partner};
+    if (request == app.difference_asked) return;
+    app.difference_asked = request;
+    app.difference_job->submit(request);
+}
+
+}  // namespace
+
+void make_bench_jobs(App& app) {
+    app.comparison_job = std::make_unique<LatestJob<ComparisonRequest, Comparison>>(
+        JobPolicy::supersede, ComparisonWork{}, app.wake);
+    app.difference_job = std::make_unique<LatestJob<DifferenceRequest, LiveDifference>>(
+        JobPolicy::finish, compute_live_difference, app.wake);
+    app.findings_job = std::make_unique<LatestJob<int, std::vector<Finding>>>(
+        JobPolicy::finish,
+        [](int, std::stop_token stop, std::atomic<float>& progress) {
+            return find(stop, progress);
+        },
+        app.wake);
+}
+
+void take_bench_answers(App& app) {
+    if (!app.comparison_job) return;
+    if (auto answer = app.comparison_job->latest()) app.comparison = std::move(answer);
+    if (auto answer = app.difference_job->latest()) app.difference = std::move(answer);
+    if (auto answer = app.findings_job->latest()) app.findings = std::move(answer);
+}
+
+void follow_bench(App& app) {
+    if (!app.comparison_job) return;
+    follow_comparison(app);
+    follow_difference(app);
+}
+
+ShownComparison shown_comparison(const App& app) {
+    ShownComparison shown{app.comparison, false, false};
+    shown.is_computing = app.comparison_job && app.comparison_job->busy();
+    shown.is_stale = !app.comparison || app.comparison->request.map != app.map.shown ||
+                     map_state(app) != MapState::exact;
+    return shown;
+}
+
+bool comparison_waits(const App& app) {
+    const ComparePanelState& state = app.compare;
+    if (state.cancelled && state.cancelled_at == app.revision) return true;
+    return app.document.set.vibrations.size() > kMostUnaskedComparison && !state.compute_large;
+}
+
+void ask_for_comparison(App& app) {
+    app.compare.cancelled = false;
+    app.compare.compute_large = true;
+    app.compare.of.reset();
+}
+
+void cancel_comparison(App& app) {
+    app.compare.cancelled = true;
+    app.compare.cancelled_at = app.revision;
+    app.compare.compute_large = false;
+    if (app.comparison_job) app.comparison_job->cancel();
+}
+
+std::optional<ChosenPair> chosen_pair(const App& app) {
+    const std::size_t count = app.document.set.vibrations.size();
+    const std::size_t current = app.selection.current;
+    if (count < 2 || current >= count) return std::nullopt;
+    const auto partner = place_of(app, app.partner);
+    if (partner && partner != current) return ChosenPair{current, *partner, PartnerKind::chosen};
+    const auto pinned = place_of(app, app.pinned);
+    if (pinned && pinned != current) return ChosenPair{current, *pinned, PartnerKind::pinned};
+    ChosenPair pair{current, current == 0 ? 1U : 0U, PartnerKind::closest};
+    if (!app.map.shown || app.map.shown->prediction.pm.size != count) return pair;
+    const Dissimilarity& pm = app.map.shown->prediction.pm;
+    for (std::size_t k = 0; k < count; ++k) {
+        if (k != current && pm(current, k) < pm(current, pair.partner)) pair.partner = k;
+    }
+    return pair;
+}
+
+void choose_pair(App& app, std::size_t current, std::size_t partner) {
+    if (partner >= app.document.set.vibrations.size()) return;
+    select_only(app, current);
+    app.partner = app.document.set.vibrations[partner].name;
+    app.set_panel.scroll_to_current = true;
+}
+
+std::optional<Eigen::MatrixXd> people_over_map(const App& app) {
+    if (!app.comparison || app.comparison->request.map != app.map.shown) return std::nullopt;
+    if (!app.comparison->people) return std::nullopt;
+    const Eigen::MatrixXd& people = app.comparison->people->shown.points;
+    if (people.rows() != app.map.to.rows() || people.cols() != app.map.to.cols()) {
+        return std::nullopt;
+    }
+    return procrustes(people, app.map.to).aligned;
+}
+
+void load_ratings_dialog(App& app) {
+    app.chooser_purpose = ChooserPurpose::load_ratings;
+    app.chooser.use = ChooserUse::open;
+    app.chooser.title = "Load ratings: a table, or a folder with one for each participant";
+    app.chooser.extensions = {".csv", ".txt"};
+    app.chooser.folders_too = true;
+    show(app.chooser, app.document.path.parent_path());
+}
+
+void load_ratings(App& app, const std::vector<std::filesystem::path>& paths) {
+    if (paths.empty()) return;
+    const Expected<LoadedRatings> loaded = read_ratings(paths, RatingScale::guess);
+    if (!loaded) return complain(app, loaded.error().message);
+    const std::string file = paths.front().filename().string();
+    std::vector<std::string> names;
+    for (const Vibration& vibration : app.document.set.vibrations) names.push_back(vibration.name);
+    const Expected<RatingStudy> study = matched(loaded->study, names);
+    if (!study) return complain(app, file + ": " + study.error().message);
+    app.document.set.ratings = kept_ratings(*study, file);
+    document_changed(app);
+    commit_step(app, "Load ratings");
+    app.bench = BenchTab::compare;
+    std::string text = "Ratings loaded from " + file;
+    for (const std::string& remark : loaded->remarks) text += "; " + remark;
+    say(app, text + ".");
+}
+
+void drop_paths(App& app, const std::vector<std::filesystem::path>& paths) {
+    if (paths.size() == 1 && paths[0].extension() == ".csv") return load_ratings(app, paths);
+    open_paths(app, paths);
+}
+
+}  // namespace tact
