@@ -86,7 +86,7 @@ TEST_CASE("scatter: no points, one point, equal points and thousands all can be 
         const std::vector<double> same(count, 7.0);
         ScatterScene scene = scene_of(same, same);
         scene.fitted = same;
-        const ScatterAction action = clicked(scene, kArea.centre());
+        const ScatterAction action = clicked(scene, count == 0 ? kArea.centre() : place(scene, 0));
         CHECK(action.clicked.has_value() == (count > 0));
     }
 }
