@@ -123,7 +123,7 @@ void draw_bench(App& app) {
                                       {BenchTab::shepard, "Shepard"},
                                       {BenchTab::why, "Why"},
                                       {BenchTab::model, "Model"}}) {
-        ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
+        flow_on(chip_width(app, name), 2.0F * app.theme.scale);
         tab(which, name);
     }
     switch (app.bench) {

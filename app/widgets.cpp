@@ -12,6 +12,7 @@ namespace tact {
 namespace {
 
 constexpr float kLabelColumnPx = 104.0F;
+constexpr float kChipPadPx = 5.0F;
 constexpr float kEntryWidthPx = 86.0F;
 constexpr float kLeastBarPx = 36.0F;
 
@@ -314,9 +315,13 @@ void dim_text(const App& app, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
+float chip_width(const App& app, const char* text) {
+    return text_size(app.theme.fonts.small, text).x + 2.0F * kChipPadPx * app.theme.scale;
+}
+
 bool draw_chip(App& app, const char* id, const char* text, bool lit) {
     const Theme& theme = app.theme;
-    const ImVec2 pad{5.0F * theme.scale, 3.0F * theme.scale};
+    const ImVec2 pad{kChipPadPx * theme.scale, 3.0F * theme.scale};
     const ImVec2 size = text_size(theme.fonts.small, text) + pad * 2.0F;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(id, size);

@@ -79,6 +79,7 @@ std::string lower_case(std::string text);
 
 // A word to choose a view by: tabs and strips are made of them. True when pressed.
 bool draw_chip(App& app, const char* id, const char* text, bool lit);
+float chip_width(const App& app, const char* text);
 
 // Text in the theme's dim colour.
 void dim_text(const App& app, const std::string& text);

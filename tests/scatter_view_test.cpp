@@ -91,6 +91,13 @@ TEST_CASE("scatter: no points, one point, equal points and thousands all can be 
     }
 }
 
+TEST_CASE("scatter: values that differ by rounding alone can be drawn") {
+    const std::vector<double> x{1.0, 1.0 + 2.3e-16, 1.0 - 1.2e-16};
+    const std::vector<double> y{1e-300, 0.0, 1e-18};
+    const ScatterScene scene = scene_of(x, y);
+    CHECK(clicked(scene, place(scene, 1)).clicked.has_value());
+}
+
 TEST_CASE("scatter: points and the monotone fit are seen in both themes") {
     const std::vector<double> x{1.0, 2.0, 3.0, 4.0, 5.0};
     const std::vector<double> y{1.0, 3.0, 2.0, 4.0, 5.0};

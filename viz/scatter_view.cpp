@@ -31,7 +31,10 @@ Axis axis_of(std::span<const double> values, std::span<const double> more) {
     }
     if (low > high) return {};
     if (low >= 0.0 && low < 0.3 * high) low = 0.0;
-    const double air = high > low ? 0.04 * (high - low) : 0.5;
+    // Values that differ in their last digits alone have no ticks between them.
+    const double largest = std::max(std::abs(low), std::abs(high));
+    const bool spread = high - low > 1e-6 * largest;
+    const double air = spread ? 0.04 * (high - low) : std::max(0.5 * largest, 0.5);
     return {.low = low == 0.0 ? -0.5 * air : low - air, .high = high + air};
 }
 

@@ -35,15 +35,17 @@ void coloured_text(ImU32 colour, const std::string& text) {
 }
 
 void draw_views(App& app) {
+    const float gap = 2.0F * app.theme.scale;
     const auto view = [&app](CompareView which, const char* name) {
         if (draw_chip(app, name, name, app.compare.view == which)) app.compare.view = which;
         note_item(app.rects, std::string("compare:") + name);
-        ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
     };
     view(CompareView::table, "Table");
+    flow_on(chip_width(app, "Pairs"), gap);
     view(CompareView::scatter, "Pairs");
+    flow_on(chip_width(app, "Findings"), gap);
     view(CompareView::findings, "Findings");
-    ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
+    flow_on(ImGui::CalcTextSize("Load ratings...").x, 2.0F * app.theme.gap_px);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x, corner.y + 2.0F * app.theme.scale});
     if (link(app, "load ratings", "Load ratings...")) load_ratings_dialog(app);

@@ -205,10 +205,10 @@ void draw_way(App& app, const LiveDifference& live, const ChosenPair& pair, cons
                     TraceStyle::filled);
         const std::string& name = app.document.set.vibrations[who[side]].name;
         const float text_px = text_size(theme.fonts.small, name).y;
-        draw_text_halo(
-            list, theme.fonts.small,
-            {area.min.x + 2.0F * theme.scale, side == 0 ? area.min.y : area.max.y - text_px},
-            theme.text, theme.pane, theme.scale, name);
+        const float top =
+            side == 0 ? rooms[0].max.y + theme.scale : rooms[1].min.y - text_px - theme.scale;
+        draw_text_halo(list, theme.fonts.small, {area.min.x + 4.0F * theme.scale, top}, theme.text,
+                       theme.pane, 2.0F * theme.scale, name);
     }
     draw_upright_line(list, to_pixel(time, app.playhead.at_s), area.min.y, area.max.y,
                       theme.hairline_px, theme.accent);
@@ -220,10 +220,8 @@ void draw_way(App& app, const LiveDifference& live, const ChosenPair& pair, cons
 void draw_rhythm(App& app, const LiveDifference& live, const ChosenPair& pair) {
     std::string detail = "which moments match";
     if (live.decimation > 1) {
-        char text[64];
-        std::snprintf(text, sizeof text, ", drawn from %.3g Hz",
-                      kModelRateHz / static_cast<double>(live.decimation));
-        detail += text;
+        const double rate_khz = 1e-3 * kModelRateHz / static_cast<double>(live.decimation);
+        detail += ", at " + significant(rate_khz, 2) + " kHz";
     }
     draw_heading(app, "Rhythm", detail);
     const float height =
