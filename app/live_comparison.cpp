@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/metric_matrix.h"
+#include "model/metric_comparison.h"
 #include "model/set_ratings.h"
 
 namespace tact {
@@ -22,12 +22,6 @@ std::optional<Dissimilarity> part_of(const Prediction& prediction, Metric metric
 
 bool same_patterns(const PatternSet& a, const PatternSet& b) {
     return a.model == b.model && a.vibrations == b.vibrations;
-}
-
-// Without a model of the nerves: what such a model has to beat.
-bool is_simple(Metric metric) {
-    return metric != Metric::pm && metric != Metric::nc && metric != Metric::oc &&
-           metric != Metric::van_rossum;
 }
 
 PerceptualSpace space_of(const Dissimilarity& matrix, int dimensions, int threads,

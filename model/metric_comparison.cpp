@@ -43,17 +43,17 @@ bool is_simple(Metric metric) {
            metric != Metric::van_rossum;
 }
 
-std::optional<std::vector<ComparedMetric>> compare_metrics(const PatternSet& set,
-                                                           const RatedSet& rated,
-                                                           std::span<const Metric> metrics,
-                                                           const EvaluationParams& evaluation,
-                                                           const MetricOptions& options) {
+std::optional<std::vector<MetricAgreement>> compare_metrics(const PatternSet& set,
+                                                            const RatedSet& rated,
+                                                            std::span<const Metric> metrics,
+                                                            const EvaluationParams& evaluation,
+                                                            const MetricOptions& options) {
     const auto prediction = prediction_for(set, metrics, options);
     if (!prediction) return std::nullopt;
     // DTW takes them as they are; the others pad.
     std::vector<Waveform> waveforms;
     for (const Vibration& vibration : set.vibrations) waveforms.push_back(waveform_of(vibration));
-    std::vector<ComparedMetric> rows;
+    std::vector<MetricAgreement> rows;
     for (const Metric metric : metrics) {
         if (options.progress) {
             options.progress(static_cast<double>(rows.size()) /

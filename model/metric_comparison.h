@@ -15,18 +15,18 @@
 
 namespace tact {
 
-struct ComparedMetric {
+struct MetricAgreement {
     Metric metric = Metric::pm;
     Dissimilarity matrix;  // as evaluated: of SPQI the ranks, its values being too close to 1
     Evaluation evaluation;
 };
 
 // One row a metric, in their order; nothing when stopped. Progress counts metrics.
-std::optional<std::vector<ComparedMetric>> compare_metrics(const PatternSet& set,
-                                                           const RatedSet& rated,
-                                                           std::span<const Metric> metrics,
-                                                           const EvaluationParams& evaluation,
-                                                           const MetricOptions& options = {});
+std::optional<std::vector<MetricAgreement>> compare_metrics(const PatternSet& set,
+                                                            const RatedSet& rated,
+                                                            std::span<const Metric> metrics,
+                                                            const EvaluationParams& evaluation,
+                                                            const MetricOptions& options = {});
 
 // Without a model of the nerves, and no part of PM: what PM has to beat.
 bool is_simple(Metric metric);

@@ -113,3 +113,11 @@ TEST_CASE("plot: numbers read as a person would write them") {
 }
 
 }  // namespace tact
+
+TEST_CASE("ticks: bounds that differ by rounding alone have none, instead of no end of them") {
+    const double low = 0.1 + 0.2;
+    CHECK(low > 0.3);
+    CHECK(tact::round_ticks(0.3, low).empty());
+    CHECK(tact::round_ticks(1e9, 1e9 + 1e-6).empty());
+    CHECK_FALSE(tact::round_ticks(0.0, 1e-12).empty());
+}

@@ -149,6 +149,8 @@ double to_value(const Axis& axis, float pixel) {
 
 std::vector<double> round_ticks(double low, double high, Scale scale) {
     if (!std::isfinite(low) || !std::isfinite(high) || low >= high) return {};
+    // Bounds apart by rounding alone have no numbers between them to stop at.
+    if (high - low <= 1e-12 * std::max(std::abs(low), std::abs(high))) return {};
     if (scale == Scale::logarithmic && low > 0.0) return logarithmic_ticks(low, high);
     return linear_ticks(low, high);
 }

@@ -14,6 +14,7 @@
 #include "model/io/ratings_file.h"
 #include "model/metric_comparison.h"
 #include "model/ratings.h"
+#include "model/set_ratings.h"
 
 namespace tact {
 
@@ -34,7 +35,7 @@ struct SetResult {
     std::size_t rated_pairs = 0;
     Reliability reliability;
     RatedSet rated;
-    std::vector<ComparedMetric> rows;
+    std::vector<MetricAgreement> rows;
 };
 
 RatingScale scale_of(const std::string& word) {
@@ -48,16 +49,8 @@ Expected<RatingStudy> own_ratings(const PatternSet& set, const fs::path& path) {
     if (set.ratings.empty()) {
         return Error{path.string() + ": has no ratings of its own, expected --ratings FILE"};
     }
-    RatingStudy study{names_of(set), true, {}};
-    for (const Ratings& ratings : set.ratings) {
-        const RatingStudy one{ratings.labels, true, {{ratings.name, ratings.condensed}}};
-        const Expected<RatingStudy> fitting = matched(one, study.labels);
-        if (!fitting) {
-            return Error{path.string() + ": ratings \"" + ratings.name +
-                         "\": " + fitting.error().message};
-        }
-        study.judgements.push_back(fitting->judgements.front());
-    }
+    Expected<RatingStudy> study = study_of(set);
+    if (!study) return Error{path.string() + ": " + study.error().message};
     return study;
 }
 
@@ -97,7 +90,7 @@ Expected<std::vector<RatedPatterns>> load_all(const CompareCommand& command) {
     return all;
 }
 
-const char* key_of(const ComparedMetric& row) { return traits(row.metric).key; }
+const char* key_of(const MetricAgreement& row) { return traits(row.metric).key; }
 
 // Those asked for, or all.
 Expected<std::vector<Metric>> metrics_of(const CompareCommand& command) {
@@ -161,7 +154,7 @@ std::string head_of(const SetResult& result) {
 std::vector<TextRow> table_of(const SetResult& result) {
     std::vector<TextRow> rows{{"metric", "rho", "95 % interval", "p", "tau-b", "K", "K spread",
                                "K p", "1-K/chance", "K Procrustes", "stress-1"}};
-    for (const ComparedMetric& row : result.rows) {
+    for (const MetricAgreement& row : result.rows) {
         const Evaluation& e = row.evaluation;
         rows.push_back({key_of(row), fixed_digits(e.rho, 3),
                         range_text(e.rho_interval.low, e.rho_interval.high, 2),
@@ -176,7 +169,7 @@ std::vector<TextRow> table_of(const SetResult& result) {
 // As printed in Table 2: two digits, "-" for what is undefined.
 std::vector<TextRow> paper_table_of(const SetResult& result) {
     std::vector<TextRow> rows{{"metric", "rho", "K"}};
-    for (const ComparedMetric& row : result.rows) {
+    for (const MetricAgreement& row : result.rows) {
         const Agreement agreement = agreement_of(row.evaluation, Bookkeeping::paper);
         rows.push_back({key_of(row), fixed_digits(agreement.rho, 2), fixed_digits(agreement.k, 2)});
     }
@@ -185,9 +178,9 @@ std::vector<TextRow> paper_table_of(const SetResult& result) {
 
 // Says so where PM is not better than something without physiology.
 std::string verdict_on_pm(const SetResult& result) {
-    const ComparedMetric* pm = nullptr;
-    const ComparedMetric* best = nullptr;
-    for (const ComparedMetric& row : result.rows) {
+    const MetricAgreement* pm = nullptr;
+    const MetricAgreement* best = nullptr;
+    for (const MetricAgreement& row : result.rows) {
         if (row.metric == Metric::pm) pm = &row;
         const bool counts = is_simple(row.metric) && !std::isnan(row.evaluation.rho);
         if (counts && (best == nullptr || row.evaluation.rho > best->evaluation.rho)) best = &row;
@@ -200,7 +193,7 @@ std::string verdict_on_pm(const SetResult& result) {
 std::string text_of(const SetResult& result, bool is_paper) {
     std::string text = head_of(result) + "\n";
     text += aligned(is_paper ? paper_table_of(result) : table_of(result));
-    for (const ComparedMetric& row : result.rows) {
+    for (const MetricAgreement& row : result.rows) {
         for (const std::string& remark : row.evaluation.remarks) {
             text += std::string(key_of(row)) + ": " + remark + "\n";
         }
@@ -238,7 +231,7 @@ std::string means_text(const std::vector<SetResult>& results, Bookkeeping books)
     return text + aligned(rows);
 }
 
-nlohmann::json json_of(const SetResult& result, const ComparedMetric& row, Bookkeeping books) {
+nlohmann::json json_of(const SetResult& result, const MetricAgreement& row, Bookkeeping books) {
     const Evaluation& e = row.evaluation;
     const Reliability& people = result.reliability;
     // NaN becomes null.
@@ -276,7 +269,7 @@ nlohmann::json json_of(const MeanAgreement& mean, const std::string& key, Bookke
 std::string json_text(const std::vector<SetResult>& results, Bookkeeping books) {
     nlohmann::json all = nlohmann::json::array();
     for (const SetResult& result : results) {
-        for (const ComparedMetric& row : result.rows) all.push_back(json_of(result, row, books));
+        for (const MetricAgreement& row : result.rows) all.push_back(json_of(result, row, books));
     }
     for (std::size_t k = 0; results.size() > 1 && k < results.front().rows.size(); ++k) {
         all.push_back(json_of(mean_of(results, k, books), key_of(results.front().rows[k]), books));

@@ -146,7 +146,7 @@ void draw_stage_label(App& app, Stage stage, const Rect& area) {
     ImGui::PushFont(theme.fonts.small);
     const float line = ImGui::GetTextLineHeight();
     ImGui::PushTextWrapPos(area.max.x - ImGui::GetWindowPos().x);
-    const float icon = line + 2.0F * theme.scale;
+    const float icon = line + 8.0F * theme.scale;
     const ImVec2 size = ImGui::CalcTextSize(text.name, nullptr, false, area.width() - icon);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool pressed = ImGui::InvisibleButton("open", size);
