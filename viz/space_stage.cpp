@@ -17,32 +17,32 @@ float base_radius_px(const Theme& theme, std::size_t n) {
 
 }  // namespace
 
-Stage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene) {
+SpaceStage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene) {
     return {list, theme, pane, scene, fit(*scene.points), {}, {}, {}, {}};
 }
 
-float nearness(const Stage& stage, std::size_t i) {
+float nearness(const SpaceStage& stage, std::size_t i) {
     return static_cast<float>(std::clamp((stage.projected[i].depth + 1.0) / 2.0, 0.0, 1.0));
 }
 
-float presence(const Stage& stage, std::size_t i) {
+float presence(const SpaceStage& stage, std::size_t i) {
     const float depth = stage.fit.flat ? 1.0F : 0.5F + 0.5F * nearness(stage, i);
     return stage.scene.chosen.empty() || stage.chosen[i] ? depth : 0.55F * depth;
 }
 
-ImU32 toned(const Stage& stage, ImU32 colour, float strength) {
+ImU32 toned(const SpaceStage& stage, ImU32 colour, float strength) {
     return mixed(stage.theme.pane, colour, strength);
 }
 
-bool somewhere(const Stage& stage, std::size_t i) { return stage.discs[i].radius > 0.0F; }
+bool somewhere(const SpaceStage& stage, std::size_t i) { return stage.discs[i].radius > 0.0F; }
 
-bool visible(const Stage& stage, const Disc& disc) {
+bool visible(const SpaceStage& stage, const Disc& disc) {
     const Rect near = inset(stage.pane, -disc.radius);
     return std::isfinite(disc.centre.x) && std::isfinite(disc.centre.y) &&
            near.contains(disc.centre);
 }
 
-void place_points(Stage& stage, const SpaceCamera& camera) {
+void place_points(SpaceStage& stage, const SpaceCamera& camera) {
     const std::size_t n = stage.scene.labels.size();
     const float base = base_radius_px(stage.theme, n);
     stage.projected.resize(n);

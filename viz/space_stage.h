@@ -9,7 +9,7 @@
 
 namespace tact {
 
-struct Stage {
+struct SpaceStage {
     ImDrawList& list;
     const Theme& theme;
     const Rect& pane;
@@ -21,24 +21,24 @@ struct Stage {
     std::vector<bool> chosen;                // by point
 };
 
-Stage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene);
+SpaceStage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene);
 
 // Fills the points' places for a camera, anew if it was moved.
-void place_points(Stage& stage, const SpaceCamera& camera);
+void place_points(SpaceStage& stage, const SpaceCamera& camera);
 
 // 0 (far) to 1 (near) within the map.
-float nearness(const Stage& stage, std::size_t i);
+float nearness(const SpaceStage& stage, std::size_t i);
 
 // How far a point steps back into the pane's colour: by depth, and if others were chosen.
-float presence(const Stage& stage, std::size_t i);
+float presence(const SpaceStage& stage, std::size_t i);
 
 // The colour as it appears with a strength of 0 (the pane) to 1. Not by opacity: what lies behind a
 // point must not shine through.
-ImU32 toned(const Stage& stage, ImU32 colour, float strength);
+ImU32 toned(const SpaceStage& stage, ImU32 colour, float strength);
 
 // A point without finite coordinates is nowhere.
-bool somewhere(const Stage& stage, std::size_t i);
+bool somewhere(const SpaceStage& stage, std::size_t i);
 
-bool visible(const Stage& stage, const Disc& disc);
+bool visible(const SpaceStage& stage, const Disc& disc);
 
 }  // namespace tact

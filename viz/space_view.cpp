@@ -20,7 +20,7 @@ namespace {
 constexpr float kClickSlackPx = 4.0F;  // a hand is never quite still
 
 // A grid under the map that fades toward its rim.
-void draw_floor(const Stage& stage, const SpaceCamera& camera) {
+void draw_floor(const SpaceStage& stage, const SpaceCamera& camera) {
     constexpr int kLines = 5;  // on each side of the middle
     constexpr int kPieces = 20;
     constexpr double kReach = 1.3;
@@ -45,7 +45,7 @@ void draw_floor(const Stage& stage, const SpaceCamera& camera) {
 }
 
 // From each point down to the floor: what makes height readable.
-void draw_drop_lines(const Stage& stage, const SpaceCamera& camera) {
+void draw_drop_lines(const SpaceStage& stage, const SpaceCamera& camera) {
     if (stage.fit.flat || stage.front_to_back.size() > 150) return;
     const double floor = stage.fit.floor - 0.12 * stage.fit.radius;
     for (const std::size_t i : stage.front_to_back) {
@@ -59,7 +59,7 @@ void draw_drop_lines(const Stage& stage, const SpaceCamera& camera) {
 }
 
 // The directions of D1-D3 in the lower left corner; returns what it covers.
-Rect draw_axes_cross(const Stage& stage, const SpaceCamera& camera) {
+Rect draw_axes_cross(const SpaceStage& stage, const SpaceCamera& camera) {
     const Theme& theme = stage.theme;
     const float arm = 22.0F * theme.scale;
     const float text_px = font_or_current(theme.fonts.small).FontSize;
@@ -79,7 +79,7 @@ Rect draw_axes_cross(const Stage& stage, const SpaceCamera& camera) {
     return {{origin.x - room, origin.y - room}, {origin.x + room, origin.y + room}};
 }
 
-void draw_paths(const Stage& stage) {
+void draw_paths(const SpaceStage& stage) {
     for (const auto& path : stage.scene.paths) {
         for (std::size_t k = 1; k < path.size(); ++k) {
             const std::size_t a = path[k - 1];
@@ -94,7 +94,7 @@ void draw_paths(const Stage& stage) {
 }
 
 // Where the points were, and the way each has come.
-void draw_ghosts(const Stage& stage, const SpaceCamera& camera) {
+void draw_ghosts(const SpaceStage& stage, const SpaceCamera& camera) {
     if (stage.scene.ghosts == nullptr || stage.scene.ghost_opacity <= 0.0) return;
     const auto opacity = static_cast<float>(std::min(1.0, stage.scene.ghost_opacity));
     const auto rows =
@@ -109,11 +109,11 @@ void draw_ghosts(const Stage& stage, const SpaceCamera& camera) {
     }
 }
 
-bool asked_for(const Stage& stage, std::optional<std::size_t> hovered, std::size_t i) {
+bool asked_for(const SpaceStage& stage, std::optional<std::size_t> hovered, std::size_t i) {
     return hovered == i || stage.scene.selected == i;
 }
 
-void draw_points(const Stage& stage, std::optional<std::size_t> hovered) {
+void draw_points(const SpaceStage& stage, std::optional<std::size_t> hovered) {
     const Theme& theme = stage.theme;
     const float edge = 1.5F * theme.scale;
     for (auto it = stage.front_to_back.rbegin(); it != stage.front_to_back.rend(); ++it) {
@@ -136,7 +136,7 @@ void draw_points(const Stage& stage, std::optional<std::size_t> hovered) {
     }
 }
 
-void draw_pair_line(const Stage& stage, std::size_t a, std::size_t b) {
+void draw_pair_line(const SpaceStage& stage, std::size_t a, std::size_t b) {
     const ImVec2 from = stage.discs[a].centre;
     const ImVec2 along = stage.discs[b].centre - from;
     const float length = std::hypot(along.x, along.y);
@@ -149,7 +149,7 @@ void draw_pair_line(const Stage& stage, std::size_t a, std::size_t b) {
 }
 
 // At the middle of the line, or above or below it or along it where that would cover a point.
-Rect free_plate(const Stage& stage, ImVec2 size, ImVec2 from, ImVec2 to) {
+Rect free_plate(const SpaceStage& stage, ImVec2 size, ImVec2 from, ImVec2 to) {
     const float lift = size.y + 8.0F * stage.theme.scale;
     Rect first;
     for (const float along : {0.5F, 0.4F, 0.6F, 0.3F, 0.7F}) {
@@ -167,7 +167,7 @@ Rect free_plate(const Stage& stage, ImVec2 size, ImVec2 from, ImVec2 to) {
 }
 
 // The pair's dissimilarity on a plate, whose place is returned.
-Rect draw_pair_value(const Stage& stage, std::size_t a, std::size_t b) {
+Rect draw_pair_value(const SpaceStage& stage, std::size_t a, std::size_t b) {
     if (!stage.scene.dissimilarity) return {};
     const Theme& theme = stage.theme;
     std::string text = grouped(stage.scene.dissimilarity(a, b));
@@ -181,12 +181,13 @@ Rect draw_pair_value(const Stage& stage, std::size_t a, std::size_t b) {
 }
 
 // The selected and the hovered name are in the larger font.
-const ImFont* name_font(const Stage& stage, std::optional<std::size_t> hovered, std::size_t i) {
+const ImFont* name_font(const SpaceStage& stage, std::optional<std::size_t> hovered,
+                        std::size_t i) {
     const Fonts& fonts = stage.theme.fonts;
     return asked_for(stage, hovered, i) ? fonts.regular : fonts.small;
 }
 
-std::vector<LabelRequest> requests(const Stage& stage, std::optional<std::size_t> hovered) {
+std::vector<LabelRequest> requests(const SpaceStage& stage, std::optional<std::size_t> hovered) {
     std::vector<std::size_t> order;
     for (const auto& first : {stage.scene.selected, hovered, stage.scene.pointed}) {
         if (first && *first < stage.discs.size() && visible(stage, stage.discs[*first]) &&
@@ -215,7 +216,7 @@ std::vector<LabelRequest> requests(const Stage& stage, std::optional<std::size_t
     return result;
 }
 
-void draw_names(const Stage& stage, std::span<const Rect> occupied,
+void draw_names(const SpaceStage& stage, std::span<const Rect> occupied,
                 std::optional<std::size_t> hovered) {
     const Theme& theme = stage.theme;
     const auto wanted = requests(stage, hovered);
@@ -258,7 +259,7 @@ void draw_names(const Stage& stage, std::span<const Rect> occupied,
 
 // Turns the mouse into camera moves and clicks. Drags are taken from the frame's own movement, so
 // they work whatever moved the mouse.
-SpaceAction read_mouse(const char* id, const Theme& theme, const Rect& pane, Stage& stage,
+SpaceAction read_mouse(const char* id, const Theme& theme, const Rect& pane, SpaceStage& stage,
                        SpaceCamera& camera) {
     ImGui::SetCursorScreenPos(pane.min);
     ImGui::InvisibleButton(id, pane.size(),
@@ -307,7 +308,7 @@ SpaceAction read_mouse(const char* id, const Theme& theme, const Rect& pane, Sta
 }
 
 // While the mouse is over empty space: what it can do there. Returns what it covers.
-Rect draw_hint(const Stage& stage, const SpaceAction& action) {
+Rect draw_hint(const SpaceStage& stage, const SpaceAction& action) {
     if (action.hovered || !ImGui::IsItemHovered() || ImGui::IsItemActive()) return {};
     const Theme& theme = stage.theme;
     const char* text = stage.fit.flat ? "drag to move, wheel to zoom, double click to reset"
@@ -329,7 +330,7 @@ SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
            scene.looks.size() == scene.labels.size() && "one name and one look for each point");
     if (pane.width() < 1.0F || pane.height() < 1.0F) return {};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    Stage stage = staged(list, theme, pane, scene);
+    SpaceStage stage = staged(list, theme, pane, scene);
     place_points(stage, camera);
     const SpaceAction action = read_mouse(id, theme, pane, stage, camera);
     if (action.camera_changed) place_points(stage, camera);
