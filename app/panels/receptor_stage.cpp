@@ -155,24 +155,22 @@ std::vector<std::string> layer_names(const NeuralCodingParams& params) {
     return names;
 }
 
-const PerReceptor<std::vector<RelayLayer>>& layers_of(App& app, const ShownStages& shown) {
+// Of one channel, made when it is first shown in this step: large grids take milliseconds.
+const std::vector<RelayLayer>& layers_of(App& app, const ShownStages& shown, Receptor type) {
     ShownLayers& known = shown.pinned ? app.physiology.pinned_layers : app.physiology.layers;
     const std::size_t step = step_at(app, shown);
-    if (known.of == shown.live && known.step == step) return known.layers;
-    known.of = shown.live;
-    known.step = step;
-    for (std::size_t c = 0; c < kReceptorCount; ++c) {
-        const bool any = !shown.live->neural.code.central_count[c].empty();
-        known.layers[c] = any ? relay_layers(shown.live->neural.channel[c], step,
-                                             shown.live->request.model.coding)
-                              : std::vector<RelayLayer>{};
+    if (known.of != shown.live || known.step != step) known = {shown.live, step, {}};
+    const std::size_t c = index_of(type);
+    if (known.layers[c].empty() && !shown.live->neural.code.central_count[c].empty()) {
+        known.layers[c] =
+            relay_layers(shown.live->neural.channel[c], step, shown.live->request.model.coding);
     }
-    return known.layers;
+    return known.layers[c];
 }
 
 void draw_one_network(App& app, const ShownStages& shown, Receptor type, const Rect& area) {
     const std::vector<std::string> names = layer_names(shown.live->request.model.coding);
-    const std::vector<RelayLayer>& layers = layers_of(app, shown)[index_of(type)];
+    const std::vector<RelayLayer>& layers = layers_of(app, shown, type);
     NetworkScene scene;
     scene.layers = layers;
     scene.names = names;
