@@ -66,8 +66,8 @@ struct PhysiologyTables {
 // The tables compiled in from assets/physiology.
 const PhysiologyTables& default_tables();
 
-// One table in the layout of assets/physiology, from the text of its file. An Error names the table,
-// the line and what was expected.
+// One table in the layout of assets/physiology, from the text of its file. An Error names the
+// table, the line and what was expected.
 Expected<PerReceptor<Curve>> parse_slopes(const std::string& csv);
 Expected<PerReceptor<Curve>> parse_thresholds(const std::string& csv);
 
