@@ -14,13 +14,6 @@ namespace tact {
 
 namespace {
 
-std::optional<std::size_t> place_of(const App& app, const std::string& name) {
-    const auto& all = app.document.set.vibrations;
-    const auto found = std::ranges::find(all, name, &Vibration::name);
-    if (found == all.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - all.begin());
-}
-
 bool has_exact_map(const App& app) {
     return map_state(app) == MapState::exact && app.map.shown->prediction.pm.size >= 2;
 }
@@ -117,9 +110,9 @@ std::optional<ChosenPair> chosen_pair(const App& app) {
     const std::size_t count = app.document.set.vibrations.size();
     const std::size_t current = app.selection.current;
     if (count < 2 || current >= count) return std::nullopt;
-    const auto partner = place_of(app, app.partner);
+    const auto partner = place_named(app.document.set, app.partner);
     if (partner && partner != current) return ChosenPair{current, *partner, PartnerKind::chosen};
-    const auto pinned = place_of(app, app.pinned);
+    const auto pinned = place_named(app.document.set, app.pinned);
     if (pinned && pinned != current) return ChosenPair{current, *pinned, PartnerKind::pinned};
     ChosenPair pair{current, current == 0 ? 1U : 0U, PartnerKind::closest};
     if (!app.map.shown || app.map.shown->prediction.pm.size != count) return pair;
@@ -161,9 +154,7 @@ void load_ratings(App& app, const std::vector<std::filesystem::path>& paths) {
     const Expected<LoadedRatings> loaded = read_ratings(paths, RatingScale::guess);
     if (!loaded) return complain(app, loaded.error().message);
     const std::string file = paths.front().filename().string();
-    std::vector<std::string> names;
-    for (const Vibration& vibration : app.document.set.vibrations) names.push_back(vibration.name);
-    const Expected<RatingStudy> study = matched(loaded->study, names);
+    const Expected<RatingStudy> study = matched(loaded->study, names_of(app.document.set));
     if (!study) return complain(app, file + ": " + study.error().message);
     app.document.set.ratings = kept_ratings(*study, file);
     document_changed(app);

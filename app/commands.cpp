@@ -11,7 +11,6 @@
 #include "app/editing.h"
 #include "app/exports.h"
 #include "app/files.h"
-#include "app/panels/time_rows.h"
 #include "app/tour.h"
 #include "app/widgets.h"
 #include "viz/marks.h"

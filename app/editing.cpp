@@ -248,9 +248,11 @@ void toggle_locked(App& app) {
     commit_step(app, of_selection(app, lock ? "Lock" : "Unlock"));
 }
 
+double shown_duration_s(const App& app) { return longest_s(app.document.set); }
+
 void toggle_playing(App& app) {
     Playhead& playhead = app.playhead;
-    const double end_s = static_cast<double>(longest_samples(app.document.set)) / kModelRateHz;
+    const double end_s = shown_duration_s(app);
     if (!playhead.playing && playhead.at_s >= end_s) playhead.at_s = 0.0;
     playhead.playing = !playhead.playing && end_s > 0.0;
 }

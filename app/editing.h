@@ -49,6 +49,9 @@ void move_vibration(App& app, std::size_t from, std::size_t to);
 void rename_vibration(App& app, std::size_t index, const std::string& name);
 void toggle_locked(App& app);
 
+// Duration of what the panes show, s: of any pattern, padded as in its set.
+double shown_duration_s(const App& app);
+
 // Starts the playhead, from the start where it stood at the end, or halts it.
 void toggle_playing(App& app);
 

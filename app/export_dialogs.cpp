@@ -8,8 +8,8 @@
 #include <string>
 
 #include "app/dialogs.h"
+#include "app/editing.h"
 #include "app/exports.h"
-#include "app/panels/time_rows.h"
 #include "app/view_pictures.h"
 #include "app/widgets.h"
 

@@ -15,7 +15,6 @@
 #include "app/files.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
-#include "app/panels/time_rows.h"
 #include "app/tour.h"
 #include "app/widgets.h"
 #include "model/mds.h"

@@ -28,6 +28,10 @@ std::vector<std::size_t> by_distance(const ReceptorGrid& grid) {
 
 }  // namespace
 
+LiveStagesRequest stages_request(const PatternSet& set, std::size_t index) {
+    return {set.vibrations[index], longest_samples(set), set.model};
+}
+
 std::optional<LiveStages> compute_live_stages(const LiveStagesRequest& request,
                                               std::stop_token stop, std::atomic<float>& progress) {
     LiveStages live;

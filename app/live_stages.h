@@ -25,6 +25,8 @@ struct LiveStagesRequest {
     bool operator==(const LiveStagesRequest&) const = default;
 };
 
+LiveStagesRequest stages_request(const PatternSet& set, std::size_t index);
+
 // One answer: a snapshot that panels draw as long as they like.
 struct LiveStages {
     LiveStagesRequest request;

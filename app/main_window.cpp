@@ -68,13 +68,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     client.after_frame = [&app] { continue_exports(app); };
     const Expected<Done> answer = run_window(options_of(app), client);
     // The jobs end before what they wake does.
-    app.findings_job.reset();
-    app.difference_job.reset();
-    app.comparison_job.reset();
-    app.full_job.reset();
-    app.preview_job.reset();
-    app.stages_job.reset();
-    app.pinned_job.reset();
+    stop_jobs(app);
     end_session(app);
     return answer;
 }

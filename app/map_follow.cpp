@@ -108,6 +108,16 @@ void make_jobs(App& app) {
     make_bench_jobs(app);
 }
 
+void stop_jobs(App& app) {
+    app.findings_job.reset();
+    app.difference_job.reset();
+    app.comparison_job.reset();
+    app.full_job.reset();
+    app.preview_job.reset();
+    app.stages_job.reset();
+    app.pinned_job.reset();
+}
+
 void request_maps(App& app) {
     if (!app.full_job) return;  // a picture without a window computes its map itself
     app.map_cancelled = false;
@@ -139,14 +149,6 @@ void take_answers(App& app) {
     take_bench_answers(app);
 }
 
-namespace {
-
-LiveStagesRequest stages_request(const PatternSet& set, std::size_t index) {
-    return {set.vibrations[index], longest_samples(set), set.model};
-}
-
-}  // namespace
-
 void follow_current(App& app) {
     const PatternSet& set = app.document.set;
     if (!app.stages_job || app.selection.current >= set.vibrations.size()) return;
@@ -155,12 +157,12 @@ void follow_current(App& app) {
         app.stages_asked = request;
         app.stages_job->submit(std::move(request));
     }
-    const auto pinned = std::ranges::find(set.vibrations, app.pinned, &Vibration::name);
-    if (pinned == set.vibrations.end()) {
+    const auto pinned = place_named(set, app.pinned);
+    if (!pinned) {
         app.pinned.clear();
         return;
     }
-    request = stages_request(set, static_cast<std::size_t>(pinned - set.vibrations.begin()));
+    request = stages_request(set, *pinned);
     if (request == app.pinned_asked) return;
     app.pinned_asked = request;
     app.pinned_job->submit(std::move(request));

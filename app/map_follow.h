@@ -5,8 +5,9 @@
 
 namespace tact {
 
-// Starts the jobs; the map of a very large set waits until asked for.
+// Starts the jobs, and ends them; the map of a very large set waits until asked for.
 void make_jobs(App& app);
+void stop_jobs(App& app);
 void request_maps(App& app);
 
 // Takes what the jobs have finished, aligns it to what is shown and starts the transition.

@@ -62,8 +62,7 @@ Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilari
 
 Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
                       const PictureSize& size) {
-    std::vector<std::string> labels;
-    for (const Vibration& vibration : set.vibrations) labels.push_back(vibration.name);
+    const std::vector<std::string> labels = names_of(set);
     char detail[96];
     std::snprintf(detail, sizeof detail, "predicted by PM, stress-1 %.3f, %s", space.stress1,
                   stress_label(space.stress1).c_str());

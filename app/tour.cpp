@@ -26,9 +26,7 @@ void show_stage(App& app, std::optional<Stage> stage, double speed) {
 }
 
 void enter_start(App& app) {
-    const auto& all = app.document.set.vibrations;
-    const auto found = std::ranges::find(all, std::string(kShownPattern), &Vibration::name);
-    if (found != all.end()) select_only(app, static_cast<std::size_t>(found - all.begin()));
+    if (const auto place = place_named(app.document.set, kShownPattern)) select_only(app, *place);
     app.layout.left = 0.18F;
     app.layout.right = 0.26F;
     app.layout.maximised.reset();

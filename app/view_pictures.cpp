@@ -9,7 +9,6 @@
 #include "app/live_map.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
-#include "app/panels/time_rows.h"
 #include "app/widgets.h"
 
 namespace tact {
@@ -18,21 +17,19 @@ namespace {
 
 std::shared_ptr<const LiveStages> stages_of(const PatternSet& set, std::size_t index) {
     std::atomic<float> progress = 0.0F;
-    const LiveStagesRequest request{set.vibrations[index], longest_samples(set), set.model};
-    return std::make_shared<const LiveStages>(*compute_live_stages(request, {}, progress));
+    return std::make_shared<const LiveStages>(
+        *compute_live_stages(stages_request(set, index), {}, progress));
 }
 
 // Edits may be ahead of the jobs; stages take no time worth waiting for.
 void bring_up_to_date(App& app) {
     const PatternSet& set = app.document.set;
     const auto follow = [&set](std::shared_ptr<const LiveStages>& shown, std::size_t index) {
-        const LiveStagesRequest wanted{set.vibrations[index], longest_samples(set), set.model};
-        if (!shown || shown->request != wanted) shown = stages_of(set, index);
+        const bool known = shown && shown->request == stages_request(set, index);
+        if (!known) shown = stages_of(set, index);
     };
     if (app.selection.current < set.vibrations.size()) follow(app.stages, app.selection.current);
-    const auto pinned = std::ranges::find(set.vibrations, app.pinned, &Vibration::name);
-    if (pinned == set.vibrations.end()) return;
-    follow(app.pinned_stages, static_cast<std::size_t>(pinned - set.vibrations.begin()));
+    if (const auto pinned = place_named(set, app.pinned)) follow(app.pinned_stages, *pinned);
 }
 
 void compute_map(App& app, const PatternSet& set, int threads) {

@@ -39,6 +39,22 @@ std::size_t longest_samples(const PatternSet& set) {
     return longest;
 }
 
+double longest_s(const PatternSet& set) {
+    return static_cast<double>(longest_samples(set)) / kModelRateHz;
+}
+
+std::vector<std::string> names_of(const PatternSet& set) {
+    std::vector<std::string> names;
+    for (const Vibration& vibration : set.vibrations) names.push_back(vibration.name);
+    return names;
+}
+
+std::optional<std::size_t> place_named(const PatternSet& set, const std::string& name) {
+    const auto found = std::ranges::find(set.vibrations, name, &Vibration::name);
+    if (found == set.vibrations.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - set.vibrations.begin());
+}
+
 std::string unused_name(const PatternSet& set, const std::string& wanted) {
     const auto taken = [&set](const std::string& name) {
         return std::ranges::any_of(set.vibrations,

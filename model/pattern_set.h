@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -70,6 +71,13 @@ std::vector<Waveform> model_waveforms(const PatternSet& set);
 
 // The longest vibration, in samples at the model's rate; 0 for an empty set.
 std::size_t longest_samples(const PatternSet& set);
+double longest_s(const PatternSet& set);
+
+// Of all vibrations, in their order.
+std::vector<std::string> names_of(const PatternSet& set);
+
+// Where the vibration of a name stands; none: there is none.
+std::optional<std::size_t> place_named(const PatternSet& set, const std::string& name);
 
 // `wanted`, or `wanted 2`, `wanted 3`, ... whichever no vibration of the set has yet.
 std::string unused_name(const PatternSet& set, const std::string& wanted);

@@ -19,7 +19,7 @@ std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& f
 Expected<RatingStudy> study_of(const PatternSet& set) {
     if (set.ratings.empty()) return Error{"expected ratings of the patterns, got none"};
     RatingStudy study;
-    for (const Vibration& vibration : set.vibrations) study.labels.push_back(vibration.name);
+    study.labels = names_of(set);
     for (const Ratings& ratings : set.ratings) {
         const RatingStudy one{ratings.labels, true, {{ratings.name, ratings.condensed}}};
         const Expected<RatingStudy> fitting = matched(one, study.labels);

@@ -263,8 +263,12 @@ void draw_zero_line(ImDrawList& list, const Theme& theme, const Plot& plot) {
 void draw_cursor_line(ImDrawList& list, const Theme& theme, const Plot& plot, double x,
                       ImU32 colour) {
     if (x < plot.x.low || x > plot.x.high) return;
-    draw_upright_line(list, to_pixel(plot.x, x), plot.area.min.y, plot.area.max.y,
-                      theme.hairline_px, colour);
+    const float x_px = to_pixel(plot.x, x);
+    const float reach = 2.0F * theme.scale;
+    // A draw command of its own: where just the line moved, no more than it is painted again.
+    list.PushClipRect({x_px - reach, plot.area.min.y}, {x_px + reach, plot.area.max.y}, true);
+    draw_upright_line(list, x_px, plot.area.min.y, plot.area.max.y, theme.hairline_px, colour);
+    list.PopClipRect();
 }
 
 std::vector<Extremes> extremes(std::span<const double> samples, double first, double last,

@@ -216,8 +216,7 @@ RasterAction draw_raster(const char* id, const Theme& theme, const Rect& area,
     }
     const RasterLayout layout = raster_layout(theme, area, scene);
     if (layout.plot.area.empty()) return {};
-    RasterAction action = read_mouse(id, area, layout, scene);
-    action.rows = layout.plot.area;
+    const RasterAction action = read_mouse(id, area, layout, scene);
 
     list.PushClipRect(area.min, area.max, true);
     draw_axes(list, theme, layout.plot,

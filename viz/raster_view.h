@@ -47,7 +47,6 @@ struct RasterScene {
 };
 
 struct RasterAction {
-    Rect rows{};  // where the spikes are, between the axes
     std::optional<RasterSpot> hovered{};
     std::optional<double> hovered_s{};
     std::optional<RasterSpot> clicked{};  // on release over the row that was pressed on

@@ -81,7 +81,6 @@ WaveAction draw_wave(const char* id, const Theme& theme, const Rect& area, const
     }
 
     WaveAction action;
-    action.curves = plot.area;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (hovered || held) {
         const double time_s = std::clamp(to_value(plot.x, mouse.x), scene.start_s, scene.end_s);

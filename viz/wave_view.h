@@ -36,7 +36,6 @@ struct WaveScene {
 };
 
 struct WaveAction {
-    Rect curves{};  // where they are, between the axes
     std::optional<double> hovered_s{};
     std::optional<std::size_t> hovered_sample{};  // of the last trace
     std::optional<double> scrubbed_s{};  // the mouse is held down: the playhead's new place

@@ -79,12 +79,6 @@ Expected<PatternSet> load_for(const CommonOptions& options) {
     return std::move(loaded->set);
 }
 
-std::vector<std::string> names_of(const PatternSet& set) {
-    std::vector<std::string> names;
-    for (const Vibration& vibration : set.vibrations) names.push_back(vibration.name);
-    return names;
-}
-
 Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options) {
     const std::size_t count = set.vibrations.size();
     if (count >= 2) return Done{};
@@ -95,9 +89,9 @@ Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options) 
 
 Expected<std::size_t> place_of(const PatternSet& set, const std::string& name) {
     if (set.vibrations.empty()) return Error{"the set is empty, expected at least one pattern"};
+    if (const auto place = place_named(set, name)) return *place;
     std::string known;
     for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
-        if (set.vibrations[k].name == name) return k;
         constexpr std::size_t kNamed = 12;
         if (k < kNamed) known += (k == 0 ? "" : ", ") + set.vibrations[k].name;
         if (k == kNamed) known += ", ...";

@@ -16,8 +16,6 @@ namespace tact {
 // The sets of a command as one, with its remarks printed to standard error.
 Expected<PatternSet> load_for(const CommonOptions& options);
 
-std::vector<std::string> names_of(const PatternSet& set);
-
 // An Error unless the set has at least two patterns: fewer make no matrix and no map.
 Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options);
 

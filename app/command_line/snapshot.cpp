@@ -26,10 +26,6 @@ bool shows_pattern(const SnapshotCommand& command) {
     return shows_time(command) || command.view == "wave" || command.view == "spectrum";
 }
 
-double duration_s(const PatternSet& set) {
-    return static_cast<double>(longest_samples(set)) / kModelRateHz;
-}
-
 // What goes together; the numbers are looked at when the set's duration is known.
 Expected<Done> check_options(const SnapshotCommand& command) {
     const auto needs = [](const char* option, const char* what) {
@@ -123,7 +119,7 @@ Expected<Picture> picture_of_view(const SnapshotCommand& command, const PatternS
     const Expected<ViewChoice> choice = view_choice(command, set);
     if (!choice) return choice.error();
     const double at_s = command.at_s.value_or(0.0);
-    if (const auto within = check_time("--at", at_s, duration_s(set)); !within) {
+    if (const auto within = check_time("--at", at_s, longest_s(set)); !within) {
         return within.error();
     }
     App view = opened_view(set, *choice);
@@ -150,7 +146,7 @@ Expected<Done> draw_sequence(const SnapshotCommand& command, const PictureSize& 
     if (!set) return set.error();
     const Expected<ViewChoice> choice = view_choice(command, *set);
     if (!choice) return choice.error();
-    const Expected<FrameSequence> sequence = sequence_of(command, duration_s(*set));
+    const Expected<FrameSequence> sequence = sequence_of(command, longest_s(*set));
     if (!sequence) return sequence.error();
     if (const Expected<Done> open = open_sequence(*sequence); !open) return open;
     App view = opened_view(*set, *choice);

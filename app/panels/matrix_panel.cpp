@@ -97,10 +97,7 @@ void draw_matrix_panel(App& app) {
                        : "It is computed together with the space above.");
         return;
     }
-    std::vector<std::string> labels;
-    for (const Vibration& vibration : app.map.shown->request.set->vibrations) {
-        labels.push_back(vibration.name);
-    }
+    const std::vector<std::string> labels = names_of(*app.map.shown->request.set);
     // Low panes need it for the map; the pair under the mouse is told there, too.
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const bool has_foot = !app.as_picture && area.height() > 9.0F * line;

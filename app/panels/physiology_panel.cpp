@@ -26,42 +26,34 @@ constexpr float kLowestPairUnitPx = 84.0F;
 constexpr std::array<float, kStages.size()> kUnits{1.0F, 2.1F, 1.8F, 3.2F, 2.1F,
                                                    2.2F, 1.2F, 0.9F, 1.1F};
 
-// The patterns on screen: the current one, then the pinned one.
-struct Patterns {
-    std::vector<ShownStages> all;
-    bool waiting = false;  // for the stages of another pattern
-};
-
-Patterns shown_patterns(const App& app) {
-    Patterns patterns;
-    const Vibration& current = *current_vibration(app);
-    const auto add = [&](const std::shared_ptr<const LiveStages>& live, const Vibration& wanted,
-                         std::size_t index, bool pinned) {
+// The patterns on screen: the current one, then the pinned one; without those whose stages are on
+// their way.
+std::vector<ShownStages> shown_patterns(const App& app) {
+    std::vector<ShownStages> patterns;
+    const PatternSet& set = app.document.set;
+    const auto add = [&](const std::shared_ptr<const LiveStages>& live, std::size_t index,
+                         bool pinned) {
+        const Vibration& wanted = set.vibrations[index];
         // Another pattern's signals would be worse than none.
-        if (!live || live->request.vibration.name != wanted.name) {
-            patterns.waiting = true;
-            return;
-        }
-        const bool stale = live->request.vibration.source != wanted.source ||
-                           live->request.model != app.document.set.model;
-        patterns.all.push_back({live, look_of(app, index), stale, pinned});
+        if (!live || live->request.vibration.name != wanted.name) return;
+        const bool stale =
+            live->request.vibration.source != wanted.source || live->request.model != set.model;
+        patterns.push_back({live, look_of(app, index), stale, pinned});
     };
-    add(app.stages, current, app.selection.current, false);
-    const auto& all = app.document.set.vibrations;
-    const auto pinned = std::ranges::find(all, app.pinned, &Vibration::name);
-    if (pinned == all.end() || patterns.all.empty()) return patterns;
-    add(app.pinned_stages, *pinned, static_cast<std::size_t>(pinned - all.begin()), true);
+    add(app.stages, app.selection.current, false);
+    const auto pinned = place_named(set, app.pinned);
+    if (pinned && !patterns.empty()) add(app.pinned_stages, *pinned, true);
     return patterns;
 }
 
-void follow_difference(App& app, const Patterns& patterns) {
+void follow_difference(App& app, const std::vector<ShownStages>& patterns) {
     ShownDifference& known = app.physiology.difference;
-    if (patterns.all.size() < 2) {
+    if (patterns.size() < 2) {
         known = {};
         return;
     }
-    const auto& a = patterns.all[0].live;
-    const auto& b = patterns.all[1].live;
+    const auto& a = patterns[0].live;
+    const auto& b = patterns[1].live;
     if (known.a == a && known.b == b) return;
     known = {a, b, stage_differences(*a, *b), {}};
     for (const Stage stage : kStages) {
@@ -174,11 +166,11 @@ void draw_stage_label(App& app, Stage stage, const Rect& area) {
 }
 
 // One pattern, or two with their difference between them.
-void draw_patterns(App& app, const Patterns& patterns, Stage stage, const Rect& area,
-                   const StageSize& size) {
-    if (patterns.all.empty()) return;
-    if (patterns.all.size() < 2) return draw_stage(app, patterns.all[0], stage, area, size);
-    const bool has_signals = !signals_of(*patterns.all[0].live, stage).empty();
+void draw_patterns(App& app, const std::vector<ShownStages>& patterns, Stage stage,
+                   const Rect& area, const StageSize& size) {
+    if (patterns.empty()) return;
+    if (patterns.size() < 2) return draw_stage(app, patterns[0], stage, area, size);
+    const bool has_signals = !signals_of(*patterns[0].live, stage).empty();
     const float axis = size.time_axis ? time_axis_height(app) : 0.0F;
     const float text = font_or_current(app.theme.fonts.small).FontSize;
     const float middle = has_signals ? std::max(text, 0.24F * (area.height() - axis)) : text * 1.2F;
@@ -187,19 +179,19 @@ void draw_patterns(App& app, const Patterns& patterns, Stage stage, const Rect& 
     const float y2 = y1 + middle;
     StageSize upper = size;
     upper.time_axis = false;
-    draw_stage(app, patterns.all[0], stage, {area.min, {area.max.x, y1}}, upper);
-    draw_stage_difference(app, patterns.all[0], patterns.all[1], stage,
+    draw_stage(app, patterns[0], stage, {area.min, {area.max.x, y1}}, upper);
+    draw_stage_difference(app, patterns[0], patterns[1], stage,
                           {{area.min.x, y1}, {area.max.x, y2}}, upper);
-    draw_stage(app, patterns.all[1], stage, {{area.min.x, y2}, area.max}, size);
+    draw_stage(app, patterns[1], stage, {{area.min.x, y2}, area.max}, size);
 }
 
-void draw_overview(App& app, const Patterns& patterns) {
+void draw_overview(App& app, const std::vector<ShownStages>& patterns) {
     const Theme& theme = app.theme;
     const float gap = 0.75F * theme.gap_px;
     float units = 0.0F;
     for (const float unit : kUnits) units += unit;
     const float free = ImGui::GetContentRegionAvail().y - gap * static_cast<float>(kStages.size());
-    float lowest = patterns.all.size() > 1 ? kLowestPairUnitPx : kLowestUnitPx;
+    float lowest = patterns.size() > 1 ? kLowestPairUnitPx : kLowestUnitPx;
     if (app.as_picture) lowest = 1.0F;  // nobody can scroll it
     const float unit = std::max(free / units, lowest * theme.scale);
     const float height = unit * units + gap * static_cast<float>(kStages.size());
@@ -231,7 +223,7 @@ void draw_overview(App& app, const Patterns& patterns) {
     ImGui::PopStyleVar();
 }
 
-void draw_large(App& app, const Patterns& patterns, Stage stage) {
+void draw_large(App& app, const std::vector<ShownStages>& patterns, Stage stage) {
     const Rect pane = rest_of_pane();
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const StageText& text = text_of(stage);
@@ -264,7 +256,7 @@ void draw_physiology_panel(App& app) {
     const double duration_s = shown_duration_s(app);
     app.time_range = fitted(app.time_range, duration_s);
     app.playhead.at_s = std::clamp(app.playhead.at_s, 0.0, duration_s);
-    const Patterns patterns = shown_patterns(app);
+    const std::vector<ShownStages> patterns = shown_patterns(app);
     follow_difference(app, patterns);
     if (!app.as_picture) {
         draw_hint(app, "physiology",
@@ -275,7 +267,7 @@ void draw_physiology_panel(App& app) {
     }
     // The links above may have turned to another range.
     app.time_range = fitted(app.time_range, duration_s);
-    if (patterns.all.empty()) {
+    if (patterns.empty()) {
         draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(), "Computing",
                    "The receptors and nerves of " + vibration->name + " are on their way.");
         return;

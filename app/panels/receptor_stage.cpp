@@ -262,11 +262,11 @@ void draw_spike_stage(App& app, const ShownStages& shown, const Rect& area, cons
     scene.rates = size.large;
     scene.selected = spot(app.physiology.selected);
     scene.pointed = spot(app.physiology.hovered_last);
+    scene.playhead_s = app.playhead.at_s;
     scene.crosshair_s = app.physiology.crosshair_last_s;
     scene.stale = shown.stale;
     const std::string id = id_of(shown, "raster");
     const RasterAction action = draw_raster(id.c_str(), app.theme, area, scene);
-    draw_playhead(app, action.rows);
     note_rect(app.rects, "plot:" + id, area.min, area.max);
     take_time_gesture(app, area, {action.hovered_s, action.scrubbed_s});
     const auto place = [](const RasterSpot& s) {

@@ -23,10 +23,6 @@ std::string full_digits(double value) {
 
 }  // namespace
 
-double shown_duration_s(const App& app) {
-    return static_cast<double>(longest_samples(app.document.set)) / kModelRateHz;
-}
-
 float value_room_px(const App& app) { return kValueRoomPx * app.theme.scale; }
 
 float time_axis_height(const App& app) {
@@ -51,18 +47,6 @@ void take_time_gesture(App& app, const Rect& area, const TimeGesture& gesture) {
     app.time_range = panned(app.time_range, by_px * per_px, duration_s);
 }
 
-void draw_playhead(App& app, const Rect& curves) {
-    const TimeRange& range = app.time_range;
-    const double share = (app.playhead.at_s - range.start_s) / range.length_s();
-    if (curves.empty() || !(share >= 0.0 && share <= 1.0)) return;
-    const float x = std::round(curves.min.x + static_cast<float>(share) * curves.width());
-    const float reach = 2.0F * app.theme.scale;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRect({x - reach, curves.min.y}, {x + reach, curves.max.y}, true);
-    draw_upright_line(list, x, curves.min.y, curves.max.y, app.theme.hairline_px, app.theme.accent);
-    list.PopClipRect();
-}
-
 void draw_time_row(App& app, const Rect& area, const TimeRow& row) {
     const WaveTrace trace{row.samples, row.rate_hz, row.colour, row.style};
     WaveScene scene;
@@ -75,10 +59,10 @@ void draw_time_row(App& app, const Rect& area, const TimeRow& row) {
     scene.time_axis = row.time_axis;
     scene.value_axis = row.large;
     scene.left_room_px = row.large ? kValueRoomPx * app.theme.scale : 0.0F;
+    scene.playhead_s = app.playhead.at_s;
     scene.crosshair_s = app.physiology.crosshair_last_s;
     scene.stale = row.stale;
     const WaveAction action = draw_wave(row.id.c_str(), app.theme, area, scene);
-    draw_playhead(app, action.curves);
     note_rect(app.rects, "plot:" + row.id, area.min, area.max);
     if (action.hovered_sample) {
         const std::size_t sample = *action.hovered_sample;

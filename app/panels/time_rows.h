@@ -10,9 +10,6 @@
 
 namespace tact {
 
-// Duration of what the pane shows, s: the current pattern, padded as in its set.
-double shown_duration_s(const App& app);
-
 // One signal from time 0 on.
 struct TimeRow {
     std::string id;  // names it for tests: "brain", "filtered FA1"
@@ -37,10 +34,6 @@ struct TimeGesture {
     std::optional<double> scrubbed_s;
 };
 void take_time_gesture(App& app, const Rect& area, const TimeGesture& gesture);
-
-// The playhead through one plot. Drawn after the plot and apart from it: a frame in which just the
-// playhead moved then paints no more than its line.
-void draw_playhead(App& app, const Rect& curves);
 
 // Ticks and "s" along the top of the area, for a group of rows without ticks of their own.
 float time_axis_height(const App& app);

@@ -8,7 +8,6 @@
 #include "app/editing.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
-#include "app/panels/time_rows.h"
 #include "app/time_left.h"
 #include "app/widgets.h"
 #include "viz/colour.h"
