@@ -1,21 +1,33 @@
 // The one interface of the program: something that plays a waveform.
 //
-// Input     a waveform in g; a device resamples and scales it to what it is
-// Left out  which devices there are: audio and HID actuators join this room as files of their own.
+// Input     a drive signal; devices/calibration.h makes one from a waveform in g
+// Left out  which devices there are, and which one a person has chosen: the program's.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "model/expected.h"
-#include "model/waveform.h"
+#include "model/units.h"
 
 namespace tact {
+
+// What a device is told to do, as a share of its full scale: -1..1.
+struct Drive {
+    double rate_hz = kModelRateHz;
+    std::vector<double> samples;
+
+    bool operator==(const Drive&) const = default;
+};
 
 struct DeviceStatus {
     std::string name;
     bool connected = false;
     bool playing = false;
-    double position_s = 0.0;  // in the waveform being played
+    double position_s = 0.0;  // in the pattern, as it is felt now: latency is taken off
+    double peak = 0.0;        // of full scale, since the last status
+    bool clipped = false;     // the limiter has held this play back somewhere
+    std::string trouble;      // why it stopped by itself: a sentence a person can act on
 
     bool operator==(const DeviceStatus&) const = default;
 };
@@ -24,10 +36,13 @@ class Device {
   public:
     virtual ~Device() = default;
 
-    // Starts from the beginning, in place of what was playing. An Error says what to plug in.
-    virtual Expected<Done> play(const Waveform& waveform) = 0;
+    // Starts `drive` from the beginning, in place of what was playing; `loop`: until stopped. An
+    // Error says what to plug in or to allow.
+    virtual Expected<Done> play(const Drive& drive, bool loop) = 0;
+    // How strong, as a share of the drive signal: 0 is silence, 1 all of it. Also while playing.
+    virtual void set_level(double level) = 0;
     virtual void stop() = 0;
-    virtual DeviceStatus status() const = 0;
+    virtual DeviceStatus status() = 0;
 };
 
 }  // namespace tact

@@ -12,16 +12,21 @@ class MemoryDevice final : public Device {
     // `connected` false: every play is refused, as without a device.
     explicit MemoryDevice(bool connected) : connected_(connected) {}
 
-    Expected<Done> play(const Waveform& waveform) override;
+    Expected<Done> play(const Drive& drive, bool loop) override;
+    void set_level(double level) override { level_ = level; }
     void stop() override { playing_.reset(); }
-    DeviceStatus status() const override;
+    DeviceStatus status() override;
 
-    // What is playing, for a test to look at.
-    const std::optional<Waveform>& playing() const { return playing_; }
+    // What is playing, and how, for a test to look at.
+    const std::optional<Drive>& playing() const { return playing_; }
+    bool looping() const { return loop_; }
+    double level() const { return level_; }
 
   private:
     bool connected_;
-    std::optional<Waveform> playing_;
+    bool loop_ = false;
+    double level_ = 1.0;
+    std::optional<Drive> playing_;
 };
 
 }  // namespace tact

@@ -2,24 +2,23 @@
 
 #include <doctest/doctest.h>
 
-#include "model/pattern.h"
-
 using namespace tact;
 
 TEST_CASE("device: what is played is whole, and stops when told to") {
     MemoryDevice device(true);
-    const Waveform waveform = render(Pattern{});
-    REQUIRE(device.play(waveform));
+    const Drive drive{1000.0, {0.0, 0.5, -0.5, 0.0}};
+    REQUIRE(device.play(drive, true));
     CHECK(device.status().playing);
     REQUIRE(device.playing().has_value());
-    CHECK(*device.playing() == waveform);
+    CHECK(*device.playing() == drive);
+    CHECK(device.looping());
     device.stop();
     CHECK_FALSE(device.status().playing);
 }
 
 TEST_CASE("device: without one, playing is refused with what to do") {
     MemoryDevice device(false);
-    const auto answer = device.play(render(Pattern{}));
+    const auto answer = device.play(Drive{}, false);
     REQUIRE_FALSE(answer);
     CHECK(answer.error().message.find("plug in") != std::string::npos);
     CHECK_FALSE(device.status().connected);
