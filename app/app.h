@@ -146,6 +146,14 @@ enum class BenchTab { matrix, compare, shepard, why, model };
 
 enum class CompareView { table, scatter, findings };
 
+// The points of the Shepard diagram, kept while its map stays what it is.
+struct ShepardFit {
+    std::shared_ptr<const void> owner;
+    const PerceptualSpace* of = nullptr;  // in the owner
+    std::vector<double> distances;        // in the map, of all pairs
+    std::vector<double> disparities;
+};
+
 struct ComparePanelState {
     CompareView view = CompareView::table;
     Metric metric = Metric::pm;         // whose scatter is shown, and whose Shepard diagram
@@ -154,6 +162,7 @@ struct ComparePanelState {
     std::uint64_t cancelled_at = 0;     // ... of this revision
     bool compute_large = false;         // the person asked for many patterns
     std::shared_ptr<const LiveMap> of;  // what was asked for last
+    ShepardFit fit;
 };
 
 // Whose knots the model bench lists.

@@ -291,51 +291,6 @@ bool is_popup_open() {
     return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
-std::string item_text(const App& app, const Command& command) {
-    if (command.run == static_cast<void (*)(App&)>(undo)) {
-        return menu_text("Undo", app.history.undo_label());
-    }
-    if (command.run == static_cast<void (*)(App&)>(redo)) {
-        return menu_text("Redo", app.history.redo_label());
-    }
-    return command.name;
-}
-
-void draw_item(App& app, const Command& command) {
-    const bool checked = command.checked != nullptr && command.checked(app);
-    const std::string text = item_text(app, command);
-    if (ImGui::MenuItem(text.c_str(), shortcut_text(command.shortcut).c_str(), checked,
-                        command.enabled(app))) {
-        command.run(app);
-    }
-    note_item(app.rects, std::string("menu:") + command.name);
-}
-
-void draw_recent(App& app) {
-    if (!ImGui::BeginMenu("Open recent", !app.session.recent_files.empty())) return;
-    // A copy: opening a file changes the list.
-    const std::vector<RecentFile> recent = recent_files(app.session);
-    for (const RecentFile& file : recent) {
-        const std::string text = file.path.string() + (file.missing ? "  (not found)" : "");
-        if (ImGui::MenuItem(text.c_str(), nullptr, false, !file.missing)) {
-            open_paths(app, {file.path});
-        }
-    }
-    ImGui::EndMenu();
-}
-
-std::vector<const Command*> palette_matches(const App& app) {
-    std::vector<const Command*> found;
-    const std::string wanted = lower_case(app.palette.text);
-    for (const Command& command : commands()) {
-        if (*command.menu == '\0' || !command.enabled(app)) continue;
-        const std::string all =
-            lower_case(std::string(command.menu) + " " + command.name + " " + command.words);
-        if (all.find(wanted) != std::string::npos) found.push_back(&command);
-    }
-    return found;
-}
-
 // Changes the document, or which part of it is edited.
 bool touches_document(const Command& command) {
     const std::string_view menu = command.menu;
@@ -349,35 +304,6 @@ void run(App& app, const Command& command) {
     if (!ImGui::IsAnyItemActive() || !touches_document(command)) return command.run(app);
     ImGui::ClearActiveID();
     app.waiting.push_back(command.run);
-}
-
-// As in a menu: the name, its menu dim after it, the shortcut at the right end.
-bool draw_palette_row(App& app, const Command& command, bool lit) {
-    const Theme& theme = app.theme;
-    const std::string name = item_text(app, command);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::PushID(&command);
-    const bool pressed = ImGui::Selectable("##row", lit);
-    ImGui::PopID();
-    note_item(app.rects, std::string("palette:") + command.name, shortcut_text(command.shortcut));
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const std::string keys = shortcut_text(command.shortcut);
-    const float keys_px = text_size(theme.fonts.regular, keys).x;
-    draw_text(list, theme.fonts.regular, {corner.x + width - keys_px, corner.y}, theme.dim_text,
-              keys);
-    const float room = width - (keys.empty() ? 0.0F : keys_px + 2.0F * theme.gap_px);
-    const std::string shown = shortened(theme.fonts.regular, name, room);
-    draw_text(list, theme.fonts.regular, corner, theme.text, shown);
-    const float used = text_size(theme.fonts.regular, shown).x + theme.gap_px;
-    if (used + text_size(theme.fonts.small, command.menu).x > room) return pressed;
-    draw_text(list, theme.fonts.small, {corner.x + used, corner.y + 2.0F * theme.scale},
-              theme.dim_text, command.menu);
-    return pressed;
-}
-
-bool was_pressed(std::span<const KeyPress> pressed, int code) {
-    return std::ranges::any_of(pressed, [code](const KeyPress& p) { return p.code == code; });
 }
 
 }  // namespace
@@ -418,75 +344,6 @@ void run_shortcuts(App& app, std::span<const KeyPress> pressed) {
             break;
         }
     }
-}
-
-void draw_menus(App& app) {
-    if (!ImGui::BeginMainMenuBar()) return;
-    for (const char* menu : {"File", "Edit", "View", "Play", "Help"}) {
-        const bool open = ImGui::BeginMenu(menu);
-        note_item(app.rects, std::string("menu:") + menu);
-        if (!open) continue;
-        for (const Command& command : commands()) {
-            if (std::string_view(command.menu) != menu) continue;
-            draw_item(app, command);
-            if (std::string_view(command.name) == "Open the example set") draw_recent(app);
-        }
-        ImGui::EndMenu();
-    }
-    const std::string title = document_title(app);
-    const float right = ImGui::GetWindowWidth() - 2.0F * app.theme.padding_px;
-    const float room = right - ImGui::GetCursorPosX() - app.theme.padding_px;
-    const std::string shown = shortened(app.theme.fonts.regular, title, std::max(0.0F, room));
-    ImGui::SameLine(right - ImGui::CalcTextSize(shown.c_str()).x);
-    dim_text(app, shown);
-    note_item(app.rects, "document", title);
-    ImGui::EndMainMenuBar();
-}
-
-void draw_palette(App& app, std::span<const KeyPress> pressed) {
-    PaletteState& state = app.palette;
-    if (!state.open) return;
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({screen.x / 2.0F, screen.y * 0.18F}, ImGuiCond_Always, {0.5F, 0.0F});
-    ImGui::SetNextWindowSize({std::min(560.0F * app.theme.scale, screen.x * 0.9F), 0.0F});
-    ImGui::SetNextWindowFocus();
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, app.theme.hairline_px);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, app.theme.pane);
-    if (ImGui::Begin("Command palette", &state.open,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
-                         ImGuiWindowFlags_NoNav)) {
-        ImGui::SetNextItemWidth(-1.0F);
-        if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-        if (ImGui::InputTextWithHint("##what", "What would you like to do?", &state.text)) {
-            state.choice = 0;
-        }
-        const std::vector<const Command*> found = palette_matches(app);
-        const int last = static_cast<int>(found.size()) - 1;
-        if (was_pressed(pressed, key::kDown)) ++state.choice;
-        if (was_pressed(pressed, key::kUp)) --state.choice;
-        state.choice = std::clamp(state.choice, 0, std::max(0, last));
-        const Command* chosen = nullptr;
-        const float row_px = ImGui::GetTextLineHeightWithSpacing();
-        const int shown = std::clamp(static_cast<int>((screen.y * 0.72F) / row_px) - 2, 3, 12);
-        const int first = std::max(0, state.choice - shown + 1);
-        for (int k = first; k <= last && k < first + shown; ++k) {
-            const Command& command = *found[static_cast<std::size_t>(k)];
-            if (draw_palette_row(app, command, k == state.choice)) chosen = &command;
-        }
-        if (found.empty()) dim_text(app, "No command has this in its name.");
-        if (was_pressed(pressed, key::kEnter) && !found.empty()) {
-            chosen = found[static_cast<std::size_t>(state.choice)];
-        }
-        if (was_pressed(pressed, key::kEscape)) state.open = false;
-        if (chosen != nullptr) {
-            state.open = false;
-            chosen->run(app);
-        }
-    }
-    ImGui::End();
-    ImGui::PopStyleColor(2);
-    ImGui::PopStyleVar();
 }
 
 }  // namespace tact

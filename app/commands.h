@@ -32,12 +32,16 @@ std::span<const Command> commands();
 // "Ctrl+Shift+Z"; empty without one.
 std::string shortcut_text(const Shortcut& shortcut);
 
+// The name; of undoing and redoing with what they would undo.
+std::string item_text(const App& app, const Command& command);
+
 // Runs the commands of this frame's key presses. While text is being typed only Ctrl combinations
 // count that text fields do not use themselves.
 void run_shortcuts(App& app, std::span<const KeyPress> pressed);
 
-// The menu bar, and the palette where it is open.
 void draw_menus(App& app);
+
+// Every command by a few letters of its name; where it is open.
 void draw_palette(App& app, std::span<const KeyPress> pressed);
 
 }  // namespace tact

@@ -13,8 +13,10 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cfloat>
 #include <deque>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -97,6 +99,10 @@ struct KeyPress {
     bool alt = false;
     bool super = false;
 };
+
+inline bool was_pressed(std::span<const KeyPress> pressed, int code) {
+    return std::ranges::any_of(pressed, [code](const KeyPress& p) { return p.code == code; });
+}
 
 struct InputQueue {
     std::deque<InputEvent> waiting;

@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/metric_comparison.h"
 #include "model/set_ratings.h"
 
 namespace tact {
 
 namespace {
 
-constexpr float kMatrixShare = 0.6F;  // of the progress bar
+// Of the progress bar, when matrices and when maps are done.
+constexpr float kMatrixShare = 0.5F;
+constexpr float kMapShare = 0.6F;
 
-// Nothing for a metric that the map does not bring along.
-std::optional<Dissimilarity> part_of(const Prediction& prediction, Metric metric) {
-    if (metric == Metric::pm) return prediction.pm;
-    if (metric == Metric::nc) return prediction.nc;
-    if (metric == Metric::oc) return prediction.oc;
-    return std::nullopt;
+constexpr std::size_t kFarthest = 10;
+
+// When the metric at this place is done.
+float part_done(std::size_t k) {
+    return static_cast<float>(k + 1) / static_cast<float>(kMetricCount);
 }
 
 bool same_patterns(const PatternSet& a, const PatternSet& b) {
@@ -41,18 +41,17 @@ std::optional<ComparedPeople> people_of(const LiveMap& map, const EvaluationPara
         fault = study.error().message;
         return std::nullopt;
     }
-    const Dissimilarity mean = mean_ratings(*study);
-    Expected<RatedSet> rated = rated_set(mean, params);
-    if (!rated) {
-        fault = rated.error().message;
+    Expected<RatedPeople> said = rated_people(*study, params);
+    if (!said) {
+        fault = said.error().message;
         return std::nullopt;
     }
-    ComparedPeople people{*std::move(rated), reliability(*study), 0, {}};
-    people.rated_pairs = order_pairs(mean.condensed).ascending.size();
+    ComparedPeople people{*std::move(said), {}};
+    const Mapped& mean = people.said.rated.people;
     const int dimensions = map.request.dimensions;
     people.shown = dimensions == params.dimensions
-                       ? people.rated.people.space
-                       : space_of(mean, dimensions, params.threads, stop);
+                       ? mean.space
+                       : space_of(mean.dissimilarity, dimensions, params.threads, stop);
     return people;
 }
 
@@ -65,30 +64,25 @@ bool ComparisonWork::follow_matrices(const ComparisonRequest& request, std::stop
     if (of_ && same_patterns(*of_->request.set, set)) return true;
     of_.reset();
     metrics_.clear();
-    // Unpadded: DTW takes them as they are.
-    std::vector<Waveform> waveforms;
-    for (const Vibration& vibration : set.vibrations) waveforms.push_back(waveform_of(vibration));
     const Prediction& prediction = request.map->prediction;
     MetricOptions options;
     options.threads = threads_;
     options.stop = stop;
+    options.progress = [&progress](double share) {
+        progress = kMatrixShare * static_cast<float>(share);
+    };
+    auto matrices = compared_matrices(set, kMetrics, &prediction, options);
+    if (!matrices) return false;
     for (std::size_t k = 0; k < kMetricCount; ++k) {
-        const Metric metric = kMetrics[k];
-        options.progress = [&progress, k](double share) {
-            progress = kMatrixShare * (static_cast<float>(k) + static_cast<float>(share)) /
-                       static_cast<float>(kMetricCount);
-        };
-        std::optional<Dissimilarity> matrix = part_of(prediction, metric);
-        if (!matrix) {
-            matrix = metric_matrix(metric, waveforms, set.model, options);
-            if (!matrix || stop.stop_requested()) return false;
-            matrix->condensed = values_to_rank(metric, *matrix);
-        }
-        ComparedMetric compared{metric, *std::move(matrix), {}, 0.0, {}};
+        ComparedMetric compared;
+        compared.metric = kMetrics[k];
+        compared.matrix = std::move((*matrices)[k]);
+        compared.ranks = average_ranks(compared.matrix.condensed);
         compared.space = space_of(compared.matrix, 3, threads_, stop);
         compared.rho_with_pm = spearman(compared.matrix.condensed, prediction.pm.condensed);
         if (stop.stop_requested()) return false;
         metrics_.push_back(std::move(compared));
+        progress = kMatrixShare + (kMapShare - kMatrixShare) * part_done(k);
     }
     of_ = request.map;
     return true;
@@ -98,7 +92,7 @@ std::optional<Comparison> ComparisonWork::operator()(const ComparisonRequest& re
                                                      std::stop_token stop,
                                                      std::atomic<float>& progress) {
     if (!follow_matrices(request, stop, progress)) return std::nullopt;
-    progress = kMatrixShare;
+    progress = kMapShare;
     EvaluationParams params;
     params.threads = threads_;
     Comparison comparison{request, {}, {}, metrics_};
@@ -107,25 +101,24 @@ std::optional<Comparison> ComparisonWork::operator()(const ComparisonRequest& re
     for (std::size_t k = 0; k < kMetricCount; ++k) {
         if (stop.stop_requested()) return std::nullopt;
         ComparedMetric& metric = comparison.metrics[k];
-        metric.evaluation = evaluate(metric.matrix, comparison.people->rated, params);
-        progress = kMatrixShare + (1.0F - kMatrixShare) * static_cast<float>(k + 1) /
-                                      static_cast<float>(kMetricCount);
+        const RatedSet& rated = comparison.people->said.rated;
+        metric.evaluation = evaluate(metric.matrix, rated, params);
+        metric.farthest = disagreements(metric.matrix, rated.people.dissimilarity);
+        metric.farthest.resize(std::min(metric.farthest.size(), kFarthest));
+        progress = kMapShare + (1.0F - kMapShare) * part_done(k);
     }
     return comparison;
 }
 
 std::string verdict_on_pm(const Comparison& comparison) {
-    const ComparedMetric* best = nullptr;
-    double pm = std::nan("");
+    std::vector<MetricRho> agreements;
     for (const ComparedMetric& row : comparison.metrics) {
         if (!row.evaluation) return {};
-        if (row.metric == Metric::pm) pm = row.evaluation->rho;
-        const double rho = row.evaluation->rho;
-        const bool counts = is_simple(row.metric) && !std::isnan(rho);
-        if (counts && (best == nullptr || rho > best->evaluation->rho)) best = &row;
+        agreements.push_back({row.metric, row.evaluation->rho});
     }
-    if (best == nullptr || pm > best->evaluation->rho) return {};
-    return std::string("PM does not beat ") + traits(best->metric).name +
+    const std::optional<Metric> best = unbeaten_by_pm(agreements);
+    if (!best) return {};
+    return std::string("PM does not beat ") + traits(*best).name +
            " on this set, which takes no model of the nerves.";
 }
 

@@ -18,7 +18,7 @@
 #include "app/live_map.h"
 #include "model/evaluation.h"
 #include "model/metric.h"
-#include "model/ratings.h"
+#include "model/metric_comparison.h"
 
 namespace tact {
 
@@ -29,19 +29,25 @@ struct ComparisonRequest {
     std::shared_ptr<const LiveMap> map;  // exact; its set has the ratings
 };
 
+// A pair whose rank by a metric is not that of the ratings.
+struct Disagreement {
+    std::size_t pair = 0;       // in condensed order
+    double metric_rank = 0.0;   // among the rated pairs
+    double ratings_rank = 0.0;  // the same
+};
+
 struct ComparedMetric {
     Metric metric = Metric::pm;
-    Dissimilarity matrix;  // as it is ranked
+    Dissimilarity matrix;       // as it is evaluated
+    std::vector<double> ranks;  // of all pairs
     PerceptualSpace space;
     double rho_with_pm = 0.0;
     std::optional<Evaluation> evaluation;  // with ratings
+    std::vector<Disagreement> farthest;    // with ratings: a few pairs, the worst first
 };
 
-// What people said, as it is compared with.
 struct ComparedPeople {
-    RatedSet rated;
-    Reliability reliability;
-    std::size_t rated_pairs = 0;
+    RatedPeople said;
     PerceptualSpace shown;  // in as many dimensions as the map on screen
 };
 
@@ -73,12 +79,7 @@ class ComparisonWork {
 // empty.
 std::string verdict_on_pm(const Comparison& comparison);
 
-// Pairs by how far a metric's rank is from that of the ratings, the farthest first; of rated pairs.
-struct Disagreement {
-    std::size_t pair = 0;       // in condensed order
-    double metric_rank = 0.0;   // among the rated pairs
-    double ratings_rank = 0.0;  // the same
-};
+// Rated pairs by how far a metric's rank is from that of the ratings, the farthest first.
 std::vector<Disagreement> disagreements(const Dissimilarity& metric, const Dissimilarity& ratings);
 
 }  // namespace tact

@@ -5,30 +5,45 @@
 // Exact     same input, same bits, on any number of threads.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "model/evaluation.h"
+#include "model/expected.h"
 #include "model/metric_matrix.h"
 #include "model/pattern_set.h"
+#include "model/perceptual_model.h"
+#include "model/ratings.h"
 
 namespace tact {
 
-struct MetricAgreement {
-    Metric metric = Metric::pm;
-    Dissimilarity matrix;  // as evaluated: of SPQI the ranks, its values being too close to 1
-    Evaluation evaluation;
-};
-
-// One row a metric, in their order; nothing when stopped. Progress counts metrics.
-std::optional<std::vector<MetricAgreement>> compare_metrics(const PatternSet& set,
-                                                            const RatedSet& rated,
+// Their matrices as they are evaluated: of SPQI the ranks, its values being too close to 1. One a
+// metric, in their order; nothing when stopped. `known`: what PM says of this set, where that is
+// known. Progress is the share of the metrics.
+std::optional<std::vector<Dissimilarity>> compared_matrices(const PatternSet& set,
                                                             std::span<const Metric> metrics,
-                                                            const EvaluationParams& evaluation,
+                                                            const Prediction* known,
                                                             const MetricOptions& options = {});
 
-// Without a model of the nerves, and no part of PM: what PM has to beat.
-bool is_simple(Metric metric);
+// Those who rated, as one opinion to compare with, and how far they agree among themselves.
+struct RatedPeople {
+    RatedSet rated;
+    Reliability reliability;
+    std::size_t rated_pairs = 0;
+};
+
+// Errors: as rated_set().
+Expected<RatedPeople> rated_people(const RatingStudy& study, const EvaluationParams& params);
+
+struct MetricRho {
+    Metric metric = Metric::pm;
+    double rho = 0.0;  // NaN: undefined
+};
+
+// The best of the metrics without a model of the nerves that are no part of PM, where PM does not
+// beat it.
+std::optional<Metric> unbeaten_by_pm(std::span<const MetricRho> agreements);
 
 }  // namespace tact

@@ -16,16 +16,6 @@ namespace {
 // Square roots of differences of numbers near 1 lose half their digits.
 constexpr double kRootRounding = 1e-7;
 
-MatrixXd matrix_of(const Json& rows) {
-    MatrixXd result(rows.size(), rows[0].size());
-    for (Eigen::Index i = 0; i < result.rows(); ++i) {
-        for (Eigen::Index c = 0; c < result.cols(); ++c) {
-            result(i, c) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)];
-        }
-    }
-    return result;
-}
-
 MatrixXd random_map(Eigen::Index n, Eigen::Index k, std::uint64_t seed) {
     RandomStream random{seed};
     MatrixXd points(n, k);
@@ -57,8 +47,8 @@ TEST_CASE("alienation: K, K of Procrustes and its permutations are those of anot
     const Json table = golden::read("evaluation.json");
     for (const Json& json : table.at("maps")) {
         CAPTURE(json.at("name").get<std::string>());
-        const MatrixXd a = matrix_of(json.at("a"));
-        const MatrixXd b = matrix_of(json.at("b"));
+        const MatrixXd a = golden::matrix_of(json.at("a"));
+        const MatrixXd b = golden::matrix_of(json.at("b"));
         CHECK(std::abs(*alienation(a, b) - json.at("k").get<double>()) <= 1e-14);
         CHECK(std::abs(*alienation_procrustes(a, b) - json.at("k_procrustes").get<double>()) <=
               1e-13);

@@ -228,7 +228,7 @@ TEST_CASE("compare tab: a point of the scatter selects its pair, a listed pair o
     REQUIRE(pair);
     // Another pair may be in the same place; then it is that one.
     CHECK(pair->kind == PartnerKind::chosen);
-    const auto& people = app.comparison->people->rated.people.dissimilarity;
+    const auto& people = app.comparison->people->said.rated.people.dissimilarity;
     CHECK(people(pair->current, pair->partner) == people(2, 4));
 
     const auto worst = disagreements(app.comparison->metrics[0].matrix, people).front();

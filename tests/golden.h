@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -36,6 +38,17 @@ inline double worst_difference(const std::vector<double>& got,
         worst = std::max(worst, std::abs(got[k] - expected[k]));
     }
     return worst / scale;
+}
+
+// Rows of numbers, all of one length.
+inline Eigen::MatrixXd matrix_of(const Json& rows) {
+    Eigen::MatrixXd result(rows.size(), rows[0].size());
+    for (Eigen::Index i = 0; i < result.rows(); ++i) {
+        for (Eigen::Index c = 0; c < result.cols(); ++c) {
+            result(i, c) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)];
+        }
+    }
+    return result;
 }
 
 inline std::vector<double> every(std::size_t stride, const std::vector<double>& values) {

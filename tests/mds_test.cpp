@@ -15,16 +15,6 @@ using golden::Json;
 
 namespace {
 
-MatrixXd matrix_of(const Json& rows) {
-    MatrixXd result(rows.size(), rows[0].size());
-    for (Eigen::Index i = 0; i < result.rows(); ++i) {
-        for (Eigen::Index c = 0; c < result.cols(); ++c) {
-            result(i, c) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)];
-        }
-    }
-    return result;
-}
-
 struct OracleCase {
     std::string name;
     Dissimilarity dissimilarity;
@@ -43,7 +33,7 @@ std::vector<OracleCase> oracle_cases() {
                      std::to_string(json.at("dimensions").get<int>());
         entry.dissimilarity = {json.at("size"), json.at("condensed")};
         entry.params.dimensions = json.at("dimensions");
-        entry.start = matrix_of(json.at("start"));
+        entry.start = golden::matrix_of(json.at("start"));
         entry.iso_mds = json.at("isoMDS");
         entry.mono_mds = json.at("monoMDS_best_of_20");
         result.push_back(entry);

@@ -29,12 +29,15 @@ struct RatedPatterns {
     RatingStudy study;
 };
 
+struct MetricAgreement {
+    Metric metric = Metric::pm;
+    Evaluation evaluation;
+};
+
 struct SetResult {
     std::string name;
     std::size_t patterns = 0;
-    std::size_t rated_pairs = 0;
-    Reliability reliability;
-    RatedSet rated;
+    RatedPeople people;
     std::vector<MetricAgreement> rows;
 };
 
@@ -108,29 +111,26 @@ Expected<SetResult> compared(const CompareCommand& command, std::span<const Metr
                              const RatedPatterns& patterns) {
     EvaluationParams params;
     params.threads = command.common.threads;
-    const Dissimilarity ratings = mean_ratings(patterns.study);
-    Expected<RatedSet> rated = rated_set(ratings, params);
-    if (!rated) return Error{patterns.name + ": " + rated.error().message};
-    SetResult result;
-    result.name = patterns.name;
-    result.patterns = ratings.size;
-    result.rated_pairs = order_pairs(ratings.condensed).ascending.size();
-    result.reliability = reliability(patterns.study);
-    result.rated = *std::move(rated);
+    Expected<RatedPeople> people = rated_people(patterns.study, params);
+    if (!people) return Error{patterns.name + ": " + people.error().message};
+    SetResult result{patterns.name, patterns.set.vibrations.size(), *std::move(people), {}};
     MetricOptions options;
     options.threads = command.common.threads;
     options.progress = progress_line("comparing metrics");
-    result.rows = *compare_metrics(patterns.set, result.rated, metrics, params, options);
+    const auto matrices = *compared_matrices(patterns.set, metrics, nullptr, options);
+    for (std::size_t k = 0; k < metrics.size(); ++k) {
+        result.rows.push_back({metrics[k], evaluate(matrices[k], result.people.rated, params)});
+    }
     return result;
 }
 
 // What is the same for all metrics of the set.
 std::string head_of(const SetResult& result) {
-    const Reliability& people = result.reliability;
-    const PerceptualSpace& space = result.rated.people.space;
-    const AlienationChance& chance = result.rated.k_chance;
+    const Reliability& people = result.people.reliability;
+    const PerceptualSpace& space = result.people.rated.people.space;
+    const AlienationChance& chance = result.people.rated.k_chance;
     std::string text = result.name + ": " + std::to_string(result.patterns) + " patterns, " +
-                       std::to_string(result.rated_pairs) + " of " +
+                       std::to_string(result.people.rated_pairs) + " of " +
                        std::to_string(pair_count(result.patterns)) + " pairs rated";
     if (people.voices > 1) {
         text += people.is_of_one_person ? ", one participant, " : ", ";
@@ -145,7 +145,7 @@ std::string head_of(const SetResult& result) {
     }
     text += "\ntheir map     stress-1 " + fixed_digits(space.stress1, 3) + ", " +
             stress_label(space.stress1) + "; of random ratings " +
-            fixed_digits(result.rated.random_stress.mean, 3);
+            fixed_digits(result.people.rated.random_stress.mean, 3);
     text += "\nchance        unrelated maps have K " + fixed_digits(chance.mean, 3) +
             ", nine in ten " + range_text(chance.middle.low, chance.middle.high, 3) + "\n";
     return text;
@@ -178,15 +178,13 @@ std::vector<TextRow> paper_table_of(const SetResult& result) {
 
 // Says so where PM is not better than something without physiology.
 std::string verdict_on_pm(const SetResult& result) {
-    const MetricAgreement* pm = nullptr;
-    const MetricAgreement* best = nullptr;
+    std::vector<MetricRho> agreements;
     for (const MetricAgreement& row : result.rows) {
-        if (row.metric == Metric::pm) pm = &row;
-        const bool counts = is_simple(row.metric) && !std::isnan(row.evaluation.rho);
-        if (counts && (best == nullptr || row.evaluation.rho > best->evaluation.rho)) best = &row;
+        agreements.push_back({row.metric, row.evaluation.rho});
     }
-    if (pm == nullptr || best == nullptr || pm->evaluation.rho > best->evaluation.rho) return {};
-    return std::string("pm does not beat ") + key_of(*best) +
+    const std::optional<Metric> best = unbeaten_by_pm(agreements);
+    if (!best) return {};
+    return std::string("pm does not beat ") + traits(*best).key +
            " on this set, which takes no model of the nerves\n";
 }
 
@@ -233,7 +231,7 @@ std::string means_text(const std::vector<SetResult>& results, Bookkeeping books)
 
 nlohmann::json json_of(const SetResult& result, const MetricAgreement& row, Bookkeeping books) {
     const Evaluation& e = row.evaluation;
-    const Reliability& people = result.reliability;
+    const Reliability& people = result.people.reliability;
     // NaN becomes null.
     return {{"set", result.name},
             {"metric", key_of(row)},
@@ -245,7 +243,7 @@ nlohmann::json json_of(const SetResult& result, const MetricAgreement& row, Book
             {"K", agreement_of(e, books).k},
             {"K_low", e.k_spread.low},
             {"K_high", e.k_spread.high},
-            {"K_chance", result.rated.k_chance.mean},
+            {"K_chance", result.people.rated.k_chance.mean},
             {"K_p", e.k_p},
             {"K_corrected", e.k_corrected},
             {"K_procrustes", e.k_procrustes},

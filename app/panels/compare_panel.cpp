@@ -68,7 +68,7 @@ std::string people_text(const App& app) {
 
 // What is the same for all metrics: who was asked, how far they can be relied on, chance.
 void draw_people(App& app, const Comparison& comparison) {
-    const ComparedPeople& people = *comparison.people;
+    const RatedPeople& people = comparison.people->said;
     const std::size_t pairs = people.rated.people.dissimilarity.condensed.size();
     std::string text = people_text(app) + ", " + std::to_string(people.rated_pairs) + " of " +
                        std::to_string(pairs) + " pairs. ";
@@ -273,16 +273,13 @@ void draw_disagreement(App& app, const Comparison& comparison, const Disagreemen
 }
 
 void draw_list(App& app, const Comparison& comparison, const ComparedMetric& row,
-               const Dissimilarity& people, const Rect& area) {
-    constexpr std::size_t kListed = 10;
+               const Rect& area) {
     ImGui::SetCursorScreenPos(area.min);
     ImGui::BeginChild("disagreements", area.size());
     ImGui::PushFont(app.theme.fonts.semibold);
     ImGui::TextUnformatted("Farthest apart");
     ImGui::PopFont();
-    std::vector<Disagreement> all = disagreements(row.matrix, people);
-    if (all.size() > kListed) all.resize(kListed);
-    for (const Disagreement& apart : all) draw_disagreement(app, comparison, apart);
+    for (const Disagreement& apart : row.farthest) draw_disagreement(app, comparison, apart);
     ImGui::EndChild();
 }
 
@@ -296,8 +293,8 @@ void draw_pairs(App& app, const Comparison& comparison) {
         return;
     }
     const ComparedMetric& row = comparison.metrics[static_cast<std::size_t>(app.compare.metric)];
-    const Dissimilarity& people = comparison.people->rated.people.dissimilarity;
-    const std::vector<double> rank = average_ranks(row.matrix.condensed);
+    const Dissimilarity& people = comparison.people->said.rated.people.dissimilarity;
+    const std::vector<double>& rank = row.ranks;
     const float list_px = std::min(0.42F * area.width(), 220.0F * app.theme.scale);
     const Rect left{area.min, {area.max.x - list_px - app.theme.gap_px, area.max.y}};
     const std::string corner = "rho " + digits(row.evaluation->rho, 2);
@@ -309,12 +306,7 @@ void draw_pairs(App& app, const Comparison& comparison) {
     scene.x_title = x_title;
     scene.y_title = "rated dissimilarity";
     scene.corner = corner;
-    const auto pair = chosen_pair(app);
-    const bool same = vibrations.size() == app.document.set.vibrations.size();
-    if (same && pair) {
-        scene.selected = pair_index(vibrations.size(), std::min(pair->current, pair->partner),
-                                    std::max(pair->current, pair->partner));
-    }
+    scene.selected = scatter_selection(app, vibrations);
     scene.readout = [&](std::size_t k) {
         const auto [i, j] = pair_at(vibrations.size(), k);
         return std::vector<std::string>{
@@ -328,12 +320,8 @@ void draw_pairs(App& app, const Comparison& comparison) {
         const ImVec2 at = scatter_point(app.theme, left, scene, k);
         note_rect(app.rects, "pair point:" + std::to_string(k), at, at);
     }
-    if (same && action.clicked) {
-        const auto [i, j] = pair_at(vibrations.size(), *action.clicked);
-        choose_pair(app, i, j);
-    }
-    draw_list(app, comparison, row, people,
-              {{left.max.x + app.theme.gap_px, area.min.y}, area.max});
+    choose_clicked(app, vibrations, action.clicked);
+    draw_list(app, comparison, row, {{left.max.x + app.theme.gap_px, area.min.y}, area.max});
 }
 
 void draw_no_ratings(App& app, const Comparison& comparison) {
@@ -375,9 +363,12 @@ bool draw_comparison_state(App& app) {
     const Rect area = rest_of_pane();
     if (area.empty()) return false;
     draw_empty(*ImGui::GetWindowDrawList(), app.theme, area,
-               few ? "No pairs to compare" : "Nothing compared yet",
-               few ? "It takes two patterns to be alike or far apart."
-                   : "The metrics are compared once the space above is exact.");
+               few                  ? "No pairs to compare"
+               : shown.is_computing ? "Comparing"
+                                    : "Nothing compared yet",
+               few                  ? "It takes two patterns to be alike or far apart."
+               : shown.is_computing ? "Thirteen metrics of every pair, and a map of each."
+                                    : "The metrics are compared once the space above is exact.");
     return false;
 }
 

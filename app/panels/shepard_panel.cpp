@@ -23,25 +23,27 @@ struct ShownFit {
     const PerceptualSpace* space = nullptr;
     std::string name;
     bool stale = false;
+    std::shared_ptr<const void> owner;  // of both
 };
 
 // PM is the map on screen, the others are of the comparison.
-std::optional<ShownFit> shown_fit(const App& app, const Comparison* comparison) {
+std::optional<ShownFit> shown_fit(const App& app,
+                                  const std::shared_ptr<const Comparison>& comparison) {
     const bool is_pm = app.compare.metric == Metric::pm && !app.compare.shepard_of_people;
     if (is_pm) {
         return ShownFit{&app.map.shown->prediction.pm, &app.map.shown->space, "PM",
-                        map_state(app) == MapState::stale};
+                        map_state(app) == MapState::stale, app.map.shown};
     }
     if (comparison == nullptr) return std::nullopt;
     const bool stale = shown_comparison(app).is_stale;
     if (!app.compare.shepard_of_people) {
         const ComparedMetric& row =
             comparison->metrics[static_cast<std::size_t>(app.compare.metric)];
-        return ShownFit{&row.matrix, &row.space, traits(row.metric).name, stale};
+        return ShownFit{&row.matrix, &row.space, traits(row.metric).name, stale, comparison};
     }
     if (!comparison->people) return std::nullopt;
-    const Mapped& people = comparison->people->rated.people;
-    return ShownFit{&people.dissimilarity, &people.space, "ratings", stale};
+    const Mapped& people = comparison->people->said.rated.people;
+    return ShownFit{&people.dissimilarity, &people.space, "ratings", stale, comparison};
 }
 
 std::string corner_text(const ShownFit& fit) {
@@ -52,10 +54,21 @@ std::string corner_text(const ShownFit& fit) {
     return text;
 }
 
+// Sorting the pairs of a large set takes longer than a frame may: only for another map.
+const ShepardFit& followed_fit(ShepardFit& kept, const ShownFit& fit) {
+    if (kept.owner == fit.owner && kept.of == fit.space) return kept;
+    kept.owner = fit.owner;
+    kept.of = fit.space;
+    kept.distances = distances(fit.space->points);
+    kept.disparities = disparities(fit.matrix->condensed, kept.distances);
+    return kept;
+}
+
 void draw_fit(App& app, const ShownFit& fit, const std::vector<Vibration>& vibrations,
               const Rect& area) {
-    const std::vector<double> apart = distances(fit.space->points);
-    const std::vector<double> fitted = disparities(fit.matrix->condensed, apart);
+    const ShepardFit& kept = followed_fit(app.compare.fit, fit);
+    const std::vector<double>& apart = kept.distances;
+    const std::vector<double>& fitted = kept.disparities;
     const std::string corner = corner_text(fit);
     const std::string x_title = "dissimilarity by " + fit.name;
     ScatterScene scene;
@@ -66,12 +79,7 @@ void draw_fit(App& app, const ShownFit& fit, const std::vector<Vibration>& vibra
     scene.y_title = "distance in the map";
     scene.corner = corner;
     scene.stale = fit.stale;
-    const auto pair = chosen_pair(app);
-    const bool same = vibrations.size() == app.document.set.vibrations.size();
-    if (same && pair) {
-        scene.selected = pair_index(vibrations.size(), std::min(pair->current, pair->partner),
-                                    std::max(pair->current, pair->partner));
-    }
+    scene.selected = scatter_selection(app, vibrations);
     scene.readout = [&](std::size_t k) {
         const auto [i, j] = pair_at(vibrations.size(), k);
         return std::vector<std::string>{
@@ -81,12 +89,30 @@ void draw_fit(App& app, const ShownFit& fit, const std::vector<Vibration>& vibra
     };
     const ScatterAction action = draw_scatter("shepard", app.theme, area, scene);
     note_rect(app.rects, "view:Shepard", area.min, area.max, corner);
-    if (!same || !action.clicked) return;
-    const auto [i, j] = pair_at(vibrations.size(), *action.clicked);
-    choose_pair(app, i, j);
+    choose_clicked(app, vibrations, action.clicked);
+}
+
+// Whether both have as many patterns: pairs are then at the same places.
+bool is_open_set(const App& app, const std::vector<Vibration>& vibrations) {
+    return vibrations.size() == app.document.set.vibrations.size();
 }
 
 }  // namespace
+
+std::optional<std::size_t> scatter_selection(const App& app,
+                                             const std::vector<Vibration>& vibrations) {
+    const auto pair = chosen_pair(app);
+    if (!pair || !is_open_set(app, vibrations)) return std::nullopt;
+    return pair_index(vibrations.size(), std::min(pair->current, pair->partner),
+                      std::max(pair->current, pair->partner));
+}
+
+void choose_clicked(App& app, const std::vector<Vibration>& vibrations,
+                    std::optional<std::size_t> clicked) {
+    if (!clicked || !is_open_set(app, vibrations)) return;
+    const auto [i, j] = pair_at(vibrations.size(), *clicked);
+    choose_pair(app, i, j);
+}
 
 void draw_metric_choice(App& app, bool with_people) {
     const bool people = with_people && app.compare.shepard_of_people;
@@ -125,7 +151,7 @@ void draw_shepard_panel(App& app) {
     // Both are kept while they are drawn.
     const std::shared_ptr<const Comparison> comparison = app.comparison;
     const std::shared_ptr<const LiveMap> map = app.map.shown;
-    const auto fit = shown_fit(app, comparison.get());
+    const auto fit = shown_fit(app, comparison);
     if (!fit) {
         (void)draw_comparison_state(app);
         return;

@@ -4,17 +4,13 @@
 #include <cassert>
 #include <cmath>
 
+#include "model/baseline/product_sum.h"
+
 namespace tact {
 
 namespace {
 
 constexpr double kFaintestG = 1e-6;
-
-double product_sum(const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
-    return sum;
-}
 
 }  // namespace
 

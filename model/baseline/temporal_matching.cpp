@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "model/baseline/product_sum.h"
 #include "model/waveform.h"
 
 namespace tact {
@@ -12,12 +13,6 @@ namespace {
 
 // Norm below which a signal is constant, for signals of norm 1 and less.
 constexpr double kConstantNorm = 1e-12;
-
-double product_sum(std::span<const double> a, std::span<const double> b) {
-    double sum = 0.0;
-    for (std::size_t n = 0; n < a.size(); ++n) sum += a[n] * b[n];
-    return sum;
-}
 
 double signed_as(double product, CorrelationSign sign) {
     return sign == CorrelationSign::dropped ? std::abs(product) : product;

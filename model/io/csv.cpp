@@ -60,6 +60,12 @@ void take_fields(CsvReader& reader, std::string_view line, CsvRecord& record) {
 
 }  // namespace
 
+CsvReader reader_of(std::string_view text) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    const std::string_view first = text.substr(begin, text.find('\n', begin) - begin);
+    return {text, 1, first.find(',') != first.npos ? ',' : ' '};
+}
+
 CsvRecord next_record(CsvReader& reader) {
     CsvRecord record;
     while (!reader.rest.empty()) {

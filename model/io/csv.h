@@ -23,6 +23,9 @@ struct CsvReader {
     char separator = ',';  // ' ': any run of blanks
 };
 
+// For a table of which only the kind is known: commas where its first line has one, else blanks.
+CsvReader reader_of(std::string_view text);
+
 CsvRecord next_record(CsvReader& reader);
 
 }  // namespace tact

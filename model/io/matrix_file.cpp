@@ -175,17 +175,14 @@ Expected<LabelledMatrix> parse_matrix(std::string_view text, const std::string& 
     if (const auto invalid = first_invalid_utf8(text)) {
         return at_line(reading, position_of(text, *invalid).line, "expected text in UTF-8");
     }
-    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-    const bool has_comma =
-        text.substr(begin, text.find('\n', begin) - begin).find(',') != text.npos;
-    CsvReader reader{text, 1, has_comma ? ',' : ' '};
+    CsvReader reader = reader_of(text);
     for (bool is_first = true;; is_first = false) {
         const CsvRecord record = next_record(reader);
         if (record.line == 0) break;
         if (record.is_quote_open) return at_line(reading, record.line, "expected a closing quote");
         std::string fault;
         if (is_first) {
-            reading.is_labelled = has_comma && !finite_number_in(record.fields[0]);
+            reading.is_labelled = reader.separator == ',' && !finite_number_in(record.fields[0]);
             fault = take_labels(reading, record);
             if (fault.empty() && reading.is_labelled) continue;
         }

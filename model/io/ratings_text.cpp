@@ -145,10 +145,7 @@ Expected<std::vector<CsvRecord>> records_of(const RatingsText& into, std::string
     if (const auto invalid = first_invalid_utf8(text)) {
         return at_line(into, position_of(text, *invalid).line, "expected text in UTF-8");
     }
-    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-    const bool has_comma =
-        text.substr(begin, text.find('\n', begin) - begin).find(',') != text.npos;
-    CsvReader reader{text, 1, has_comma ? ',' : ' '};
+    CsvReader reader = reader_of(text);
     std::vector<CsvRecord> records;
     for (;;) {
         CsvRecord record = next_record(reader);
