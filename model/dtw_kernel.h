@@ -14,14 +14,16 @@ namespace tact {
 // one value per row or column, it has them [row or column][pair].
 //
 // Row r is at column t - r at step t. So with R rows, b and row are read, and row is written, up to
-// R - 1 columns before the first and after the last; there b may be anything finite.
+// R - 1 columns before the first and after the last; there b may be anything finite. A strip can be
+// left after any step and taken up again from its state.
 struct DtwStrip {
     const double* a = nullptr;  // of the rows
-    const double* b = nullptr;  // of column 0, and backwards from there: b_j at b[-j]
-    double* row = nullptr;      // D of the row above; becomes D of the last row
-    double corner = 0.0;        // D of the row above, before column 0
+    const double* b = nullptr;  // of the column of row 0 in the first of the steps, and backwards
+                                // from there: of the next column at b[-1]
+    double* row = nullptr;  // D of the row above, from that column on; becomes D of the last row
     std::size_t steps = 0;
-    double* last = nullptr;  // becomes D of each row where the last step left it
+    double* reached = nullptr;     // D of each row where the last step left it
+    double* above_left = nullptr;  // D of the row above each, one column before the next step's
 };
 
 struct DtwSweep {

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
+// Of one pair: with D of the row above 128 KiB, a part of any second-level cache.
+constexpr std::size_t kCachedColumns = 8192;
+
 // Doubles from the start of a cache line on: a register that lies across two takes two loads.
 class Lines {
   public:
@@ -43,30 +46,47 @@ void dtw_strips(const DtwSweep& sweep, std::span<const SignalPair> pairs,
     // last column, nor the rows that fill up the last strip: zeros will do.
     const std::size_t side = sweep.pairs;
     const std::size_t margin = sweep.rows - 1;
-    Lines a((rows + margin) * side, 0.0);
+    const std::size_t strips = (rows + margin) / sweep.rows;
+    Lines a(strips * sweep.rows * side, 0.0);
     Lines b((columns + 2 * margin) * side, 0.0);
     Lines row((columns + 2 * margin) * side, kNowhere);
-    Lines last(sweep.rows * side, kNowhere);
+    const std::size_t state = sweep.rows * side;  // of one strip
+    Lines reached(strips * state, kNowhere);
+    Lines above_left(strips * state, kNowhere);
     double* const b_first = b.data() + (margin + columns - 1) * side;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
         assert(pairs[p].a.size() == rows && pairs[p].b.size() == columns);
         for (std::size_t i = 0; i < rows; ++i) a.data()[i * side + p] = pairs[p].a[i];
         for (std::size_t j = 0; j < columns; ++j) *(b_first + p - j * side) = pairs[p].b[j];
     }
-    double corner = 0.0;  // the path starts at no cost before the first cell
-    for (std::size_t first = 0; first < rows; first += sweep.rows) {
-        if (stop.stop_requested()) return;
-        const std::size_t used = std::min(sweep.rows, rows - first);
-        sweep.along({.a = a.data() + first * side,
-                     .b = b_first,
-                     .row = row.data() + margin * side,
-                     .corner = corner,
-                     .steps = columns + used - 1,  // leaves the last row used at the last column
-                     .last = last.data()});
-        corner = kNowhere;
+    // The path starts at no cost before the first cell.
+    std::fill_n(above_left.data(), side, 0.0);
+
+    // As many columns as stay in the cache, with all strips, before the next ones. A strip may go
+    // as far as the one above it has finished its last row: `margin` columns less.
+    const std::size_t block = kCachedColumns / side;
+    std::vector<std::size_t> done(strips, 0);
+    const std::size_t last_steps = columns + (rows - 1) % sweep.rows;
+    for (std::size_t end = block; done.back() < last_steps; end += block) {
+        for (std::size_t s = 0; s < strips; ++s) {
+            if (stop.stop_requested()) return;
+            const std::size_t used = std::min(sweep.rows, rows - s * sweep.rows);
+            // Leaves the last row used at the last column.
+            const std::size_t whole = columns + used - 1;
+            const std::size_t until = std::min(whole, end - std::min(end, s * margin));
+            if (until <= done[s]) continue;
+            sweep.along({.a = a.data() + s * state,
+                         .b = b_first - done[s] * side,
+                         .row = row.data() + (margin + done[s]) * side,
+                         .steps = until - done[s],
+                         .reached = reached.data() + s * state,
+                         .above_left = above_left.data() + s * state});
+            done[s] = until;
+        }
     }
+    const double* const last = reached.data() + (strips - 1) * state;
     const std::size_t last_row = (rows - 1) % sweep.rows;
-    for (std::size_t p = 0; p < pairs.size(); ++p) distances[p] = last.data()[last_row * side + p];
+    for (std::size_t p = 0; p < pairs.size(); ++p) distances[p] = last[last_row * side + p];
 }
 
 }  // namespace tact

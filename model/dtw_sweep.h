@@ -34,7 +34,7 @@ constexpr std::size_t kLanes = 8;
 constexpr std::size_t kRegisters = 8;
 #elif defined(__AVX2__)
 constexpr std::size_t kLanes = 4;
-constexpr std::size_t kRegisters = 5;
+constexpr std::size_t kRegisters = 6;
 #else
 constexpr std::size_t kLanes = 2;
 constexpr std::size_t kRegisters = 5;
@@ -76,6 +76,12 @@ inline Doubles smaller(Doubles x, Doubles y) {
 #endif
 }
 
+// A cell from the three it can be reached from.
+inline Doubles cell(const double* a, const double* b, Doubles above_left, Doubles left,
+                    Doubles above) {
+    return sum(apart(load(b), load(a)), smaller(smaller(above_left, left), above));
+}
+
 // Each lane from the one before it, the first from the last of `before`.
 inline Doubles shifted(Doubles before, Doubles x) {
 #if defined(__AVX512F__)
@@ -87,53 +93,90 @@ inline Doubles shifted(Doubles before, Doubles x) {
 #endif
 }
 
-enum class Lane { pair, row };
+// One step further along the columns.
+inline void advance(DtwStrip& strip, std::size_t pairs) {
+    strip.b -= pairs;
+    strip.row += pairs;
+    --strip.steps;
+}
 
-template <Lane lane>
-void sweep(const DtwStrip strip) {
-    constexpr std::size_t kPairs = lane == Lane::pair ? kLanes : 1;
-    constexpr std::size_t kRows = kRegisters * kLanes / kPairs;
-    constexpr std::size_t kLast = kRegisters - 1;
-    Doubles a[kRegisters];
-    Doubles here[kRegisters];        // D[i, j-1], then D[i, j]
-    Doubles above_left[kRegisters];  // D[i-1, j-1]
+// One step of a pair in every lane. `earlier`, what was reached a step before `reached`, becomes
+// what this one reaches: so nothing has to be moved from register to register.
+inline void step_of_pairs(DtwStrip& strip, const Doubles* reached, Doubles* earlier,
+                          Doubles& above_left) {
+    const Doubles above = load(strip.row);
+    // From the last register on, as each needs what the one before it held.
+#pragma GCC unroll 16
+    for (std::size_t k = kRegisters - 1; k > 0; --k) {
+        earlier[k] = cell(strip.a + k * kLanes, strip.b + k * kLanes, earlier[k - 1], reached[k],
+                          reached[k - 1]);
+    }
+    earlier[0] = cell(strip.a, strip.b, above_left, reached[0], above);
+    above_left = above;
+    store(strip.row - (kRegisters - 1) * kLanes, earlier[kRegisters - 1]);
+    advance(strip, kLanes);
+}
+
+// The state as DtwStrip has it. Above the row of a register is that of the one before.
+inline void leave_pairs(const DtwStrip& strip, const Doubles* reached, const Doubles* earlier,
+                        Doubles above_left) {
+    store(strip.above_left, above_left);
 #pragma GCC unroll 16
     for (std::size_t k = 0; k < kRegisters; ++k) {
-        a[k] = load(strip.a + k * kLanes);
-        here[k] = above_left[k] = all(__builtin_inf());
+        store(strip.reached + k * kLanes, reached[k]);
+        if (k > 0) store(strip.above_left + k * kLanes, earlier[k - 1]);
     }
-    for (std::size_t l = 0; l < kPairs; ++l) above_left[0][l] = strip.corner;
-    for (std::size_t t = 0; t < strip.steps; ++t) {
-        const double* b = strip.b - t * kPairs;
-        double* row = strip.row + t * kPairs;
-        // From the last register on, as each needs what the one before held a step ago.
+}
+
+void sweep_pairs(DtwStrip strip) {
+    Doubles reached[kRegisters];
+    Doubles earlier[kRegisters];
+    Doubles above_left = load(strip.above_left);
 #pragma GCC unroll 16
-        for (std::size_t up = 0; up < kRegisters; ++up) {
-            const std::size_t k = kLast - up;
-            Doubles above;
-            if constexpr (lane == Lane::pair) {
-                above = k == 0 ? load(row) : here[k - 1];
-            } else {
-                above = shifted(k == 0 ? all(*row) : here[k - 1], here[k]);
-            }
-            const Doubles cheapest = smaller(smaller(above_left[k], here[k]), above);
-            here[k] = sum(apart(load(b + k * kLanes), a[k]), cheapest);
+    for (std::size_t k = 0; k < kRegisters; ++k) {
+        reached[k] = load(strip.reached + k * kLanes);
+        const std::size_t below = k + 1 < kRegisters ? k + 1 : k;  // the last is read by none
+        earlier[k] = load(strip.above_left + below * kLanes);
+    }
+    while (strip.steps >= 2) {
+        step_of_pairs(strip, reached, earlier, above_left);
+        step_of_pairs(strip, earlier, reached, above_left);
+    }
+    if (strip.steps == 0) return leave_pairs(strip, reached, earlier, above_left);
+    step_of_pairs(strip, reached, earlier, above_left);
+    leave_pairs(strip, earlier, reached, above_left);
+}
+
+// A pair by itself, a row of it in every lane.
+void sweep_rows(DtwStrip strip) {
+    Doubles reached[kRegisters];
+    Doubles above_left[kRegisters];
+#pragma GCC unroll 16
+    for (std::size_t k = 0; k < kRegisters; ++k) {
+        reached[k] = load(strip.reached + k * kLanes);
+        above_left[k] = load(strip.above_left + k * kLanes);
+    }
+    while (strip.steps > 0) {
+#pragma GCC unroll 16
+        for (std::size_t k = kRegisters; k-- > 0;) {
+            const Doubles before = k == 0 ? all(*strip.row) : reached[k - 1];
+            const Doubles above = shifted(before, reached[k]);
+            reached[k] =
+                cell(strip.a + k * kLanes, strip.b + k * kLanes, above_left[k], reached[k], above);
             above_left[k] = above;
         }
-        double* finished = row - (kRows - 1) * kPairs;
-        if constexpr (lane == Lane::pair) {
-            store(finished, here[kLast]);
-        } else {
-            *finished = here[kLast][kLanes - 1];
-        }
+        *(strip.row - (kRegisters * kLanes - 1)) = reached[kRegisters - 1][kLanes - 1];
+        advance(strip, 1);
     }
 #pragma GCC unroll 16
-    for (std::size_t k = 0; k < kRegisters; ++k) store(strip.last + k * kLanes, here[k]);
+    for (std::size_t k = 0; k < kRegisters; ++k) {
+        store(strip.reached + k * kLanes, reached[k]);
+        store(strip.above_left + k * kLanes, above_left[k]);
+    }
 }
 
 constexpr DtwKernel kernel_named(const char* name) {
-    return {
-        name, {kLanes, kRegisters, sweep<Lane::pair>}, {1, kRegisters * kLanes, sweep<Lane::row>}};
+    return {name, {kLanes, kRegisters, sweep_pairs}, {1, kRegisters * kLanes, sweep_rows}};
 }
 
 }  // namespace
