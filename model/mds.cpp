@@ -169,6 +169,38 @@ MatrixXd torgerson_start(const Task& task) {
                      task.dimensions);
 }
 
+// After so many steps the stress of structureless data says where a start is likely to end.
+constexpr int kScreeningSteps = 15;
+
+// Random starts to descend from, as many as are asked for: the best of the candidates, on their
+// way.
+std::vector<MatrixXd> promising_starts(const Task& task, const MdsParams& params,
+                                       std::stop_token stop) {
+    const auto n = static_cast<Index>(task.dissimilarity.size);
+    const auto wanted = static_cast<std::size_t>(std::max(params.random_starts, 0));
+    const auto drawn = std::max(wanted, static_cast<std::size_t>(std::max(params.candidates, 0)));
+    std::vector<MatrixXd> starts(drawn);
+    for (std::size_t k = 0; k < drawn; ++k) {
+        starts[k] = random_start(n, task.dimensions, params.seed, k + 1);
+    }
+    if (drawn == wanted || wanted == 0) {
+        starts.resize(wanted);
+        return starts;
+    }
+    std::vector<Descent> screened(drawn);
+    parallel_for(drawn, params.threads, stop, [&](std::size_t k) {
+        screened[k] = descend(task.order, starts[k], {params.tolerance, kScreeningSteps}, stop);
+    });
+    if (stop.stop_requested()) {
+        starts.resize(wanted);
+        return starts;
+    }
+    std::ranges::stable_sort(screened, {}, &Descent::stress1);
+    starts.clear();
+    for (std::size_t k = 0; k < wanted; ++k) starts.push_back(std::move(screened[k].points));
+    return starts;
+}
+
 bool usable(const MatrixXd& start, const Task& task) {
     return start.rows() == static_cast<Index>(task.dissimilarity.size) &&
            start.cols() == task.dimensions && start.allFinite() &&
@@ -211,15 +243,13 @@ PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParam
     const Task task = task_of(dissimilarity, params);
     if (task.verdict != MdsVerdict::fine) return space_at_once(task);
     const DescentParams how{params.tolerance, params.max_steps};
-    const auto n = static_cast<Index>(dissimilarity.size);
-    std::vector<Descent> descents(static_cast<std::size_t>(std::max(params.random_starts, 0)) + 1);
+    const std::vector<MatrixXd> starts = promising_starts(task, params, stop);
+    std::vector<Descent> descents(starts.size() + 1);
     std::mutex reporting;
     std::size_t finished = 0;
     const auto run = [&](std::size_t index) {
-        descents[index] = descend(task.order,
-                                  index == 0 ? torgerson_start(task)
-                                             : random_start(n, task.dimensions, params.seed, index),
-                                  how, stop);
+        descents[index] =
+            descend(task.order, index == 0 ? torgerson_start(task) : starts[index - 1], how, stop);
         const std::lock_guard lock(reporting);
         ++finished;
         if (progress) progress(finished);
@@ -244,6 +274,7 @@ PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParam
 MdsParams standard_mds_params(std::size_t objects, int dimensions) {
     MdsParams params;
     params.dimensions = dimensions;
+    if (objects <= 50) params.candidates = 60;
     if (objects > 30) params.random_starts = 30;
     if (objects > 100) params.random_starts = 10;
     if (objects > 300) params.random_starts = 3;

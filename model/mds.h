@@ -24,6 +24,9 @@ namespace tact {
 struct MdsParams {
     int dimensions = 3;
     int random_starts = 100;  // besides Torgerson's
+    // Of so many random starts the most promising after a few steps are the ones that are taken;
+    // with fewer than random_starts each is.
+    int candidates = 0;
     std::uint64_t seed = 1;
     double tolerance = 1e-10;  // stop when stress-1 falls by less in a step
     int max_steps = 3000;

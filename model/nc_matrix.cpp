@@ -67,6 +67,11 @@ __extension__ using Wide = __int128;
 
 constexpr double kWeightUnits = 1e12;
 
+double root_of(Wide sum, std::size_t samples) {
+    if (samples == 0) return 0.0;
+    return std::sqrt(static_cast<double>(sum) / static_cast<double>(samples)) / kWeightUnits;
+}
+
 }  // namespace
 
 SpikeForm spike_form(const NeuralCode& a, const NeuralCode& b) {
@@ -121,21 +126,29 @@ SpikeForm spike_form(const PackedSpikes& a, const PackedSpikes& b) {
     return form;
 }
 
-double nc_dissimilarity(const SpikeForm& form, std::size_t samples,
-                        const PerReceptor<double>& channel_weight) {
-    if (samples == 0) return 0.0;
+PerReceptor<std::int64_t> whole_weights(const PerReceptor<double>& channel_weight) {
     PerReceptor<std::int64_t> weight{};
     for (std::size_t c = 0; c < kReceptorCount; ++c) {
         assert(std::abs(channel_weight[c]) <= kLargestWeight && "a weight out of range");
         weight[c] = std::llround(channel_weight[c] * kWeightUnits);
     }
+    return weight;
+}
+
+double root_mean_square(std::int64_t unit, std::int64_t sum, std::size_t samples) {
+    return root_of(static_cast<Wide>(unit) * unit * sum, samples);
+}
+
+double nc_dissimilarity(const SpikeForm& form, std::size_t samples,
+                        const PerReceptor<double>& channel_weight) {
+    const PerReceptor<std::int64_t> weight = whole_weights(channel_weight);
     Wide sum = 0;
     for (std::size_t c = 0; c < kReceptorCount; ++c) {
         for (std::size_t d = 0; d < kReceptorCount; ++d) {
             sum += static_cast<Wide>(weight[c]) * weight[d] * form[c][d];
         }
     }
-    return std::sqrt(static_cast<double>(sum) / static_cast<double>(samples)) / kWeightUnits;
+    return root_of(sum, samples);
 }
 
 double nc_dissimilarity(const PackedSpikes& a, const PackedSpikes& b,

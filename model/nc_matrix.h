@@ -52,6 +52,12 @@ double nc_dissimilarity(const PackedSpikes& a, const PackedSpikes& b,
 
 inline constexpr double kLargestWeight = 1000.0;
 
+// The weights in units of their last decimal.
+PerReceptor<std::int64_t> whole_weights(const PerReceptor<double>& channel_weight);
+
+// sqrt(unit^2 sum / samples), the unit one of those; 0 of no samples.
+double root_mean_square(std::int64_t unit, std::int64_t sum, std::size_t samples);
+
 // |a_c & b_d| of two blocks of kReceptorCount rows of words, for one instruction set.
 struct CoincidenceCounter {
     const char* name;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
 
+#include "model/brain_units.h"
 #include "model/dtw.h"
 #include "model/nc_matrix.h"
 #include "model/parallel.h"
@@ -62,6 +64,29 @@ KnownPairs known_pairs(Codes codes, const Prediction* previous, const Dissimilar
     return result;
 }
 
+// Pairs by blocks of patterns that fit into a cache together: row by row each pair would fetch its
+// second pattern from far away.
+struct BlockedPairs {
+    std::vector<std::size_t> pairs;  // condensed
+    std::vector<std::size_t> begin;  // of each block, and the end
+};
+
+BlockedPairs by_block(std::size_t patterns, std::span<const std::size_t> pairs) {
+    constexpr std::size_t kSide = 8;
+    const std::size_t across = (patterns + kSide - 1) / kSide;
+    const auto block_of = [&](std::size_t index) {
+        const auto [i, j] = pair_at(patterns, index);
+        return i / kSide * across + j / kSide;
+    };
+    BlockedPairs blocked{std::vector<std::size_t>(pairs.size()),
+                         std::vector<std::size_t>(across * across + 1)};
+    for (const std::size_t index : pairs) ++blocked.begin[block_of(index) + 1];
+    std::partial_sum(blocked.begin.begin(), blocked.begin.end(), blocked.begin.begin());
+    std::vector<std::size_t> next = blocked.begin;
+    for (const std::size_t index : pairs) blocked.pairs[next[block_of(index)]++] = index;
+    return blocked;
+}
+
 bool same_codes(const PerceptualModelParams& a, const PerceptualModelParams& b) {
     return a.coding == b.coding && a.envelope == b.envelope;
 }
@@ -114,18 +139,23 @@ Dissimilarity nc_matrix(Codes codes, const PerceptualModelParams& params,
         previous != nullptr && previous->params.channel_weight == params.channel_weight;
     auto pairs = known_pairs(codes, previous, same_weights ? &previous->nc : nullptr);
     // No progress: a thousandth of the work of OC.
-    std::vector<PackedSpikes> spikes(codes.size());
-    parallel_for(codes.size(), options.threads, options.stop,
-                 [&](std::size_t k) { spikes[k] = packed_spikes(codes[k]->neural); });
-    // A pair takes as long as fetching the next one would: threads fetch many at a time.
-    constexpr std::size_t kAtOnce = 1000;
-    const std::size_t portions = (pairs.open.size() + kAtOnce - 1) / kAtOnce;
-    parallel_for(portions, options.threads, options.stop, [&](std::size_t portion) {
-        const std::size_t end = std::min((portion + 1) * kAtOnce, pairs.open.size());
-        for (std::size_t k = portion * kAtOnce; k < end; ++k) {
-            const auto [i, j] = pair_at(codes.size(), pairs.open[k]);
-            pairs.matrix.condensed[pairs.open[k]] =
-                nc_dissimilarity(spikes[i], spikes[j], params.channel_weight);
+    const std::optional<WeightUnits> units = weight_units(params.channel_weight);
+    std::vector<BrainUnits> brains(units ? codes.size() : 0);
+    std::vector<PackedSpikes> spikes(units ? 0 : codes.size());
+    parallel_for(codes.size(), options.threads, options.stop, [&](std::size_t k) {
+        if (units) {
+            brains[k] = brain_units(codes[k]->neural, *units);
+        } else {
+            spikes[k] = packed_spikes(codes[k]->neural);
+        }
+    });
+    const BlockedPairs blocked = by_block(codes.size(), pairs.open);
+    parallel_for(blocked.begin.size() - 1, options.threads, options.stop, [&](std::size_t block) {
+        for (std::size_t k = blocked.begin[block]; k < blocked.begin[block + 1]; ++k) {
+            const auto [i, j] = pair_at(codes.size(), blocked.pairs[k]);
+            pairs.matrix.condensed[blocked.pairs[k]] =
+                units ? nc_dissimilarity(brains[i], brains[j], *units)
+                      : nc_dissimilarity(spikes[i], spikes[j], params.channel_weight);
         }
     });
     return std::move(pairs.matrix);
