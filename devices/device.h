@@ -4,6 +4,7 @@
 // Left out  which devices there are, and which one a person has chosen: the program's.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,11 @@ struct DeviceStatus {
     std::string name;
     bool connected = false;
     bool playing = false;
-    double position_s = 0.0;  // in the pattern, as it is felt now: latency is taken off
-    double peak = 0.0;        // of full scale, since the last status
-    bool clipped = false;     // the limiter has held this play back somewhere
-    std::string trouble;      // why it stopped by itself: a sentence a person can act on
+    double position_s = 0.0;     // in the pattern, as it is felt now: latency is taken off
+    double peak = 0.0;           // of full scale, since the last status
+    bool clipped = false;        // the limiter has held this play back somewhere
+    std::uint64_t dropouts = 0;  // gaps since it was opened: the computer was too slow
+    std::string trouble;         // why it stopped by itself: a sentence a person can act on
 
     bool operator==(const DeviceStatus&) const = default;
 };

@@ -1,0 +1,29 @@
+// Names of sound cards and channels, as PortAudio has them and as a person knows them.
+//
+// Left out  translations of what drivers call themselves.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tact {
+
+// "UMC204HD: USB Audio (hw:2,0)" without the place in brackets, which changes from day to day.
+std::string card_name(std::string_view name);
+
+// Other names for a card that is listed anyway, converters and the like: "surround51", "dmix".
+bool is_alias(std::string_view interface, std::string_view name);
+
+// A sound server behind an ALSA name.
+bool is_sound_server(std::string_view interface, std::string_view name);
+
+// "audio/ALSA/UMC204HD: USB Audio"; of several alike the second has " 2" after it, and so on.
+std::string audio_id(std::string_view interface, std::string_view name, int which);
+
+// Of a card of so many channels: places of loudspeakers in ALSA's order, and what is known of
+// single models; "7" where a place has no name. JACK numbers them.
+std::vector<std::string> channel_names(std::string_view interface, std::string_view name,
+                                       int count);
+
+}  // namespace tact

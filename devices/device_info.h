@@ -1,0 +1,38 @@
+// What is known of a device before it is opened.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tact {
+
+enum class DeviceKind { audio, hid };
+
+struct DeviceInfo {
+    // The same device has the same one tomorrow, at another port, after another card was put in.
+    std::string id;
+    DeviceKind kind = DeviceKind::audio;
+    std::string name;
+    std::string interface;              // that it is reached by: "ALSA", "JACK", "Bluetooth"
+    std::vector<std::string> channels;  // their names; empty: it has none to choose from
+    // A sound server takes any number of channels and does not say how many the outputs behind it
+    // have: a person has to.
+    bool is_server = false;
+    double rate_hz = 0.0;
+    double latency_s = 0.0;
+    std::string trouble;  // why it cannot play now: a sentence a person can act on
+
+    bool operator==(const DeviceInfo&) const = default;
+};
+
+// What a person has chosen of a device, to be remembered.
+struct DeviceChoice {
+    std::string id;  // empty: none
+    int channel = 1;
+    int of_channels = 0;  // of a sound server: as many as its outputs have; 0: 2, or enough
+    double latency_offset_s = 0.0;  // felt so much later than the device says
+
+    bool operator==(const DeviceChoice&) const = default;
+};
+
+}  // namespace tact

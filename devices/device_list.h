@@ -1,0 +1,34 @@
+// All devices of this computer, and how one of them is opened.
+//
+// Left out  which one is chosen, and remembering it: the program's.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "devices/audio_host.h"
+#include "devices/device.h"
+#include "devices/device_info.h"
+
+namespace tact {
+
+// Takes up to some seconds: not for a thread that draws.
+std::vector<DeviceInfo> list_devices(AudioHost& host);
+
+// The one of an id; else of a name, or the only one with these words in its name. Case does not
+// matter. An Error names what there is.
+Expected<DeviceInfo> find_device(const std::vector<DeviceInfo>& devices, const std::string& wanted);
+
+// The channel of a number, counted from 1, or of a name ("left actuator"). An Error names them.
+Expected<int> find_channel(const DeviceInfo& device, const std::string& wanted);
+
+// Does not wait, and never answers with another device: whether it can be opened shows at the first
+// play, in the status. An Error if the choice does not fit the device.
+Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& host,
+                                              const DeviceInfo& device, const DeviceChoice& choice);
+
+// What to do where there is no device at all: a sentence or two.
+std::string advice_without_devices();
+
+}  // namespace tact
