@@ -20,6 +20,7 @@ namespace tact {
 namespace {
 
 constexpr auto kPoll = std::chrono::milliseconds(10);
+constexpr int kMostPollsAtEnd = 100;
 constexpr int kMostServerChannels = 8;
 
 // The libraries below write of every card they did not find: no news to a person.
@@ -64,6 +65,16 @@ DeviceInfo info_of(const PaDeviceInfo& device, const std::string& interface) {
     return info;
 }
 
+// ALSA's "default" where it leads to a server that is listed by its own name.
+bool is_second_name(const std::string& interface, const std::string& name) {
+    if (interface != "ALSA" || name != "default") return false;
+    for (int number = 0; number < Pa_GetDeviceCount(); ++number) {
+        const std::string other = Pa_GetDeviceInfo(number)->name;
+        if (other != name && is_sound_server("ALSA", other)) return true;
+    }
+    return false;
+}
+
 std::vector<NumberedOutput> numbered_outputs() {
     std::vector<NumberedOutput> outputs;
     std::map<std::string, int> alike;
@@ -71,6 +82,7 @@ std::vector<NumberedOutput> numbered_outputs() {
         const PaDeviceInfo& device = *Pa_GetDeviceInfo(number);
         const std::string interface = interface_of(device);
         if (device.maxOutputChannels < 1 || is_alias(interface, device.name)) continue;
+        if (is_second_name(interface, device.name)) continue;
         NumberedOutput output{number, info_of(device, interface)};
         const int which = ++alike[audio_id(interface, device.name, 1)];
         output.info.id = audio_id(interface, device.name, which);
@@ -118,6 +130,7 @@ void AudioHost::watch(std::shared_ptr<AudioStream> stream) {
 }
 
 bool AudioHost::refresh() {
+    if (is_stuck_) return false;
     for (const auto& stream : open_) {
         if (stream->is_sounding()) return false;
     }
@@ -135,7 +148,15 @@ bool AudioHost::refresh() {
 }
 
 void AudioHost::poll_streams() {
-    std::erase_if(open_, [](const auto& stream) { return !stream->poll(); });
+    std::erase_if(open_, [this](const auto& stream) {
+        const StreamState state = stream->poll();
+        if (state == StreamState::stuck) {
+            is_stuck_ = true;
+            // Whoever is stuck there may still look at it.
+            new std::shared_ptr<AudioStream>(stream);
+        }
+        return state != StreamState::open;
+    });
 }
 
 void AudioHost::run(const std::stop_token& stop) {
@@ -155,12 +176,14 @@ void AudioHost::run(const std::stop_token& stop) {
         poll_streams();
         if (stop.stop_requested() && work.empty()) break;
     }
-    // What sounds fades, and its last silence is played.
+    // What sounds fades, and its last silence is played, if that is soon.
     for (const auto& stream : open_) stream->release();
-    while (!open_.empty()) {
+    for (int round = 0; round < kMostPollsAtEnd && !open_.empty(); ++round) {
         poll_streams();
         std::this_thread::sleep_for(kPoll);
     }
+    if (is_stuck_) return;
+    for (const auto& stream : open_) stream->close();
     if (is_initialised_) Pa_Terminate();
 }
 

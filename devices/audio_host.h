@@ -38,6 +38,7 @@ class AudioHost {
     // On the thread only.
     void watch(std::shared_ptr<AudioStream> stream);
     bool refresh();  // false: something plays, and all stays as it is
+    bool is_stuck() const { return is_stuck_; }
 
   private:
     void run(const std::stop_token& stop);
@@ -50,7 +51,8 @@ class AudioHost {
     std::vector<std::shared_ptr<AudioStream>> open_;
     std::vector<DeviceInfo> listed_;
     bool is_initialised_ = false;
-    std::jthread thread_;  // last: ends before what it uses
+    bool is_stuck_ = false;  // in PortAudio: it can be used no more
+    std::jthread thread_;    // last: ends before what it uses
 };
 
 // On the host's thread: PortAudio's number of the output of an id in its present list; -1: none.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <future>
+#include <thread>
 #include <utility>
 
 #include "devices/audio_host.h"
@@ -15,6 +17,8 @@ namespace {
 
 // A fresh PulseAudio sink was seen to start 1.3 s late.
 constexpr double kStallS = 3.0;
+constexpr double kLongestPollS = 0.1;
+constexpr auto kClosePatience = std::chrono::seconds(1);
 // Between two patterns the card stays open: the next one starts at once.
 constexpr double kLingerS = 1.5;
 constexpr double kWantedRateHz = 48'000.0;
@@ -25,10 +29,17 @@ double steady_s() {
     return std::chrono::duration<double>(now).count();
 }
 
+// PortAudio subtracts a JACK client's latency from a period without looking which is larger: what
+// cannot be true counts as none.
+double believable(double latency_s) {
+    return latency_s >= 0.0 && latency_s < 2.0 ? latency_s : 0.0;
+}
+
 int audio_callback(const void*, void* output, unsigned long frames,
                    const PaStreamCallbackTimeInfo* time, PaStreamCallbackFlags flags, void* self) {
     render(*static_cast<Playback*>(self), static_cast<float*>(output), frames,
-           time->outputBufferDacTime, (flags & paOutputUnderflow) != 0);
+           time->currentTime + believable(time->outputBufferDacTime - time->currentTime),
+           (flags & paOutputUnderflow) != 0);
     return paContinue;
 }
 
@@ -120,6 +131,11 @@ bool AudioStream::play(AudioHost& host, const Drive& drive, bool loop, std::uint
 }
 
 Expected<Done> AudioStream::open(AudioHost& host) {
+    if (host.is_stuck()) {
+        return Error{
+            "the sound server went away in a way that sound cannot be started again: "
+            "start tactspace anew"};
+    }
     if (output_numbered(place_.id) < 0) host.refresh();
     Expected<Done> opened = open_once();
     // A server that was started anew, a card that was taken out and put back.
@@ -155,7 +171,8 @@ Expected<Done> AudioStream::open_once() {
         return Error{open_fault(place_.name, fault)};
     }
     seen_calls_ = playback_.calls;
-    seen_at_s_ = steady_s();
+    polled_at_s_ = steady_s();
+    stalled_s_ = 0.0;
     return Done{};
 }
 
@@ -175,13 +192,33 @@ void AudioStream::free_clips() {
     });
 }
 
+// In time that this thread was awake: a program that was halted has not lost its card.
 bool AudioStream::has_stalled() {
     const std::uint64_t calls = playback_.calls.load();
-    if (calls != seen_calls_) {
-        seen_calls_ = calls;
-        seen_at_s_ = steady_s();
+    const double now_s = steady_s();
+    stalled_s_ += std::clamp(now_s - polled_at_s_, 0.0, kLongestPollS);
+    if (calls != seen_calls_) stalled_s_ = 0.0;
+    seen_calls_ = calls;
+    polled_at_s_ = now_s;
+    return stalled_s_ > kStallS;
+}
+
+// The word first: PortAudio waits ten minutes for a JACK server that was killed.
+StreamState AudioStream::lose() {
+    if (is_sounding()) {
+        connected_ = false;
+        tell(place_.name + " is gone: it stopped taking sound, and nothing plays until it is back");
     }
-    return steady_s() - seen_at_s_ > kStallS;
+    const auto closed = std::make_shared<std::promise<void>>();
+    std::future<void> is_closed = closed->get_future();
+    std::thread([stream = std::exchange(stream_, nullptr), closed] {
+        Pa_AbortStream(stream);
+        Pa_CloseStream(stream);
+        closed->set_value();
+    }).detach();
+    if (is_closed.wait_for(kClosePatience) != std::future_status::ready) return StreamState::stuck;
+    close();
+    return StreamState::closed;
 }
 
 bool AudioStream::is_sounding() const {
@@ -189,27 +226,18 @@ bool AudioStream::is_sounding() const {
     return playback_.begun.load() >= clip_->serial || clip_->serial > stopped_.load();
 }
 
-bool AudioStream::poll() {
-    if (stream_ == nullptr) return false;
-    if (Pa_IsStreamActive(stream_) != 1 || has_stalled()) {
-        const bool mattered = is_sounding();
-        close();
-        if (mattered) {
-            connected_ = false;
-            tell(place_.name +
-                 " is gone: it stopped taking sound, and nothing plays until it is back");
-        }
-        return false;
-    }
+StreamState AudioStream::poll() {
+    if (stream_ == nullptr) return StreamState::closed;
+    if (Pa_IsStreamActive(stream_) != 1 || has_stalled()) return lose();
     clock_offset_s_ = Pa_GetStreamTime(stream_) - steady_s();
     free_clips();
-    const double latency_s = Pa_GetStreamInfo(stream_)->outputLatency;
+    const double latency_s = believable(Pa_GetStreamInfo(stream_)->outputLatency);
     const double quiet_s =
         static_cast<double>(playback_.quiet_frames.load()) / playback_.layout.rate_hz;
     const double enough_s = released_ ? kPadS + latency_s : kLingerS;
-    if (is_sounding() || quiet_s < enough_s) return true;
+    if (is_sounding() || quiet_s < enough_s) return StreamState::open;
     close();
-    return false;
+    return StreamState::closed;
 }
 
 void AudioStream::release() {
@@ -219,9 +247,10 @@ void AudioStream::release() {
 
 // What is left to be played is silence: no need to wait for it.
 void AudioStream::close() {
-    if (stream_ == nullptr) return;
-    Pa_AbortStream(stream_);
-    Pa_CloseStream(std::exchange(stream_, nullptr));
+    if (stream_ != nullptr) {
+        Pa_AbortStream(stream_);
+        Pa_CloseStream(std::exchange(stream_, nullptr));
+    }
     playback_.wanted = nullptr;
     clip_.reset();
     retired_.clear();

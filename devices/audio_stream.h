@@ -19,6 +19,10 @@ namespace tact {
 
 class AudioHost;
 
+// `stuck`: its library does not come back from closing it. It has to be kept as it is until the
+// program ends, and the library not be spoken to again.
+enum class StreamState { open, closed, stuck };
+
 class AudioStream {
   public:
     // `channel` of `channels`, counted from 0.
@@ -41,7 +45,7 @@ class AudioStream {
     // Of the host's thread.
     // True: it is open, and needs to be polled.
     bool play(AudioHost& host, const Drive& drive, bool loop, std::uint64_t serial);
-    bool poll();               // false: it is closed
+    StreamState poll();
     void release();            // stops, and closes after a last silence
     void close();              // at once
     bool is_sounding() const;  // or about to, or fading
@@ -58,6 +62,7 @@ class AudioStream {
     void free_clips();
     void tell(const std::string& trouble);
     bool has_stalled();
+    StreamState lose();
 
     const Place place_;
     Playback playback_;
@@ -77,7 +82,8 @@ class AudioStream {
     std::vector<Retired> retired_;
     bool released_ = false;
     std::uint64_t seen_calls_ = 0;
-    double seen_at_s_ = 0.0;  // when the count of calls grew last
+    double polled_at_s_ = 0.0;
+    double stalled_s_ = 0.0;  // without a call
 };
 
 }  // namespace tact

@@ -10,7 +10,8 @@
 
 namespace tact {
 
-// The acceleration that full scale is taken for: the strongest of the paper's patterns fits.
+// The acceleration that full scale is taken for unless a person says another. A choice of ours: at
+// the low level that playing starts with, even 8 g stay below the limiter's ceiling.
 inline constexpr double kFullScaleG = 1.0;
 
 // `full_scale_g` above 0. Larger samples stay larger than 1: the device's limiter shows them.

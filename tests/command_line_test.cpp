@@ -481,7 +481,7 @@ TEST_CASE("--image: a picture beside the numbers, which stay the same") {
 TEST_CASE("--help and --version answer on standard output and end well") {
     CHECK(output_of({"--version"}).find_first_not_of("0123456789.\n") == std::string::npos);
     const std::string all = output_of({"--help"});
-    for (const std::string command : {"predict", "space", "stages", "render", "snapshot"}) {
+    for (const std::string command : {"predict", "space", "stages", "render", "snapshot", "play"}) {
         CHECK(contains(all, "\n  " + command + " "));
         const std::string help = output_of({command, "--help"});
         CHECK(contains(help, "Usage: tactspace " + command));

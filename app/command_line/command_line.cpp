@@ -49,6 +49,8 @@ struct Commands {
     SnapshotCommand snapshot;
     CompareCommand compare;
     FindingsCommand findings;
+    DevicesCommand devices;
+    PlayCommand play;
 };
 
 // Empty where there is such a metric, as CLI11 wants it.
@@ -104,6 +106,35 @@ void add_pattern_commands(CLI::App& app, Commands& commands,
     render.add_option("--format", commands.render.format, "wav, txt or csv")
         ->check(CLI::IsMember({"wav", "txt", "csv"}));
     render.add_option("--out", commands.render.out, "folder for the files")->required();
+}
+
+constexpr const char* kDeviceHelp =
+    "id or name of the device, or a part of its name that no other has; see tactspace devices. "
+    "Another one is never played on";
+
+void add_play_commands(CLI::App& app, Commands& commands, std::function<Expected<Done>()>& chosen) {
+    CLI::App& devices = *app.add_subcommand("devices", "what there is to play on");
+    devices.add_flag("--json", commands.devices.json, "JSON instead of text");
+    devices.callback([&] { chosen = [&found = commands.devices] { return run(found); }; });
+
+    PlayCommand& options = commands.play;
+    CLI::App& play =
+        add_command(app, "play", "patterns on an actuator, to be felt", options, chosen);
+    play.add_option("--pattern", options.pattern, "name of the pattern");
+    play.add_flag("--all", options.all, "every pattern instead, one after the other");
+    play.add_option("--gap", options.gap_s, "silence between two of them, s")
+        ->check(CLI::Range(0.0, 60.0));
+    play.add_option("--device", options.device, kDeviceHelp);
+    play.add_option("--channel", options.channel, "number from 1, or name; else the first");
+    play.add_option("--channels", options.of_channels,
+                    "how many the outputs behind a sound server have")
+        ->check(CLI::Range(1, 8));
+    play.add_option("--level", options.level, "how strong, 0-1; else 0.1")
+        ->check(CLI::Range(0.0, 1.0));
+    play.add_option("--full-scale", options.full_scale_g,
+                    "acceleration that full scale stands for without a calibration, g; else 1")
+        ->check(CLI::Range(1e-3, 1e3));
+    play.add_flag("--loop", options.loop, "until Ctrl+C");
 }
 
 constexpr const char* kSnapshotHelp =
@@ -185,6 +216,7 @@ int run_command_line(int argc, const char* const* argv) {
     std::function<Expected<Done>()> chosen = [&sets] { return run_main_window(sets); };
     add_prediction_commands(app, commands, chosen);
     add_pattern_commands(app, commands, chosen);
+    add_play_commands(app, commands, chosen);
     add_study_commands(app, commands, chosen);
     add_snapshot_command(app, commands.snapshot, chosen);
     try {

@@ -87,4 +87,23 @@ struct FindingsCommand {
 };
 Expected<Done> run(const FindingsCommand& command);
 
+struct DevicesCommand {
+    bool json = false;
+};
+Expected<Done> run(const DevicesCommand& command);
+
+struct PlayCommand {
+    CommonOptions common;
+    std::string pattern;
+    bool all = false;           // instead, one after the other
+    std::string device;         // empty: the only one
+    std::string channel;        // number or name; empty: the first
+    int of_channels = 0;        // of a sound server; 0: 2, or enough
+    double level = 0.1;         // of full scale
+    double full_scale_g = 1.0;  // that full scale stands for
+    double gap_s = 0.5;         // between patterns
+    bool loop = false;
+};
+Expected<Done> run(const PlayCommand& command);
+
 }  // namespace tact

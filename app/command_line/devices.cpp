@@ -1,0 +1,70 @@
+// tactspace devices: what there is to play on.
+
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/command_line/commands.h"
+#include "app/command_line/interrupt.h"
+#include "app/command_line/text_table.h"
+#include "devices/device_list.h"
+
+namespace tact {
+
+namespace {
+
+// As far as it is known: a sound server does not tell of what lies behind it.
+std::string number_or_dash(bool is_known, double value, int digits) {
+    return is_known ? fixed_digits(value, digits) : "-";
+}
+
+std::string channels_text(const DeviceInfo& device) {
+    if (device.is_server) return "1-" + std::to_string(device.channels.size());
+    return device.channels.empty() ? "-" : std::to_string(device.channels.size());
+}
+
+std::string table_of(const std::vector<DeviceInfo>& devices) {
+    std::vector<TextRow> rows{{"device", "by", "channels", "rate Hz", "latency ms"}};
+    for (const DeviceInfo& device : devices) {
+        rows.push_back(
+            {device.id, device.interface, channels_text(device),
+             number_or_dash(!device.is_server && device.rate_hz > 0.0, device.rate_hz, 0),
+             number_or_dash(device.latency_s > 0.0, 1e3 * device.latency_s, 1)});
+    }
+    std::string text = aligned(rows);
+    for (const DeviceInfo& device : devices) {
+        if (!device.trouble.empty()) text += "\n" + device.name + ": " + device.trouble + "\n";
+    }
+    return text;
+}
+
+nlohmann::json json_of(const DeviceInfo& device) {
+    return {{"id", device.id},
+            {"kind", device.kind == DeviceKind::audio ? "audio" : "hid"},
+            {"name", device.name},
+            {"interface", device.interface},
+            {"channels", device.channels},
+            {"is_server", device.is_server},
+            {"rate_hz", device.rate_hz},
+            {"latency_s", device.latency_s},
+            {"trouble", device.trouble}};
+}
+
+}  // namespace
+
+Expected<Done> run(const DevicesCommand& command) {
+    AudioHost host;
+    const std::vector<DeviceInfo> devices = list_devices(host);
+    if (command.json) {
+        nlohmann::json list = nlohmann::json::array();
+        for (const DeviceInfo& device : devices) list.push_back(json_of(device));
+        std::cout << list.dump() << "\n";
+    } else if (devices.empty()) {
+        std::cout << "There is no device to play on. " << advice_without_devices() << "\n";
+    } else {
+        std::cout << table_of(devices);
+    }
+    return Done{};
+}
+
+}  // namespace tact

@@ -1,0 +1,123 @@
+# Sourced by the stories of sound: a server without a card, what it is given, and the patterns that
+# are played. capture.cpp records and measures.
+set -euo pipefail
+
+program=$1
+capture=$2
+deadline_s=20
+
+need() {
+    local tool
+    for tool in "$@"; do
+        command -v "$tool" >/dev/null && continue
+        echo "$tool is missing: sudo apt-get install pulseaudio pulseaudio-utils libasound2-plugins jackd2"
+        [ -n "${CI:-}" ] && exit 1
+        exit 77
+    done
+}
+
+scratch=$(mktemp -d)
+export HOME=$scratch XDG_RUNTIME_DIR=$scratch
+unset DISPLAY WAYLAND_DISPLAY
+# The libraries of sound leak; the unit tests look for leaks of ours.
+export ASAN_OPTIONS=detect_leaks=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}
+children=()
+
+end_story() {
+    local code=$?
+    if [ "$code" -ne 0 ] && [ "$code" -ne 77 ]; then
+        cat "$scratch/err" 2>/dev/null || true
+        tail -n 5 "$scratch/log" 2>/dev/null || true
+    fi
+    # Only what was started here.
+    [ "${#children[@]}" -eq 0 ] || kill -9 "${children[@]}" 2>/dev/null || true
+    wait 2>/dev/null || true
+    rm -rf "$scratch"
+}
+trap end_story EXIT
+
+fail() {
+    echo "failed: $*"
+    exit 1
+}
+
+until_true() {
+    local what=$1 end=$((SECONDS + deadline_s))
+    shift
+    until "$@"; do
+        [ "$SECONDS" -lt "$end" ] || fail "waited $deadline_s s until $what"
+        sleep 0.02
+    done
+}
+
+is_gone() { ! kill -0 "$1" 2>/dev/null; }
+
+# waveform NAME SECONDS AWK-EXPRESSION: samples in g at 10 kHz; t is the time in s.
+waveform() {
+    awk -v s="$2" 'function c(x) { return cos(6.283185307179586 * x) }
+        function w(x) { return sin(6.283185307179586 * x) }
+        BEGIN { for (n = 0; n < 10000 * s; ++n) { t = n / 10000; printf "%.12f\n", '"$3"' } }' \
+        >"$scratch/set/$1.txt"
+}
+
+mkdir "$scratch/set"
+waveform tone 2 '0.5 * w(150 * t)'
+# Two carriers, the sum of them modulated: six lines.
+waveform mixed 2 '0.19 * (w(80 * t) + w(250 * t)) * (1 - c(10 * t))'
+tone_lines=(150:0.5)
+mixed_lines=(70:0.095 80:0.19 90:0.095 240:0.095 250:0.19 260:0.095)
+
+play() { "$program" play "$scratch/set" --level 1 "${device[@]}" "$@" 2>"$scratch/err"; }
+
+# arrives NAME DURATION LINES...: what is played is what is recorded. A busy computer may leave a
+# gap; the program must then have said so, and it is played once more.
+arrives() {
+    local name=$1 round
+    shift
+    for round in 1 2 3 4 5; do
+        start_capture
+        play --pattern "$name" --json >"$scratch/report" || fail "it does not play $name"
+        sleep 0.2
+        stop_capture
+        if "$capture" lines "$scratch/raw" 4 2 "$@"; then return 0; fi
+        ! grep -q '"dropouts":0' "$scratch/report" || fail "$name did not arrive as it was"
+        echo "once more: $(tail -n 1 "$scratch/err")"
+    done
+    fail "the computer is too slow to play without gaps"
+}
+
+# Ctrl+C while a loop plays: silence within 20 ms, and a word about it. A recorder that has to wait
+# for the processor stamps too late: one good measurement is proof.
+stops_softly() {
+    local since code playing round
+    for round in 1 2 3 4 5; do
+        start_capture
+        play --pattern tone --loop &
+        playing=$!
+        children+=("$playing")
+        sleep 1.5
+        since=$("$capture" signal 2 "$(pgrep -P "$playing")")
+        code=0
+        wait "$playing" || code=$?
+        [ "$code" -eq 130 ] || fail "exit code $code after Ctrl+C"
+        sleep 0.2
+        stop_capture
+        if "$capture" silent "$scratch/raw" "$scratch/stamps" 4 2 "$since" 20; then return 0; fi
+    done
+    fail "no stop was silent within 20 ms"
+}
+
+# The server dies while a loop plays: the program says so, and ends.
+notices_loss() {
+    local code=0 playing
+    play --pattern tone --loop &
+    playing=$!
+    children+=("$playing")
+    sleep 1.5
+    kill -9 "$server"
+    until_true "the loss is noticed" is_gone "$playing"
+    wait "$playing" || code=$?
+    [ "$code" -eq 1 ] || fail "exit code $code when the server was gone"
+    grep -q "is gone: it stopped taking sound" "$scratch/err" || fail "no word about the loss"
+    echo "noticed: $(tail -n 1 "$scratch/err")"
+}
