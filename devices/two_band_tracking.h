@@ -1,0 +1,50 @@
+// The one or two sines that are most like a vibration at a moment: what an actuator with two
+// bands of its own, as HD rumble has, can be asked for.
+//
+// Around a moment the signal is fitted, by least squares under a Hann window, with
+//
+//     sum_i  c_i cos(2 pi f_i t) + s_i sin(2 pi f_i t)
+//
+// The strongest peak of the windowed spectrum starts the first sine, the strongest peak of what it
+// leaves the second; then both are refined together (Gauss-Newton), as each biases the other's peak
+// where they are close. Silence within the window is left out of the fit, so that notes begin
+// and end with the frame they begin and end in, and at their full strength.
+//
+// Input     a drive signal, -1..1
+// Output    amplitudes as shares of full scale; `share_lost` of the energy under the window
+// Valid     steady tones that are at least kLeastApartHz apart: frequency to 1 %, amplitude to 2 %.
+//           Closer ones are taken for one tone that swells and fades.
+// Left out  phases: the actuator chooses its own. More than two tones at a time; content below
+//           kLowestHz.
+// Exact     a frame depends on the signal around it alone.
+#pragma once
+
+#include <cstddef>
+
+#include "devices/device.h"
+#include "devices/rumble_packets.h"
+
+namespace tact {
+
+inline constexpr double kLowestHz = 20.0;  // the lowest tone looked for
+
+// Two tones that are nearer are one. Twice as far need half the window.
+inline constexpr double kLeastApartHz = 12.0;
+
+struct TrackedFrame {
+    RumbleFrame rumble;
+    double energy = 0.0;      // mean square of the signal under the window
+    double share_lost = 0.0;  // of it, that the frame's sines are not
+    bool folded = false;      // a tone below the low band plays as swells of 160 Hz instead
+    bool noise = false;       // no tones: each band plays its level at the middle of its spectrum
+
+    bool operator==(const TrackedFrame&) const = default;
+};
+
+// Frames that follow each other by `hop_s`, from the signal's beginning to its end.
+std::size_t frame_count(const Drive& drive, double hop_s);
+
+// Frame k: the signal from k hop_s on, for hop_s.
+TrackedFrame tracked_frame(const Drive& drive, std::size_t k, double hop_s);
+
+}  // namespace tact
