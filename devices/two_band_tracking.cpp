@@ -64,10 +64,67 @@ double energy_of(const View& view, std::span<const double> signal) {
     return sum;
 }
 
+Eigen::Map<const Eigen::VectorXd> column(const std::vector<double>& values) {
+    return {values.data(), std::ssize(values)};
+}
+
+// Two columns a tone, its cosine and its sine: each sample a rotation of the one before.
+Eigen::MatrixXd quadratures(const View& view, std::span<const Tone> tones) {
+    Eigen::MatrixXd columns(std::ssize(view.samples), 2 * std::ssize(tones));
+    for (std::size_t i = 0; i < tones.size(); ++i) {
+        const double omega = 2.0 * std::numbers::pi * tones[i].frequency_hz;
+        const auto at = static_cast<Eigen::Index>(2 * i);
+        const double c = std::cos(omega / view.rate_hz);
+        const double s = std::sin(omega / view.rate_hz);
+        double x = std::cos(omega * view.first_s);
+        double y = std::sin(omega * view.first_s);
+        for (Eigen::Index n = 0; n < columns.rows(); ++n) {
+            columns(n, at) = x;
+            columns(n, at + 1) = y;
+            const double turned = c * x - s * y;
+            y = s * x + c * y;
+            x = turned;
+        }
+    }
+    return columns;
+}
+
+// Weighted least squares; zeros where the columns are too alike to be told apart.
+Eigen::VectorXd solved(const View& view, const Eigen::MatrixXd& columns,
+                       const Eigen::VectorXd& signal) {
+    const Eigen::MatrixXd weighted = column(view.weights).asDiagonal() * columns;
+    const Eigen::MatrixXd normal = weighted.transpose() * columns;
+    const Eigen::VectorXd best = normal.ldlt().solve(weighted.transpose() * signal);
+    return best.allFinite() ? best : Eigen::VectorXd::Zero(columns.cols());
+}
+
+// The columns and d/df of each tone, which is t times the tone a quarter turn on.
+Eigen::MatrixXd with_derivatives(const View& view, const Eigen::MatrixXd& columns,
+                                 const Eigen::VectorXd& best) {
+    const Eigen::Index tones = columns.cols() / 2;
+    Eigen::MatrixXd all(columns.rows(), 3 * tones);
+    all.leftCols(2 * tones) = columns;
+    for (Eigen::Index i = 0; i < tones; ++i) {
+        for (Eigen::Index n = 0; n < columns.rows(); ++n) {
+            const double t_s = view.time_s(static_cast<std::size_t>(n));
+            all(n, 2 * tones + i) =
+                2.0 * std::numbers::pi * t_s *
+                (best[2 * i + 1] * columns(n, 2 * i) - best[2 * i] * columns(n, 2 * i + 1));
+        }
+    }
+    return all;
+}
+
+// What the tones leave of the signal.
 std::vector<double> without(const View& view, std::span<const Tone> tones) {
     std::vector<double> rest = view.samples;
-    for (std::size_t n = 0; n < rest.size(); ++n) {
-        for (const Tone& tone : tones) rest[n] -= tone.at(view.time_s(n));
+    const Eigen::MatrixXd columns = quadratures(view, tones);
+    for (std::size_t i = 0; i < tones.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(2 * i);
+        for (std::size_t n = 0; n < rest.size(); ++n) {
+            const auto row = static_cast<Eigen::Index>(n);
+            rest[n] -= tones[i].cosine * columns(row, at) + tones[i].sine * columns(row, at + 1);
+        }
     }
     return rest;
 }
@@ -78,61 +135,31 @@ double share_left_by(const View& view, std::span<const Tone> tones) {
     return std::min(1.0, energy_of(view, without(view, tones)) / whole);
 }
 
-// The best cosines and sines at the tones' frequencies, and with `shifts` how far to move each:
-// the model is linear in them but for d/df, whose column is t times the tone a quarter turn on.
-std::vector<double> solve(const View& view, std::vector<Tone>& tones, bool shifts) {
-    const auto count = static_cast<Eigen::Index>(tones.size());
-    const Eigen::Index columns = (shifts ? 3 : 2) * count;
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(columns, columns);
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(columns);
-    Eigen::VectorXd row(columns);
-    constexpr double kTurn = 2.0 * std::numbers::pi;
-    for (std::size_t n = 0; n < view.samples.size(); ++n) {
-        const double weight = view.weights[n];
-        if (weight <= 0.0) continue;
-        const double t_s = view.time_s(n);
-        for (Eigen::Index i = 0; i < count; ++i) {
-            const Tone& tone = tones[static_cast<std::size_t>(i)];
-            const double angle = kTurn * tone.frequency_hz * t_s;
-            row[2 * i] = std::cos(angle);
-            row[2 * i + 1] = std::sin(angle);
-            if (!shifts) continue;
-            row[2 * count + i] =
-                kTurn * t_s * (tone.sine * row[2 * i] - tone.cosine * row[2 * i + 1]);
-        }
-        normal.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
-        right += weight * view.samples[n] * row;
-    }
-    const Eigen::VectorXd best = normal.selfadjointView<Eigen::Lower>().ldlt().solve(right);
-    std::vector<double> moves;
-    for (Eigen::Index i = 0; i < count; ++i) {
-        if (!best.allFinite()) break;
-        tones[static_cast<std::size_t>(i)].cosine = best[2 * i];
-        tones[static_cast<std::size_t>(i)].sine = best[2 * i + 1];
-        if (shifts) moves.push_back(best[2 * count + i]);
-    }
-    return moves;
-}
-
 // Gauss-Newton on all frequencies at once, from where they are.
 Fit refined(const View& view, std::vector<Tone> tones, double farthest_step_hz) {
-    constexpr int kMostSteps = 12;
-    constexpr double kStillHz = 1e-3;
-    solve(view, tones, false);
-    Fit best{tones, share_left_by(view, tones)};
+    constexpr int kMostSteps = 10;
+    constexpr double kStillHz = 1e-2;
+    const double whole = energy_of(view, view.samples);
+    Fit best{tones, 2.0};
     for (int step = 0; step < kMostSteps; ++step) {
-        const std::vector<double> moves = solve(view, tones, true);
-        double farthest = 0.0;
-        for (std::size_t i = 0; i < moves.size(); ++i) {
-            const double move = std::clamp(moves[i], -farthest_step_hz, farthest_step_hz);
+        const Eigen::MatrixXd columns = quadratures(view, tones);
+        const Eigen::VectorXd linear = solved(view, columns, column(view.samples));
+        for (std::size_t i = 0; i < tones.size(); ++i) {
+            tones[i].cosine = linear[static_cast<Eigen::Index>(2 * i)];
+            tones[i].sine = linear[static_cast<Eigen::Index>(2 * i + 1)];
+        }
+        const Eigen::VectorXd rest = column(view.samples) - columns * linear;
+        const double left = rest.cwiseAbs2().dot(column(view.weights)) / whole;
+        if (left < best.share_left) best = {tones, left};
+        const Eigen::VectorXd moves =
+            solved(view, with_derivatives(view, columns, linear), rest).tail(std::ssize(tones));
+        if (moves.cwiseAbs().maxCoeff() < kStillHz) break;
+        for (std::size_t i = 0; i < tones.size(); ++i) {
+            const double move = std::clamp(moves[static_cast<Eigen::Index>(i)], -farthest_step_hz,
+                                           farthest_step_hz);
             tones[i].frequency_hz =
                 std::clamp(tones[i].frequency_hz + move, kLowestHz, kHighestHighBandHz);
-            farthest = std::max(farthest, std::abs(move));
         }
-        solve(view, tones, false);
-        const double left = share_left_by(view, tones);
-        if (left < best.share_left) best = {tones, left};
-        if (farthest < kStillHz || moves.empty()) break;
     }
     return best;
 }
