@@ -1,0 +1,33 @@
+// What is written to a controller if the program dies by a signal: that it shall be still.
+//
+// A controller goes on with what it was told last. When the program crashes, or is ended from
+// outside, nobody is left to tell it but the signal's handler, and a handler may do little: here
+// write() on a descriptor that is open already, with bytes that were laid out before.
+//
+// Source    signal-safety(7)
+// Left out  SIGKILL and a loss of power, which nothing can answer.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace tact {
+
+// Holds a descriptor of its own on a device. One for each open controller; more than 16 at a time
+// are not looked after.
+class LastWords {
+  public:
+    explicit LastWords(const std::string& path);
+    ~LastWords();
+    LastWords(const LastWords&) = delete;
+    LastWords& operator=(const LastWords&) = delete;
+
+    // Up to 80 bytes. From now on; not while another thread does the same.
+    void set(std::span<const std::uint8_t> packet);
+
+  private:
+    int place_ = -1;
+};
+
+}  // namespace tact

@@ -1,0 +1,179 @@
+#include "mock_bench.h"
+
+#include <linux/hidraw.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <semaphore>
+
+namespace tact {
+
+namespace {
+
+std::string hexadecimal(const Packet& bytes) {
+    std::string text;
+    char two[3];
+    for (const std::uint8_t byte : bytes) {
+        std::snprintf(two, sizeof two, "%02X", byte);
+        text += two;
+    }
+    return text;
+}
+
+// In sysfs; the last part is the device's name on its bus, and so its own.
+std::string folder(const std::string& node) {
+    return std::string("/devices/virtual/pad/0000:0000:0000.000") + node.back();
+}
+
+// As a recording of a real one has it: the hid device, and the node below it.
+std::string description(const MockPad& pad) {
+    char id[64];
+    std::snprintf(id, sizeof id, "%04X:%08X:%08X", pad.is_bluetooth ? 5U : 3U, pad.vendor,
+                  pad.product);
+    const std::string hid = folder(pad.node);
+    std::string text = "P: " + hid + "\nE: SUBSYSTEM=hid\nE: HID_ID=" + id +
+                       "\nE: HID_NAME=" + pad.name + "\nE: HID_UNIQ=98:b6:e9:00:00:0" +
+                       pad.node.back() + "\nH: report_descriptor=" + hexadecimal(pad.descriptor);
+    if (!pad.driver.empty()) text += "\nL: driver=../../../../bus/hid/drivers/" + pad.driver;
+    text += "\n\nP: " + hid + "/hidraw/" + pad.node + "\nN: " + pad.node +
+            "\nE: SUBSYSTEM=hidraw\nE: DEVNAME=/dev/" + pad.node + "\nL: device=../../../" +
+            hid.substr(hid.rfind('/') + 1) + "\n\n";
+    return text;
+}
+
+void require(bool condition, const char* what) {
+    if (condition) return;
+    std::cerr << "umockdev: " << what << "\n";
+    std::abort();
+}
+
+void put(UMockdevIoctlData* argument, std::size_t offset, const void* bytes, std::size_t size) {
+    Packet copy(size);
+    std::memcpy(copy.data(), bytes, size);
+    umockdev_ioctl_data_update(argument, offset, copy.data(), static_cast<int>(size));
+}
+
+}  // namespace
+
+MockBench::MockBench(std::vector<MockPad> pads) {
+    testbed_ = umockdev_testbed_new();
+    context_ = g_main_context_new();
+    loop_ = g_main_loop_new(context_, FALSE);
+    for (MockPad& pad : pads) plugged_.push_back({this, std::move(pad), nullptr, {}, false});
+    std::binary_semaphore ready{0};
+    thread_ = std::thread([this, &ready] {
+        g_main_context_push_thread_default(context_);
+        for (Plugged& plugged : plugged_) add(plugged);
+        ready.release();
+        g_main_loop_run(loop_);
+        g_main_context_pop_thread_default(context_);
+    });
+    ready.acquire();
+}
+
+MockBench::~MockBench() {
+    g_main_loop_quit(loop_);
+    thread_.join();
+    for (const Plugged& plugged : plugged_) {
+        umockdev_testbed_detach_ioctl(testbed_, ("/dev/" + plugged.pad.node).c_str(), nullptr);
+        g_object_unref(plugged.handler);
+    }
+    g_object_unref(testbed_);
+    g_main_loop_unref(loop_);
+    g_main_context_unref(context_);
+}
+
+void MockBench::add(Plugged& plugged) {
+    require(umockdev_testbed_add_from_string(testbed_, description(plugged.pad).c_str(), nullptr),
+            "the description is not understood");
+    plugged.handler = umockdev_ioctl_base_new();
+    g_signal_connect(plugged.handler, "handle-ioctl", G_CALLBACK(on_ioctl), &plugged);
+    g_signal_connect(plugged.handler, "handle-write", G_CALLBACK(on_write), &plugged);
+    require(umockdev_testbed_attach_ioctl(testbed_, ("/dev/" + plugged.pad.node).c_str(),
+                                          plugged.handler, nullptr),
+            "no handler can be attached");
+}
+
+gboolean MockBench::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer data) {
+    const Plugged& plugged = *static_cast<const Plugged*>(data);
+    const unsigned long request = umockdev_ioctl_client_get_request(client);
+    UMockdevIoctlData* const argument = umockdev_ioctl_client_get_arg(client);
+    const std::size_t size = _IOC_SIZE(request);
+    UMockdevIoctlData* const target = umockdev_ioctl_data_resolve(argument, 0, size, nullptr);
+    long result = -1;
+    int fault = ENOTTY;
+    const Packet& descriptor = plugged.pad.descriptor;
+    if (target != nullptr && request == HIDIOCGRDESCSIZE) {
+        const int length = static_cast<int>(descriptor.size());
+        put(target, 0, &length, sizeof length);
+        result = 0;
+    } else if (target != nullptr && request == HIDIOCGRDESC) {
+        put(target, sizeof(__u32), descriptor.data(), descriptor.size());
+        result = 0;
+    } else if (target != nullptr && _IOC_TYPE(request) == 'H' && _IOC_NR(request) == 7) {
+        const std::size_t length = std::min(size, plugged.pad.feature.size());
+        put(target, 0, plugged.pad.feature.data(), length);
+        result = static_cast<long>(length);
+    }
+    umockdev_ioctl_client_complete(client, result, result < 0 ? fault : 0);
+    if (target != nullptr) umockdev_ioctl_data_unref(target);
+    return TRUE;
+}
+
+gboolean MockBench::on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer data) {
+    Plugged& plugged = *static_cast<Plugged*>(data);
+    UMockdevIoctlData* const argument = umockdev_ioctl_client_get_arg(client);
+    const Packet packet(argument->data, argument->data + argument->data_len);
+    const std::lock_guard lock(plugged.bench->mutex_);
+    if (plugged.gone) {
+        umockdev_ioctl_client_complete(client, -1, ENODEV);
+        return TRUE;
+    }
+    plugged.written.push_back({packet, std::chrono::steady_clock::now()});
+    if (plugged.pad.answers_switch) plugged.bench->answer(plugged, packet);
+    umockdev_ioctl_client_complete(client, static_cast<long>(packet.size()), 0);
+    return TRUE;
+}
+
+// One report at a time: the node is a stream here, without borders between them.
+void MockBench::answer(const Plugged& plugged, const Packet& packet) {
+    Packet report;
+    if (packet[0] == 0x80 && packet[1] != 0x04) report = {0x81, packet[1]};
+    if (packet[0] == 0x01) {
+        report.resize(49);
+        report[0] = 0x21;
+        report[13] = 0x80;
+        report[14] = packet[10];
+    }
+    if (report.empty()) return;
+    const int node = umockdev_testbed_get_dev_fd(testbed_, ("/dev/" + plugged.pad.node).c_str());
+    require(write(node, report.data(), report.size()) == std::ssize(report), "no answer is taken");
+}
+
+std::vector<Written> MockBench::written(const std::string& node) const {
+    const std::lock_guard lock(mutex_);
+    for (const Plugged& plugged : plugged_) {
+        if (plugged.pad.node == node) return plugged.written;
+    }
+    return {};
+}
+
+void MockBench::unplug(const std::string& node) {
+    {
+        const std::lock_guard lock(mutex_);
+        for (Plugged& plugged : plugged_) {
+            if (plugged.pad.node == node) plugged.gone = true;
+        }
+    }
+    const std::string hid = "/sys" + folder(node);
+    umockdev_testbed_remove_device(testbed_, (hid + "/hidraw/" + node).c_str());
+    umockdev_testbed_remove_device(testbed_, hid.c_str());
+}
+
+}  // namespace tact
