@@ -12,6 +12,7 @@
 
 #include "model/pattern.h"
 #include "model/perceptual_model_params.h"
+#include "model/study_design.h"
 #include "model/waveform.h"
 
 namespace tact {
@@ -58,6 +59,7 @@ struct PatternSet {
     std::vector<Vibration> vibrations;
     std::vector<Ratings> ratings;
     PerceptualModelParams model;
+    StudyDesign study;  // how people are asked
     std::string unknown_json;
 
     bool operator==(const PatternSet&) const = default;

@@ -44,16 +44,9 @@ std::vector<const std::vector<double>*> pointers(const std::vector<std::vector<d
 
 // The means of all participants, in the order in which they came.
 std::vector<std::vector<double>> participants_of(const RatingStudy& study) {
-    std::unordered_map<std::string, std::size_t> place;
-    std::vector<std::vector<const std::vector<double>*>> repetitions;
-    for (const Judgement& judgement : study.judgements) {
-        const auto [entry, is_new] = place.emplace(judgement.participant, repetitions.size());
-        if (is_new) repetitions.emplace_back();
-        repetitions[entry->second].push_back(&judgement.condensed);
-    }
     std::vector<std::vector<double>> means;
-    for (const auto& lists : repetitions) {
-        means.push_back(mean_of(lists, pair_count(study.labels.size())));
+    for (Judgement& judgement : participant_means(study)) {
+        means.push_back(std::move(judgement.condensed));
     }
     return means;
 }
@@ -96,14 +89,22 @@ double mean_half_rho(const std::vector<std::vector<double>>& voices) {
     return known > 0 ? sum / static_cast<double>(known) : kNone;
 }
 
-double mean_rho_with_others(const std::vector<std::vector<double>>& voices) {
-    double sum = 0.0;
-    std::size_t known = 0;
+// Of every voice with the mean of the others.
+std::vector<double> rho_with_others(const std::vector<std::vector<double>>& voices) {
+    std::vector<double> rho(voices.size());
     std::vector<bool> own(voices.size(), false);
     for (std::size_t k = 0; k < voices.size(); ++k) {
         own[k] = true;
-        const double rho = rho_of_halves(voices, own);
+        rho[k] = rho_of_halves(voices, own);
         own[k] = false;
+    }
+    return rho;
+}
+
+double mean_rho_with_others(const std::vector<std::vector<double>>& voices) {
+    double sum = 0.0;
+    std::size_t known = 0;
+    for (const double rho : rho_with_others(voices)) {
         if (std::isnan(rho)) continue;
         sum += rho;
         ++known;
@@ -169,6 +170,33 @@ Dissimilarity mean_ratings(const RatingStudy& study) {
     const std::vector<std::vector<double>> voices = participants_of(study);
     return {study.labels.size(), mean_of(pointers(voices, std::vector<bool>(voices.size()), false),
                                          pair_count(study.labels.size()))};
+}
+
+std::vector<Judgement> participant_means(const RatingStudy& study) {
+    std::unordered_map<std::string, std::size_t> place;
+    std::vector<std::vector<const std::vector<double>*>> repetitions;
+    std::vector<Judgement> means;
+    for (const Judgement& judgement : study.judgements) {
+        const auto [entry, is_new] = place.emplace(judgement.participant, repetitions.size());
+        if (is_new) {
+            repetitions.emplace_back();
+            means.push_back({judgement.participant, {}});
+        }
+        repetitions[entry->second].push_back(&judgement.condensed);
+    }
+    for (std::size_t k = 0; k < means.size(); ++k) {
+        means[k].condensed = mean_of(repetitions[k], pair_count(study.labels.size()));
+    }
+    return means;
+}
+
+std::vector<VoiceAgreement> agreement_with_others(const RatingStudy& study) {
+    const std::vector<Judgement> means = participant_means(study);
+    if (means.size() < 2) return {};
+    const std::vector<double> rho = rho_with_others(participants_of(study));
+    std::vector<VoiceAgreement> all;
+    for (std::size_t k = 0; k < means.size(); ++k) all.push_back({means[k].participant, rho[k]});
+    return all;
 }
 
 Reliability reliability(const RatingStudy& study) {

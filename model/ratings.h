@@ -49,6 +49,17 @@ struct Reliability {
     double one_with_others = 0.0;  // mean Spearman of one voice with the mean of the others
 };
 
+// How one participant agrees with the mean of the others: Spearman's rho, NaN where undefined. In
+// the order in which they came; none of fewer than two.
+struct VoiceAgreement {
+    std::string participant;
+    double rho = 0.0;
+};
+std::vector<VoiceAgreement> agreement_with_others(const RatingStudy& study);
+
+// Each participant's own mean over repetitions, in the order in which they came.
+std::vector<Judgement> participant_means(const RatingStudy& study);
+
 // Halves: every way to part them where that is at most 1,000 (12 voices), else 1,000 drawn ones.
 Reliability reliability(const RatingStudy& study);
 

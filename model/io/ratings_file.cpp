@@ -36,6 +36,7 @@ RatingScale guessed(const RatingsText& reading, std::vector<std::string>& remark
             if (!std::isnan(value)) others.push_back(value);
         }
     }
+    if (reading.is_similarity) return RatingScale::similarity;
     const double same = mean(reading.identical);
     const bool is_similarity = same > mean(others);
     const std::string what = is_similarity ? "similarities from 0 to 100" : "dissimilarities";
@@ -131,6 +132,7 @@ Expected<Done> take_file(RatingsText& all, RatingsText more) {
     }
     all.identical.insert(all.identical.end(), more.identical.begin(), more.identical.end());
     all.averaged += more.averaged;
+    all.is_similarity = all.is_similarity && more.is_similarity;
     return Done{};
 }
 

@@ -14,6 +14,7 @@ namespace {
 
 struct Columns {
     std::optional<std::size_t> participant, a, b, rating;
+    bool is_study = false;  // model/io/study_csv.h
 };
 
 Columns columns_of(const CsvRecord& head) {
@@ -24,6 +25,7 @@ Columns columns_of(const CsvRecord& head) {
         if (name == "a") columns.a = k;
         if (name == "b") columns.b = k;
         if (name == "rating") columns.rating = k;
+        if (name == "attention") columns.is_study = true;
     }
     return columns;
 }
@@ -122,7 +124,8 @@ Expected<RatingsText> ratings_of_lines(const std::string& file,
         }
         if (!fault.empty()) return at_line(records[k], fault);
     }
-    return RatingsText{file, {lines.labels, true, judgements_of(lines)}, lines.identical, 0};
+    return RatingsText{
+        file, {lines.labels, true, judgements_of(lines)}, lines.identical, columns.is_study, 0};
 }
 
 }  // namespace tact

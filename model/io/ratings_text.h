@@ -23,6 +23,7 @@ struct RatingsText {
     std::string file;
     RatingStudy study;              // participants as the text names them, or ""
     std::vector<double> identical;  // ratings of a pattern with itself
+    bool is_similarity = false;     // as a study of this program says it: no guess is needed
     std::size_t averaged = 0;       // pairs of a square whose two ratings differed
 };
 

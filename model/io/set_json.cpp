@@ -6,6 +6,7 @@
 #include "model/io/equal_names.h"
 #include "model/io/model_json.h"
 #include "model/io/numbers.h"
+#include "model/io/study_json.h"
 #include "model/io/utf8.h"
 
 namespace tact {
@@ -283,6 +284,10 @@ PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::s
     JsonObject model = object_field(object, "model");
     set.model = model_of(model, of_model);
     note_unknown(unknown, "model", of_model);
+    Json of_study = Json::object();
+    JsonObject study = object_field(object, "study");
+    set.study = study_design_of(study, of_study);
+    note_unknown(unknown, "study", of_study);
     unknown.update(unknown_fields(object));
     set.unknown_json = kept_text(unknown);
     return set;
@@ -297,6 +302,8 @@ Json json_of(const PatternSet& set, const fs::path& folder) {
     for (const Ratings& ratings : set.ratings) document["ratings"].push_back(json_of(ratings));
     const Json model = json_of(set.model);
     if (!model.empty()) document["model"] = model;
+    const Json study = json_of(set.study);
+    if (!study.empty()) document["study"] = study;
     restore_text(document, set.unknown_json);
     return document;
 }
