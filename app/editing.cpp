@@ -27,6 +27,7 @@ void insert_after_current(App& app, std::vector<Vibration> fresh) {
     app.selection.others.clear();
     for (std::size_t k = 0; k < fresh.size(); ++k, ++place) {
         fresh[k].name = unused_name(app.document.set, fresh[k].name);
+        fresh[k].generated = false;  // made by hand
         all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), std::move(fresh[k]));
         if (k == 0) app.selection.current = place;
         if (k > 0) app.selection.others.insert(place);
@@ -110,6 +111,7 @@ void edit_patterns(App& app, const std::function<void(Pattern&)>& change) {
         if (pattern == nullptr || vibration.locked) continue;
         change(*pattern);
         *pattern = clamped(std::move(*pattern));
+        vibration.generated = false;
     }
     document_changed(app);
 }
@@ -234,6 +236,7 @@ void rename_vibration(App& app, std::size_t index, const std::string& name) {
     }
     if (app.partner == before) app.partner = name;
     all[index].name = name;
+    all[index].generated = false;  // a name given by hand is to stay
     app.fonts_outdated = true;  // the name may need new glyphs
     document_changed(app);
     commit_step(app, "Rename " + before);

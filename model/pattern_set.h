@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "model/design_space.h"
 #include "model/pattern.h"
 #include "model/perceptual_model_params.h"
 #include "model/study_design.h"
@@ -34,6 +35,7 @@ struct Vibration {
     std::string colour;  // "#RRGGBB", or empty: by position
     std::string note;
     std::string unknown_json;  // keys of the file that this version does not know, kept on save
+    bool generated = false;    // from the set's design space, and not changed by hand since
 
     bool operator==(const Vibration&) const = default;
 };
@@ -61,6 +63,7 @@ struct PatternSet {
     PerceptualModelParams model;
     StudyDesign study;  // how people are asked
     std::string unknown_json;
+    std::optional<DesignSpace> generator;  // that candidates were made by last
 
     bool operator==(const PatternSet&) const = default;
 };

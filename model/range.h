@@ -8,6 +8,7 @@ struct Range {
     double high;
 
     bool contains(double value) const { return value >= low && value <= high; }
+    bool operator==(const Range&) const = default;
 };
 
 }  // namespace tact

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numbers>
 
 namespace tact {
 
@@ -36,6 +38,38 @@ std::vector<Note> notes(const Rhythm& rhythm, double duration_s) {
         result.back().length_s = std::min(end_s, duration_s) - result.back().onset_s;
     }
     return result;
+}
+
+std::vector<std::size_t> onsets(std::string_view text) {
+    std::vector<std::size_t> steps;
+    for (std::size_t step = 0; step < text.size(); ++step) {
+        if (text[step] == 'x') steps.push_back(step);
+    }
+    return steps;
+}
+
+double evenness(std::string_view text) {
+    const std::vector<std::size_t> steps = onsets(text);
+    double cosines = 0.0;
+    double sines = 0.0;
+    for (std::size_t j = 0; j < steps.size(); ++j) {
+        const double turn = static_cast<double>(steps[j]) / static_cast<double>(text.size()) -
+                            static_cast<double>(j) / static_cast<double>(steps.size());
+        cosines += std::cos(2.0 * std::numbers::pi * turn);
+        sines += std::sin(2.0 * std::numbers::pi * turn);
+    }
+    if (steps.empty()) return 0.0;
+    return std::hypot(cosines, sines) / static_cast<double>(steps.size());
+}
+
+std::string with_note(std::string text, std::size_t first, std::size_t last) {
+    assert(first <= last && last < text.size());
+    for (std::size_t step = first; step <= last; ++step) text[step] = step == first ? 'x' : '=';
+    // What held a note that is cut now would hold this one.
+    for (std::size_t step = last + 1; step < text.size() && text[step] == '='; ++step) {
+        text[step] = '-';
+    }
+    return text;
 }
 
 }  // namespace tact

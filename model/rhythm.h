@@ -1,6 +1,8 @@
 // Rhythm as text on a grid: x starts a note, = holds it, - rests.
 //
-// Source    formats.md of this project; the notation is ours.
+// Source    formats.md of this project; the notation is ours. Evenness: the first Fourier
+// coefficient
+//           of the onsets on a circle (Amiot 2009; Milne, Bulger & Herff 2017).
 // Valid     at most kMaxRhythmSteps characters; `=` only after `x` or `=`
 // Left out  dynamics within a rhythm: every note has the pattern's amplitude.
 #pragma once
@@ -35,5 +37,16 @@ std::string rhythm_fault(std::string_view text);
 // The notes of a pattern, in order. The text repeats to fill the duration and the last note is
 // cut there. Asserts that the text has no fault.
 std::vector<Note> notes(const Rhythm& rhythm, double duration_s);
+
+// Steps at which notes start, ascending.
+std::vector<std::size_t> onsets(std::string_view text);
+
+// |sum_j exp(2 pi i (onset_j / steps - j / notes))| / notes: 1 where all notes are equally far
+// apart, as the text repeats; 0 of no notes. Lengths of notes do not matter.
+double evenness(std::string_view text);
+
+// The text with a note from step `first` held to step `last`. Of a note that it cuts, the beginning
+// stays. Asserts that first <= last < steps.
+std::string with_note(std::string text, std::size_t first, std::size_t last);
 
 }  // namespace tact

@@ -28,3 +28,27 @@ TEST_CASE("rhythm: text that is none is named with the step at fault") {
     CHECK(rhythm_fault("x-=") == "step 3 is =, which must follow x or =");
     CHECK(rhythm_fault(std::string(257, 'x')).find("at most 256") != std::string::npos);
 }
+
+TEST_CASE("rhythm: evenness is that of the Fourier transform of its onsets") {
+    for (const auto& [text, expected] : golden::read("design.json").at("evenness").items()) {
+        CHECK_MESSAGE(std::abs(evenness(text) - expected.get<double>()) < 1e-14, text);
+    }
+    CHECK(evenness("") == 0.0);
+    CHECK(evenness("----") == 0.0);
+}
+
+TEST_CASE("rhythm: evenness is 1 of equal gaps, whatever the notes' lengths and the rotation") {
+    for (const char* text : {"x---", "x-x-", "-x-x", "x=-x=-", "xxxx"}) {
+        CHECK(std::abs(evenness(text) - 1.0) < 1e-15);
+    }
+    CHECK(std::abs(evenness("x--x--x-") - evenness("-x--x--x")) < 1e-15);
+    CHECK(evenness("xxx-----") < evenness("xx-x----"));
+}
+
+TEST_CASE("rhythm: a note drawn from one step to another replaces what was there") {
+    CHECK(with_note("--------", 2, 4) == "--x==---");
+    CHECK(with_note("x=x=x=--", 2, 2) == "x=x-x=--");
+    CHECK(with_note("x===----", 1, 2) == "xx=-----");
+    CHECK(with_note("x-x=-x=-", 1, 5) == "xx====--");
+    CHECK(onsets("-x=xx-") == std::vector<std::size_t>{1, 3, 4});
+}

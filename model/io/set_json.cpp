@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/dissimilarity.h"
+#include "model/io/design_space_json.h"
 #include "model/io/equal_names.h"
 #include "model/io/model_json.h"
 #include "model/io/numbers.h"
@@ -15,7 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kModulationKinds[] = {"product", "am"};
 constexpr std::size_t kMaxRatings = 1000;
 
 // Text of unknown fields as a value of the set keeps them: empty where there are none.
@@ -120,6 +120,7 @@ Vibration vibration_of(JsonObject& object, double set_duration_s) {
     vibration.locked = yes_no_field(object, "locked", false);
     vibration.colour = colour_of(object);
     vibration.note = text_field(object, "note", "");
+    vibration.generated = yes_no_field(object, "generated", false);
     unknown.update(unknown_fields(object));
     vibration.unknown_json = kept_text(unknown);
     return vibration;
@@ -256,6 +257,7 @@ Json json_of(const Vibration& vibration, double set_duration_s, const fs::path& 
     if (vibration.locked) fields["locked"] = true;
     if (!vibration.colour.empty()) fields["colour"] = vibration.colour;
     if (!vibration.note.empty()) fields["note"] = vibration.note;
+    if (vibration.generated) fields["generated"] = true;
     restore_text(fields, vibration.unknown_json);
     return fields;
 }
@@ -288,6 +290,12 @@ PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::s
     JsonObject study = object_field(object, "study");
     set.study = study_design_of(study, of_study);
     note_unknown(unknown, "study", of_study);
+    if (document.contains("generator")) {
+        Json of_generator = Json::object();
+        JsonObject generator = object_field(object, "generator");
+        set.generator = design_space_of(generator, set.duration_s, of_generator);
+        note_unknown(unknown, "generator", of_generator);
+    }
     unknown.update(unknown_fields(object));
     set.unknown_json = kept_text(unknown);
     return set;
@@ -304,6 +312,7 @@ Json json_of(const PatternSet& set, const fs::path& folder) {
     if (!model.empty()) document["model"] = model;
     const Json study = json_of(set.study);
     if (!study.empty()) document["study"] = study;
+    if (set.generator) document["generator"] = json_of(*set.generator, set.duration_s);
     restore_text(document, set.unknown_json);
     return document;
 }
