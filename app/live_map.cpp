@@ -31,11 +31,15 @@ PerceptualSpace preview_space(const Dissimilarity& pm, int dimensions, const Liv
 }  // namespace
 
 double expected_map_s(const PatternSet& set) {
+    return expected_map_s(set.vibrations.size(), longest_s(set));
+}
+
+double expected_map_s(std::size_t patterns, double longest_s) {
     // Cells of dynamic time warping a second and core: what AVX2 does, between old and new
     // machines.
     constexpr double kCellsPerS = 4e9;
-    const auto samples = static_cast<double>(longest_samples(set));
-    const auto pairs = static_cast<double>(pair_count(set.vibrations.size()));
+    const double samples = longest_s * kModelRateHz;
+    const auto pairs = static_cast<double>(pair_count(patterns));
     return pairs * samples * samples / (kCellsPerS * thread_count(0));
 }
 

@@ -26,6 +26,7 @@ inline constexpr double kLongestUnaskedS = 120.0;
 // Rough time of a first exact map on this machine: its comparison of envelopes, which is nearly all
 // of it for patterns of usual length.
 double expected_map_s(const PatternSet& set);
+double expected_map_s(std::size_t patterns, double longest_s);
 
 bool needs_asking(const PatternSet& set);
 

@@ -12,7 +12,14 @@ constexpr double kLeastLeftS = 3.0;
 
 std::string rounded_up(double value, double step, const char* unit) {
     const auto whole = static_cast<long>(std::ceil(value / step - 1e-9) * step);
-    return "about " + std::to_string(whole) + " " + unit + " left";
+    return "about " + std::to_string(whole) + " " + unit;
+}
+
+std::string coarse(double seconds) {
+    if (seconds <= 10.0) return rounded_up(seconds, 1.0, "s");
+    if (seconds <= 60.0) return rounded_up(seconds, 5.0, "s");
+    if (seconds <= 3600.0) return rounded_up(seconds / 60.0, 1.0, "min");
+    return rounded_up(seconds / 3600.0, 1.0, "h");
 }
 
 }  // namespace
@@ -21,10 +28,11 @@ std::string time_left_text(double elapsed_s, double share) {
     if (!(elapsed_s >= kLeastElapsedS) || !(share >= kLeastShare) || share >= 1.0) return {};
     const double left_s = elapsed_s * (1.0 - share) / share;
     if (left_s < kLeastLeftS) return {};
-    if (left_s <= 10.0) return rounded_up(left_s, 1.0, "s");
-    if (left_s <= 60.0) return rounded_up(left_s, 5.0, "s");
-    if (left_s <= 3600.0) return rounded_up(left_s / 60.0, 1.0, "min");
-    return rounded_up(left_s / 3600.0, 1.0, "h");
+    return coarse(left_s) + " left";
+}
+
+std::string estimate_text(double seconds) {
+    return seconds < 1.0 ? "less than 1 s" : coarse(seconds);
 }
 
 }  // namespace tact

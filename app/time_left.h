@@ -12,4 +12,7 @@ namespace tact {
 // Rounded up, coarser the longer it is: a number that dances tells less.
 std::string time_left_text(double elapsed_s, double share);
 
+// What work will take by a rough estimate, said as one: "about 40 s", "less than 1 s".
+std::string estimate_text(double seconds);
+
 }  // namespace tact

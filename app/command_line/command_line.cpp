@@ -51,6 +51,7 @@ struct Commands {
     FindingsCommand findings;
     DevicesCommand devices;
     PlayCommand play;
+    GenerateCommand generate;
 };
 
 // Empty where there is such a metric, as CLI11 wants it.
@@ -137,6 +138,38 @@ void add_play_commands(CLI::App& app, Commands& commands, std::function<Expected
     play.add_flag("--loop", options.loop, "until Ctrl+C");
 }
 
+constexpr const char* kGenerateHelp =
+    "SPEC, with any key left out taking its default:\n"
+    "  {\"design\": \"factorial\", \"amplitude_g\": [0.5, 1],\n"
+    "   \"carriers\": [{\"frequency_hz\": {\"from\": 60, \"to\": 240, \"steps\": 3, "
+    "\"spacing\": \"log\"}}],\n"
+    "   \"modulation\": {\"frequency_hz\": [0, 8]}, \"rhythm\": {\"texts\": [\"\", "
+    "\"x=--x---\"]},\n"
+    "   \"constraints\": {\"band_hz\": [40, 400], \"detectable_db\": 6}}\n"
+    "A number is fixed, an array lists levels, an object is a range. The designs\n"
+    "\"latin-hypercube\" and \"sobol\" take \"samples\" and \"seed\".";
+
+void add_generate_command(CLI::App& app, GenerateCommand& command,
+                          std::function<Expected<Done>()>& chosen) {
+    CLI::App& generate = *app.add_subcommand(
+        "generate", "candidate patterns from levels and ranges of their parameters");
+    generate
+        .add_option("SPEC", command.spec,
+                    "a .json file with a generator, or a set file that has one: its own patterns "
+                    "stay, those generated before are replaced")
+        ->required();
+    generate.add_option("--out", command.out, "set file for the patterns");
+    generate.add_flag("--count", command.count, "only say how many patterns it makes");
+    generate.add_flag("--json", command.json, "JSON instead of text on standard output");
+    generate.footer(kGenerateHelp);
+    generate.callback([&] {
+        if (command.out.empty() && !command.count) {
+            throw CLI::RequiredError("--out SET or --count");
+        }
+        chosen = [&command] { return run(command); };
+    });
+}
+
 constexpr const char* kSnapshotHelp =
     "a view as a picture, without a window; with --frames, as many as make a film";
 
@@ -218,6 +251,7 @@ int run_command_line(int argc, const char* const* argv) {
     add_pattern_commands(app, commands, chosen);
     add_play_commands(app, commands, chosen);
     add_study_commands(app, commands, chosen);
+    add_generate_command(app, commands.generate, chosen);
     add_snapshot_command(app, commands.snapshot, chosen);
     try {
         app.parse(argc, argv);

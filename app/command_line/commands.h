@@ -81,6 +81,14 @@ struct CompareCommand {
 };
 Expected<Done> run(const CompareCommand& command);
 
+struct GenerateCommand {
+    std::filesystem::path spec;  // a generator, or a set file that has one
+    std::filesystem::path out;   // a set file; empty: only counted
+    bool count = false;          // how many patterns it would be, and nothing else
+    bool json = false;
+};
+Expected<Done> run(const GenerateCommand& command);
+
 struct FindingsCommand {
     int threads = 0;
     bool json = false;
