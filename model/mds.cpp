@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <mutex>
+#include <numeric>
 #include <utility>
 
 #include "model/parallel.h"
@@ -169,36 +171,52 @@ MatrixXd torgerson_start(const Task& task) {
                      task.dimensions);
 }
 
-// After so many steps the stress of structureless data says where a start is likely to end.
-constexpr int kScreeningSteps = 15;
+// The share of each point in the squared misfit of its map.
+std::vector<double> misfits(const Task& task, const MatrixXd& points) {
+    const std::vector<double> d = distances(points);
+    const std::vector<double> fitted = disparities(task.dissimilarity.condensed, d);
+    const auto n = task.dissimilarity.size;
+    std::vector<double> misfit(n, 0.0);
+    std::size_t p = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = i + 1; j < n; ++j, ++p) {
+            if (std::isnan(task.dissimilarity.condensed[p])) continue;
+            const double square = (d[p] - fitted[p]) * (d[p] - fitted[p]);
+            misfit[i] += square;
+            misfit[j] += square;
+        }
+    }
+    return misfit;
+}
 
-// Random starts to descend from, as many as are asked for: the best of the candidates, on their
-// way.
-std::vector<MatrixXd> promising_starts(const Task& task, const MdsParams& params,
-                                       std::stop_token stop) {
-    const auto n = static_cast<Index>(task.dissimilarity.size);
-    const auto wanted = static_cast<std::size_t>(std::max(params.random_starts, 0));
-    const auto drawn = std::max(wanted, static_cast<std::size_t>(std::max(params.candidates, 0)));
-    std::vector<MatrixXd> starts(drawn);
-    for (std::size_t k = 0; k < drawn; ++k) {
-        starts[k] = random_start(n, task.dimensions, params.seed, k + 1);
+// A point in the wrong place is kept there by the others. So the worst ones, one by one, are put on
+// the other side of the centre, and all descend again from there. Whatever ends lower is kept, and
+// its own worst point is next. Where data have no structure this finds what more starts do not;
+// where they have, nothing is lower.
+Descent with_points_turned(const Task& task, Descent best, const MdsParams& params,
+                           const std::stop_token& stop) {
+    constexpr std::size_t kMisses = 10;  // in a row
+    constexpr double kLower = 1e-9;
+    std::size_t misses = 0;
+    std::vector<std::size_t> worst;
+    for (int turn = 0; turn < params.turned_points && !stop.stop_requested(); ++turn) {
+        if (misses == 0) {
+            const std::vector<double> misfit = misfits(task, best.points);
+            worst.resize(misfit.size());
+            std::iota(worst.begin(), worst.end(), std::size_t{0});
+            std::ranges::stable_sort(worst, std::greater{},
+                                     [&](std::size_t k) { return misfit[k]; });
+        }
+        if (misses == std::min(kMisses, worst.size())) break;
+        MatrixXd start = best.points.rowwise() - best.points.colwise().mean();
+        start.row(static_cast<Index>(worst[misses])) *= -1.0;
+        Descent turned = descend(task.order, start, {params.tolerance, params.max_steps}, stop);
+        ++misses;
+        if (turned.stress1 >= best.stress1 - kLower) continue;
+        best = std::move(turned);
+        misses = 0;
     }
-    if (drawn == wanted || wanted == 0) {
-        starts.resize(wanted);
-        return starts;
-    }
-    std::vector<Descent> screened(drawn);
-    parallel_for(drawn, params.threads, stop, [&](std::size_t k) {
-        screened[k] = descend(task.order, starts[k], {params.tolerance, kScreeningSteps}, stop);
-    });
-    if (stop.stop_requested()) {
-        starts.resize(wanted);
-        return starts;
-    }
-    std::ranges::stable_sort(screened, {}, &Descent::stress1);
-    starts.clear();
-    for (std::size_t k = 0; k < wanted; ++k) starts.push_back(std::move(screened[k].points));
-    return starts;
+    return best;
 }
 
 bool usable(const MatrixXd& start, const Task& task) {
@@ -243,13 +261,15 @@ PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParam
     const Task task = task_of(dissimilarity, params);
     if (task.verdict != MdsVerdict::fine) return space_at_once(task);
     const DescentParams how{params.tolerance, params.max_steps};
-    const std::vector<MatrixXd> starts = promising_starts(task, params, stop);
-    std::vector<Descent> descents(starts.size() + 1);
+    const auto n = static_cast<Index>(dissimilarity.size);
+    std::vector<Descent> descents(static_cast<std::size_t>(std::max(params.random_starts, 0)) + 1);
     std::mutex reporting;
     std::size_t finished = 0;
     const auto run = [&](std::size_t index) {
-        descents[index] =
-            descend(task.order, index == 0 ? torgerson_start(task) : starts[index - 1], how, stop);
+        descents[index] = descend(task.order,
+                                  index == 0 ? torgerson_start(task)
+                                             : random_start(n, task.dimensions, params.seed, index),
+                                  how, stop);
         const std::lock_guard lock(reporting);
         ++finished;
         if (progress) progress(finished);
@@ -265,7 +285,8 @@ PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParam
         stresses.push_back(descent.stress1);
         if (descent.stress1 < best->stress1) best = &descent;
     }
-    PerceptualSpace space = space_of(task, best->points);
+    const Descent settled = with_points_turned(task, *best, params, stop);
+    PerceptualSpace space = space_of(task, settled.points);
     space.start_stress = std::move(stresses);
     space.stopped = stop.stop_requested();
     return space;
@@ -274,7 +295,7 @@ PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParam
 MdsParams standard_mds_params(std::size_t objects, int dimensions) {
     MdsParams params;
     params.dimensions = dimensions;
-    if (objects <= 50) params.candidates = 60;
+    if (objects <= 100) params.turned_points = 20;
     if (objects > 30) params.random_starts = 30;
     if (objects > 100) params.random_starts = 10;
     if (objects > 300) params.random_starts = 3;

@@ -24,9 +24,8 @@ namespace tact {
 struct MdsParams {
     int dimensions = 3;
     int random_starts = 100;  // besides Torgerson's
-    // Of so many random starts the most promising after a few steps are the ones that are taken;
-    // with fewer than random_starts each is.
-    int candidates = 0;
+    // How often at most a badly placed point of the best map is tried on the other side.
+    int turned_points = 0;
     std::uint64_t seed = 1;
     double tolerance = 1e-10;  // stop when stress-1 falls by less in a step
     int max_steps = 3000;
@@ -64,7 +63,8 @@ Eigen::MatrixXd random_start(Eigen::Index n, Eigen::Index k, std::uint64_t seed,
 PerceptualSpace smacof(const Dissimilarity& dissimilarity, const Eigen::MatrixXd& start,
                        const MdsParams& params, std::stop_token stop = {});
 
-// The best of Torgerson's and the random starts; of equals the first. `progress` gets the number of
+// The best of Torgerson's and the random starts, of equals the first; then with the points turned
+// that make it better. `progress` gets the number of
 // starts done, from any thread but never from two at once.
 PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParams& params,
                               std::stop_token stop = {},

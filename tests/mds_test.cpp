@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <random>
 
 #include "golden.h"
@@ -254,7 +253,7 @@ TEST_CASE("mds: names do not matter") {
 TEST_CASE("mds: the same bits on any number of threads") {
     const Dissimilarity dissimilarity = random_dissimilarity(14, 22);
     MdsParams params = with(3, 40);
-    params.candidates = 60;
+    params.turned_points = 20;
     params.threads = 1;
     const PerceptualSpace one = nonmetric_mds(dissimilarity, params);
     for (const int threads : {2, 4}) {
@@ -280,29 +279,27 @@ TEST_CASE("mds: a start does not depend on how many others there are") {
     CHECK(std::abs(alone.stress1 - few[0]) <= 1e-9);
 }
 
-TEST_CASE("mds: starts picked from many candidates end lower than those that were not") {
-    double picked = 0.0;
-    double drawn = 0.0;
-    for (std::uint32_t seed = 40; seed < 45; ++seed) {
+TEST_CASE("mds: turning badly placed points never leads up, and down where there is no structure") {
+    int lower = 0;
+    for (std::uint32_t seed = 40; seed < 46; ++seed) {
         const Dissimilarity dissimilarity = random_dissimilarity(25, seed);
-        MdsParams params = with(3, 8);
-        const PerceptualSpace any = nonmetric_mds(dissimilarity, params);
-        params.candidates = 40;
-        const PerceptualSpace best = nonmetric_mds(dissimilarity, params);
-        REQUIRE(best.start_stress.size() == any.start_stress.size());
-        CHECK(best.start_stress[0] == any.start_stress[0]);  // Torgerson's is taken as it is
-        picked += std::accumulate(best.start_stress.begin() + 1, best.start_stress.end(), 0.0);
-        drawn += std::accumulate(any.start_stress.begin() + 1, any.start_stress.end(), 0.0);
+        MdsParams params = with(3, 3);
+        const PerceptualSpace before = nonmetric_mds(dissimilarity, params);
+        params.turned_points = 20;
+        const PerceptualSpace after = nonmetric_mds(dissimilarity, params);
+        CHECK(after.start_stress == before.start_stress);
+        CHECK(after.stress1 <= before.stress1);
+        if (after.stress1 < before.stress1 - 1e-4) ++lower;
     }
-    CHECK(picked < drawn);
+    CHECK(lower >= 3);
 }
 
-TEST_CASE("mds: fewer candidates than starts leave every start as it is") {
-    const Dissimilarity dissimilarity = random_dissimilarity(12, 46);
-    MdsParams params = with(2, 9);
-    const PerceptualSpace without = nonmetric_mds(dissimilarity, params);
-    params.candidates = 9;
-    CHECK(nonmetric_mds(dissimilarity, params).start_stress == without.start_stress);
+TEST_CASE("mds: a map that fits has no points to turn") {
+    const Dissimilarity dissimilarity = of_points(random_map(14, 3, 47));
+    MdsParams params = with(3, 20);
+    const PerceptualSpace before = nonmetric_mds(dissimilarity, params);
+    params.turned_points = 20;
+    CHECK(nonmetric_mds(dissimilarity, params).points == before.points);
 }
 
 TEST_CASE("mds: the map is that of the best start, framed") {
