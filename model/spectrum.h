@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,5 +25,11 @@ double frequency_hz(const Spectrum& spectrum, std::size_t k);
 
 // A[k] = c_k / N |sum_n x[n] exp(-2 pi i k n / N)|, c_k = 1 for k = 0 and (N even) k = N/2, else 2.
 Spectrum amplitude_spectrum(std::span<const double> samples_g, double rate_hz);
+
+// The signal with each frequency times `gain` of it in Hz: a filter without delay. What rings
+// before the first sample or after the last is cut off; zeros are added within, so that nothing
+// comes round from the other end.
+std::vector<double> zero_phase_filtered(std::span<const double> samples, double rate_hz,
+                                        const std::function<double(double frequency_hz)>& gain);
 
 }  // namespace tact
