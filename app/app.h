@@ -40,7 +40,16 @@ struct Selection {
     std::optional<std::size_t> hovered_last;  // in the last frame, by any panel
 };
 
-enum class Pane { patterns, editor, physiology, space, matrix };
+enum class Pane {
+    patterns,
+    editor,
+    physiology,
+    space,
+    matrix,
+    study_design,  // these three in the view of studies
+    study_people,
+    study_answers
+};
 
 struct Layout {
     float left = 0.21F;  // share of the window's width
@@ -177,6 +186,8 @@ enum class ChooserPurpose {
     save_document,
     load_tables,
     load_ratings,
+    study_folder,
+    export_study,
     export_view,
     export_stages,
     export_animation
@@ -204,6 +215,7 @@ enum class Dialog { none, about, keys, export_view, export_animation };
 enum class PictureView { window, physiology, space, matrix };
 
 struct RunningAnimation;  // app/exports.h
+struct StudyState;        // app/study_state.h
 
 // What the dialogs for export were left at, and what is on its way to files.
 struct ExportState {
@@ -282,6 +294,7 @@ struct App {
     Dialog dialog = Dialog::none;
     ExportState exports;
     TourState tour;
+    std::shared_ptr<StudyState> study;  // never null after make_app()
     Session session;
     StatusLine status;
     std::vector<Vibration> clipboard;

@@ -108,4 +108,16 @@ void draw_columns(App& app, const Rect& area) {
     draw_splitters(app, area, limits, layout);
 }
 
+void draw_study_columns(App& app, const Rect& area) {
+    if (app.layout.maximised) return draw_pane_of(app, *app.layout.maximised, area);
+    constexpr float kDesign = 0.36F;
+    constexpr float kPeople = 0.42F;
+    const float bar = app.theme.splitter_px;
+    const float x = area.min.x + std::round(kDesign * area.width());
+    const float y = area.min.y + std::round(kPeople * area.height());
+    draw_pane_of(app, Pane::study_design, {area.min, {x, area.max.y}});
+    draw_pane_of(app, Pane::study_people, {{x + bar, area.min.y}, {area.max.x, y}});
+    draw_pane_of(app, Pane::study_answers, {{x + bar, y + bar}, area.max});
+}
+
 }  // namespace tact

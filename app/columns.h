@@ -9,6 +9,9 @@ namespace tact {
 // All panes, or the one that fills the window.
 void draw_columns(App& app, const Rect& area);
 
+// The view of studies in their place.
+void draw_study_columns(App& app, const Rect& area);
+
 // Where the middle column is, for what opens beside it.
 Rect physiology_area(const App& app, const Rect& columns);
 

@@ -11,6 +11,7 @@
 #include "app/editing.h"
 #include "app/exports.h"
 #include "app/files.h"
+#include "app/study_follow.h"
 #include "app/tour.h"
 #include "app/widgets.h"
 #include "viz/marks.h"
@@ -21,6 +22,11 @@ namespace {
 
 bool always(const App&) { return true; }
 bool has_selection(const App& app) { return current_vibration(app) != nullptr; }
+
+bool has_answers(const App& app) {
+    const auto& answers = app.study->answers;
+    return answers && answers->results;
+}
 
 void step_selection(App& app, int step) {
     const std::vector<std::size_t> listed = listed_indices(app);
@@ -76,6 +82,8 @@ void escape(App& app) {
         app.physiology.open.reset();
     } else if (app.layout.maximised) {
         app.layout.maximised.reset();
+    } else if (app.study->is_open) {
+        close_study(app);
     } else {
         app.selection.others.clear();
         app.status = {};
@@ -98,15 +106,26 @@ void set_theme(App& app, bool dark) {
     app.fonts_outdated = true;  // the theme is made anew with them
 }
 
-void design_layout(App& app) { app.layout = Layout{}; }
+void design_layout(App& app) {
+    close_study(app);
+    app.layout = Layout{};
+}
 
 void physiology_layout(App& app) {
+    close_study(app);
     app.layout = Layout{};
     app.layout.left = 0.18F;
     app.layout.right = 0.24F;
 }
 
+template <BenchTab kTab>
+void show_bench(App& app) {
+    close_study(app);
+    app.bench = kTab;
+}
+
 void space_layout(App& app) {
+    close_study(app);
     app.layout = Layout{};
     app.layout.right = 0.52F;
     app.layout.right_split = 0.72F;
@@ -175,20 +194,20 @@ const auto kCommands = std::to_array<Command>({
      "Matrix",
      {},
      always,
-     [](App& app) { app.bench = BenchTab::matrix; },
+     show_bench<BenchTab::matrix>,
      nullptr,
      "dissimilarity heat map"},
     {"View", "Compare with people", {}, always,
-     [](App& app) { app.bench = BenchTab::compare; }, nullptr, "ratings metrics rho table"},
-    {"View", "Shepard diagram", {}, always, [](App& app) { app.bench = BenchTab::shepard; },
+     show_bench<BenchTab::compare>, nullptr, "ratings metrics rho table"},
+    {"View", "Shepard diagram", {}, always, show_bench<BenchTab::shepard>,
      nullptr, "stress fit map"},
     {"View", "Why are these two different?", {}, always,
-     [](App& app) { app.bench = BenchTab::why; }, nullptr, "pair channels explain"},
+     show_bench<BenchTab::why>, nullptr, "pair channels explain"},
     {"View",
      "Model bench",
      {},
      always,
-     [](App& app) { app.bench = BenchTab::model; },
+     show_bench<BenchTab::model>,
      nullptr,
      "parameters weights layers thresholds"},
     {"View", "Larger text", ctrl('+'), always, [](App& app) { step_text_scale(app, 1.1F); },
@@ -234,6 +253,18 @@ const auto kCommands = std::to_array<Command>({
      nullptr,
      "zoom out time"},
 
+    {"Study", "Design and participants", plain('5'), always, open_study,
+     [](const App& app) { return app.study->is_open; }, "ratings people experiment"},
+    {"Study", "Run a participant...", {}, has_selection, begin_participant, nullptr,
+     "ratings people experiment trial"},
+    {"Study", "Simulate a participant", {}, has_selection, simulate_participant, nullptr,
+     "synthetic ratings"},
+    {"Study", "Use answers as the set's ratings", {}, has_answers, use_as_ratings, nullptr,
+     "compare people collect"},
+    {"Study", "Export answers as CSV...", {}, has_answers, export_study_dialog, nullptr,
+     "ratings table R Python save"},
+    {"Study", "Folder for participants...", {}, always, choose_study_folder, nullptr, "files"},
+
     {"Help", "Guided tour", {}, has_selection, start_tour, nullptr, "learn teach explain"},
     {"Help", "Guided tour from the start", {}, has_selection,
      [](App& app) {
@@ -243,7 +274,7 @@ const auto kCommands = std::to_array<Command>({
      nullptr, "learn teach explain"},
     {"Help", "Findings of the paper", {}, always,
      [](App& app) {
-         app.bench = BenchTab::compare;
+         show_bench<BenchTab::compare>(app);
          app.compare.view = CompareView::findings;
      },
      nullptr, "publication checks holds fails"},

@@ -6,6 +6,7 @@
 #include "app/bench_follow.h"
 #include "app/exports.h"
 #include "app/files.h"
+#include "app/study_follow.h"
 #include "app/widgets.h"
 
 namespace tact {
@@ -39,6 +40,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"F2, double click on a row", "rename a pattern"},
     {"Tab, Enter", "go through the widgets by keyboard"},
     {"1, 2, 3", "arrange the columns: design, physiology, space"},
+    {"5", "studies: ask people, see what they said"},
     {"Double click on a pane's title", "maximise the pane; Esc puts it back"},
     {"Ctrl+P", "command palette"},
     {"Drag, wheel, right drag in the space", "turn, zoom, move"},
@@ -88,6 +90,10 @@ void draw_chooser(App& app) {
             return load_tables(app, *chosen);
         case ChooserPurpose::load_ratings:
             return load_ratings(app, {*chosen});
+        case ChooserPurpose::study_folder:
+            return set_study_folder(app, *chosen);
+        case ChooserPurpose::export_study:
+            return export_study(app, *chosen);
         case ChooserPurpose::export_view:
             return export_view(app, *chosen);
         case ChooserPurpose::export_stages:

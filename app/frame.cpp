@@ -16,6 +16,8 @@
 #include "app/files.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
+#include "app/panels/study_pages.h"
+#include "app/study_follow.h"
 #include "app/tour.h"
 #include "app/widgets.h"
 #include "model/mds.h"
@@ -129,6 +131,13 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_progress(app);
     app.selection.hovered_last = app.selection.hovered;
     app.selection.hovered.reset();
+    follow_study(app);
+    if (is_study_running(app)) {
+        draw_study_pages(app, pressed);
+        autosave_if_due(app);
+        write_rects(app.rects);
+        return;
+    }
 
     draw_menus(app);
     run_shortcuts(app, pressed);
@@ -138,12 +147,17 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     const float top = menu + transport_height(app) + gap;
     const float foot = kStatusHeightPx * app.theme.scale;
     draw_transport_bar(app, {{gap, menu}, {screen.x - gap, top - gap}});
-    draw_columns(app, {{gap, top}, {screen.x - gap, screen.y - foot}});
+    const Rect columns{{gap, top}, {screen.x - gap, screen.y - foot}};
+    if (app.study->is_open) {
+        draw_study_columns(app, columns);
+    } else {
+        draw_columns(app, columns);
+    }
     take_row_click(app);
     run_waiting(app);
     draw_status(app, {{0.0F, screen.y - foot}, screen});
-    draw_explain_window(app, physiology_area(app, {{gap, top}, {screen.x - gap, screen.y - foot}}));
-    draw_tour(app, {{gap, top}, {screen.x - gap, screen.y - foot}});
+    draw_explain_window(app, physiology_area(app, columns));
+    draw_tour(app, columns);
     draw_dialogs(app);
     draw_palette(app, pressed);
     follow_current(app);
@@ -161,8 +175,9 @@ bool is_bench_computing(const App& app) {
 bool wants_another_frame(const App& app) {
     const bool hover_rests = app.time_s - app.hover_since_s < 0.5;
     const bool tilts = app.time_s - app.physiology.tilt_since_s < 0.3;
-    return app.playhead.playing || is_exporting(app) || tilts || is_moving(app) || hover_rests ||
-           app.fonts_outdated || app.selection.hovered != app.selection.hovered_last ||
+    return app.playhead.playing || is_study_playing(app) || is_exporting(app) || tilts ||
+           is_moving(app) || hover_rests || app.fonts_outdated ||
+           app.selection.hovered != app.selection.hovered_last ||
            app.physiology.crosshair_s != app.physiology.crosshair_last_s;
 }
 
@@ -170,6 +185,7 @@ double next_wake_s(const App& app) {
     double wake_s = std::numeric_limits<double>::infinity();
     if (is_computing(app) || is_bench_computing(app)) wake_s = 0.1;  // progress
     if (app.autosave_pending) wake_s = std::min(wake_s, 0.5);
+    wake_s = std::min(wake_s, study_wake_s(app));
     // A little later than it fades, lest the clock's last digit asks for it twice.
     if (status_left_s(app) > 0.0) wake_s = std::min(wake_s, status_left_s(app) + 0.01);
     return wake_s;
@@ -179,6 +195,7 @@ App make_app() {
     App app;
     app.rects = widget_rects_wanted();
     app.committed = std::make_shared<const PatternSet>();
+    app.study = make_study();
     return app;
 }
 

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "app/bench_follow.h"
+#include "app/study_follow.h"
 #include "model/procrustes.h"
 
 namespace tact {
@@ -109,6 +110,7 @@ void make_jobs(App& app) {
 }
 
 void stop_jobs(App& app) {
+    stop_study(app);
     app.findings_job.reset();
     app.difference_job.reset();
     app.comparison_job.reset();

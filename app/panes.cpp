@@ -10,6 +10,7 @@
 #include "app/frame.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
+#include "app/study_state.h"
 #include "app/widgets.h"
 #include "model/mds.h"
 
@@ -83,6 +84,21 @@ PaneTitle bench_title(const App& app) {
     return {};
 }
 
+std::vector<std::string> people_forms(const App& app) {
+    const auto& answers = app.study->answers;
+    if (!answers || answers->records.empty()) return {};
+    return {std::to_string(answers->records.size())};
+}
+
+// Whose answers are shown.
+std::string shown_voice(const App& app) {
+    const auto& answers = app.study->answers;
+    if (!answers || !answers->results) return {};
+    const auto& shown = app.study->shown;
+    if (!shown || *shown >= answers->records.size()) return "mean of those who count";
+    return answers->records[*shown].header.participant.code;
+}
+
 PaneTitle title_of(const App& app, Pane pane) {
     const std::size_t count = app.document.set.vibrations.size();
     const Vibration* current = current_vibration(app);
@@ -98,6 +114,12 @@ PaneTitle title_of(const App& app, Pane pane) {
             return {"Perceptual space", "", space_title_right(app)};
         case Pane::matrix:
             return bench_title(app);
+        case Pane::study_design:
+            return {"Study", "what people are asked", {}};
+        case Pane::study_people:
+            return {"Participants", "", people_forms(app)};
+        case Pane::study_answers:
+            return {"Answers", shown_voice(app), {}};
     }
     return {};
 }
@@ -141,6 +163,12 @@ void draw_content(App& app, Pane pane) {
             return draw_space_panel(app);
         case Pane::matrix:
             return draw_bench(app);
+        case Pane::study_design:
+            return draw_study_design(app);
+        case Pane::study_people:
+            return draw_study_people(app);
+        case Pane::study_answers:
+            return draw_study_answers(app);
     }
 }
 

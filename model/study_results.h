@@ -30,6 +30,8 @@ struct CollectRule {
     AttentionRule attention;
     bool unfinished_too = false;  // who did not come to the end counts as well
     RatingScaling scaling = RatingScaling::none;
+
+    bool operator==(const CollectRule&) const = default;
 };
 
 struct ParticipantSummary {

@@ -89,6 +89,34 @@ struct GenerateCommand {
 };
 Expected<Done> run(const GenerateCommand& command);
 
+struct StudyCommand {
+    CommonOptions common;
+    int simulate = 0;               // so many participants that are none ...
+    std::filesystem::path collect;  // ... or what is in this folder
+    std::filesystem::path out;      // folder for participants, or file for ratings
+    bool sorting = false;           // into groups, instead of rating pairs
+    // In place of the design in the set.
+    std::optional<int> seed;
+    std::optional<int> repetitions;
+    std::optional<int> attention_pairs;
+    bool adaptive = false;
+    // Of who is simulated.
+    double noise = 10.0;
+    double bias = 0.0;
+    double lapses = 0.0;
+    double inattentive = 0.0;  // share of the participants who answer blindly
+    std::filesystem::path from_map;
+    std::filesystem::path from_matrix;
+    // Of what is collected.
+    std::optional<double> attention_above;
+    std::optional<int> failures_allowed;
+    bool unfinished = false;
+    bool everyone = false;
+    std::string scaling = "none";  // none, min-max, standard
+    std::filesystem::path matrix;
+};
+Expected<Done> run(const StudyCommand& command);
+
 struct FindingsCommand {
     int threads = 0;
     bool json = false;

@@ -17,6 +17,11 @@ void draw_compare_panel(App& app);
 void draw_shepard_panel(App& app);
 void draw_why_panel(App& app);
 
+// Of the view of studies.
+void draw_study_design(App& app);
+void draw_study_people(App& app);
+void draw_study_answers(App& app);
+
 // Parts of the Compare tab.
 void draw_findings(App& app, const Rect& area);
 

@@ -176,6 +176,20 @@ std::string take_answer(StudyRecord& record, const Json& value, const std::strin
     return reading.fault;
 }
 
+Expected<std::vector<fs::path>> study_files(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code fault;
+    for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+         entry.increment(fault)) {
+        if (extension_of(entry->path()) == kStudyEnding) files.push_back(entry->path());
+    }
+    if (fault) return Error{folder.string() + ": cannot be read: " + fault.message()};
+    std::ranges::sort(files, [](const fs::path& a, const fs::path& b) {
+        return naturally_before(a.stem().string(), b.stem().string());
+    });
+    return files;
+}
+
 }  // namespace
 
 std::string header_line(const StudyHeader& header) { return json_of_head(header).dump(); }
@@ -250,22 +264,19 @@ Expected<StudyRecord> read_study_file(const fs::path& path) {
     return parse_study(*text, path.string());
 }
 
+bool contains_study(const fs::path& folder) {
+    const Expected<std::vector<fs::path>> files = study_files(folder);
+    return files && !files->empty();
+}
+
 Expected<std::vector<StudyRecord>> read_study_folder(const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code fault;
-    for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
-         entry.increment(fault)) {
-        if (extension_of(entry->path()) == kStudyEnding) files.push_back(entry->path());
-    }
-    if (fault) return Error{folder.string() + ": cannot be read: " + fault.message()};
-    if (files.empty()) {
+    const Expected<std::vector<fs::path>> files = study_files(folder);
+    if (!files) return files.error();
+    if (files->empty()) {
         return Error{folder.string() + ": expected .jsonl files of participants, got none"};
     }
-    std::ranges::sort(files, [](const fs::path& a, const fs::path& b) {
-        return naturally_before(a.stem().string(), b.stem().string());
-    });
     std::vector<StudyRecord> records;
-    for (const fs::path& file : files) {
+    for (const fs::path& file : *files) {
         Expected<StudyRecord> record = read_study_file(file);
         if (!record) return record.error();
         records.push_back(*std::move(record));

@@ -34,6 +34,11 @@ Expected<StudyRecord> read_study_file(const std::filesystem::path& path);
 // no such file, is an Error.
 Expected<std::vector<StudyRecord>> read_study_folder(const std::filesystem::path& folder);
 
+bool contains_study(const std::filesystem::path& folder);
+
+// A whole record as a new file; one that is there already is an Error.
+Expected<Done> write_study_file(const std::filesystem::path& path, const StudyRecord& record);
+
 std::string header_line(const StudyHeader& header);
 std::string answer_line(const StudyHeader& header, std::size_t serial, const PairAnswer& answer);
 std::string answer_line(const StudyHeader& header, std::size_t serial, const SortingAnswer& answer);

@@ -64,6 +64,22 @@ std::string study_file_name(const std::string& participant) {
     return is_good ? name + kStudyEnding : "";
 }
 
+Expected<Done> write_study_file(const fs::path& path, const StudyRecord& record) {
+    auto log = StudyLog::begin(path, record.header);
+    if (!log) return log.error();
+    std::string lines;
+    const auto add = [&lines](const std::string& line) {
+        lines += (lines.empty() ? "" : "\n") + line;
+    };
+    for (std::size_t k = 0; k < record.answers.size(); ++k) {
+        add(answer_line(record.header, k, record.answers[k]));
+    }
+    for (std::size_t k = 0; k < record.sortings.size(); ++k) {
+        add(answer_line(record.header, k, record.sortings[k]));
+    }
+    return lines.empty() ? Expected<Done>(Done{}) : log->append(lines);
+}
+
 Expected<StudyLog> StudyLog::begin(const fs::path& path, const StudyHeader& header) {
     const int descriptor =
         ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
