@@ -231,11 +231,11 @@ void set_study_folder(App& app, const fs::path& folder) {
     app.study->shown.reset();
 }
 
-std::string unused_code(const App& app) {
+std::string unused_code(const App& app, const std::string& prefix) {
     const fs::path folder = study_folder(app);
     std::error_code none;
     for (int number = 1;; ++number) {
-        const std::string code = "P" + std::to_string(number);
+        const std::string code = prefix + "P" + std::to_string(number);
         if (!fs::exists(folder / study_file_name(code), none)) return code;
     }
 }
@@ -283,7 +283,7 @@ void simulate_participant(App& app) {
             truth.condensed.push_back(map->prediction.pm(place[i], place[j]));
         }
     }
-    const std::string code = "synthetic " + unused_code(app);
+    const std::string code = unused_code(app, "synthetic ");
     StudyHeader header = new_header(app, code);
     header.device = {"none: simulated", "none"};
     header.synthetic = true;

@@ -26,8 +26,8 @@ std::filesystem::path study_folder(const App& app);
 void choose_study_folder(App& app);
 void set_study_folder(App& app, const std::filesystem::path& folder);
 
-// P1, P2, ... whichever has no file yet.
-std::string unused_code(const App& app);
+// "P1", "P2", ... after a prefix, whichever has no file yet.
+std::string unused_code(const App& app, const std::string& prefix = "");
 
 // A new participant from the consent on; one with a file from where it was left.
 void begin_participant(App& app);

@@ -61,6 +61,8 @@ struct StudyState {
     StudyShow show = StudyShow::matrix;
     CollectRule rule;  // but for the attention, which is the design's
 
+    std::string edited_text;  // id of the words being edited; empty: none
+
     // On the consent page.
     std::string code;
     std::string age;

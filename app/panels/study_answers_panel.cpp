@@ -25,7 +25,8 @@ void draw_choice(App& app) {
     choose(StudyShow::map, "Map");
     if (!state.shown) return;
     flow_on(ImGui::CalcTextSize("Show the mean").x, 2.0F * app.theme.gap_px);
-    ImGui::AlignTextToFramePadding();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
     if (link(app, "show mean", "Show the mean")) state.shown.reset();
     note_item(app.rects, "link:show mean");
 }
@@ -68,7 +69,7 @@ void draw_values(App& app, const StudyAnswers& answers, const Rect& area) {
     MatrixScene scene;
     scene.condensed = matrix.condensed;
     scene.labels = answers.results->study.labels;
-    scene.quantity = "100 - similarity";
+    scene.quantity = "dissimilarity";
     scene.largest = app.study->rule.scaling == RatingScaling::none ? 100.0 : 0.0;
     draw_matrix("study matrix", app.theme, area, scene);
 }

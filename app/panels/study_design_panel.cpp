@@ -205,27 +205,52 @@ void draw_patterns(App& app) {
     }
 }
 
-// Texts are one undo step an entry, however long it was typed at.
-void draw_text_entry(App& app, const char* id, const char* title, const std::string& shown,
-                     std::string StudyDesign::*text) {
-    const std::string head = std::string(title) + "###" + id;
-    const bool is_open = ImGui::TreeNodeEx(
-        head.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
-    note_item(app.rects, std::string("study:") + id);
-    if (!is_open) return;
+// Words of the study; while they are edited as a field, whose entry is one undo step.
+struct TextRow {
+    const char* id;
+    const char* title;
+    std::string StudyDesign::*text;
+};
+
+void draw_text_field(App& app, const TextRow& row, const std::string& shown) {
+    constexpr float kLines = 8.0F;
     std::string typed = shown;
-    const float lines = 7.0F;
-    if (ImGui::InputTextMultiline((std::string("##") + id).c_str(), &typed,
-                                  {-1.0F, lines * ImGui::GetTextLineHeight()})) {
-        change(app, [&](StudyDesign& design) { design.*text = typed; });
+    if (ImGui::InputTextMultiline((std::string("##") + row.id).c_str(), &typed,
+                                  {-1.0F, kLines * ImGui::GetTextLineHeight()})) {
+        change(app, [&](StudyDesign& design) { design.*row.text = typed; });
     }
-    if (ImGui::IsItemDeactivatedAfterEdit()) commit_step(app, std::string("study: ") + id);
-    note_item(app.rects, std::string("study text:") + id);
-    if (!(app.document.set.study.*text).empty() &&
-        link(app, (std::string("standard ") + id).c_str(), "Back to the standard text")) {
-        change_at_once(app, std::string("study: ") + id,
-                       [&](StudyDesign& design) { (design.*text).clear(); });
+    if (ImGui::IsItemDeactivatedAfterEdit()) commit_step(app, std::string("study: ") + row.id);
+    note_item(app.rects, std::string("study text:") + row.id);
+}
+
+void draw_text_row(App& app, const TextRow& row, const std::string& shown) {
+    ImGui::Spacing();
+    ImGui::PushID(row.id);
+    dim_text(app, row.title);
+    bool is_edited = app.study->edited_text == row.id;
+    const char* toggle = is_edited ? "Done" : "Edit";
+    ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
+    if (link(app, "edit", toggle)) {
+        is_edited = !is_edited;
+        app.study->edited_text = is_edited ? row.id : "";
     }
+    note_item(app.rects, std::string("study:edit ") + row.id);
+    if (!(app.document.set.study.*row.text).empty()) {
+        ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
+        if (link(app, "standard", "Standard text")) {
+            change_at_once(app, std::string("study: ") + row.id,
+                           [&](StudyDesign& design) { (design.*row.text).clear(); });
+        }
+        note_item(app.rects, std::string("study:standard ") + row.id);
+    }
+    if (is_edited) {
+        draw_text_field(app, row, shown);
+    } else {
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextUnformatted(shown.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::PopID();
 }
 
 }  // namespace
@@ -243,9 +268,9 @@ void draw_study_design(App& app) {
     ImGui::Spacing();
     draw_patterns(app);
     const StudyDesign& design = app.document.set.study;
-    draw_text_entry(app, "instructions", "Instructions", instructions_of(design),
-                    &StudyDesign::instructions);
-    draw_text_entry(app, "consent", "Consent", consent_of(design), &StudyDesign::consent);
+    draw_text_row(app, {"instructions", "Instructions", &StudyDesign::instructions},
+                  instructions_of(design));
+    draw_text_row(app, {"consent", "Consent", &StudyDesign::consent}, consent_of(design));
     ImGui::EndChild();
 }
 

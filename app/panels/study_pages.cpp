@@ -88,12 +88,14 @@ void draw_progress(App& app, const Rect& area) {
     const std::string left = is_begun && given < wanted ? time_left_text(minutes_left(run)) : "";
     const float width = text_size(theme.fonts.regular, left).x;
     draw_text(list, theme.fonts.regular, {area.max.x - width, area.min.y}, theme.dim_text, left);
+    if (!is_begun) return;
     const float y = area.min.y + 26.0F * theme.scale;
     const float share = wanted == 0 ? 0.0F : static_cast<float>(given) / static_cast<float>(wanted);
-    list.AddRectFilled({area.min.x, y}, {area.max.x, y + 4.0F * theme.scale}, theme.field,
-                       2.0F * theme.scale);
-    list.AddRectFilled({area.min.x, y}, {area.min.x + share * area.width(), y + 4.0F * theme.scale},
-                       theme.accent, 2.0F * theme.scale);
+    const float half = 2.0F * theme.scale;
+    list.AddRectFilled({area.min.x, y}, {area.max.x, y + 2.0F * half}, theme.field, half);
+    if (given == 0) return;
+    list.AddRectFilled({area.min.x, y}, {area.min.x + share * area.width(), y + 2.0F * half},
+                       theme.accent, half);
 }
 
 void draw_foot(App& app, const Rect& area) {
@@ -273,8 +275,9 @@ bool draw_feel_button(App& app, const Rect& area, const FeelButton& button) {
     const bool pressed = ImGui::InvisibleButton(button.id, area.size());
     const bool is_lit = button.is_enabled && ImGui::IsItemHovered();
     ImGui::EndDisabled();
-    note_rect(app.rects, button.id, area.min, area.max,
-              button.is_playing ? "playing" : (button.is_enabled ? "ready" : "waiting"));
+    const char* state =
+        button.is_playing ? "playing " : (button.is_enabled ? "ready " : "waiting ");
+    note_rect(app.rects, button.id, area.min, area.max, state + std::to_string(button.times));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(area.min, area.max, is_lit ? theme.hover : theme.field,
                        theme.pane_rounding_px);
@@ -284,7 +287,7 @@ bool draw_feel_button(App& app, const Rect& area, const FeelButton& button) {
                            theme.pane_rounding_px);
     }
     const bool is_plain = button.is_enabled || button.is_playing;
-    list.AddRect(area.min, area.max, button.is_done ? theme.accent : theme.line,
+    list.AddRect(area.min, area.max, button.times > 0 ? theme.accent : theme.line,
                  theme.pane_rounding_px, 0, theme.hairline_px);
     const float middle = area.centre().y - (button.key.empty() ? 0.5F : 0.9F) *
                                                text_size(theme.fonts.large, button.label).y;

@@ -1,4 +1,4 @@
-// What a participant sees: one page at a time, over the whole window, in large type.
+// What a participant sees: one page at a time, over the whole window.
 //
 // Everything goes by keyboard as well, and the keys are on the page.
 #pragma once
@@ -26,7 +26,7 @@ struct FeelButton {
     std::string label;
     std::string key;  // shown small; may be empty
     bool is_playing = false;
-    bool is_done = false;  // felt before
+    int times = 0;  // felt before
     bool is_enabled = true;
 };
 bool draw_feel_button(App& app, const Rect& area, const FeelButton& button);

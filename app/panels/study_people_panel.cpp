@@ -1,5 +1,6 @@
 // Who took part: what each one's answers are worth, how far they agree, and what to do next.
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -12,6 +13,8 @@
 namespace tact {
 
 namespace {
+
+constexpr int kColumns = 7;
 
 void small_text(App& app, ImU32 colour, const std::string& text, const char* noted) {
     ImGui::PushFont(app.theme.fonts.small);
@@ -39,7 +42,8 @@ void draw_buttons(App& app) {
                  "synthetic in its file and everywhere else.");
     const std::string folder = study_folder(app).filename().string();
     flow_on(ImGui::CalcTextSize(folder.c_str()).x, 2.0F * app.theme.gap_px);
-    ImGui::AlignTextToFramePadding();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
     if (link(app, "study folder", folder.empty() ? "Choose a folder..." : folder)) {
         choose_study_folder(app);
     }
@@ -103,7 +107,7 @@ std::string state_of(const ParticipantSummary& person) {
 std::string identical_text(const ParticipantSummary& person) {
     std::string text;
     for (const double similarity : person.attention) {
-        text += (text.empty() ? "" : " ") + significant(similarity, 3);
+        text += (text.empty() ? "" : " ") + std::to_string(std::lround(similarity));
     }
     return text.empty() ? "\u2013" : text;
 }
@@ -139,43 +143,49 @@ void draw_row(App& app, const StudyAnswers& answers, std::size_t k) {
     if (person == nullptr) return;
     ImGui::PushID(static_cast<int>(k));
     ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    if (ImGui::Selectable(
-            code.c_str(), app.study->shown == k,
-            ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
+    // First, so that a click on it is not one on the row, which lies under all columns.
+    ImGui::TableSetColumnIndex(kColumns - 1);
+    if (person->answers < person->wanted && !person->synthetic) {
+        if (link(app, "go on", "Go on")) resume_participant(app, record);
+        note_item(app.rects, "link:go on " + code);
+        draw_tooltip(app, "Takes the study up again at the trial where it was left.");
+    }
+    ImGui::TableSetColumnIndex(0);
+    if (ImGui::Selectable(code.c_str(), app.study->shown == k,
+                          ImGuiSelectableFlags_SpanAllColumns)) {
         app.study->shown = app.study->shown == k ? std::nullopt : std::optional(k);
     }
     note_item(app.rects, "participant:" + code,
               std::to_string(person->answers) + " of " + std::to_string(person->wanted) + ", " +
                   state_of(*person));
     draw_cells(app, *person);
-    ImGui::TableNextColumn();
-    if (person->answers < person->wanted && !person->synthetic) {
-        if (link(app, "go on", "Go on")) resume_participant(app, record);
-        note_item(app.rects, "link:go on " + code);
-        draw_tooltip(app, "Takes the study up again at the trial where it was left.");
-    }
     ImGui::PopID();
 }
 
+// Widths are set: columns that fit their content would move after the first frame.
 void draw_table(App& app, const StudyAnswers& answers) {
-    constexpr ImGuiTableFlags kFlags =
-        ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
-    if (!ImGui::BeginTable("participants", 7, kFlags)) return;
     struct Column {
         const char* name;
         const char* tip;
+        float weight;
     };
+    constexpr std::array<Column, kColumns> kHeads{
+        {{"participant", "Click one for their own matrix and map.", 2.2F},
+         {"answers", "Given, of those wanted.", 1.4F},
+         {"identical", "Similarities of identical patterns: the test of attention.", 1.5F},
+         {"rho", "Spearman's rho with the mean of the others who count.", 0.8F},
+         {"min", "Minutes spent on answers.", 0.8F},
+         {"", "", 4.0F},
+         {"", "", 1.0F}}};
+    constexpr ImGuiTableFlags kFlags =
+        ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable("participants", kColumns, kFlags)) return;
+    for (const Column& column : kHeads) {
+        ImGui::TableSetupColumn(column.name, ImGuiTableColumnFlags_WidthStretch, column.weight);
+    }
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::PushFont(app.theme.fonts.small);
-    for (const Column& column :
-         {Column{"participant", "Click one for their own matrix and map."},
-          {"answers", "Given, of those wanted."},
-          {"identical", "Similarities of identical patterns: the test of attention."},
-          {"rho", "Spearman's rho with the mean of the others who count."},
-          {"min", "Minutes spent on answers."},
-          {"", ""},
-          {"", ""}}) {
+    for (const Column& column : kHeads) {
         ImGui::TableNextColumn();
         dim_text(app, column.name);
         if (*column.tip != '\0') draw_tooltip(app, column.tip);

@@ -129,9 +129,9 @@ void draw_training_page(App& app, const Rect& area, std::span<const KeyPress> pr
     for (std::size_t k = 0; k < count; ++k) {
         const Rect cell = training_cell(app, buttons, k, count);
         const std::string id = "study:train " + std::to_string(k + 1);
-        const FeelButton button{
-            id.c_str(),      std::to_string(k + 1),    "", run.playing == run.training[k],
-            run.felt[k] > 0, may_play(run, app.time_s)};
+        const FeelButton button{id.c_str(),  std::to_string(k + 1),
+                                "",          run.playing == run.training[k],
+                                run.felt[k], may_play(run, app.time_s)};
         if (draw_feel_button(app, cell, button)) chosen = k;
         if (app.study->held == k) {
             ImGui::GetWindowDrawList()->AddRect(cell.min, cell.max, theme.text,
@@ -163,9 +163,9 @@ void draw_trial_page(App& app, const Rect& area, std::span<const KeyPress> press
     const Rect left = rect_at({area.centre().x - side - 0.5F * gap, top}, {side, 0.7F * side});
     const Rect right = rect_at({area.centre().x + 0.5F * gap, top}, {side, 0.7F * side});
     const bool feels_left =
-        draw_feel_button(app, left, {"study:A", "A", "", is_left, run.plays_left > 0, is_ready});
+        draw_feel_button(app, left, {"study:A", "A", "", is_left, run.plays_left, is_ready});
     const bool feels_right =
-        draw_feel_button(app, right, {"study:B", "B", "", is_right, run.plays_right > 0, is_ready});
+        draw_feel_button(app, right, {"study:B", "B", "", is_right, run.plays_right, is_ready});
     const float width = std::min(kSliderPx * theme.scale, area.width());
     const float y = left.max.y + 96.0F * theme.scale;
     draw_slider(app, rect_at({area.centre().x - 0.5F * width, y - 16.0F * theme.scale},
