@@ -118,6 +118,11 @@ Vibration vibration_of(JsonObject& object, double set_duration_s) {
         vibration.source = pattern_of(object, set_duration_s, unknown);
     }
     vibration.locked = yes_no_field(object, "locked", false);
+    vibration.dropped = yes_no_field(object, "dropped", false);
+    if (vibration.locked && vibration.dropped) {
+        refuse(*object.reading, place_of(object, "dropped"), "false for a locked pattern",
+               *field(object, "dropped"));
+    }
     vibration.colour = colour_of(object);
     vibration.note = text_field(object, "note", "");
     vibration.generated = yes_no_field(object, "generated", false);
@@ -255,6 +260,7 @@ Json json_of(const Vibration& vibration, double set_duration_s, const fs::path& 
     fields.update(pattern != nullptr ? json_of(*pattern, set_duration_s)
                                      : json_of(std::get<Measurement>(vibration.source), folder));
     if (vibration.locked) fields["locked"] = true;
+    if (vibration.dropped) fields["dropped"] = true;
     if (!vibration.colour.empty()) fields["colour"] = vibration.colour;
     if (!vibration.note.empty()) fields["note"] = vibration.note;
     if (vibration.generated) fields["generated"] = true;
