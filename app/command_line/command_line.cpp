@@ -53,6 +53,7 @@ struct Commands {
     FindingsCommand findings;
     DevicesCommand devices;
     PlayCommand play;
+    CalibrateCommand calibrate;
     GenerateCommand generate;
 };
 
@@ -138,6 +139,47 @@ void add_play_commands(CLI::App& app, Commands& commands, std::function<Expected
                     "acceleration that full scale stands for without a calibration, g; else 1")
         ->check(CLI::Range(1e-3, 1e3));
     play.add_flag("--loop", options.loop, "until Ctrl+C");
+}
+
+void add_calibrate_command(CLI::App& app, CalibrateCommand& options,
+                           std::function<Expected<Done>()>& chosen) {
+    CLI::App& calibrate = *app.add_subcommand(
+        "calibrate", "how strong an actuator is: the signal to play, and what its recording says");
+    auto* signal = calibrate.add_option("--signal", options.signal,
+                                        "WAV file to write, to be played at full level");
+    auto* recording =
+        calibrate.add_option("--recording", options.recording,
+                             "what the sensor recorded meanwhile, in g, begun before it");
+    signal->excludes(recording);
+    calibrate.add_option("--scale", options.scale_g, "g at full scale of a WAV recording, else 1")
+        ->check(CLI::Range(1e-6, 1e6));
+    calibrate.add_flag("--sweep", options.sweep, "a sweep of 20 s instead of tones of 0.6 s");
+    calibrate.add_option("--low", options.low_hz, "lowest frequency, Hz; else 20")
+        ->check(CLI::Range(1.0, 2000.0));
+    calibrate.add_option("--high", options.high_hz, "highest frequency, Hz; else 500")
+        ->check(CLI::Range(1.0, 2000.0));
+    Calibration& about = options.about;
+    calibrate.add_option("--device", about.device, "its id; see tactspace devices");
+    calibrate.add_option("--channel", about.channel, "number from 1")->check(CLI::Range(1, 256));
+    calibrate.add_option("--actuator", about.actuator, "its name");
+    calibrate.add_option("--mounting", about.mounting, "how it is held or fixed");
+    calibrate.add_option("--gain-note", about.gain_note, "settings of amplifier and mixer");
+    calibrate.add_option("--sensor", about.sensor, "what it was recorded with");
+    calibrate.add_option("--date", about.date, "of the measurement, YYYY-MM-DD");
+    calibrate.add_option("--load-mass", about.load_mass_g, "that it moves, g")
+        ->check(CLI::Range(0.0, 1e5));
+    calibrate.add_option("--excursion-limit", about.excursion_limit_mm, "peak, mm")
+        ->check(CLI::Range(0.0, 100.0));
+    calibrate.add_option("--rms-limit", about.rms_limit, "of the drive over a second, 0-1")
+        ->check(CLI::Range(0.0, 1.0));
+    calibrate.add_option("--out", options.out, "calibration file for the table");
+    calibrate.add_flag("--json", options.json, "JSON instead of text on standard output");
+    calibrate.callback([&options, &chosen] {
+        if (options.signal.empty() && options.recording.empty()) {
+            throw CLI::RequiredError("--signal FILE or --recording FILE");
+        }
+        chosen = [&options] { return run(options); };
+    });
 }
 
 constexpr const char* kGenerateHelp =
@@ -310,6 +352,7 @@ int run_command_line(int argc, const char* const* argv) {
     add_prediction_commands(app, commands, chosen);
     add_pattern_commands(app, commands, chosen);
     add_play_commands(app, commands, chosen);
+    add_calibrate_command(app, commands.calibrate, chosen);
     add_study_commands(app, commands, chosen);
     add_generate_command(app, commands.generate, chosen);
     add_study_command(app, commands.study, chosen);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "devices/calibration.h"
 #include "model/expected.h"
 
 namespace tact {
@@ -127,6 +128,20 @@ struct DevicesCommand {
     bool json = false;
 };
 Expected<Done> run(const DevicesCommand& command);
+
+// Either the signal or the recording of it.
+struct CalibrateCommand {
+    std::filesystem::path signal;
+    std::filesystem::path recording;
+    std::optional<double> scale_g;
+    bool sweep = false;
+    double low_hz = 20.0;
+    double high_hz = 500.0;
+    Calibration about;          // without its points
+    std::filesystem::path out;  // empty: only the table
+    bool json = false;
+};
+Expected<Done> run(const CalibrateCommand& command);
 
 struct PlayCommand {
     CommonOptions common;
