@@ -50,7 +50,7 @@ struct StudyDesign {
 namespace limits {
 inline constexpr Range kRepetitions{1, 100};
 inline constexpr Range kAttentionPairs{0, 100};
-inline constexpr Range kSeed{0, 1e9};
+inline constexpr Range kStudySeed{0, 1e9};
 inline constexpr Range kPauseS{0, 60};
 inline constexpr Range kBreakEvery{0, 100'000};
 inline constexpr Range kSimilarity{0, 100};

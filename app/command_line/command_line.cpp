@@ -261,7 +261,7 @@ void add_study_design(CLI::App& study, StudyCommand& command) {
     const auto range = [](Range limits) { return CLI::Range(limits.low, limits.high); };
     CLI::App& design = *study.add_option_group("Design", "in place of the design in the set");
     design.add_option("--seed", command.seed, "of orders, sides and simulated answers")
-        ->check(range(limits::kSeed));
+        ->check(range(limits::kStudySeed));
     design.add_option("--repetitions", command.repetitions, "of every pair; the publication: 4")
         ->check(range(limits::kRepetitions));
     design.add_option("--attention", command.attention_pairs, "pairs of identical patterns")

@@ -74,7 +74,7 @@ const auto kTrials = std::to_array<NumberRow>({
            "Trials between two breaks; 0: none."),
      [](const StudyDesign& d) { return double(d.break_every); },
      [](StudyDesign& d, double value) { d.break_every = whole(value); }},
-    {count("study_seed", "Seed", {0, 100}, limits::kSeed,
+    {count("study_seed", "Seed", {0, 100}, limits::kStudySeed,
            "The order of trials and sides is drawn from the seed and the participant's code: the "
            "same again for the same two."),
      [](const StudyDesign& d) { return double(d.seed); },

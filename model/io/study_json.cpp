@@ -60,7 +60,7 @@ StudyDesign study_design_of(JsonObject& object, Json& unknown) {
         whole_field(object, "repetitions", design.repetitions, limits::kRepetitions);
     design.attention_pairs =
         whole_field(object, "attention_pairs", design.attention_pairs, limits::kAttentionPairs);
-    design.seed = whole_field(object, "seed", design.seed, limits::kSeed);
+    design.seed = whole_field(object, "seed", design.seed, limits::kStudySeed);
     design.order = static_cast<StudyOrder>(choice_field(object, "order", 0, kOrders));
     design.gap_s = number_field(object, "gap_s", design.gap_s, limits::kPauseS);
     design.rest_s = number_field(object, "rest_s", design.rest_s, limits::kPauseS);
