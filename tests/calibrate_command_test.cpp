@@ -13,9 +13,9 @@ using namespace tact;
 
 TEST_CASE("calibrate: the recording of its own signal gives the response, in a file of its own") {
     const TemporaryFolder folder;
-    const auto signal = folder.path() / "signal.wav";
-    const auto heard = folder.path() / "heard.wav";
-    const auto table = folder.path() / "coil.json";
+    const auto signal = folder.path / "signal.wav";
+    const auto heard = folder.path / "heard.wav";
+    const auto table = folder.path / "coil.json";
     for (const bool sweep : {false, true}) {
         std::vector<std::string> write{"calibrate", "--signal", signal.string()};
         std::vector<std::string> read{
@@ -51,7 +51,7 @@ TEST_CASE("calibrate: what cannot be is refused in a sentence") {
     const TemporaryFolder folder;
     CHECK(run_program({"calibrate"}).exit_code == 2);
     CHECK(run_program({"calibrate", "--signal", "a.wav", "--recording", "b.wav"}).exit_code == 2);
-    const auto signal = folder.path() / "signal.wav";
+    const auto signal = folder.path / "signal.wav";
     CHECK(contains(
         refusal_of({"calibrate", "--signal", signal.string(), "--low", "400", "--high", "300"}),
         "--high"));
