@@ -31,11 +31,11 @@ struct Measurement {
 struct Vibration {
     std::string name;  // unique in its set
     std::variant<Pattern, Measurement> source;
-    bool locked = false;   // not to be edited; picked in every subset
-    bool dropped = false;  // picked in none; never together with `locked`
-    std::string colour;  // "#RRGGBB", or empty: by position
+    bool locked = false;  // not to be edited; picked in every subset
+    std::string colour;   // "#RRGGBB", or empty: by position
     std::string note;
     std::string unknown_json;  // keys of the file that this version does not know, kept on save
+    bool dropped = false;      // from every subset; never together with `locked`
     bool generated = false;    // from the set's design space, and not changed by hand since
 
     bool operator==(const Vibration&) const = default;
