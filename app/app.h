@@ -13,6 +13,7 @@
 
 #include "app/document.h"
 #include "app/file_chooser.h"
+#include "app/generate_state.h"
 #include "app/history.h"
 #include "app/latest_job.h"
 #include "app/live_comparison.h"
@@ -21,6 +22,7 @@
 #include "app/live_stages.h"
 #include "app/pictures.h"
 #include "app/playhead.h"
+#include "app/rhythm_choice.h"
 #include "app/session.h"
 #include "app/stage_signals.h"
 #include "app/stages.h"
@@ -100,6 +102,8 @@ struct EditorState {
     bool typing_number = false;
     std::string rhythm_text;  // while being typed
     bool rhythm_typing = false;
+    RhythmChoice rhythms;
+    std::optional<NoteDrag> note_drag;
 };
 
 struct PaletteState {
@@ -209,7 +213,7 @@ struct TourState {
     ViewBeforeTour before;
 };
 
-enum class Dialog { none, about, keys, export_view, export_animation };
+enum class Dialog { none, about, keys, export_view, export_animation, generate };
 
 // What of the window is drawn as a picture.
 enum class PictureView { window, physiology, space, matrix };
@@ -293,6 +297,7 @@ struct App {
     ChooserPurpose chooser_purpose = ChooserPurpose::open_document;
     Dialog dialog = Dialog::none;
     ExportState exports;
+    GenerateState generate;
     TourState tour;
     std::shared_ptr<StudyState> study;  // never null after make_app()
     Session session;

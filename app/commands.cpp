@@ -11,6 +11,7 @@
 #include "app/editing.h"
 #include "app/exports.h"
 #include "app/files.h"
+#include "app/generating.h"
 #include "app/study_follow.h"
 #include "app/tour.h"
 #include "app/widgets.h"
@@ -159,6 +160,8 @@ const auto kCommands = std::to_array<Command>({
      [](const App& app) { return app.history.redo_label() != nullptr; }, redo},
     {"Edit", "New pattern", ctrl('n'), always, add_pattern, nullptr, "add vibration"},
     {"Edit", "Duplicate", ctrl('d'), has_selection, duplicate_selected},
+    {"Edit", "Generate candidates...", ctrl('g'), always, open_generate, nullptr,
+     "design space factorial sample sobol latin hypercube levels"},
     {"Edit", "Rename", special(key::kF1 + 1), has_selection, start_rename},
     {"Edit", "Lock or unlock", ctrl('l'), has_selection, toggle_locked},
     {"Edit", "Copy", ctrl('c'), has_selection, copy_selected},

@@ -6,6 +6,7 @@
 #include "app/bench_follow.h"
 #include "app/exports.h"
 #include "app/files.h"
+#include "app/panels/panels.h"
 #include "app/study_follow.h"
 #include "app/widgets.h"
 
@@ -32,6 +33,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y", "undo, redo"},
     {"Ctrl+O, Ctrl+S, Ctrl+Shift+S", "open, save, save as"},
     {"Ctrl+N, Ctrl+D, Del", "new pattern, duplicate, delete"},
+    {"Ctrl+G", "generate candidates from levels and ranges"},
     {"Ctrl+C, Ctrl+V, Ctrl+A", "copy, paste, select all patterns"},
     {"Space; comma, full stop", "play or pause; 5 ms back, on"},
     {"Wheel, Ctrl+wheel in a plot", "move through time, zoom; all plots follow"},
@@ -105,11 +107,11 @@ void draw_chooser(App& app) {
 
 }  // namespace
 
-bool begin_dialog(App& app, const char* title) {
+bool begin_dialog(App& app, const char* title, float width_px) {
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(screen * 0.5F, ImGuiCond_Always, {0.5F, 0.5F});
-    const float width = std::min(620.0F * app.theme.scale, screen.x * 0.9F);
+    const float width = std::min(width_px * app.theme.scale, screen.x * 0.9F);
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y * 0.9F});
     ImGui::SetNextWindowSize({width, 0.0F});
     return ImGui::BeginPopupModal(
@@ -117,11 +119,14 @@ bool begin_dialog(App& app, const char* title) {
         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
 }
 
+ImU32 dialog_field(const Theme& theme) { return theme.is_dark ? theme.pane : theme.field; }
+
 void draw_dialogs(App& app) {
     draw_chooser(app);
     draw_exports(app);
     if (app.dialog == Dialog::about) draw_about(app);
     if (app.dialog == Dialog::keys) draw_keys(app);
+    if (app.dialog == Dialog::generate) draw_generate_dialog(app);
 }
 
 }  // namespace tact

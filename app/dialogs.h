@@ -8,6 +8,10 @@ namespace tact {
 void draw_dialogs(App& app);
 
 // A dialog in the middle of the window; ImGui::EndPopup() where true.
-bool begin_dialog(App& app, const char* title);
+bool begin_dialog(App& app, const char* title, float width_px = 620.0F);
+
+// Of fields on the ground of dialogs and lists that open: the stock one is that ground, in the
+// dark.
+ImU32 dialog_field(const Theme& theme);
 
 }  // namespace tact

@@ -237,7 +237,7 @@ void rename_vibration(App& app, std::size_t index, const std::string& name) {
     if (app.partner == before) app.partner = name;
     all[index].name = name;
     all[index].generated = false;  // a name given by hand is to stay
-    app.fonts_outdated = true;  // the name may need new glyphs
+    app.fonts_outdated = true;     // the name may need new glyphs
     document_changed(app);
     commit_step(app, "Rename " + before);
 }

@@ -111,6 +111,7 @@ void make_jobs(App& app) {
 
 void stop_jobs(App& app) {
     stop_study(app);
+    app.generate.job.reset();
     app.findings_job.reset();
     app.difference_job.reset();
     app.comparison_job.reset();

@@ -28,6 +28,12 @@ void draw_findings(App& app, const Rect& area);
 // The knots of the physiology tables, as a part of the model bench.
 void draw_table_fields(App& app, const PhysiologyTables& original);
 
+// Over the window: which candidates to generate.
+void draw_generate_dialog(App& app);
+
+// The waveform of a vibration without axes, each to its own height.
+void draw_thumbnail(App& app, const Rect& area, const Vibration& vibration, ImU32 colour);
+
 // Windows of their own: the bar under the menus, and the text about a stage, beside its pane.
 float transport_height(const App& app);
 void draw_transport_bar(App& app, const Rect& area);

@@ -64,19 +64,6 @@ void draw_toolbar(App& app) {
     note_item(app.rects, "search");
 }
 
-void draw_thumbnail(App& app, const Rect& area, const Vibration& vibration, ImU32 colour) {
-    const Waveform& waveform = cached_waveform(app.cache, vibration);
-    Plot plot;
-    plot.area = area;
-    const double length_s = std::max(duration_s(waveform), 1e-3);
-    // Silence needs a scale, too; a shared one would hide quiet patterns.
-    const double largest_g = std::max(peak_g(waveform), 1e-6);
-    plot.x = {0.0, length_s, Scale::linear, area.min.x, area.max.x};
-    plot.y = {-largest_g, largest_g, Scale::linear, area.max.y, area.min.y};
-    draw_signal(*ImGui::GetWindowDrawList(), app.theme, plot, waveform.samples_g, waveform.rate_hz,
-                colour, TraceStyle::line);
-}
-
 std::string strength_text(const Vibration& vibration) {
     const auto* pattern = std::get_if<Pattern>(&vibration.source);
     if (pattern == nullptr) return "measured";
@@ -250,6 +237,19 @@ void draw_rows(App& app) {
 }
 
 }  // namespace
+
+void draw_thumbnail(App& app, const Rect& area, const Vibration& vibration, ImU32 colour) {
+    const Waveform& waveform = cached_waveform(app.cache, vibration);
+    Plot plot;
+    plot.area = area;
+    const double length_s = std::max(duration_s(waveform), 1e-3);
+    // Silence needs a scale, too; a shared one would hide quiet patterns.
+    const double largest_g = std::max(peak_g(waveform), 1e-6);
+    plot.x = {0.0, length_s, Scale::linear, area.min.x, area.max.x};
+    plot.y = {-largest_g, largest_g, Scale::linear, area.max.y, area.min.y};
+    draw_signal(*ImGui::GetWindowDrawList(), app.theme, plot, waveform.samples_g, waveform.rate_hz,
+                colour, TraceStyle::line);
+}
 
 PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index) {
     const auto own = parse_colour(set.vibrations[index].colour);
