@@ -21,6 +21,7 @@
 #include "app/live_map.h"
 #include "app/live_stages.h"
 #include "app/pictures.h"
+#include "app/play_state.h"
 #include "app/playhead.h"
 #include "app/rhythm_choice.h"
 #include "app/session.h"
@@ -213,7 +214,7 @@ struct TourState {
     ViewBeforeTour before;
 };
 
-enum class Dialog { none, about, keys, export_view, export_animation, generate };
+enum class Dialog { none, about, keys, devices, export_view, export_animation, generate };
 
 // What of the window is drawn as a picture.
 enum class PictureView { window, physiology, space, matrix };
@@ -277,6 +278,7 @@ struct App {
     bool show_people = false;  // their map over the predicted one
     ComparePanelState compare;
     Playhead playhead;
+    PlayState play;
     TimeRange time_range;  // of every time axis; of no length: the whole pattern
     PhysiologyState physiology;
     std::optional<MapProgress> map_progress;  // while it is being computed

@@ -12,6 +12,7 @@
 #include "app/exports.h"
 #include "app/files.h"
 #include "app/generating.h"
+#include "app/playing.h"
 #include "app/study_follow.h"
 #include "app/tour.h"
 #include "app/widgets.h"
@@ -54,8 +55,8 @@ void step_playhead(App& app) {
 }
 
 template <int kSlower>
-void set_speed(App& app) {
-    app.playhead.speed = 1.0 / kSlower;
+void set_speed_to(App& app) {
+    set_speed(app, 1.0 / kSlower);
 }
 
 template <int kSlower>
@@ -69,6 +70,7 @@ void rewind(App& app) {
 }
 
 void escape(App& app) {
+    if (app.play.escaped) return;
     if (app.palette.open) {
         app.palette.open = false;
     } else if (app.exports.animation) {
@@ -227,18 +229,22 @@ const auto kCommands = std::to_array<Command>({
      "animation"},
     {"View", "Bring hints back", {}, always, [](App& app) { app.session.dismissed_hints.clear(); }},
 
-    {"Play", "Play or pause", special(key::kSpace), has_selection, toggle_playing, nullptr,
-     "animate silently"},
+    {"Play", "Play or stop", special(key::kSpace), has_selection, toggle_playing, nullptr,
+     "feel animate silently pause"},
+    {"Play", "Play all in sequence", {}, can_sound, play_all, nullptr, "feel every pattern gap"},
+    {"Play", "Test buzz", {}, can_sound, play_test_buzz, nullptr, "try actuator device 150 Hz"},
+    {"Play", "Stop all sound", {}, is_sounding, [](App& app) { silence(app); }, nullptr,
+     "emergency silence esc"},
     {"Play", "Back to the start", special(key::kHome), has_selection, rewind, nullptr, "rewind"},
     {"Play", "5 ms on", plain('.'), has_selection, step_playhead<1>, nullptr, "step forward"},
     {"Play", "5 ms back", plain(','), has_selection, step_playhead<-1>, nullptr, "step back"},
-    {"Play", "In real time", {}, always, set_speed<1>, has_speed<1>, "speed"},
-    {"Play", "Ten times slower", {}, always, set_speed<10>, has_speed<10>, "speed slow motion"},
+    {"Play", "In real time", {}, always, set_speed_to<1>, has_speed<1>, "speed"},
+    {"Play", "Ten times slower", {}, always, set_speed_to<10>, has_speed<10>, "speed slow motion"},
     {"Play",
      "A hundred times slower",
      {},
      always,
-     set_speed<100>,
+     set_speed_to<100>,
      has_speed<100>,
      "speed slow motion"},
     {"Play",
@@ -248,6 +254,23 @@ const auto kCommands = std::to_array<Command>({
      [](App& app) { app.playhead.loop = !app.playhead.loop; },
      [](const App& app) { return app.playhead.loop; },
      "repeat"},
+    {"Play",
+     "A|B: alternate with the partner",
+     {},
+     has_selection,
+     [](App& app) { app.play.alternates = !app.play.alternates; },
+     [](const App& app) { return app.play.alternates; },
+     "compare feel pair"},
+    {"Play",
+     "Play on hover in the map",
+     {},
+     always,
+     [](App& app) { app.play.on_hover = !app.play.on_hover; },
+     [](const App& app) { return app.play.on_hover; },
+     "feel point space mouse"},
+    {"Play", "Devices...", {}, always, [](App& app) { app.dialog = Dialog::devices; }, nullptr,
+     "actuator sound card channel latency full scale output"},
+    {"Play", "Refresh devices", {}, always, refresh_devices, nullptr, "plugged in actuator"},
     {"Play",
      "Show the whole pattern",
      {},

@@ -35,7 +35,9 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Ctrl+N, Ctrl+D, Del", "new pattern, duplicate, delete"},
     {"Ctrl+G", "generate candidates from levels and ranges"},
     {"Ctrl+C, Ctrl+V, Ctrl+A", "copy, paste, select all patterns"},
-    {"Space; comma, full stop", "play or pause; 5 ms back, on"},
+    {"Space; comma, full stop", "play or stop; 5 ms back, on"},
+    {"Esc", "silences everything, at once"},
+    {"Double click on a point of the map", "play that pattern"},
     {"Wheel, Ctrl+wheel in a plot", "move through time, zoom; all plots follow"},
     {"Up, Down", "previous, next pattern"},
     {"Left, Right (Shift: five steps)", "nudge the field touched last"},
@@ -48,18 +50,6 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Drag, wheel, right drag in the space", "turn, zoom, move"},
     {"Drop files or a folder on the window", "open them"},
 });
-
-void end_dialog(App& app) {
-    ImGui::Spacing();
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
-    if (ImGui::Button("Close") || escape || enter) {
-        app.dialog = Dialog::none;
-        ImGui::CloseCurrentPopup();
-    }
-    note_item(app.rects, "button:close");
-    ImGui::EndPopup();
-}
 
 void draw_about(App& app) {
     if (!begin_dialog(app, "About tactspace")) return;
@@ -107,6 +97,18 @@ void draw_chooser(App& app) {
 
 }  // namespace
 
+void end_dialog(App& app) {
+    ImGui::Spacing();
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    if (ImGui::Button("Close") || escape || enter) {
+        app.dialog = Dialog::none;
+        ImGui::CloseCurrentPopup();
+    }
+    note_item(app.rects, "button:close");
+    ImGui::EndPopup();
+}
+
 bool begin_dialog(App& app, const char* title, float width_px) {
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -127,6 +129,7 @@ void draw_dialogs(App& app) {
     if (app.dialog == Dialog::about) draw_about(app);
     if (app.dialog == Dialog::keys) draw_keys(app);
     if (app.dialog == Dialog::generate) draw_generate_dialog(app);
+    if (app.dialog == Dialog::devices) draw_devices(app);
 }
 
 }  // namespace tact

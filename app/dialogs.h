@@ -14,4 +14,7 @@ bool begin_dialog(App& app, const char* title, float width_px = 620.0F);
 // dark.
 ImU32 dialog_field(const Theme& theme);
 
+// Its last line, with Close; Esc and Enter do the same.
+void end_dialog(App& app);
+
 }  // namespace tact

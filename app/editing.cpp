@@ -253,13 +253,6 @@ void toggle_locked(App& app) {
 
 double shown_duration_s(const App& app) { return longest_s(app.document.set); }
 
-void toggle_playing(App& app) {
-    Playhead& playhead = app.playhead;
-    const double end_s = shown_duration_s(app);
-    if (!playhead.playing && playhead.at_s >= end_s) playhead.at_s = 0.0;
-    playhead.playing = !playhead.playing && end_s > 0.0;
-}
-
 void say(App& app, const std::string& text) { app.status = {text, false, app.time_s}; }
 
 void complain(App& app, const std::string& text) { app.status = {text, true, app.time_s}; }

@@ -52,9 +52,6 @@ void toggle_locked(App& app);
 // Duration of what the panes show, s: of any pattern, padded as in its set.
 double shown_duration_s(const App& app);
 
-// Starts the playhead, from the start where it stood at the end, or halts it.
-void toggle_playing(App& app);
-
 // A line at the foot of the window.
 void say(App& app, const std::string& text);
 void complain(App& app, const std::string& text);

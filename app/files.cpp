@@ -5,6 +5,7 @@
 #include "app/autosave.h"
 #include "app/editing.h"
 #include "app/map_follow.h"
+#include "app/playing.h"
 #include "assets/assets.h"
 #include "model/io/atomic_file.h"
 #include "model/io/load.h"
@@ -176,6 +177,7 @@ Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>&
     app.dark = app.session.theme != "light";
     app.text_scale = std::clamp(static_cast<float>(app.session.text_scale), 0.75F, 2.0F);
     restore_layout(app);
+    restore_devices(app);
     if (!paths.empty()) {
         const auto aside = set_autosave_aside(app.session);
         open_paths(app, paths);
@@ -252,6 +254,7 @@ void end_session(App& app) {
     app.session.text_scale = static_cast<double>(app.text_scale);
     app.session.document = app.document.path;
     keep_layout(app);
+    keep_devices(app);
     // Nobody is left to read a status line; the next start says what could not be kept.
     (void)autosave(app.session, app.document);
     (void)close_session(app.session);

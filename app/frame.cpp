@@ -17,6 +17,7 @@
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
 #include "app/panels/study_pages.h"
+#include "app/playing.h"
 #include "app/study_follow.h"
 #include "app/tour.h"
 #include "app/widgets.h"
@@ -93,7 +94,8 @@ void follow_progress(App& app) {
 
 void follow_playhead(App& app) {
     const double duration_s = shown_duration_s(app);
-    app.playhead = advanced(app.playhead, app.frame_s, duration_s);
+    // What sounds has a clock of its own.
+    if (!is_sounding(app)) app.playhead = advanced(app.playhead, app.frame_s, duration_s);
     if (!app.playhead.playing) return;
     app.time_range = followed(fitted(app.time_range, duration_s), app.playhead.at_s, duration_s);
 }
@@ -125,6 +127,8 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
 void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.frame_s = std::clamp(time_s - app.time_s, 0.0, 0.1);
     app.time_s = time_s;
+    follow_sound(app);
+    if (was_pressed(pressed, key::kEscape)) app.play.escaped = silence(app);
     follow_playhead(app);
     follow_input_mode(app, pressed);
     take_answers(app);
@@ -175,9 +179,9 @@ bool is_bench_computing(const App& app) {
 bool wants_another_frame(const App& app) {
     const bool hover_rests = app.time_s - app.hover_since_s < 0.5;
     const bool tilts = app.time_s - app.physiology.tilt_since_s < 0.3;
-    return app.playhead.playing || is_study_playing(app) || is_exporting(app) || tilts ||
-           is_moving(app) || hover_rests || app.fonts_outdated ||
-           app.selection.hovered != app.selection.hovered_last ||
+    return app.playhead.playing || is_sounding(app) || app.play.meter > 0.0 ||
+           is_study_playing(app) || is_exporting(app) || tilts || is_moving(app) || hover_rests ||
+           app.fonts_outdated || app.selection.hovered != app.selection.hovered_last ||
            app.physiology.crosshair_s != app.physiology.crosshair_last_s;
 }
 

@@ -5,6 +5,7 @@
 #include "app/files.h"
 #include "app/frame.h"
 #include "app/map_follow.h"
+#include "app/playing.h"
 #include "app/window.h"
 
 namespace tact {
@@ -54,6 +55,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     const Expected<Done> started = start_session(app, sets);
     if (!started) return started.error();
     make_jobs(app);
+    make_sound(app);
     request_maps(app);
 
     WindowClient client;
@@ -68,6 +70,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     client.after_frame = [&app] { continue_exports(app); };
     const Expected<Done> answer = run_window(options_of(app), client);
     // The jobs end before what they wake does.
+    stop_sound(app);
     stop_jobs(app);
     end_session(app);
     return answer;

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr int kFormat = 1;
+constexpr std::size_t kKnownDevices = 20;
 
 fs::path settings_file(const fs::path& folder) { return folder / "session.json"; }
 fs::path running_mark(const fs::path& folder) { return folder / "running"; }
@@ -56,6 +57,23 @@ void take_strings(const json& from, const char* name, Each each) {
     }
 }
 
+// How the devices were used that have been chosen so far.
+void take_devices(const json& from, Session& session) {
+    take(from, "device", session.device);
+    take(from, "full_scale_g", 1e-3, 1e3, session.full_scale_g);
+    const auto at = from.find("device_choices");
+    if (at == from.end() || !at->is_array()) return;
+    for (const json& item : *at) {
+        DeviceChoice choice;
+        if (!item.is_object() || session.device_choices.size() == kKnownDevices) continue;
+        take(item, "id", choice.id);
+        take(item, "channel", 1, 1024, choice.channel);
+        take(item, "of_channels", 0, 1024, choice.of_channels);
+        take(item, "latency_offset_s", -1.0, 1.0, choice.latency_offset_s);
+        if (!choice.id.empty()) session.device_choices.push_back(choice);
+    }
+}
+
 void take_settings(const json& from, Session& session) {
     take_strings(from, "recent_files", [&](const std::string& path) {
         if (session.recent_files.size() < kRecentFiles) session.recent_files.emplace_back(path);
@@ -75,6 +93,7 @@ void take_settings(const json& from, Session& session) {
     std::string document;
     take(from, "document", document);
     session.document = document;
+    take_devices(from, session);
 }
 
 // The settings of an earlier run; those of another format, or none, are put aside by the owner.
@@ -95,6 +114,13 @@ void read_settings(Session& session) {
 }
 
 json settings_of(const Session& session) {
+    json devices = json::array();
+    for (const DeviceChoice& choice : session.device_choices) {
+        devices.push_back({{"id", choice.id},
+                           {"channel", choice.channel},
+                           {"of_channels", choice.of_channels},
+                           {"latency_offset_s", choice.latency_offset_s}});
+    }
     json recent = json::array();
     for (const fs::path& path : session.recent_files) recent.push_back(path.string());
     return {{"format", kFormat},
@@ -106,7 +132,10 @@ json settings_of(const Session& session) {
             {"window_height", session.window_height},
             {"window_maximised", session.window_maximised},
             {"dismissed_hints", session.dismissed_hints},
-            {"document", session.document.string()}};
+            {"document", session.document.string()},
+            {"device", session.device},
+            {"device_choices", devices},
+            {"full_scale_g", session.full_scale_g}};
 }
 
 bool make_folder(Session& session) {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "app/file_lock.h"
+#include "devices/device_info.h"
 #include "model/expected.h"
 
 namespace tact {
@@ -33,6 +34,9 @@ struct Session {
     bool window_maximised = false;
     std::set<std::string> dismissed_hints;
     std::filesystem::path document;  // open when the program last ended; empty: none with a file
+    std::string device;              // id of the one that plays; empty: silent
+    std::vector<DeviceChoice> device_choices;  // what was chosen of it, and of others before it
+    double full_scale_g = 1.0;
 
     // Of this run.
     std::filesystem::path folder;                  // empty: nothing can be kept

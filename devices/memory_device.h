@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "devices/device.h"
 
@@ -17,6 +18,10 @@ class MemoryDevice final : public Device {
     void stop() override { playing_.reset(); }
     DeviceStatus status() override;
 
+    // For a test to say how far it is, what it met, that it is lost: of its next statuses.
+    void pretend(double position_s, double peak, bool clipped, const std::string& trouble = {});
+    void end() { playing_.reset(); }
+
     // What is playing, and how, for a test to look at.
     const std::optional<Drive>& playing() const { return playing_; }
     bool looping() const { return loop_; }
@@ -27,6 +32,7 @@ class MemoryDevice final : public Device {
     bool loop_ = false;
     double level_ = 1.0;
     std::optional<Drive> playing_;
+    DeviceStatus pretended_;
 };
 
 }  // namespace tact

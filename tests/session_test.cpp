@@ -50,6 +50,9 @@ TEST_CASE("session: what is set in one run is there in the next") {
         session.window_height = 777;
         session.window_maximised = true;
         session.dismissed_hints = {"space", "editor"};
+        session.device = "audio/ALSA/pulse";
+        session.device_choices = {{"audio/ALSA/pulse", 2, 4, 0.02}, {"audio/JACK/system", 1, 0, 0}};
+        session.full_scale_g = 2.5;
         session.document = "/somewhere/caf\u00e9 \"1\".tactspace.json";
         remember_file(session, "/a.tactspace.json");
         REQUIRE(close_session(session));
@@ -64,6 +67,10 @@ TEST_CASE("session: what is set in one run is there in the next") {
     CHECK(session.window_height == 777);
     CHECK(session.window_maximised);
     CHECK(session.dismissed_hints == std::set<std::string>{"space", "editor"});
+    CHECK(session.device == "audio/ALSA/pulse");
+    CHECK(session.device_choices == std::vector<DeviceChoice>{{"audio/ALSA/pulse", 2, 4, 0.02},
+                                                              {"audio/JACK/system", 1, 0, 0}});
+    CHECK(session.full_scale_g == 2.5);
     CHECK(session.document == "/somewhere/caf\u00e9 \"1\".tactspace.json");
     CHECK(session.recent_files == std::vector<fs::path>{"/a.tactspace.json"});
 }

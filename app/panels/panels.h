@@ -39,6 +39,13 @@ float transport_height(const App& app);
 void draw_transport_bar(App& app, const Rect& area);
 void draw_explain_window(App& app, const Rect& beside);
 
+// Of the bar: device, level, meter, clip light; without `level` the device alone.
+void draw_sound_controls(App& app, bool level);
+float sound_controls_width(const App& app, bool level);
+
+// The dialog of devices.
+void draw_devices(App& app);
+
 // Mark and colour of the pattern at a position: its own colour, else by position.
 PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index);
 PatternLook look_of(const App& app, std::size_t index);

@@ -6,6 +6,7 @@
 #include "app/editing.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
+#include "app/playing.h"
 #include "app/widgets.h"
 #include "viz/marks.h"
 #include "viz/plot.h"
@@ -134,7 +135,12 @@ SpaceScene scene_of(const App& app, const std::vector<std::string>& labels,
 
 void act(App& app, const SpaceAction& action,
          const std::vector<std::optional<std::size_t>>& places) {
-    if (action.hovered && places[*action.hovered]) app.selection.hovered = places[*action.hovered];
+    if (action.hovered && places[*action.hovered]) {
+        app.selection.hovered = app.play.hovered_in_map = places[*action.hovered];
+    }
+    if (action.double_clicked && places[*action.double_clicked]) {
+        play_once(app, *places[*action.double_clicked]);
+    }
     if (action.clicked && places[*action.clicked]) {
         select_only(app, *places[*action.clicked]);
         app.set_panel.scroll_to_current = true;

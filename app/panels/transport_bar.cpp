@@ -8,6 +8,7 @@
 #include "app/editing.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
+#include "app/playing.h"
 #include "app/time_left.h"
 #include "app/widgets.h"
 #include "viz/colour.h"
@@ -17,7 +18,7 @@ namespace tact {
 
 namespace {
 
-enum class Icon { play, pause, to_start, back, forward, loop };
+enum class Icon { play, pause, stop, to_start, back, forward, loop };
 
 void draw_triangle(ImDrawList& list, ImVec2 centre, float size, float way, ImU32 colour) {
     const float half = size * 0.5F;
@@ -38,6 +39,9 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 colour)
         case Icon::pause:
             upright(at.x - size * 0.25F);
             return upright(at.x + size * 0.25F);
+        case Icon::stop:
+            return list.AddRectFilled({at.x - half * 0.85F, at.y - half * 0.85F},
+                                      {at.x + half * 0.85F, at.y + half * 0.85F}, colour);
         case Icon::to_start:
             upright(at.x - half);
             return draw_triangle(list, {at.x + bar * 0.5F, at.y}, size * 0.9F, -1.0F, colour);
@@ -87,7 +91,7 @@ void draw_speeds(App& app) {
     for (const Speed& speed : kSpeeds) {
         const bool chosen = app.playhead.speed == speed.speed;
         if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, faded(app.theme.accent, 0.35F));
-        if (ImGui::Button(speed.text)) app.playhead.speed = speed.speed;
+        if (ImGui::Button(speed.text)) set_speed(app, speed.speed);
         if (chosen) ImGui::PopStyleColor();
         note_item(app.rects, std::string("speed:") + speed.text, chosen ? "chosen" : "");
         draw_tooltip(app, speed.tip);
@@ -142,20 +146,23 @@ struct BarParts {
     bool computing_in_full = true;
     bool whole = true;
     bool range = true;
+    bool level = true;
     bool speeds = true;
     bool steps = true;
     bool computing = true;
     bool loop = true;
 };
-constexpr std::array<bool BarParts::*, 7> kFirstToGo{&BarParts::computing_in_full,
+constexpr std::array<bool BarParts::*, 8> kFirstToGo{&BarParts::computing_in_full,
                                                      &BarParts::whole,
                                                      &BarParts::range,
+                                                     &BarParts::level,
                                                      &BarParts::speeds,
                                                      &BarParts::steps,
                                                      &BarParts::computing,
                                                      &BarParts::loop};
 
 constexpr const char* kShowAll = "Show all";
+constexpr float kAlternateSides = 1.5F;  // width of A|B, of its height
 
 float bar_width(const App& app, const BarParts& parts) {
     const float gap = app.theme.gap_px;
@@ -164,10 +171,12 @@ float bar_width(const App& app, const BarParts& parts) {
     const TimeTexts time = time_texts(app);
     const ComputingTexts computing = computing_texts(app);
     float sum = icon * (1.0F + (parts.steps ? 3.0F : 0.0F) + (parts.loop ? 1.0F : 0.0F));
+    if (parts.loop) sum += kAlternateSides * ImGui::GetFrameHeight() + 0.5F * gap;
     if (parts.speeds) {
         sum += app.theme.padding_px;
         for (const Speed& speed : kSpeeds) sum += button_width(speed.text) + 0.5F * gap;
     }
+    sum += app.theme.padding_px + sound_controls_width(app, parts.level);
     sum += app.theme.padding_px + text_size(app.theme.fonts.semibold, time.at).x;
     if (parts.whole) sum += 0.75F * gap + width(time.whole);
     if (!time.range.empty()) {
@@ -245,12 +254,55 @@ void draw_computing(App& app, const BarParts& parts) {
     note_item(app.rects, std::string("map:") + texts.action);
 }
 
+// "A|B", the one that sounds bright.
+void draw_alternate(App& app) {
+    const Theme& theme = app.theme;
+    const float side = ImGui::GetFrameHeight();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("alternate", {kAlternateSides * side, side})) {
+        app.play.alternates = !app.play.alternates;
+    }
+    const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    const bool lit = app.play.alternates;
+    note_item(app.rects, "transport:A|B", lit ? "on" : "off");
+    draw_tooltip(app,
+                 "Plays the current pattern and its partner in turn. The partner is the pattern "
+                 "compared with, else the one chosen in the matrix or map, else the closest one.");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (lit || over) {
+        list.AddRectFilled(corner, corner + ImVec2{kAlternateSides * side, side},
+                           lit ? faded(theme.accent, 0.28F) : theme.hover, theme.rounding_px);
+    }
+    const std::optional<Sounding>& sounding = app.play.sounding;
+    const bool in_turn = sounding && sounding->names.size() == 2;
+    const std::array<const char*, 3> letters{"A", "|", "B"};
+    float x =
+        corner.x + 0.5F * kAlternateSides * side - 0.5F * text_size(theme.fonts.semibold, "A|B").x;
+    for (std::size_t k = 0; k < letters.size(); ++k) {
+        const bool sounds = in_turn && k == 2 * sounding->at && !sounding->rests_until_s;
+        const ImU32 ink = sounds ? theme.accent : lit && !in_turn ? theme.accent : theme.text;
+        draw_text(list, theme.fonts.semibold, {x, corner.y + ImGui::GetStyle().FramePadding.y},
+                  k == 1 || (in_turn && !sounds) ? theme.dim_text : ink, letters[k]);
+        x += text_size(theme.fonts.semibold, letters[k]).x;
+    }
+    ImGui::SameLine(0.0F, theme.gap_px * 0.5F);
+}
+
+const char* play_tip(const App& app) {
+    if (is_sounding(app)) return "Stop (Space; Esc silences everything)";
+    if (app.playhead.playing) return "Pause (Space)";
+    if (!can_sound(app)) return "Play silently (Space)";
+    return app.playhead.speed == 1.0
+               ? "Play (Space)"
+               : "Play silently, in slow motion; at 1\u00d7 it is felt (Space)";
+}
+
 void draw_buttons(App& app, const BarParts& parts) {
     Playhead& playhead = app.playhead;
     const double duration_s = shown_duration_s(app);
     const bool playing = playhead.playing;
-    if (icon_button(app, "play", playing ? Icon::pause : Icon::play, playing,
-                    playing ? "Pause (Space)" : "Play silently (Space)")) {
+    const Icon halt = is_sounding(app) ? Icon::stop : Icon::pause;
+    if (icon_button(app, "play", playing ? halt : Icon::play, playing, play_tip(app))) {
         toggle_playing(app);
     }
     if (parts.steps) {
@@ -268,6 +320,7 @@ void draw_buttons(App& app, const BarParts& parts) {
         icon_button(app, "loop", Icon::loop, playhead.loop, "Start over at the end")) {
         playhead.loop = !playhead.loop;
     }
+    if (parts.loop) draw_alternate(app);
 }
 
 }  // namespace
@@ -286,6 +339,8 @@ void draw_transport_bar(App& app, const Rect& area) {
                          ImGuiWindowFlags_NoBringToFrontOnFocus)) {
         const BarParts parts = fitting_parts(app, area.width() - 2.0F * app.theme.padding_px);
         draw_buttons(app, parts);
+        ImGui::SameLine(0.0F, app.theme.padding_px);
+        draw_sound_controls(app, parts.level);
         if (parts.speeds) {
             ImGui::SameLine(0.0F, app.theme.padding_px);
             draw_speeds(app);
