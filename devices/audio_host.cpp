@@ -1,7 +1,5 @@
 #include "devices/audio_host.h"
 
-#include <alsa/error.h>
-#include <jack/jack.h>
 #include <pa_jack.h>
 #include <portaudio.h>
 
@@ -14,6 +12,7 @@
 
 #include "devices/audio_names.h"
 #include "devices/audio_stream.h"
+#include "devices/library_noise.h"
 
 namespace tact {
 
@@ -22,16 +21,6 @@ namespace {
 constexpr auto kPoll = std::chrono::milliseconds(10);
 constexpr int kMostPollsAtEnd = 100;
 constexpr int kMostServerChannels = 8;
-
-// The libraries below write of every card they did not find: no news to a person.
-void ignore_alsa(const char*, int, const char*, int, const char*, ...) {}
-void ignore_jack(const char*) {}
-
-void silence_libraries() {
-    snd_lib_error_set_handler(ignore_alsa);
-    jack_set_error_function(ignore_jack);
-    jack_set_info_function(ignore_jack);
-}
 
 // No server is started behind a person's back, and PipeWire does not move a stream to another
 // device when its own is gone. Other values that a person has set stay.
@@ -54,7 +43,7 @@ struct NumberedOutput {
 
 DeviceInfo info_of(const PaDeviceInfo& device, const std::string& interface) {
     DeviceInfo info;
-    info.name = card_name(device.name);
+    info.name = spoken_name(interface, device.name);
     info.interface = interface;
     info.is_server = is_sound_server(interface, device.name);
     const int channels = info.is_server ? std::min(device.maxOutputChannels, kMostServerChannels)
@@ -103,6 +92,7 @@ int output_numbered(const std::string& id) {
 
 AudioHost::AudioHost() {
     set_environment();
+    filter_standard_error();
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 

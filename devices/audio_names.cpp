@@ -33,6 +33,13 @@ std::string card_name(std::string_view name) {
     return std::string(has_place ? name.substr(0, place) : name);
 }
 
+std::string spoken_name(std::string_view interface, std::string_view name) {
+    if (interface == "JACK") return "JACK " + std::string(name);
+    if (!is_sound_server(interface, name)) return card_name(name);
+    if (name == "pulse") return "PulseAudio";
+    return name == "pipewire" ? "PipeWire" : "Default output";
+}
+
 bool is_alias(std::string_view interface, std::string_view name) {
     if (interface != "ALSA") return false;
     return std::ranges::find(kAliases, name) != kAliases.end() || name.starts_with("surround");

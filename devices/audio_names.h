@@ -12,6 +12,9 @@ namespace tact {
 // "UMC204HD: USB Audio (hw:2,0)" without the place in brackets, which changes from day to day.
 std::string card_name(std::string_view name);
 
+// What a person calls it: "PulseAudio" for ALSA's "pulse", "JACK system".
+std::string spoken_name(std::string_view interface, std::string_view name);
+
 // Other names for a card that is listed anyway, converters and the like: "surround51", "dmix".
 bool is_alias(std::string_view interface, std::string_view name);
 

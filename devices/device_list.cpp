@@ -5,6 +5,8 @@
 #include <charconv>
 
 #include "devices/audio_device.h"
+#include "devices/hid_actuator.h"
+#include "devices/hid_device.h"
 
 namespace tact {
 
@@ -21,6 +23,28 @@ std::string quoted_list(const std::vector<std::string>& names) {
     return list;
 }
 
+std::string hid_id(const HidActuator& actuator) { return "hid/" + lasting_id(actuator); }
+
+DeviceInfo info_of(const HidActuator& actuator) {
+    DeviceInfo info;
+    info.id = hid_id(actuator);
+    info.kind = DeviceKind::hid;
+    info.name = actuator.name;
+    info.interface = actuator.bus == HidBus::bluetooth ? "Bluetooth" : "USB";
+    const Expected<Done> usable = may_be_opened(actuator);
+    if (!usable) info.trouble = usable.error().message;
+    return info;
+}
+
+Expected<std::unique_ptr<Device>> open_controller(const DeviceInfo& device) {
+    for (const HidActuator& actuator : hid_actuators()) {
+        if (hid_id(actuator) == device.id) {
+            return std::unique_ptr<Device>(std::make_unique<HidDevice>(actuator));
+        }
+    }
+    return Error{device.name + " is not there: plug it in, or choose another"};
+}
+
 // How many channels a stream to it has.
 int stream_channels(const DeviceInfo& device, const DeviceChoice& choice) {
     const auto most = static_cast<int>(device.channels.size());
@@ -33,7 +57,11 @@ int stream_channels(const DeviceInfo& device, const DeviceChoice& choice) {
 
 }  // namespace
 
-std::vector<DeviceInfo> list_devices(AudioHost& host) { return host.outputs(); }
+std::vector<DeviceInfo> list_devices(AudioHost& host) {
+    std::vector<DeviceInfo> devices = host.outputs();
+    for (const HidActuator& actuator : hid_actuators()) devices.push_back(info_of(actuator));
+    return devices;
+}
 
 Expected<DeviceInfo> find_device(const std::vector<DeviceInfo>& devices,
                                  const std::string& wanted) {
@@ -73,6 +101,7 @@ Expected<int> find_channel(const DeviceInfo& device, const std::string& wanted) 
 Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& host,
                                               const DeviceInfo& device,
                                               const DeviceChoice& choice) {
+    if (device.kind == DeviceKind::hid) return open_controller(device);
     const int channels = stream_channels(device, choice);
     if (choice.channel < 1 || choice.channel > channels) {
         return Error{device.name + " has no channel " + std::to_string(choice.channel) +

@@ -33,6 +33,12 @@ TEST_CASE("audio names: a card keeps its identity when it comes to another place
     CHECK(card_name("speakers (left)") == "speakers (left)");
 }
 
+TEST_CASE("audio names: servers are called what people call them") {
+    CHECK(spoken_name("ALSA", "pulse") == "PulseAudio");
+    CHECK(spoken_name("JACK", "system") == "JACK system");
+    CHECK(spoken_name("ALSA", "UMC204HD: USB Audio (hw:2,0)") == "UMC204HD: USB Audio");
+}
+
 TEST_CASE("audio names: converters and other names of a card are not listed") {
     CHECK(is_alias("ALSA", "surround51"));
     CHECK(is_alias("ALSA", "dmix"));

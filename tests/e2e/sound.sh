@@ -119,5 +119,6 @@ notices_loss() {
     wait "$playing" || code=$?
     [ "$code" -eq 1 ] || fail "exit code $code when the server was gone"
     grep -q "is gone: it stopped taking sound" "$scratch/err" || fail "no word about the loss"
+    ! grep -v "^tactspace: " "$scratch/err" || fail "the libraries' own words reach the terminal"
     echo "noticed: $(tail -n 1 "$scratch/err")"
 }
