@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "app/latest_job.h"
-#include "devices/audio_host.h"
 #include "devices/device.h"
 #include "devices/device_info.h"
 #include "devices/drive.h"
 #include "model/pattern_set.h"
 
 namespace tact {
+
+class AudioHost;  // devices/audio_host.h
 
 // Patterns to be felt, one after the other; of the test buzz none.
 struct Sounding {

@@ -7,6 +7,7 @@
 #include "app/bench_follow.h"
 #include "app/editing.h"
 #include "app/study_follow.h"
+#include "devices/audio_host.h"
 #include "devices/device_list.h"
 #include "devices/memory_device.h"
 
@@ -325,6 +326,10 @@ void set_speed(App& app, double speed) {
         start(app, of_transport(app));
     }
 }
+
+void toggle_alternating(App& app) { app.play.alternates = !app.play.alternates; }
+
+bool is_alternating(const App& app) { return app.play.alternates; }
 
 void play_once(App& app, std::size_t index) {
     if (index >= app.document.set.vibrations.size()) return;

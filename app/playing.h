@@ -47,6 +47,9 @@ bool is_sounding(const App& app);  // or rests between two patterns
 void toggle_playing(App& app);
 void set_speed(App& app, double speed);
 
+void toggle_alternating(App& app);
+bool is_alternating(const App& app);
+
 void play_once(App& app, std::size_t index);  // silently without a device
 void play_all(App& app);
 void play_test_buzz(App& app);

@@ -137,6 +137,13 @@ bool AudioHost::refresh() {
     return true;
 }
 
+void AudioHost::make_room() {
+    std::erase_if(open_, [](const auto& stream) {
+        if (stream->is_released()) stream->close();
+        return stream->is_released();
+    });
+}
+
 void AudioHost::poll_streams() {
     std::erase_if(open_, [this](const auto& stream) {
         const StreamState state = stream->poll();

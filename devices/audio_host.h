@@ -37,7 +37,8 @@ class AudioHost {
 
     // On the thread only.
     void watch(std::shared_ptr<AudioStream> stream);
-    bool refresh();  // false: something plays, and all stays as it is
+    bool refresh();    // false: something plays, and all stays as it is
+    void make_room();  // closes what was released: a card may take one stream only
     bool is_stuck() const { return is_stuck_; }
 
   private:

@@ -99,7 +99,9 @@ DeviceStatus AudioStream::status() {
     const double since_s = steady_s() + clock_offset_s_.load() - playback_.origin_s.load() -
                            lead_s_.load() - place_.latency_offset_s;
     if (looping_.load()) {
-        const double rest_s = duration_s > 0.0 ? std::fmod(since_s, duration_s) : 0.0;
+        // Before the first round is heard there is none to be at the end of.
+        if (duration_s <= 0.0 || (since_s < 0.0 && playback_.rounds.load() == 0)) return status;
+        const double rest_s = std::fmod(since_s, duration_s);
         status.position_s = rest_s < 0.0 ? rest_s + duration_s : rest_s;
         return status;
     }
@@ -136,6 +138,7 @@ Expected<Done> AudioStream::open(AudioHost& host) {
             "the sound server went away in a way that sound cannot be started again: "
             "start tactspace anew"};
     }
+    host.make_room();
     if (output_numbered(place_.id) < 0) host.refresh();
     Expected<Done> opened = open_once();
     // A server that was started anew, a card that was taken out and put back.

@@ -49,6 +49,7 @@ class AudioStream {
     void release();            // stops, and closes after a last silence
     void close();              // at once
     bool is_sounding() const;  // or about to, or fading
+    bool is_released() const { return released_; }
 
   private:
     struct Retired {

@@ -39,6 +39,7 @@ void begin_clip(Playback& playback, const Clip* clip, float gain) {
     own.gain = gain;  // nothing sounds yet that could jump
     own.has_ended = clip == nullptr || clip->samples.empty();
     if (clip == nullptr) return;
+    playback.rounds.store(0, std::memory_order_relaxed);
     playback.begun.store(clip->serial, std::memory_order_release);
     if (own.has_ended) end_clip(playback);
 }
@@ -60,6 +61,7 @@ float next_sample(Playback& playback, bool leaving, float fade_step) {
     if (leaving) own.fade -= fade_step;
     if (++own.at == own.clip->samples.size()) {
         own.at = 0;
+        playback.rounds.fetch_add(1, std::memory_order_relaxed);
         if (!own.clip->loop) end_clip(playback);
     }
     if (!own.has_ended && own.fade <= 0.0F) end_clip(playback);

@@ -46,6 +46,7 @@ struct Playback {
     // From the callback.
     std::atomic<const Clip*> held = nullptr;  // being read
     std::atomic<std::uint64_t> begun = 0;     // serial of the clip that began last
+    std::atomic<std::uint64_t> rounds = 0;    // of a loop that are through, since it began
     std::atomic<std::uint64_t> ended = 0;     // ... and that ended, or was stopped
     std::atomic<double> origin_s = 0.0;  // stream time at which the begun clip's start is heard
     std::atomic<std::uint64_t> calls = 0;

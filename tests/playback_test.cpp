@@ -191,8 +191,10 @@ TEST_CASE(
     stream.playback.wanted = &clip;
     stream.run(kPad + 2400);
     CHECK(std::abs(stream.playback.origin_s - 0.1) < 1e-9);
+    CHECK(stream.playback.rounds == 0);
     stream.run(9600 + 240);  // the call that begins the next round tells it in the one after
     CHECK(std::abs(stream.playback.origin_s - 0.3) < 1e-9);
+    CHECK(stream.playback.rounds == 1);
 }
 
 TEST_CASE("playback: an empty clip ends as it begins") {

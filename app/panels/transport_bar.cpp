@@ -260,7 +260,7 @@ void draw_alternate(App& app) {
     const float side = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton("alternate", {kAlternateSides * side, side})) {
-        app.play.alternates = !app.play.alternates;
+        toggle_alternating(app);
     }
     const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
     const bool lit = app.play.alternates;
