@@ -163,6 +163,7 @@ void HidDevice::perform(const Play& play, const std::stop_token& quit) {
         for (std::size_t k = 0; going && k < plan.size(); ++k) {
             const double at_s = pass_s + static_cast<double>(k) * period_s_;
             const Clock::time_point deadline = begin + nanoseconds(at_s);
+            if (is_too_late(deadline)) continue;
             prepare(plan, k, deadline);
             going = wait_until(deadline, quit) && send_if_due(plan.frame(k).rumble);
         }
@@ -172,6 +173,14 @@ void HidDevice::perform(const Play& play, const std::stop_token& quit) {
         }
     }
     end_in_silence(quit);
+}
+
+// By a whole period: the next frame is due, and the time to make this one is better spent on that.
+bool HidDevice::is_too_late(Clock::time_point deadline) {
+    if (Clock::now() < deadline + nanoseconds(period_s_)) return false;
+    const std::lock_guard lock(mutex_);
+    ++statistics_.skipped;
+    return true;
 }
 
 // Makes frame k, and as many after it as the time until its deadline is good for: later ones may
@@ -202,10 +211,6 @@ bool HidDevice::send_if_due(const RumbleFrame& frame) {
     {
         const std::lock_guard lock(mutex_);
         level = level_;
-        if (!late_s_.empty() && late_s_.back() > period_s_) {
-            ++statistics_.skipped;
-            return true;
-        }
         status_.peak = std::max(status_.peak, level * std::max(frame.low, frame.high));
     }
     const RumbleFrame now = scaled(frame, level);

@@ -73,6 +73,7 @@ class HidDevice final : public Device {
     void run(const std::stop_token& quit);
     bool ready();
     void perform(const Play& play, const std::stop_token& quit);
+    bool is_too_late(Clock::time_point deadline);
     static void prepare(RumblePlan& plan, std::size_t k, Clock::time_point deadline);
     bool wait_until(Clock::time_point deadline, const std::stop_token& quit);
     bool send_if_due(const RumbleFrame& frame);
