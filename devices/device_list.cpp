@@ -5,7 +5,6 @@
 #include <charconv>
 
 #include "devices/audio_device.h"
-#include "devices/hid_actuator.h"
 #include "devices/hid_device.h"
 
 namespace tact {
@@ -23,28 +22,6 @@ std::string quoted_list(const std::vector<std::string>& names) {
     return list;
 }
 
-std::string hid_id(const HidActuator& actuator) { return "hid/" + lasting_id(actuator); }
-
-DeviceInfo info_of(const HidActuator& actuator) {
-    DeviceInfo info;
-    info.id = hid_id(actuator);
-    info.kind = DeviceKind::hid;
-    info.name = actuator.name;
-    info.interface = actuator.bus == HidBus::bluetooth ? "Bluetooth" : "USB";
-    const Expected<Done> usable = may_be_opened(actuator);
-    if (!usable) info.trouble = usable.error().message;
-    return info;
-}
-
-Expected<std::unique_ptr<Device>> open_controller(const DeviceInfo& device) {
-    for (const HidActuator& actuator : hid_actuators()) {
-        if (hid_id(actuator) == device.id) {
-            return std::unique_ptr<Device>(std::make_unique<HidDevice>(actuator));
-        }
-    }
-    return Error{device.name + " is not there: plug it in, or choose another"};
-}
-
 // How many channels a stream to it has.
 int stream_channels(const DeviceInfo& device, const DeviceChoice& choice) {
     const auto most = static_cast<int>(device.channels.size());
@@ -53,6 +30,27 @@ int stream_channels(const DeviceInfo& device, const DeviceChoice& choice) {
     // A server mixes what does not match its outputs: stereo does no harm, and more only on
     // request.
     return std::min(std::max(2, choice.channel + choice.channel % 2), most);
+}
+
+DeviceInfo info_of(const HidActuator& actuator) {
+    DeviceInfo info;
+    info.id = lasting_id(actuator);
+    info.kind = DeviceKind::hid;
+    info.name = actuator.name;
+    info.interface = actuator.bus == HidBus::bluetooth ? "Bluetooth" : "USB";
+    info.latency_s = packet_period_s(actuator);
+    if (const auto allowed = may_be_opened(actuator); !allowed) {
+        info.trouble = allowed.error().message;
+    }
+    return info;
+}
+
+Expected<std::unique_ptr<Device>> open_hid(const DeviceInfo& device) {
+    for (HidActuator& actuator : hid_actuators()) {
+        if (lasting_id(actuator) != device.id) continue;
+        return std::unique_ptr<Device>(std::make_unique<HidDevice>(std::move(actuator)));
+    }
+    return Error{device.name + " is not there any more: connect it again"};
 }
 
 }  // namespace
@@ -86,6 +84,7 @@ Expected<DeviceInfo> find_device(const std::vector<DeviceInfo>& devices,
 
 Expected<int> find_channel(const DeviceInfo& device, const std::string& wanted) {
     const auto count = static_cast<int>(device.channels.size());
+    if (count == 0) return Error{device.name + " has no channels to choose from"};
     int number = 0;
     const char* end = wanted.data() + wanted.size();
     const auto read = std::from_chars(wanted.data(), end, number);
@@ -101,7 +100,7 @@ Expected<int> find_channel(const DeviceInfo& device, const std::string& wanted) 
 Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& host,
                                               const DeviceInfo& device,
                                               const DeviceChoice& choice) {
-    if (device.kind == DeviceKind::hid) return open_controller(device);
+    if (device.kind == DeviceKind::hid) return open_hid(device);
     const int channels = stream_channels(device, choice);
     if (choice.channel < 1 || choice.channel > channels) {
         return Error{device.name + " has no channel " + std::to_string(choice.channel) +

@@ -260,13 +260,28 @@ void HidDevice::lose(const std::string& why) {
 
 // Between plays: unplugged, or there again.
 void HidDevice::watch() {
-    const bool there = port_ ? port_->is_there() : door_.may_be_opened(actuator_).operator bool();
-    if (port_ && !there) return lose(actuator_.name + " was unplugged, or is out of reach");
-    const std::lock_guard lock(mutex_);
-    if (there && !status_.connected) {
-        status_.connected = true;
-        status_.trouble.clear();
+    bool connected = false;
+    {
+        const std::lock_guard lock(mutex_);
+        connected = status_.connected;
     }
+    if (port_ && !port_->is_there()) {
+        return lose(actuator_.name + " was unplugged, or is out of reach");
+    }
+    if (connected || !is_back()) return;
+    const std::lock_guard lock(mutex_);
+    status_.connected = true;
+    status_.trouble.clear();
+}
+
+// Perhaps as another node than before.
+bool HidDevice::is_back() {
+    for (const HidActuator& actuator : door_.list()) {
+        if (lasting_id(actuator) != lasting_id(actuator_)) continue;
+        actuator_ = actuator;
+        return door_.may_be_opened(actuator_).operator bool();
+    }
+    return false;
 }
 
 }  // namespace tact

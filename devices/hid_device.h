@@ -42,6 +42,7 @@ inline constexpr int kNeutralPackets = 5;
 
 // The way to the controllers: the real one, unless a test has its own.
 struct HidDoor {
+    std::function<std::vector<HidActuator>()> list = hid_actuators;
     std::function<Expected<Done>(const HidActuator&)> may_be_opened = tact::may_be_opened;
     std::function<Expected<HidPort>(const std::string& path)> open = open_hid_port;
 };
@@ -81,8 +82,9 @@ class HidDevice final : public Device {
     void end_in_silence(const std::stop_token& quit);
     void lose(const std::string& why);
     void watch();
+    bool is_back();
 
-    HidActuator actuator_;
+    HidActuator actuator_;  // after the constructor the thread's own
     HidDoor door_;
     double period_s_;
 

@@ -86,6 +86,10 @@ HidActuator actuator(ActuatorKind kind, HidBus bus) {
 
 HidDevice device_on(const std::shared_ptr<FakePad>& pad, const HidActuator& which) {
     HidDoor door;
+    door.list = [pad, which] {
+        const std::lock_guard lock(pad->mutex);
+        return pad->is_there ? std::vector{which} : std::vector<HidActuator>{};
+    };
     door.may_be_opened = [pad](const HidActuator&) -> Expected<Done> {
         const std::lock_guard lock(pad->mutex);
         return pad->is_there ? Expected<Done>(Done{}) : Error{"the pad is not there"};

@@ -113,9 +113,9 @@ Expected<Done> run(const PlayCommand& command) {
     const auto device = open_device(host, chosen->info, chosen->choice);
     if (!device) return device.error();
     (*device)->set_level(command.level);
-    std::cerr << "tactspace: playing on " << chosen->info.name << ", channel "
-              << chosen->choice.channel << ", uncalibrated: full scale stands for "
-              << command.full_scale_g << " g\n";
+    std::cerr << "tactspace: playing on " << chosen->info.name;
+    if (!chosen->info.channels.empty()) std::cerr << ", channel " << chosen->choice.channel;
+    std::cerr << ", uncalibrated: full scale stands for " << command.full_scale_g << " g\n";
     nlohmann::json reports = nlohmann::json::array();
     for (std::size_t k = 0; k < places->size(); ++k) {
         if (k > 0 && !waited(command.gap_s, interrupt.token())) return Error{"stopped"};
