@@ -23,6 +23,7 @@
 #include "app/pictures.h"
 #include "app/play_state.h"
 #include "app/playhead.h"
+#include "app/rendering_state.h"
 #include "app/rhythm_choice.h"
 #include "app/session.h"
 #include "app/stage_signals.h"
@@ -156,7 +157,7 @@ struct PhysiologyState {
 enum class MatrixQuantity { pm, nc, oc };
 
 // What the lower right pane shows.
-enum class BenchTab { matrix, compare, shepard, why, model };
+enum class BenchTab { matrix, compare, shepard, why, model, device };
 
 enum class CompareView { table, scatter, findings };
 
@@ -290,6 +291,7 @@ struct App {
     MatrixQuantity matrix_quantity = MatrixQuantity::pm;
     BenchTab bench = BenchTab::matrix;
     ModelPanelState model_panel;
+    RenderingState rendering;
 
     VibrationCache cache;
     SetPanelState set_panel;

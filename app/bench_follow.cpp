@@ -58,6 +58,8 @@ void make_bench_jobs(App& app) {
         JobPolicy::supersede, ComparisonWork{}, app.wake);
     app.difference_job = std::make_unique<LatestJob<DifferenceRequest, LiveDifference>>(
         JobPolicy::finish, compute_live_difference, app.wake);
+    app.rendering.job = std::make_unique<LatestJob<RenderingRequest, LiveRendering>>(
+        JobPolicy::finish, compute_live_rendering, app.wake);
     app.findings_job = std::make_unique<LatestJob<int, std::vector<Finding>>>(
         JobPolicy::finish,
         [](int, std::stop_token stop, std::atomic<float>& progress) {
@@ -71,12 +73,14 @@ void take_bench_answers(App& app) {
     if (auto answer = app.comparison_job->latest()) app.comparison = std::move(answer);
     if (auto answer = app.difference_job->latest()) app.difference = std::move(answer);
     if (auto answer = app.findings_job->latest()) app.findings = std::move(answer);
+    if (auto answer = app.rendering.job->latest()) app.rendering.shown = std::move(answer);
 }
 
 void follow_bench(App& app) {
     if (!app.comparison_job) return;
     follow_comparison(app);
     follow_difference(app);
+    if (app.bench == BenchTab::device) follow_rendering(app.rendering, current_vibration(app));
 }
 
 ShownComparison shown_comparison(const App& app) {

@@ -60,8 +60,8 @@ std::optional<ComparedPeople> people_of(const LiveMap& map, const EvaluationPara
 // The matrices and maps of the patterns as they are; false when stopped.
 bool ComparisonWork::follow_matrices(const ComparisonRequest& request, std::stop_token stop,
                                      std::atomic<float>& progress) {
-    const PatternSet& set = *request.map->request.set;
-    if (of_ && same_patterns(*of_->request.set, set)) return true;
+    const PatternSet& set = *request.map->played;
+    if (of_ && same_patterns(*of_->played, set)) return true;
     of_.reset();
     metrics_.clear();
     const Prediction& prediction = request.map->prediction;

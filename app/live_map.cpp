@@ -51,7 +51,8 @@ bool needs_asking(const PatternSet& set) {
 std::optional<LiveMap> LiveMapWork::kept(const LiveMapRequest& request) {
     if (request.preview) return std::nullopt;
     const auto found = std::ranges::find_if(all_, [&request](const auto& map) {
-        return map->request.dimensions == request.dimensions && *map->request.set == *request.set;
+        return map->request.dimensions == request.dimensions &&
+               map->request.rendered_by == request.rendered_by && *map->request.set == *request.set;
     });
     if (found == all_.end()) return std::nullopt;
     std::rotate(found, found + 1, all_.end());
@@ -75,11 +76,24 @@ void LiveMapWork::keep(const LiveMap& map) {
     all_.erase(all_.begin(), oldest);
 }
 
+// The set itself, or what a device makes of it; null when stopped.
+std::shared_ptr<const PatternSet> LiveMapWork::played(const LiveMapRequest& request,
+                                                      std::stop_token stop) {
+    if (!request.rendered_by) return request.set;
+    auto made = rendered_set(*request.set, *request.rendered_by, rendered_ ? &*rendered_ : nullptr,
+                             {threads_, stop});
+    if (!made) return nullptr;
+    rendered_ = std::move(made);
+    return std::make_shared<const PatternSet>(rendered_->played);
+}
+
 std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, std::stop_token stop,
                                                std::atomic<float>& progress) {
     if (std::optional<LiveMap> map = kept(request)) return map;
     const auto begin = std::chrono::steady_clock::now();
-    const std::vector<Waveform> waveforms = model_waveforms(*request.set);
+    const std::shared_ptr<const PatternSet> set = played(request, stop);
+    if (!set) return std::nullopt;
+    const std::vector<Waveform> waveforms = model_waveforms(*set);
     PredictOptions options;
     options.envelope_decimation = request.preview ? kPreviewDecimation : 1;
     options.previous = last_ ? &last_->prediction : nullptr;
@@ -92,7 +106,7 @@ std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, st
     if (!prediction) return std::nullopt;
     progress = kPredictionShare;
 
-    LiveMap map{request, std::move(*prediction), {}, 0.0};
+    LiveMap map{request, std::move(*prediction), {}, 0.0, set};
     const Dissimilarity& pm = map.prediction.pm;
     if (request.preview) {
         map.space = preview_space(pm, request.dimensions, last_.get(), stop);

@@ -13,6 +13,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "app/rendered_set.h"
 #include "model/mds.h"
 #include "model/pattern_set.h"
 #include "model/perceptual_model.h"
@@ -35,6 +36,7 @@ struct LiveMapRequest {
     std::shared_ptr<const PatternSet> set;
     int dimensions = 3;
     bool preview = false;
+    std::optional<RenderedBy> rendered_by{};  // the patterns as a device plays them
 };
 
 // One answer: a snapshot that panels draw as long as they like.
@@ -42,7 +44,8 @@ struct LiveMap {
     LiveMapRequest request;
     Prediction prediction;
     PerceptualSpace space;
-    double seconds = 0.0;  // it took; 0: not to be told
+    double seconds = 0.0;                      // it took; 0: not to be told
+    std::shared_ptr<const PatternSet> played;  // what was compared: the set, or what a device plays
 };
 
 // Pairs of all maps that are kept for undo: 32 bytes each, besides their patterns' codes.
@@ -61,10 +64,12 @@ class LiveMapWork {
   private:
     std::optional<LiveMap> kept(const LiveMapRequest& request);
     void keep(const LiveMap& map);
+    std::shared_ptr<const PatternSet> played(const LiveMapRequest& request, std::stop_token stop);
 
     int threads_;                                      // 0: all cores
     std::vector<std::shared_ptr<const LiveMap>> all_;  // exact ones; used last, last
     std::shared_ptr<const LiveMap> last_;
+    std::optional<RenderedSet> rendered_;  // the last one
 };
 
 }  // namespace tact

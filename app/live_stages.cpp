@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "model/rhythm_envelope.h"
 
@@ -28,15 +29,18 @@ std::vector<std::size_t> by_distance(const ReceptorGrid& grid) {
 
 }  // namespace
 
-LiveStagesRequest stages_request(const PatternSet& set, std::size_t index) {
-    return {set.vibrations[index], longest_samples(set), set.model};
+LiveStagesRequest stages_request(const PatternSet& set, std::size_t index,
+                                 const std::optional<RenderedBy>& rendered_by) {
+    return {set.vibrations[index], longest_samples(set), set.model, rendered_by};
 }
 
 std::optional<LiveStages> compute_live_stages(const LiveStagesRequest& request,
                                               std::stop_token stop, std::atomic<float>& progress) {
     LiveStages live;
     live.request = request;
-    live.waveform = padded(waveform_of(request.vibration), request.samples);
+    Waveform waveform = waveform_of(request.vibration);
+    if (request.rendered_by) waveform = rendering(*request.rendered_by, waveform).waveform;
+    live.waveform = padded(std::move(waveform), request.samples);
     live.neural = neural_coding_stages(live.waveform, request.model.coding, KeepLayers::none);
     progress = 0.8F;
     if (stop.stop_requested()) return std::nullopt;

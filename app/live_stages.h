@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "devices/rendering.h"
 #include "model/neural_coding.h"
 #include "model/pattern_set.h"
 #include "model/perceptual_model_params.h"
@@ -21,11 +22,13 @@ struct LiveStagesRequest {
     Vibration vibration;
     std::size_t samples = 0;  // of the longest in its set: what it is padded to
     PerceptualModelParams model;
+    std::optional<RenderedBy> rendered_by{};  // the vibration as a device plays it
 
     bool operator==(const LiveStagesRequest&) const = default;
 };
 
-LiveStagesRequest stages_request(const PatternSet& set, std::size_t index);
+LiveStagesRequest stages_request(const PatternSet& set, std::size_t index,
+                                 const std::optional<RenderedBy>& rendered_by = {});
 
 // One answer: a snapshot that panels draw as long as they like.
 struct LiveStages {

@@ -113,6 +113,7 @@ void stop_jobs(App& app) {
     stop_study(app);
     app.generate.job.reset();
     app.findings_job.reset();
+    app.rendering.job.reset();
     app.difference_job.reset();
     app.comparison_job.reset();
     app.full_job.reset();
@@ -131,7 +132,7 @@ void request_maps(App& app) {
         return;
     }
     LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(set), app.dimensions,
-                           false};
+                           false, rendered_by(app.rendering)};
     app.full_job->submit(request);
     // A preview takes a hundredth of the work. One that lasts would come too late to be one.
     constexpr double kLongestPreviewS = 0.5;
@@ -155,7 +156,8 @@ void take_answers(App& app) {
 void follow_current(App& app) {
     const PatternSet& set = app.document.set;
     if (!app.stages_job || app.selection.current >= set.vibrations.size()) return;
-    LiveStagesRequest request = stages_request(set, app.selection.current);
+    LiveStagesRequest request =
+        stages_request(set, app.selection.current, rendered_by(app.rendering));
     if (request != app.stages_asked) {
         app.stages_asked = request;
         app.stages_job->submit(std::move(request));
@@ -165,7 +167,7 @@ void follow_current(App& app) {
         app.pinned.clear();
         return;
     }
-    request = stages_request(set, *pinned);
+    request = stages_request(set, *pinned, rendered_by(app.rendering));
     if (request == app.pinned_asked) return;
     app.pinned_asked = request;
     app.pinned_job->submit(std::move(request));

@@ -80,6 +80,8 @@ PaneTitle bench_title(const App& app) {
             return {"Why", "are these two different?", {}};
         case BenchTab::model:
             return {"Model", "parameters of PM", {}};
+        case BenchTab::device:
+            return {"Device", "what an actuator makes of it", {}};
     }
     return {};
 }
@@ -99,6 +101,14 @@ std::string shown_voice(const App& app) {
     return answers->records[*shown].header.participant.code;
 }
 
+// Results that are not of the patterns as they were meant say so in their title.
+PaneTitle with_origin(const App& app, PaneTitle title) {
+    const std::string origin = rendered_words(app.rendering);
+    if (origin.empty()) return title;
+    title.detail += (title.detail.empty() ? "" : "   ") + origin;
+    return title;
+}
+
 PaneTitle title_of(const App& app, Pane pane) {
     const std::size_t count = app.document.set.vibrations.size();
     const Vibration* current = current_vibration(app);
@@ -109,11 +119,13 @@ PaneTitle title_of(const App& app, Pane pane) {
         case Pane::editor:
             return {"Editor", name, together_forms(app)};
         case Pane::physiology:
-            return {"Physiology", name, {}};
+            return with_origin(app, {"Physiology", name, {}});
         case Pane::space:
-            return {"Perceptual space", "", space_title_right(app)};
+            return with_origin(app, {"Perceptual space", "", space_title_right(app)});
         case Pane::matrix:
-            return bench_title(app);
+            return app.bench == BenchTab::model || app.bench == BenchTab::device
+                       ? bench_title(app)
+                       : with_origin(app, bench_title(app));
         case Pane::study_design:
             return {"Study", "what people are asked", {}};
         case Pane::study_people:
@@ -133,7 +145,8 @@ void draw_bench(App& app) {
     for (const auto& [which, name] : {std::pair{BenchTab::compare, "Compare"},
                                       {BenchTab::shepard, "Shepard"},
                                       {BenchTab::why, "Why"},
-                                      {BenchTab::model, "Model"}}) {
+                                      {BenchTab::model, "Model"},
+                                      {BenchTab::device, "Device"}}) {
         flow_on(chip_width(app, name), 2.0F * app.theme.scale);
         tab(which, name);
     }
@@ -148,6 +161,8 @@ void draw_bench(App& app) {
             return draw_why_panel(app);
         case BenchTab::model:
             return draw_model_panel(app);
+        case BenchTab::device:
+            return draw_device_panel(app);
     }
 }
 

@@ -15,25 +15,25 @@ namespace tact {
 
 namespace {
 
-std::shared_ptr<const LiveStages> stages_of(const PatternSet& set, std::size_t index) {
+std::shared_ptr<const LiveStages> stages_of(const LiveStagesRequest& request) {
     std::atomic<float> progress = 0.0F;
-    return std::make_shared<const LiveStages>(
-        *compute_live_stages(stages_request(set, index), {}, progress));
+    return std::make_shared<const LiveStages>(*compute_live_stages(request, {}, progress));
 }
 
 // Edits may be ahead of the jobs; stages take no time worth waiting for.
 void bring_up_to_date(App& app) {
     const PatternSet& set = app.document.set;
-    const auto follow = [&set](std::shared_ptr<const LiveStages>& shown, std::size_t index) {
-        const bool known = shown && shown->request == stages_request(set, index);
-        if (!known) shown = stages_of(set, index);
+    const auto follow = [&](std::shared_ptr<const LiveStages>& shown, std::size_t index) {
+        const LiveStagesRequest request = stages_request(set, index, rendered_by(app.rendering));
+        if (!shown || shown->request != request) shown = stages_of(request);
     };
     if (app.selection.current < set.vibrations.size()) follow(app.stages, app.selection.current);
     if (const auto pinned = place_named(set, app.pinned)) follow(app.pinned_stages, *pinned);
 }
 
 void compute_map(App& app, const PatternSet& set, int threads) {
-    const LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(set), 3, false};
+    const LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(set), 3, false,
+                                 rendered_by(app.rendering)};
     std::atomic<float> progress = 0.0F;
     LiveMapWork work(threads);
     if (auto map = work(request, {}, progress)) {
@@ -58,6 +58,7 @@ PaneTitle physiology_title(const App& app) {
     PaneTitle title{"Physiology", "", {}};
     if (const Vibration* current = current_vibration(app)) title.detail = current->name;
     if (!app.pinned.empty()) title.detail += "   compared with   " + app.pinned;
+    if (app.rendering.on) title.detail += "   " + rendered_words(app.rendering);
     char at[64];
     std::snprintf(at, sizeof at, "at %.3f s of %.3f s", app.playhead.at_s, shown_duration_s(app));
     title.right = {at};
@@ -66,6 +67,7 @@ PaneTitle physiology_title(const App& app) {
 
 PaneTitle space_title(const App& app) {
     PaneTitle title{"Perceptual space", app.document.set.name, {}};
+    if (app.rendering.on) title.detail += "   " + rendered_words(app.rendering);
     if (map_state(app) == MapState::stale) title.detail += "   before the last change";
     if (map_state(app) == MapState::preview) title.detail += "   preview";
     if (!app.map.shown || app.map.shown->space.verdict == MdsVerdict::constant) return title;
@@ -89,9 +91,10 @@ void draw_view(App& app, PictureView view) {
             return draw_pane(app, Pane::space, area, space_title(app),
                              [&app] { draw_space_panel(app); });
         case PictureView::matrix:
-            return draw_pane(app, Pane::matrix, area,
-                             {"Matrix", quantity_name(app.matrix_quantity), {}},
-                             [&app] { draw_matrix_panel(app); });
+            return draw_pane(
+                app, Pane::matrix, area,
+                {"Matrix", quantity_name(app.matrix_quantity), {rendered_words(app.rendering)}},
+                [&app] { draw_matrix_panel(app); });
     }
 }
 
@@ -117,15 +120,17 @@ App opened_view(const PatternSet& set, const ViewChoice& choice) {
     app.motion = false;
     app.document = {set, {}, set};
     app.unsaved_revision = app.revision;  // nothing to keep
+    app.rendering.on = choice.rendered_by.has_value();
+    app.rendering.by = choice.rendered_by.value_or(RenderedBy{});
     if (choice.view != PictureView::physiology) compute_map(app, set, choice.threads);
     if (choice.pattern >= set.vibrations.size()) return app;
     app.selection.current = choice.pattern;
-    app.stages = stages_of(set, choice.pattern);
+    app.stages = stages_of(stages_request(set, choice.pattern, choice.rendered_by));
     app.physiology.open = choice.stage;
     app.physiology.tilted = choice.tilted;
     if (!choice.pinned) return app;
     app.pinned = set.vibrations[*choice.pinned].name;
-    app.pinned_stages = stages_of(set, *choice.pinned);
+    app.pinned_stages = stages_of(stages_request(set, *choice.pinned, choice.rendered_by));
     return app;
 }
 
@@ -158,6 +163,9 @@ App still_view(const App& app) {
     still.matrix_quantity = app.matrix_quantity;
     still.bench = app.bench;
     still.model_panel = app.model_panel;
+    still.rendering.on = app.rendering.on;
+    still.rendering.by = app.rendering.by;
+    still.rendering.shown = app.rendering.shown;
     still.set_panel.search = app.set_panel.search;
     still.session.dismissed_hints = app.session.dismissed_hints;
     bring_up_to_date(still);

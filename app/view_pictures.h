@@ -21,10 +21,11 @@ const char* name_of(PictureView view);
 struct ViewChoice {
     PictureView view = PictureView::window;
     std::size_t pattern = 0;
-    std::optional<std::size_t> pinned{};  // for comparison
-    std::optional<Stage> stage{};         // large
-    bool tilted = false;                  // the receptors
-    int threads = 0;                      // 0: all cores
+    std::optional<std::size_t> pinned{};      // for comparison
+    std::optional<Stage> stage{};             // large
+    bool tilted = false;                      // the receptors
+    int threads = 0;                          // 0: all cores
+    std::optional<RenderedBy> rendered_by{};  // results of what a device plays
 };
 
 // The program as it would open on the set, with what the view shows computed.

@@ -171,9 +171,7 @@ class Reading {
     }
 
     void take_fields(ReportKind kind, const Item& item) {
-        if (globals_.bits > 32 && globals_.count > kMostBits / globals_.bits)
-            return void(broken = true);
-        if (globals_.count > kMostBits) return void(broken = true);
+        if (globals_.count > kMostBits || globals_.bits > kMostBits) return void(broken = true);
         std::size_t& bit = bits_[{kind, globals_.report}];
         constexpr std::uint32_t kConstant = 1;
         constexpr std::uint32_t kVariable = 2;

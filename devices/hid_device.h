@@ -6,7 +6,7 @@
 // A packet goes out when it differs from the last, or after 50 ms, lest the controller thinks it
 // forgotten. A play ends, by itself, by stop() or with the device, with five neutral packets.
 //
-// Source    the kernel's and SDL's pace (devices.md of the drivers named in rumble_packets.h)
+// Source    the pace of the drivers that rumble_packets.h names
 // Left out  two plays at a time; the time that a packet takes through the air.
 #pragma once
 

@@ -146,8 +146,7 @@ Rendering rendering(const RenderedBy& by, const Waveform& intended) {
     const Waveform meant =
         intended.rate_hz == kModelRateHz ? intended : resampled(intended, kModelRateHz);
     const std::size_t samples = meant.samples_g.size();
-    Drive drive{kModelRateHz, meant.samples_g};
-    for (double& sample : drive.samples) sample /= by.full_scale_g;
+    Drive drive = drive_of(meant, by.full_scale_g);
 
     Rendering rendering;
     rendering.by = by;

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "devices/actuator_kind.h"
+#include "devices/drive.h"
 #include "model/range.h"
 #include "model/waveform.h"
 
@@ -26,7 +27,7 @@ namespace tact {
 // What a device is taken to be: until it is measured, its full scale in g is a person's word.
 struct RenderedBy {
     ActuatorKind kind = ActuatorKind::joy_con;
-    double full_scale_g = 1.0;
+    double full_scale_g = kFullScaleG;
 
     bool operator==(const RenderedBy&) const = default;
 };

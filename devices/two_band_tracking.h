@@ -1,21 +1,17 @@
 // The one or two sines that are most like a vibration at a moment: what an actuator with two
 // bands of its own, as HD rumble has, can be asked for.
 //
-// Around a moment the signal is fitted, by least squares under a Hann window, with
-//
-//     sum_i  c_i cos(2 pi f_i t) + s_i sin(2 pi f_i t)
-//
-// The strongest peak of the windowed spectrum starts the first sine, the strongest peak of what it
-// leaves the second; then both are refined together (Gauss-Newton), as each biases the other's peak
-// where they are close. Silence within the window is left out of the fit, so that notes begin
-// and end with the frame they begin and end in, and at their full strength.
+// Around the middle of a frame the signal is fitted with two sines under a Hann window of 50 ms, or
+// of 100 ms where that fits much better (devices/sine_fit.h). Silence within the window is left out
+// of the fit, so that notes begin and end with the frame they begin and end in, and at their full
+// strength.
 //
 // Input     a drive signal, -1..1
 // Output    amplitudes as shares of full scale; `share_lost` of the energy under the window
-// Valid     steady tones that are at least kLeastApartHz apart: frequency to 1 %, amplitude to 2 %.
+// Valid     steady tones that are at least 12 Hz apart: frequency to 1 %, amplitude to 2 %.
 //           Closer ones are taken for one tone that swells and fades.
 // Left out  phases: the actuator chooses its own. More than two tones at a time; content below
-//           kLowestHz.
+//           20 Hz.
 // Exact     a frame depends on the signal around it alone.
 #pragma once
 
@@ -25,11 +21,6 @@
 #include "devices/rumble_packets.h"
 
 namespace tact {
-
-inline constexpr double kLowestHz = 20.0;  // the lowest tone looked for
-
-// Two tones that are nearer are one. Twice as far need half the window.
-inline constexpr double kLeastApartHz = 12.0;
 
 struct TrackedFrame {
     RumbleFrame rumble;

@@ -489,3 +489,30 @@ TEST_CASE("--help and --version answer on standard output and end well") {
         CHECK(contains(help, "--json"));
     }
 }
+
+TEST_CASE("render --rendered-by: what the device plays, with what is lost by band and packet") {
+    const ShortSet set;
+    const TemporaryFolder out;
+    const Json report =
+        Json::parse(output_of({"render", set.path, "--rendered-by", "switch-pro", "--format", "txt",
+                               "--out", out.path.string(), "--json"}));
+    CHECK(report.at("rendered_by") == "switch-pro");
+    CHECK(report.at("files").size() == 5);
+    REQUIRE(report.at("patterns").size() == 5);
+    const auto bands = rows_of(out.path / "bands.csv");
+    const std::size_t per_pattern = report.at("patterns")[0].at("bands").size();
+    CHECK(bands.size() == 1 + 5 * per_pattern);
+    CHECK(bands[0][0] == "pattern");
+    CHECK(std::stod(bands[1][5]) == report.at("patterns")[0].at("bands")[0].at("share_lost"));
+    // 0.1 s at a packet every 15 ms.
+    CHECK(rows_of(out.path / "packets.csv").size() == 1 + 5 * 7);
+    // The files are what predict takes with the same option, to the bit.
+    CHECK(output_of({"predict", out.path.string()}) ==
+          output_of({"predict", set.path, "--rendered-by", "switch-pro"}));
+    CHECK(output_of({"predict", set.path}) !=
+          output_of({"predict", set.path, "--rendered-by", "switch-pro"}));
+    const Ran ran = run_program({"space", set.path, "--rendered-by", "joy-con"});
+    CHECK(ran.exit_code == 0);
+    CHECK(ran.err.find("as a Joy-Con plays them, uncalibrated") != std::string::npos);
+    CHECK(run_program({"predict", set.path, "--rendered-by", "wii"}).exit_code == 2);
+}

@@ -11,6 +11,7 @@
 #include "app/frame_sequence.h"
 #include "app/main_window.h"
 #include "app/stages.h"
+#include "devices/rendering.h"
 #include "model/metric.h"
 #include "model/study_design.h"
 
@@ -30,6 +31,20 @@ void add_common(CLI::App& command, CommonOptions& options) {
     command.add_option("SET", options.sets, kSetHelp)->required();
     add_threads(command, options.threads);
     command.add_flag("--json", options.json, "JSON instead of CSV on standard output");
+}
+
+// The patterns as a device plays them, in the place of what was meant.
+void add_rendering(CLI::App& command, CommonOptions& options) {
+    std::vector<std::string> keys;
+    for (const ActuatorKind kind : kActuatorKinds) keys.emplace_back(traits(kind).key);
+    command
+        .add_option("--rendered-by", options.rendered_by,
+                    "the patterns as this kind of device plays them")
+        ->check(CLI::IsMember(keys));
+    command
+        .add_option("--full-scale", options.full_scale_g,
+                    "acceleration that the device's full scale stands for, g; else 1")
+        ->check(CLI::Range(kFullScaleRangeG.low, kFullScaleRangeG.high));
 }
 
 // Registers a subcommand whose options live in `command`; `chosen` is set to its work.
@@ -78,6 +93,7 @@ void add_prediction_commands(CLI::App& app, Commands& commands,
                              std::function<Expected<Done>()>& chosen) {
     CLI::App& predict = add_command(
         app, "predict", "dissimilarity matrix of a set, as labelled CSV", commands.predict, chosen);
+    add_rendering(predict, commands.predict.common);
     predict.add_option("--metric", commands.predict.metric, "pm unless another of those below")
         ->check(fault_of_metric);
     predict.add_option("--out", commands.predict.out, "file for the matrix");
@@ -91,6 +107,7 @@ void add_prediction_commands(CLI::App& app, Commands& commands,
 
     CLI::App& space = add_command(app, "space", "coordinates of the perceptual space, as CSV",
                                   commands.space, chosen);
+    add_rendering(space, commands.space.common);
     space.add_option("--dim", commands.space.dimensions, "2 or 3")->check(CLI::IsMember({2, 3}));
     space.add_option("--starts", commands.space.starts, "random starts besides Torgerson's")
         ->check(CLI::Range(0, 100'000));
@@ -102,11 +119,13 @@ void add_pattern_commands(CLI::App& app, Commands& commands,
                           std::function<Expected<Done>()>& chosen) {
     CLI::App& stages = add_command(app, "stages", "every stage of neural coding, as CSV files",
                                    commands.stages, chosen);
+    add_rendering(stages, commands.stages.common);
     stages.add_option("--pattern", commands.stages.pattern, "name of the pattern")->required();
     stages.add_option("--out", commands.stages.out, "folder for the files")->required();
 
     CLI::App& render = add_command(app, "render", "waveforms of all patterns, a file each",
                                    commands.render, chosen);
+    add_rendering(render, commands.render.common);
     render.add_option("--format", commands.render.format, "wav, txt or csv")
         ->check(CLI::IsMember({"wav", "txt", "csv"}));
     render.add_option("--out", commands.render.out, "folder for the files")->required();
@@ -236,6 +255,7 @@ void add_moment_options(CLI::App& snapshot, SnapshotCommand& command) {
 void add_snapshot_command(CLI::App& app, SnapshotCommand& command,
                           std::function<Expected<Done>()>& chosen) {
     CLI::App& snapshot = add_command(app, "snapshot", kSnapshotHelp, command, chosen);
+    add_rendering(snapshot, command.common);
     snapshot
         .add_option("--view", command.view, "window, physiology, wave, spectrum, matrix or space")
         ->check(CLI::IsMember({"window", "physiology", "wave", "spectrum", "matrix", "space"}));
@@ -320,6 +340,7 @@ void add_study_commands(CLI::App& app, Commands& commands,
     CompareCommand& options = commands.compare;
     CLI::App& compare = add_command(
         app, "compare", "how well metrics agree with people: rho and K of each", options, chosen);
+    add_rendering(compare, options.common);
     compare.add_option("--ratings", options.ratings,
                        "files of ratings, one a participant, or a folder of them; for several "
                        "sets a file or folder each. Without it, the ratings in the set file");

@@ -18,6 +18,8 @@ struct CommonOptions {
     std::vector<std::filesystem::path> sets;  // merged in order
     int threads = 0;                          // 0: all cores
     bool json = false;
+    std::string rendered_by{};  // a key of devices/actuator_kind.h: patterns as it plays them
+    double full_scale_g = 1.0;  // that its full scale stands for
 };
 
 struct PredictCommand {

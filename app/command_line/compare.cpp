@@ -78,7 +78,8 @@ Expected<std::vector<RatedPatterns>> load_all(const CompareCommand& command) {
     }
     std::vector<RatedPatterns> all;
     for (std::size_t k = 0; k < sets.size(); ++k) {
-        const CommonOptions one{{sets[k]}, command.common.threads, command.common.json};
+        CommonOptions one = command.common;
+        one.sets = {sets[k]};
         Expected<PatternSet> set = load_for(one);
         if (!set) return set.error();
         if (const auto pair = need_a_pair(*set, one); !pair) return pair.error();

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <streambuf>
 
+#include "app/rendered_set.h"
 #include "model/io/atomic_file.h"
 #include "model/io/load.h"
 #include "model/io/recording.h"
@@ -72,7 +73,27 @@ std::string time_text(double seconds) {
 
 }  // namespace
 
+Expected<std::optional<RenderedBy>> rendered_by(const CommonOptions& options) {
+    if (options.rendered_by.empty()) return std::optional<RenderedBy>();
+    const Expected<ActuatorKind> kind = actuator_kind_named(options.rendered_by);
+    if (!kind) return kind.error();
+    return std::optional(RenderedBy{*kind, options.full_scale_g});
+}
+
 Expected<PatternSet> load_for(const CommonOptions& options) {
+    const Expected<std::optional<RenderedBy>> by = rendered_by(options);
+    if (!by) return by.error();
+    Expected<PatternSet> set = load_as_meant(options);
+    if (!set || !*by) return set;
+    std::optional<RenderedSet> rendered = rendered_set(*set, **by, nullptr, {options.threads, {}});
+    const std::string origin = words_on(**by);
+    rendered->played.name += (set->name.empty() ? "" : ", ") + origin;
+    std::cerr << "tactspace: the patterns " << origin << ": full scale stands for "
+              << options.full_scale_g << " g\n";
+    return std::move(rendered->played);
+}
+
+Expected<PatternSet> load_as_meant(const CommonOptions& options) {
     Expected<Loaded> loaded = load_sets(options.sets);
     if (!loaded) return loaded.error();
     for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";

@@ -4,17 +4,24 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/command_line/commands.h"
 #include "app/pictures.h"
+#include "devices/rendering.h"
 #include "model/pattern_set.h"
 
 namespace tact {
 
-// The sets of a command as one, with its remarks printed to standard error.
+// The sets of a command as one, with its remarks printed to standard error; as a device plays it
+// where the options name one.
 Expected<PatternSet> load_for(const CommonOptions& options);
+
+// The same as it was meant, and the device that the options name, if any.
+Expected<PatternSet> load_as_meant(const CommonOptions& options);
+Expected<std::optional<RenderedBy>> rendered_by(const CommonOptions& options);
 
 // An Error unless the set has at least two patterns: fewer make no matrix and no map.
 Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options);

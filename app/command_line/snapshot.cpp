@@ -87,6 +87,9 @@ Expected<Picture> picture_of_pattern(const SnapshotCommand& command, const Patte
 
 Expected<ViewChoice> view_choice(const SnapshotCommand& command, const PatternSet& set) {
     ViewChoice choice;
+    const Expected<std::optional<RenderedBy>> by = rendered_by(command.common);
+    if (!by) return by.error();
+    choice.rendered_by = *by;
     choice.view = command.view == "window" ? PictureView::window : PictureView::physiology;
     choice.tilted = command.tilted;
     choice.threads = command.common.threads;
@@ -142,7 +145,7 @@ Expected<FrameSequence> sequence_of(const SnapshotCommand& command, double whole
 
 Expected<Done> draw_sequence(const SnapshotCommand& command, const PictureSize& size) {
     const Interrupt interrupt;  // first: threads inherit what it blocks
-    const Expected<PatternSet> set = load_for(command.common);
+    const Expected<PatternSet> set = load_as_meant(command.common);
     if (!set) return set.error();
     const Expected<ViewChoice> choice = view_choice(command, *set);
     if (!choice) return choice.error();
@@ -181,7 +184,9 @@ Expected<Done> run(const SnapshotCommand& command) {
     const Expected<PictureFormat> format = picture_format(command.out);
     if (!format) return format.error();
     size.format = *format;
-    const Expected<PatternSet> set = load_for(command.common);
+    // The window says itself what its results are of.
+    const Expected<PatternSet> set =
+        shows_time(command) ? load_as_meant(command.common) : load_for(command.common);
     if (!set) return set.error();
     const Expected<Picture> picture = shows_time(command) ? picture_of_view(command, *set, size)
                                       : shows_pattern(command)

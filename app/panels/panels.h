@@ -16,6 +16,7 @@ void draw_model_panel(App& app);
 void draw_compare_panel(App& app);
 void draw_shepard_panel(App& app);
 void draw_why_panel(App& app);
+void draw_device_panel(App& app);
 
 // Of the view of studies.
 void draw_study_design(App& app);
