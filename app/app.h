@@ -192,6 +192,7 @@ enum class ChooserPurpose {
     save_document,
     load_tables,
     load_ratings,
+    load_calibration,
     study_folder,
     export_study,
     export_view,

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/bench_follow.h"
+#include "app/calibrating.h"
 #include "app/exports.h"
 #include "app/files.h"
 #include "app/panels/panels.h"
@@ -82,6 +83,8 @@ void draw_chooser(App& app) {
             return load_tables(app, *chosen);
         case ChooserPurpose::load_ratings:
             return load_ratings(app, {*chosen});
+        case ChooserPurpose::load_calibration:
+            return use_calibration(app, *chosen);
         case ChooserPurpose::study_folder:
             return set_study_folder(app, *chosen);
         case ChooserPurpose::export_study:

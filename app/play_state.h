@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/latest_job.h"
+#include "devices/calibration.h"
 #include "devices/device.h"
 #include "devices/device_info.h"
 #include "devices/drive.h"
@@ -51,8 +52,10 @@ struct PlayState {
 
     std::shared_ptr<Device> device;  // the chosen one, where it is there; studies use it, too
     DeviceChoice opened;             // as which it was opened
-    DeviceStatus status;             // of this frame
-    std::string told_trouble;        // at the foot of the window
+    std::shared_ptr<const Calibration> calibration;  // null: strengths in g are not known
+    std::string calibration_read;                    // the file it is from, or that was no good
+    DeviceStatus status;                             // of this frame
+    std::string told_trouble;                        // at the foot of the window
     std::optional<Sounding> sounding;
     std::optional<std::size_t> hovered_in_map;  // in this frame
     std::string felt_on_hover;                  // until another one is pointed at

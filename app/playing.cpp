@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/bench_follow.h"
+#include "app/calibrating.h"
 #include "app/editing.h"
 #include "app/study_follow.h"
 #include "devices/audio_host.h"
@@ -50,7 +51,7 @@ void play_current(App& app) {
         select_only(app, *place_named(app.document.set, vibration->name));
         app.set_panel.scroll_to_current = true;
     }
-    play_drive(app, drive_of(waveform_of(*vibration), app.play.full_scale_g), sounding.loops);
+    play_drive(app, drive_for(app, *vibration), sounding.loops);
 }
 
 void start(App& app, Sounding sounding) {
@@ -90,7 +91,7 @@ void follow_edits(App& app) {
     if (*current == sounding.as_played) return;
     sounding.names = {current->name};
     sounding.as_played = *current;
-    play_drive(app, drive_of(waveform_of(*current), app.play.full_scale_g), sounding.loops);
+    play_drive(app, drive_for(app, *current), sounding.loops);
 }
 
 void follow_device(App& app) {
@@ -286,6 +287,7 @@ void follow_sound(App& app) {
     if (play.list_job) {
         if (auto listed = play.list_job->latest()) play.listed = std::move(listed);
     }
+    follow_calibration(app);
     open_chosen(app);
     follow_status(app);
     if (play.sounding) {

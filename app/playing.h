@@ -1,6 +1,6 @@
 // Feeling patterns: the chosen device, what sounds on it, and the playhead that follows it.
 //
-// Left out  what the device makes of a pattern; calibration.
+// Left out  what the device makes of a pattern.
 #pragma once
 
 #include <optional>

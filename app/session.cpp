@@ -70,6 +70,7 @@ void take_devices(const json& from, Session& session) {
         take(item, "channel", 1, 1024, choice.channel);
         take(item, "of_channels", 0, 1024, choice.of_channels);
         take(item, "latency_offset_s", -1.0, 1.0, choice.latency_offset_s);
+        take(item, "calibration", choice.calibration);
         if (!choice.id.empty()) session.device_choices.push_back(choice);
     }
 }
@@ -119,7 +120,8 @@ json settings_of(const Session& session) {
         devices.push_back({{"id", choice.id},
                            {"channel", choice.channel},
                            {"of_channels", choice.of_channels},
-                           {"latency_offset_s", choice.latency_offset_s}});
+                           {"latency_offset_s", choice.latency_offset_s},
+                           {"calibration", choice.calibration}});
     }
     json recent = json::array();
     for (const fs::path& path : session.recent_files) recent.push_back(path.string());

@@ -31,6 +31,7 @@ struct DeviceChoice {
     int channel = 1;
     int of_channels = 0;  // of a sound server: as many as its outputs have; 0: 2, or enough
     double latency_offset_s = 0.0;  // felt so much later than the device says
+    std::string calibration{};      // its file; empty: none
 
     bool operator==(const DeviceChoice&) const = default;
 };

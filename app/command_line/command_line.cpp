@@ -157,6 +157,9 @@ void add_play_commands(CLI::App& app, Commands& commands, std::function<Expected
     play.add_option("--full-scale", options.full_scale_g,
                     "acceleration that full scale stands for without a calibration, g; else 1")
         ->check(CLI::Range(1e-3, 1e3));
+    play.add_option("--calibration", options.calibration,
+                    "of this device and channel, as tactspace calibrate makes it: strengths are "
+                    "then true at --level 1");
     play.add_flag("--loop", options.loop, "until Ctrl+C");
 }
 

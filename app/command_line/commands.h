@@ -148,13 +148,14 @@ Expected<Done> run(const CalibrateCommand& command);
 struct PlayCommand {
     CommonOptions common;
     std::string pattern;
-    bool all = false;           // instead, one after the other
-    std::string device;         // empty: the only one
-    std::string channel;        // number or name; empty: the first
-    int of_channels = 0;        // of a sound server; 0: 2, or enough
-    double level = 0.1;         // of full scale
-    double full_scale_g = 1.0;  // that full scale stands for
-    double gap_s = 0.5;         // between patterns
+    bool all = false;                   // instead, one after the other
+    std::string device;                 // empty: the only one
+    std::string channel;                // number or name; empty: the first
+    int of_channels = 0;                // of a sound server; 0: 2, or enough
+    double level = 0.1;                 // of full scale
+    double full_scale_g = 1.0;          // that full scale stands for
+    std::filesystem::path calibration;  // in its place; empty: none
+    double gap_s = 0.5;                 // between patterns
     bool loop = false;
 };
 Expected<Done> run(const PlayCommand& command);

@@ -3,12 +3,14 @@
 #include <chrono>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stop_token>
 #include <thread>
 
 #include "app/command_line/commands.h"
 #include "app/command_line/interrupt.h"
 #include "app/command_line/output.h"
+#include "devices/calibration_file.h"
 #include "devices/device_list.h"
 #include "devices/drive.h"
 
@@ -92,6 +94,18 @@ void say(const std::string& name, const DeviceStatus& status) {
     }
 }
 
+// What the calibration makes of it, or full scale taken for so many g.
+Drive drive_for(const Vibration& vibration, const std::optional<Calibration>& calibration,
+                double full_scale_g) {
+    const Waveform waveform = waveform_of(vibration);
+    if (!calibration) return drive_of(waveform, full_scale_g);
+    CalibratedDrive driven = calibrated_drive(waveform, *calibration);
+    for (const std::string& warning : driven.warnings) {
+        std::cerr << "tactspace: \"" << vibration.name << "\" " << warning << "\n";
+    }
+    return std::move(driven.drive);
+}
+
 nlohmann::json report_of(const std::string& name, const Drive& drive, const DeviceStatus& status) {
     return {{"pattern", name},
             {"duration_s", static_cast<double>(drive.samples.size()) / drive.rate_hz},
@@ -107,6 +121,12 @@ Expected<Done> run(const PlayCommand& command) {
     if (!set) return set.error();
     const Expected<std::vector<std::size_t>> places = asked_patterns(command, *set);
     if (!places) return places.error();
+    std::optional<Calibration> calibration;
+    if (!command.calibration.empty()) {
+        Expected<Calibration> read = read_calibration(command.calibration);
+        if (!read) return read.error();
+        calibration = *std::move(read);
+    }
     const auto host = std::make_shared<AudioHost>();
     const Expected<Chosen> chosen = chosen_device(command, *host);
     if (!chosen) return chosen.error();
@@ -115,12 +135,16 @@ Expected<Done> run(const PlayCommand& command) {
     (*device)->set_level(command.level);
     std::cerr << "tactspace: playing on " << chosen->info.name;
     if (!chosen->info.channels.empty()) std::cerr << ", channel " << chosen->choice.channel;
-    std::cerr << ", uncalibrated: full scale stands for " << command.full_scale_g << " g\n";
+    if (calibration) {
+        std::cerr << ", calibrated by " << command.calibration.string() << "\n";
+    } else {
+        std::cerr << ", uncalibrated: full scale stands for " << command.full_scale_g << " g\n";
+    }
     nlohmann::json reports = nlohmann::json::array();
     for (std::size_t k = 0; k < places->size(); ++k) {
         if (k > 0 && !waited(command.gap_s, interrupt.token())) return Error{"stopped"};
         const Vibration& vibration = set->vibrations[(*places)[k]];
-        const Drive drive = drive_of(waveform_of(vibration), command.full_scale_g);
+        const Drive drive = drive_for(vibration, calibration, command.full_scale_g);
         if (places->size() > 1) std::cerr << "tactspace: " << vibration.name << "\n";
         const auto status = played(**device, drive, command.loop, interrupt.token());
         if (!status) return status.error();

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "app/calibrating.h"
 #include "app/dialogs.h"
 #include "app/panels/panels.h"
 #include "app/playing.h"
@@ -136,6 +137,32 @@ constexpr Field kFullScale{
         "The acceleration that full scale is taken for. The actuator may well do another: "
         "strengths within a set are in proportion, but uncalibrated."};
 
+// How drives get their strength: by a calibration, or by what full scale is taken for.
+void draw_strength(App& app) {
+    const std::string calibrated = calibration_text(app);
+    if (!calibrated.empty()) {
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextUnformatted(calibrated.c_str());
+        ImGui::PopTextWrapPos();
+        note_item(app.rects, "calibrated", calibrated);
+        dim_text(app, "at a level of 100 % patterns have the strength they say");
+        if (link(app, "no calibration", "Use none")) use_calibration(app, {});
+        note_item(app.rects, "link:no calibration");
+        return;
+    }
+    draw_field(app, kFullScale, app.play.full_scale_g);
+    ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+    ImGui::TextUnformatted("Uncalibrated");
+    ImGui::PopStyleColor();
+    note_item(app.rects, "uncalibrated");
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    dim_text(app, "what is felt in g is not known");
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    if (link(app, "load calibration", "Load calibration...")) load_calibration_dialog(app);
+    note_item(app.rects, "link:load calibration");
+    draw_tooltip(app, "Made by tactspace calibrate from a recording of this actuator");
+}
+
 void draw_choice(App& app) {
     const std::optional<DeviceInfo> device = chosen_device(app);
     if (!device) return;
@@ -145,13 +172,7 @@ void draw_choice(App& app) {
     double offset_ms = 1e3 * choice.latency_offset_s;
     if (draw_field(app, kLatency, offset_ms).changed) choice.latency_offset_s = 1e-3 * offset_ms;
     choose_device(app, choice);
-    draw_field(app, kFullScale, app.play.full_scale_g);
-    ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
-    ImGui::TextUnformatted("Uncalibrated");
-    ImGui::PopStyleColor();
-    note_item(app.rects, "uncalibrated");
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    dim_text(app, "what is felt in g is not known");
+    draw_strength(app);
     if (app.play.status.dropouts > 0) {
         ImGui::PushTextWrapPos(0.0F);
         const std::string gaps = significant(static_cast<double>(app.play.status.dropouts));
