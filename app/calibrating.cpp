@@ -4,6 +4,7 @@
 #include "app/playing.h"
 #include "app/widgets.h"
 #include "devices/calibration_file.h"
+#include "viz/plot.h"
 
 namespace tact {
 
