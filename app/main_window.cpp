@@ -6,6 +6,7 @@
 #include "app/frame.h"
 #include "app/map_follow.h"
 #include "app/playing.h"
+#include "app/study_follow.h"
 #include "app/window.h"
 
 namespace tact {
@@ -22,15 +23,18 @@ WindowOptions options_of(const App& app) {
 
 FrameRequest draw_window_frame(App& app, const FrameContext& context) {
     app.content_scale = context.content_scale;
-    app.session.window_width = context.width;
-    app.session.window_height = context.height;
-    app.session.window_maximised = context.maximised;
+    if (!is_study_running(app)) {  // which fills the screen
+        app.session.window_width = context.width;
+        app.session.window_height = context.height;
+        app.session.window_maximised = context.maximised;
+    }
     draw_frame(app, context.pressed, context.time_s);
     FrameRequest request;
     request.animate = wants_another_frame(app);
     request.wake_after_s = next_wake_s(app);
     request.rebuild_fonts = app.fonts_outdated;
     request.close = app.quit;
+    request.full_screen = is_study_running(app);
     request.title = document_title(app) + " - tactspace";
     request.background = app.theme.background;
     return request;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -14,7 +13,6 @@
 #include "devices/memory_device.h"
 #include "model/io/atomic_file.h"
 #include "model/io/study_csv.h"
-#include "model/pink_noise.h"
 #include "model/set_ratings.h"
 #include "model/synthetic_study.h"
 
@@ -22,141 +20,7 @@ namespace tact {
 
 namespace fs = std::filesystem;
 
-using What = StudyEvent::What;
-
 namespace {
-
-std::string utc_now() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    gmtime_r(&now, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
-}
-
-std::vector<double> durations_of(const PatternSet& set, const std::vector<std::string>& names) {
-    std::vector<double> all;
-    for (const std::string& name : names) {
-        const auto place = place_named(set, name);
-        const Waveform waveform = place ? waveform_of(set.vibrations[*place]) : Waveform{};
-        all.push_back(static_cast<double>(waveform.samples_g.size()) / waveform.rate_hz);
-    }
-    return all;
-}
-
-// The largest acceleration of the study fills the scale, so that patterns keep their proportions.
-Drive drive_of(const PatternSet& set, const std::vector<std::string>& names, std::size_t pattern) {
-    double largest_g = 0.0;
-    Drive drive;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        const auto place = place_named(set, names[k]);
-        if (!place) continue;
-        const Waveform waveform = waveform_of(set.vibrations[*place]);
-        for (const double sample : waveform.samples_g) {
-            largest_g = std::max(largest_g, std::abs(sample));
-        }
-        if (k == pattern) drive = {waveform.rate_hz, waveform.samples_g};
-    }
-    for (double& sample : drive.samples) sample = largest_g > 0.0 ? sample / largest_g : 0.0;
-    return drive;
-}
-
-void mask(StudyState& state, double level) {
-    constexpr double kRateHz = 48'000.0;
-    constexpr double kLoopS = 20.0;
-    state.masks = false;
-    state.masking_fault.clear();
-    if (level <= 0.0) return;
-    if (!state.masking) {
-        state.masking_fault = "Masking noise is off: there is no second output for headphones.";
-        return;
-    }
-    state.masking->set_level(level);
-    const auto played = state.masking->play({kRateHz, pink_noise(kRateHz, kLoopS, 1)}, true);
-    state.masks = static_cast<bool>(played);
-    if (!played) state.masking_fault = "Masking noise is off: " + played.error().message;
-}
-
-void end_run(App& app) {
-    StudyState& state = *app.study;
-    const std::string code = state.run->record.header.participant.code;
-    const bool is_complete = state.run->page == StudyPage::finished;
-    const bool has_file = state.log.has_value();
-    state.device->stop();
-    if (state.masking) state.masking->stop();
-    state.masks = false;
-    state.run.reset();
-    state.log.reset();
-    state.set.reset();
-    ++state.folder_revision;
-    if (!has_file) return say(app, "Nobody took part; nothing was written.");
-    say(app, code + (is_complete ? " has finished." : " can go on where it was left."));
-}
-
-// The participant's file, with its first line on the disk.
-Expected<Done> begin_file(App& app) {
-    StudyState& state = *app.study;
-    const StudyHeader& header = state.run->record.header;
-    const fs::path folder = study_folder(app);
-    if (folder.empty()) return Error{"expected a folder for participants, choose one first"};
-    if (const auto made = make_folder(folder); !made) return made;
-    auto log = StudyLog::begin(folder / study_file_name(header.participant.code), header);
-    if (!log) return log.error();
-    state.log.emplace(*std::move(log));
-    return Done{};
-}
-
-Expected<Done> write_line(StudyState& state, const std::string& line) {
-    if (!state.log) return Error{"the participant's file is closed"};
-    return state.log->append(line);
-}
-
-void act_on(App& app, const StudyDeeds& deeds) {
-    StudyState& state = *app.study;
-    if (deeds.silence) state.device->stop();
-    if (deeds.play) {
-        const Drive drive = drive_of(*state.set, state.run->record.header.patterns, *deeds.play);
-        if (const auto played = state.device->play(drive, false); !played) {
-            complain(app, played.error().message);
-        }
-    }
-    if (deeds.begin_file || deeds.line) {
-        const Expected<Done> done = deeds.line ? write_line(state, *deeds.line) : begin_file(app);
-        act(app, {done ? What::saved : What::not_saved,
-                  0,
-                  0.0,
-                  done ? std::string() : done.error().message,
-                  {}});
-    }
-    if (deeds.left) end_run(app);
-}
-
-StudyHeader new_header(const App& app, const std::string& code) {
-    const PatternSet& set = app.document.set;
-    StudyHeader header;
-    header.program = kProgramVersion;
-    header.kind = app.study->kind;
-    header.set_name = set.name;
-    header.patterns = study_patterns(set);
-    header.set_fingerprint = study_fingerprint(set, header.patterns);
-    header.design = set.study;
-    header.participant.code = code;
-    const DeviceStatus status = app.study->device->status();
-    header.device = {status.name, "uncalibrated"};
-    return header;
-}
-
-void start_run(App& app, StudyRecord record) {
-    StudyState& state = *app.study;
-    state.set = std::make_shared<const PatternSet>(app.document.set);
-    std::vector<double> durations = durations_of(*state.set, record.header.patterns);
-    mask(state, record.header.design.masking);
-    state.run = study_run(std::move(record), std::move(durations));
-    state.held.reset();
-    app.playhead.playing = false;
-    app.status = {};
-}
 
 void follow_question(App& app) {
     StudyState& state = *app.study;
@@ -240,32 +104,30 @@ std::string unused_code(const App& app, const std::string& prefix) {
     }
 }
 
-void begin_participant(App& app) {
-    StudyState& state = *app.study;
-    StudyRecord record;
-    record.header = new_header(app, unused_code(app));
-    if (record.header.patterns.size() < 3) {
-        return complain(app, "A study takes three patterns at least.");
-    }
-    state.code = record.header.participant.code;
-    state.age.clear();
-    state.gender.clear();
-    state.hand.clear();
-    state.agrees = false;
-    start_run(app, std::move(record));
+StudyHeader study_header(const App& app, const std::string& code) {
+    const PatternSet& set = app.document.set;
+    StudyHeader header;
+    header.program = kProgramVersion;
+    header.kind = app.study->kind;
+    header.set_name = set.name;
+    header.patterns = study_patterns(set);
+    header.set_fingerprint = study_fingerprint(set, header.patterns);
+    header.design = set.study;
+    header.participant.code = code;
+    const DeviceStatus status = app.study->device->status();
+    header.device = {status.name, app.study->calibration};
+    return header;
 }
 
-void resume_participant(App& app, const StudyRecord& record) {
-    const std::string fingerprint = study_fingerprint(app.document.set, record.header.patterns);
-    if (fingerprint != record.header.set_fingerprint) {
-        return complain(app, record.header.participant.code +
-                                 " felt other patterns: open the set as it was to go on.");
+std::vector<double> study_durations_s(const PatternSet& set,
+                                      const std::vector<std::string>& names) {
+    std::vector<double> all;
+    for (const std::string& name : names) {
+        const auto place = place_named(set, name);
+        const Waveform waveform = place ? waveform_of(set.vibrations[*place]) : Waveform{};
+        all.push_back(static_cast<double>(waveform.samples_g.size()) / waveform.rate_hz);
     }
-    const fs::path file = study_folder(app) / study_file_name(record.header.participant.code);
-    auto log = StudyLog::resume(file, record);
-    if (!log) return complain(app, log.error().message);
-    app.study->log.emplace(*std::move(log));
-    start_run(app, record);
+    return all;
 }
 
 void simulate_participant(App& app) {
@@ -284,7 +146,7 @@ void simulate_participant(App& app) {
         }
     }
     const std::string code = unused_code(app, "synthetic ");
-    StudyHeader header = new_header(app, code);
+    StudyHeader header = study_header(app, code);
     header.device = {"none: simulated", "none"};
     header.synthetic = true;
     header.seed = participant_seed(header.design.seed, code);
@@ -297,31 +159,6 @@ void simulate_participant(App& app) {
     say(app, "Simulated a participant" + std::string(state.kind == StudyKind::sorting
                                                          ? " who sorted."
                                                          : " who rated all pairs."));
-}
-
-void act(App& app, const StudyEvent& event) {
-    StudyState& state = *app.study;
-    if (!state.run) return;
-    if (event.what == What::go_on && state.run->page == StudyPage::consent) {
-        StudyHeader& header = state.run->record.header;
-        header.participant = {state.code, {}};
-        for (const auto& [key, value] :
-             {std::pair{"age", state.age}, {"gender", state.gender}, {"hand", state.hand}}) {
-            if (!value.empty()) header.participant.fields.emplace_back(key, value);
-        }
-        header.seed = participant_seed(header.design.seed, state.code);
-        if (!state.agrees) return;
-        // Its order of trials is the code's.
-        state.run = study_run(std::move(state.run->record), std::move(state.run->duration_s));
-    }
-    if (event.what == What::play && may_play(*state.run, app.time_s)) {
-        state.pressed_button = event.index;
-    }
-    StudyEvent timed = event;
-    timed.at = utc_now();
-    StudyStep step = stepped(*std::move(state.run), timed, app.time_s);
-    state.run = std::move(step.run);
-    act_on(app, step.deeds);
 }
 
 void use_as_ratings(App& app) {
@@ -383,7 +220,7 @@ double study_duration_s(const App& app) {
         const auto* pattern = std::get_if<Pattern>(&vibration.source);
         longest_s = std::max(longest_s, pattern != nullptr
                                             ? pattern->duration_s
-                                            : durations_of(app.document.set, {name}).front());
+                                            : study_durations_s(app.document.set, {name}).front());
     }
     return longest_s;
 }

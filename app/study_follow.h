@@ -1,6 +1,6 @@
 // Studies of the window: the folder of participants, the run of one, and what they said so far.
 //
-// Left out  drawing: app/panels/study_panel.cpp, study_pages.cpp.
+// Left out  drawing: app/panels/study_*.cpp.
 #pragma once
 
 #include <filesystem>
@@ -48,8 +48,12 @@ void export_study(App& app, const std::filesystem::path& file);
 void follow_study(App& app);
 bool is_study_running(const App& app);
 bool is_study_playing(const App& app);  // its button fills while it does
-// The patterns that take part, and the longest of them.
+// What a participant's file begins with, of the document as it is.
+StudyHeader study_header(const App& app, const std::string& code);
+
+// The patterns that take part, how long each is, and the longest of them.
 std::vector<std::string> study_names(const App& app);
+std::vector<double> study_durations_s(const PatternSet& set, const std::vector<std::string>& names);
 double study_duration_s(const App& app);
 
 // When the next frame is needed without input; infinite: not at all.

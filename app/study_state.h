@@ -61,6 +61,7 @@ struct StudyState {
     StudyShow show = StudyShow::matrix;
     CollectRule rule;  // but for the attention, which is the design's
 
+    std::string rounds_text;  // of sorting, while being typed
     std::string edited_text;  // id of the words being edited; empty: none
 
     // On the consent page.
@@ -70,8 +71,10 @@ struct StudyState {
     std::string hand;
     bool agrees = false;
 
-    std::optional<std::size_t> held;  // pattern, in sorting: by the mouse or the keyboard
-    std::size_t pressed_button = 0;   // last: 0 left, 1 right
+    std::optional<std::size_t> held;      // pattern, in sorting: by the mouse or the keyboard
+    std::optional<MapSettling> settling;  // of the run, in adaptive order, as of its last pause
+    std::size_t pressed_button = 0;       // last: 0 left, 1 right
+    std::string calibration = "uncalibrated";
     std::shared_ptr<Device> device;   // never null
     std::shared_ptr<Device> masking;  // null: no second output
     std::string masking_fault;

@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 
+#include "app/full_screen.h"
 #include "app/kept_frame.h"
 
 namespace tact {
@@ -64,6 +65,7 @@ struct Window {
     std::string title;
     bool fonts_outdated = true;
     bool maximised = false;
+    FullScreen full_screen;
     unsigned buttons_held = 0;  // one bit each
     int frames_due = kSettlingFrames;
     double next_wake_s = 0.0;
@@ -259,6 +261,7 @@ void put_on_screen(Window& window, Size pixels, ImU32 background) {
 void heed(Window& window, const FrameRequest& request, double now_s) {
     window.fonts_outdated |= request.rebuild_fonts;
     if (request.close) glfwSetWindowShouldClose(window.glfw, GLFW_TRUE);
+    set_full_screen(*window.glfw, window.full_screen, request.full_screen);
     if (!request.title.empty() && request.title != window.title) {
         window.title = request.title;
         glfwSetWindowTitle(window.glfw, window.title.c_str());

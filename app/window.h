@@ -47,6 +47,7 @@ struct FrameRequest {
     bool close = false;  // after this one, without asking
     std::string title;   // empty: as it is
     ImU32 background = IM_COL32_BLACK;
+    bool full_screen = false;
 };
 
 struct WindowClient {

@@ -6,6 +6,9 @@
 #include <cstdlib>
 #include <limits>
 
+#include "model/io/numbers.h"
+#include "model/study_design.h"
+
 namespace tact {
 
 namespace {
@@ -57,6 +60,34 @@ std::vector<int> sorting_rounds(std::size_t patterns, std::size_t free_choice) {
         if (&groups != &*nearest && static_cast<std::size_t>(groups) < patterns) {
             rounds.push_back(groups);
         }
+    }
+    return rounds;
+}
+
+std::string rounds_text(const std::vector<int>& rounds) {
+    std::string text;
+    for (const int groups : rounds) {
+        text += (text.empty() ? "" : ", ") + (groups == 0 ? "free" : std::to_string(groups));
+    }
+    return text;
+}
+
+std::optional<std::vector<int>> rounds_in(std::string_view text, std::size_t patterns) {
+    constexpr std::string_view kSeparators = " ,;\t";
+    std::vector<int> rounds;
+    while (!text.empty()) {
+        const std::size_t begin = std::min(text.find_first_not_of(kSeparators), text.size());
+        text.remove_prefix(begin);
+        const std::size_t end = std::min(text.find_first_of(kSeparators), text.size());
+        const std::string_view word = text.substr(0, end);
+        text.remove_prefix(end);
+        if (word.empty()) continue;
+        const std::optional<double> number = word == "free" ? 0.0 : finite_number_in(word);
+        const bool is_count = number && (*number == 0.0 || *number >= 2.0) &&
+                              *number <= static_cast<double>(patterns) &&
+                              *number == std::floor(*number);
+        if (!is_count || rounds.size() == limits::kMaxRounds) return std::nullopt;
+        rounds.push_back(static_cast<int>(*number));
     }
     return rounds;
 }

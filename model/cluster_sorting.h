@@ -9,7 +9,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/dissimilarity.h"
@@ -29,5 +32,10 @@ Dissimilarity sorting_dissimilarity(std::size_t patterns, std::span<const Sortin
 // The rounds of a study: first as many groups as the person likes (0), then 3, 6, 9, 12 and 15
 // without the one nearest to that choice; none with as many groups as patterns, or more.
 std::vector<int> sorting_rounds(std::size_t patterns, std::size_t free_choice);
+
+// Rounds as a person writes them: "free, 3, 6". Empty for none; nothing for what is no number from
+// 2 to that of the patterns, nor "free" or 0.
+std::string rounds_text(const std::vector<int>& rounds);
+std::optional<std::vector<int>> rounds_in(std::string_view text, std::size_t patterns);
 
 }  // namespace tact

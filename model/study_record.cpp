@@ -7,6 +7,15 @@
 
 namespace tact {
 
+std::string instructions_of(const StudyDesign& design, StudyKind kind) {
+    if (kind == StudyKind::pairwise || !design.instructions.empty()) return instructions_of(design);
+    return "You will sort vibrations into groups, so that what feels alike lies together.\n\n"
+           "Click a number to feel it, as often as you like, and drag it into a group. First you "
+           "make as many groups as you please; then you are asked for given numbers of groups. "
+           "There is no right or wrong answer; what counts is what you feel.\n\n"
+           "You may stop at any time.";
+}
+
 std::string study_fingerprint(const PatternSet& set, const std::vector<std::string>& names) {
     std::uint64_t sum = 0;
     for (const std::string& name : names) {
@@ -37,8 +46,10 @@ std::size_t answers_wanted(const StudyRecord& record) {
         return trial_count(header.design, header.patterns.size());
     }
     if (!header.design.groups.empty()) return header.design.groups.size();
-    const std::size_t free_choice =
-        record.sortings.empty() ? 0 : group_count(record.sortings.front().groups);
+    // Until it is known, a free choice of the middle is expected.
+    const std::size_t free_choice = record.sortings.empty()
+                                        ? header.patterns.size() / 2
+                                        : group_count(record.sortings.front().groups);
     return sorting_rounds(header.patterns.size(), free_choice).size();
 }
 

@@ -78,6 +78,9 @@ struct StudyRecord {
     bool operator==(const StudyRecord&) const = default;
 };
 
+// The words shown before a study of a kind: the design's own or the standard ones.
+std::string instructions_of(const StudyDesign& design, StudyKind kind);
+
 // Of the patterns that take part: their names and waveforms, as 16 hexadecimal digits. Another
 // amplitude is another study.
 std::string study_fingerprint(const PatternSet& set, const std::vector<std::string>& names);

@@ -55,3 +55,13 @@ TEST_CASE("cluster sorting: preset rounds leave out the one nearest to the free 
     CHECK(sorting_rounds(12, 4) == std::vector<int>{0, 6, 9});
     CHECK(sorting_rounds(3, 2) == std::vector<int>{0});
 }
+
+TEST_CASE("cluster sorting: rounds are read as a person writes them") {
+    using Rounds = std::vector<int>;
+    CHECK(rounds_in("free, 3, 6", 12) == Rounds{0, 3, 6});
+    CHECK(rounds_in(" 0;4  12 ", 12) == Rounds{0, 4, 12});
+    CHECK(rounds_in("", 12) == Rounds{});
+    CHECK(rounds_in(rounds_text({0, 3, 9}), 12) == Rounds{0, 3, 9});
+    for (const char* odd : {"1", "13", "2.5", "-3", "three", "3,,x"})
+        CHECK_FALSE(rounds_in(odd, 12));
+}

@@ -57,6 +57,8 @@ PatternSet unusual_set() {
         {"20 people", {"one two", "\u0436\u0443\u0436", "gone"}, {0.1, -2.0, 1e-300}, {}});
     set.model.coding.excitatory_layers = 2;
     set.model.nc_weight = 0.1;
+    set.study = {{"one two"}, 3,       2,      7,     StudyOrder::adaptive, 0.5, 1.5, 20, 0.25,
+                 {75.0, 1},   "Feel.", "Yes.", {0, 3}};
     return set;
 }
 
@@ -113,12 +115,14 @@ TEST_CASE("set file: keys of other versions are kept at every level") {
             "modulation": {"shape": "square"}, "rhythm": {"text": "x-", "swing": 0.1}}],
         "ratings": [{"name": "r", "labels": [], "condensed": [], "who": "us"}],
         "model": {"taste": 1, "coding": {"skin": "old", "inhibitory": {"ring": 2}},
-                  "channel_weight": {"krause": 1}}})");
+                  "channel_weight": {"krause": 1}},
+        "study": {"music": "soft", "attention": {"blinks": 3}}})");
     const std::string text = print_set(set);
     CHECK(parsed(text) == set);
     for (const char* part : {"\"future\"", "\"deep\": true", "\"new\": 1", "\"colour\": \"red\"",
                              "\"shape\": \"square\"", "\"swing\": 0.1", "\"who\": \"us\"",
-                             "\"taste\": 1", "\"skin\": \"old\"", "\"ring\": 2", "\"krause\": 1"}) {
+                             "\"taste\": 1", "\"skin\": \"old\"", "\"ring\": 2", "\"krause\": 1",
+                             "\"music\": \"soft\"", "\"blinks\": 3"}) {
         CAPTURE(part);
         CHECK(contains(text, part));
     }
@@ -173,6 +177,17 @@ TEST_CASE("set file: numbers out of range are refused with their JSON path") {
     std::string many = R"({"tactspace": 1, "patterns": [)";
     for (int k = 0; k < 10'001; ++k) many += (k == 0 ? "" : ",") + std::string("{}");
     CHECK(contains(fault(many + "]}"), "/patterns: expected an array of 0 to 10000"));
+}
+
+TEST_CASE("set file: a study's design is refused where it makes no study") {
+    for (const char* field :
+         {R"("repetitions": 0)", R"("attention_pairs": 101)", R"("gap_s": -1)", R"("order": "odd")",
+          R"("masking": 2)", R"("attention": {"above": 101})", R"("patterns": [3])",
+          R"("groups": [-1])", R"("seed": 1.5)"}) {
+        CAPTURE(field);
+        const std::string study = std::string(R"(, "study": {)") + field + "}";
+        CHECK(fault(with_set(study)).starts_with("s.json: /study/"));
+    }
 }
 
 TEST_CASE("set file: two equal names are refused, and both are named") {

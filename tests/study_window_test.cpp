@@ -181,6 +181,64 @@ TEST_CASE("study window: sorting by keyboard and by mouse") {
     CHECK(program.at("participant:P1").value == "1 of 1, counts");
 }
 
+TEST_CASE("study window: everything keeps within its pane, in small windows with large text") {
+    StudyProgram program;
+    program.press('5');
+    const auto check_inside = [&](const char* pane, std::initializer_list<const char*> things) {
+        const Place& around = program.at(pane);
+        for (const char* thing : things) {
+            CAPTURE(thing);
+            CHECK(program.at(thing).min.x >= around.min.x);
+            CHECK(program.at(thing).max.x <= around.max.x);
+        }
+    };
+    for (const float scale : {0.75F, 1.0F, 2.0F}) {
+        for (const ImVec2 size : {ImVec2{1600, 1000}, ImVec2{1000, 640}}) {
+            CAPTURE(scale);
+            CAPTURE(size.x);
+            ImGui::GetIO().DisplaySize = size;
+            ImGui::GetIO().Fonts->Clear();
+            program.app.text_scale = scale;
+            make_theme(program.app);
+            program.settle();
+            check_inside("pane:Study", {"entry:study_repetitions", "study:prediction",
+                                        "study kind:Sort into groups", "study order:Adaptive"});
+            check_inside("pane:Participants", {"button:run participant", "button:simulate",
+                                               "link:study folder", "study:device"});
+            program.click("button:run participant");
+            CHECK(program.at("study field:hand").max.x <= size.x);
+            // What does not fit scrolls.
+            program.hover(size * 0.5F);
+            push(program.window.input, {program.window.now_s, MouseWheel{0.0F, -30.0F}});
+            program.settle();
+            CHECK(program.at("study:go on").max.y <= size.y);
+            program.key(key::kEscape);
+            program.press('q');
+        }
+    }
+}
+
+TEST_CASE("study window: a trial fits into any window, at any size of text") {
+    StudyProgram program;
+    program.press('5');
+    program.begin();
+    for (const float scale : {0.75F, 1.0F, 2.0F}) {
+        for (const ImVec2 size : {ImVec2{1600, 1000}, ImVec2{1000, 640}}) {
+            CAPTURE(scale);
+            CAPTURE(size.x);
+            ImGui::GetIO().DisplaySize = size;
+            ImGui::GetIO().Fonts->Clear();
+            program.app.text_scale = scale;
+            make_theme(program.app);
+            program.settle();
+            CHECK(program.at("study:A").max.x <= program.at("study:B").min.x);
+            CHECK(program.at("study:A").max.y <= program.at("study:slider").min.y);
+            CHECK(program.at("study:slider").max.y <= program.at("study:go on").min.y);
+            CHECK(program.at("study:go on").max.y <= size.y);
+        }
+    }
+}
+
 TEST_CASE("study window: a simulated participant says everywhere that it is none") {
     StudyProgram program;
     make_jobs(program.app);

@@ -177,6 +177,30 @@ void draw_prediction(App& app) {
     draw_tooltip(app, "18 s a trial, as in the publication; longer for longer patterns.");
 }
 
+// Numbers of groups, as text; taken when the entry is left.
+void draw_rounds(App& app) {
+    const std::size_t patterns = study_names(app).size();
+    std::string& typed = app.study->rounds_text;
+    const std::string hint = rounds_text(sorting_rounds(patterns, patterns / 2));
+    draw_label(app, "Rounds");
+    ImGui::SetNextItemWidth(-1.0F);
+    std::string shown = rounds_text(app.document.set.study.groups);
+    ImGui::InputTextWithHint("##rounds", hint.c_str(), &shown);
+    if (ImGui::IsItemActive()) typed = shown;
+    const bool is_left = ImGui::IsItemDeactivatedAfterEdit();
+    note_item(app.rects, "study:rounds", shown);
+    draw_tooltip(app,
+                 "Numbers of groups, a round each, or free: as many as the participant likes. Left "
+                 "empty: a free round, then 3, 6, 9, 12 and 15 without the one nearest to it.");
+    if (!is_left) return;
+    const auto rounds = rounds_in(typed, patterns);
+    if (!rounds) {
+        return complain(app, "Rounds are numbers of groups from 2 to " + std::to_string(patterns) +
+                                 ", or free: " + hint + ".");
+    }
+    change_at_once(app, "study: rounds", [&](StudyDesign& design) { design.groups = *rounds; });
+}
+
 void toggle_pattern(App& app, const std::string& name, bool takes_part) {
     change_at_once(app, "study: patterns", [&](StudyDesign& design) {
         design.patterns = study_patterns(app.document.set);
@@ -262,6 +286,7 @@ void draw_study_design(App& app) {
     ImGui::Spacing();
     const bool rates = app.study->kind == StudyKind::pairwise;
     if (rates) draw_order(app);
+    if (!rates) draw_rounds(app);
     for (const NumberRow& row : kTrials) {
         if (rates || !row.of_pairs) draw_number(app, row);
     }
@@ -269,7 +294,7 @@ void draw_study_design(App& app) {
     draw_patterns(app);
     const StudyDesign& design = app.document.set.study;
     draw_text_row(app, {"instructions", "Instructions", &StudyDesign::instructions},
-                  instructions_of(design));
+                  instructions_of(design, app.study->kind));
     draw_text_row(app, {"consent", "Consent", &StudyDesign::consent}, consent_of(design));
     ImGui::EndChild();
 }

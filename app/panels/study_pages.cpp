@@ -105,8 +105,12 @@ void draw_foot(App& app, const Rect& area) {
                  keys_of(*state.run));
     std::string warning = state.run->trouble;
     if (!warning.empty()) warning = "Not on the disk, please call the experimenter. " + warning;
-    if (warning.empty() && !state.device->status().connected) {
-        warning = "Rehearsal: no actuator is connected, nothing can be felt.";
+    if (warning.empty()) {
+        const DeviceStatus status = state.device->status();
+        warning = status.trouble;
+        if (!status.connected && warning.empty()) {
+            warning = "Rehearsal: no actuator is connected, nothing can be felt.";
+        }
     }
     if (warning.empty()) warning = state.masking_fault;
     if (warning.empty()) return;
@@ -178,11 +182,17 @@ void draw_consent(App& app, const Rect& area, std::span<const KeyPress> pressed)
     ImGui::EndDisabled();
 }
 
-std::string rest_text(const StudyRun& run) {
-    std::string text = "Take a break for as long as you like. " +
-                       std::to_string(answers_given(run.record)) + " of " +
-                       std::to_string(answers_wanted(run.record)) + " trials are done.";
-    return text;
+// A word to the experimenter, where the order is adaptive.
+std::string settling_text(const StudyState& state) {
+    if (!state.settling || !state.settling->is_settled) return {};
+    return "\n\nThe map has settled: more trials would change little.";
+}
+
+std::string rest_text(const StudyState& state) {
+    const StudyRecord& record = state.run->record;
+    return "Take a break for as long as you like. " + std::to_string(answers_given(record)) +
+           " of " + std::to_string(answers_wanted(record)) + " trials are done." +
+           settling_text(state);
 }
 
 // Esc: nothing is lost either way, and the page says so.
@@ -197,7 +207,8 @@ void draw_asking(App& app, const Rect& area, std::span<const KeyPress> pressed) 
     wrapped({{area.min.x, area.min.y + 44.0F * app.theme.scale}, area.max},
             is_new ? "Nothing has been written yet."
                    : std::to_string(given) + (given == 1 ? " answer is" : " answers are") +
-                         " kept. Who leaves can go on later with the trial on the screen.");
+                         " kept. Who leaves can go on later with the trial on the screen." +
+                         settling_text(*app.study));
     ImGui::SetCursorScreenPos(
         {area.min.x, ImGui::GetCursorScreenPos().y + 28.0F * app.theme.scale});
     const bool stays = ImGui::Button("Go on") || was_pressed(pressed, key::kEnter);
@@ -212,35 +223,50 @@ void draw_asking(App& app, const Rect& area, std::span<const KeyPress> pressed) 
     }
 }
 
+// A page that is read: a column of comfortable width, which scrolls where it is too long.
+void draw_column(App& app, const Rect& area, std::span<const KeyPress> pressed) {
+    const StudyRun& run = run_of(app);
+    const float width = std::min(640.0F * app.theme.scale, area.width());
+    ImGui::SetCursorScreenPos({area.centre().x - 0.5F * width, area.min.y});
+    ImGui::BeginChild("page", {width, area.height()}, false, ImGuiWindowFlags_NoNav);
+    const Rect column =
+        rect_at(ImGui::GetCursorScreenPos(), {ImGui::GetContentRegionAvail().x, area.height()});
+    if (run.is_asking) {
+        draw_asking(app, column, pressed);
+    } else if (run.page == StudyPage::consent) {
+        draw_consent(app, column, pressed);
+    } else if (run.page == StudyPage::instructions) {
+        draw_reading_page(app, column, run.answers_before > 0 ? "Welcome back" : "What you will do",
+                          instructions_of(run.record.header.design, run.record.header.kind),
+                          "Go on");
+    } else if (run.page == StudyPage::rest) {
+        draw_reading_page(app, column, "A break", rest_text(*app.study), "Go on");
+    } else {
+        draw_reading_page(app, column, "Thank you", "That was all. Your answers are kept.", "Done");
+    }
+    ImGui::EndChild();
+}
+
 void draw_page(App& app, const Rect& area, std::span<const KeyPress> pressed) {
     const StudyRun& run = run_of(app);
-    const Rect column = rect_at(
-        {area.centre().x - 0.5F * std::min(640.0F * app.theme.scale, area.width()), area.min.y},
-        {std::min(640.0F * app.theme.scale, area.width()), area.height()});
-    if (run.is_asking) return draw_asking(app, column, pressed);
     const bool goes_on = was_pressed(pressed, key::kEnter);
-    if (goes_on && run.page != StudyPage::consent) {
+    if (goes_on && !run.is_asking && run.page != StudyPage::consent) {
         act(app, {What::go_on, 0, 0.0, {}, {}});
         if (!app.study->run) return;
     }
+    if (run.is_asking) return draw_column(app, area, pressed);
     switch (run.page) {
-        case StudyPage::consent:
-            return draw_consent(app, column, pressed);
-        case StudyPage::instructions:
-            return draw_reading_page(app, column,
-                                     run.answers_before > 0 ? "Welcome back" : "What you will do",
-                                     instructions_of(run.record.header.design), "Go on");
         case StudyPage::training:
             return draw_training_page(app, area, pressed);
         case StudyPage::trial:
             return draw_trial_page(app, area, pressed);
         case StudyPage::sorting:
             return draw_sorting_page(app, area, pressed);
+        case StudyPage::consent:
+        case StudyPage::instructions:
         case StudyPage::rest:
-            return draw_reading_page(app, column, "A break", rest_text(run), "Go on");
         case StudyPage::finished:
-            return draw_reading_page(app, column, "Thank you",
-                                     "That was all. Your answers are kept.", "Done");
+            return draw_column(app, area, pressed);
     }
 }
 
@@ -325,7 +351,10 @@ void draw_study_pages(App& app, std::span<const KeyPress> pressed) {
         if (was_pressed(pressed, key::kEscape) && !run_of(app).is_asking) {
             act(app, {What::ask, 0, 0.0, {}, {}});
         } else {
-            const float top = area.min.y + 0.16F * area.height();
+            // Low windows have no room for air above.
+            const bool is_low = area.height() < 700.0F * app.theme.scale;
+            const float head = 40.0F * app.theme.scale;
+            const float top = area.min.y + (is_low ? head : std::max(head, 0.16F * area.height()));
             draw_page(app, {{area.min.x, top}, {area.max.x, area.max.y - 72.0F * app.theme.scale}},
                       pressed);
         }

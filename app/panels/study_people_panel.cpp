@@ -57,7 +57,8 @@ void draw_buttons(App& app) {
 void draw_device(App& app) {
     const DeviceStatus status = app.study->device->status();
     if (status.connected) {
-        return small_text(app, app.theme.dim_text, "Felt on " + status.name + ", uncalibrated.",
+        return small_text(app, app.theme.dim_text,
+                          "Felt on " + status.name + ", " + app.study->calibration + ".",
                           "study:device");
     }
     small_text(app, app.theme.warning,

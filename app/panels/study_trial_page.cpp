@@ -89,13 +89,20 @@ void take_slider_keys(App& app, std::span<const KeyPress> pressed) {
     }
 }
 
+// Positions on a page of so many pixels; smaller where the window is too low for it.
+float page_scale(const App& app, const Rect& area, float height_px) {
+    return std::min(app.theme.scale, area.height() / height_px);
+}
+
 // Rows of at most six.
 Rect training_cell(const App& app, const Rect& area, std::size_t k, std::size_t count) {
     const std::size_t columns = std::min<std::size_t>(count, count <= 8 ? 4 : 6);
     const float gap = app.theme.padding_px;
-    const float side = std::min(
-        (area.width() - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns),
-        120.0F * app.theme.scale);
+    const auto rows = static_cast<float>((count + columns - 1) / columns);
+    const float room = area.height() - 90.0F * app.theme.scale;
+    const auto across = static_cast<float>(columns);
+    const float side = std::min({120.0F * app.theme.scale, (room / rows - gap) / 0.75F,
+                                 (area.width() - gap * (across - 1.0F)) / across});
     const float width = static_cast<float>(columns) * (side + gap) - gap;
     const ImVec2 corner{
         area.centre().x - 0.5F * width + static_cast<float>(k % columns) * (side + gap),
@@ -153,9 +160,10 @@ void draw_trial_page(App& app, const Rect& area, std::span<const KeyPress> press
     const Theme& theme = app.theme;
     centred_text(app, theme.fonts.large, theme.text, area, area.min.y,
                  waiting_text(run, app.time_s));
-    const float side = std::min(kFeelPx * theme.scale, 0.3F * area.width());
+    const float s = page_scale(app, area, 440.0F);
+    const float side = std::min(kFeelPx * s, 0.3F * area.width());
     const float gap = 0.4F * side;
-    const float top = area.min.y + 64.0F * theme.scale;
+    const float top = area.min.y + 64.0F * s;
     const bool is_ready = may_play(run, app.time_s);
     // Of identical patterns only the button that was pressed fills.
     const bool is_left = run.playing && app.study->pressed_button == 0;
@@ -167,10 +175,9 @@ void draw_trial_page(App& app, const Rect& area, std::span<const KeyPress> press
     const bool feels_right =
         draw_feel_button(app, right, {"study:B", "B", "", is_right, run.plays_right, is_ready});
     const float width = std::min(kSliderPx * theme.scale, area.width());
-    const float y = left.max.y + 96.0F * theme.scale;
-    draw_slider(app, rect_at({area.centre().x - 0.5F * width, y - 16.0F * theme.scale},
-                             {width, 32.0F * theme.scale}));
-    const ImVec2 foot{area.centre().x - 80.0F * theme.scale, y + 84.0F * theme.scale};
+    const float y = left.max.y + 96.0F * s;
+    draw_slider(app, rect_at({area.centre().x - 0.5F * width, y - 16.0F * s}, {width, 32.0F * s}));
+    const ImVec2 foot{area.centre().x - 80.0F * theme.scale, y + 84.0F * s};
     draw_go_on(app, {foot, {area.max.x, foot.y}}, "Next");
     if (feels_left) feel(app, 0);
     if (feels_right) feel(app, 1);
