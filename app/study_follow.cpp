@@ -15,6 +15,7 @@
 #include "model/io/study_csv.h"
 #include "model/set_ratings.h"
 #include "model/synthetic_study.h"
+#include "viz/plot.h"
 
 namespace tact {
 
@@ -104,6 +105,11 @@ std::string unused_code(const App& app, const std::string& prefix) {
     }
 }
 
+std::string study_calibration(const App& app) {
+    return "uncalibrated, full scale stands for " + significant(app.play.full_scale_g) +
+           " g, level " + significant(app.play.level);
+}
+
 StudyHeader study_header(const App& app, const std::string& code) {
     const PatternSet& set = app.document.set;
     StudyHeader header;
@@ -114,8 +120,7 @@ StudyHeader study_header(const App& app, const std::string& code) {
     header.set_fingerprint = study_fingerprint(set, header.patterns);
     header.design = set.study;
     header.participant.code = code;
-    const DeviceStatus status = app.study->device->status();
-    header.device = {status.name, app.study->calibration};
+    header.device = {app.study->device->status().name, study_calibration(app)};
     return header;
 }
 

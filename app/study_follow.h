@@ -48,6 +48,9 @@ void export_study(App& app, const std::filesystem::path& file);
 void follow_study(App& app);
 bool is_study_running(const App& app);
 bool is_study_playing(const App& app);  // its button fills while it does
+// How strong full scale is, in words: what is known of the device's strength.
+std::string study_calibration(const App& app);
+
 // What a participant's file begins with, of the document as it is.
 StudyHeader study_header(const App& app, const std::string& code);
 

@@ -1,12 +1,11 @@
 // A participant at the study: what they do goes to the run, and what it asks for is done.
 
-#include <algorithm>
-#include <cmath>
 #include <ctime>
 #include <utility>
 
 #include "app/editing.h"
 #include "app/folders.h"
+#include "app/playing.h"
 #include "app/study_follow.h"
 #include "devices/drive.h"
 #include "model/pink_noise.h"
@@ -26,22 +25,6 @@ std::string utc_now() {
     char text[32];
     std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
     return text;
-}
-
-// The largest acceleration of the study fills the scale, so that patterns keep their proportions.
-Drive study_drive(const PatternSet& set, const std::vector<std::string>& names,
-                  std::size_t pattern) {
-    double largest_g = 0.0;
-    for (const std::string& name : names) {
-        const auto place = place_named(set, name);
-        if (!place) continue;
-        for (const double sample : waveform_of(set.vibrations[*place]).samples_g) {
-            largest_g = std::max(largest_g, std::abs(sample));
-        }
-    }
-    const auto place = place_named(set, names[pattern]);
-    if (!place) return {};
-    return drive_of(waveform_of(set.vibrations[*place]), largest_g > 0.0 ? largest_g : 1.0);
 }
 
 void mask(StudyState& state, double level) {
@@ -98,8 +81,9 @@ void act_on(App& app, const StudyDeeds& deeds) {
     StudyState& state = *app.study;
     if (deeds.silence) state.device->stop();
     if (deeds.play) {
-        const auto& names = state.run->record.header.patterns;
-        const Drive drive = study_drive(*state.set, names, *deeds.play);
+        const std::string& name = state.run->record.header.patterns[*deeds.play];
+        const Vibration& vibration = state.set->vibrations[*place_named(*state.set, name)];
+        const Drive drive = drive_of(waveform_of(vibration), app.play.full_scale_g);
         if (const auto played = state.device->play(drive, false); !played) {
             complain(app, played.error().message);
         }
@@ -134,6 +118,7 @@ void start_run(App& app, StudyRecord record) {
     state.run = study_run(std::move(record), std::move(durations));
     state.held.reset();
     state.settling.reset();
+    silence(app);
     app.playhead.playing = false;
     app.status = {};
 }

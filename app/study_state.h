@@ -74,9 +74,8 @@ struct StudyState {
     std::optional<std::size_t> held;      // pattern, in sorting: by the mouse or the keyboard
     std::optional<MapSettling> settling;  // of the run, in adaptive order, as of its last pause
     std::size_t pressed_button = 0;       // last: 0 left, 1 right
-    std::string calibration = "uncalibrated";
-    std::shared_ptr<Device> device;   // never null
-    std::shared_ptr<Device> masking;  // null: no second output
+    std::shared_ptr<Device> device;       // never null
+    std::shared_ptr<Device> masking;      // null: no second output
     std::string masking_fault;
     bool masks = false;
 };

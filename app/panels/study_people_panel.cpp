@@ -58,7 +58,7 @@ void draw_device(App& app) {
     const DeviceStatus status = app.study->device->status();
     if (status.connected) {
         return small_text(app, app.theme.dim_text,
-                          "Felt on " + status.name + ", " + app.study->calibration + ".",
+                          "Felt on " + status.name + ", " + study_calibration(app) + ".",
                           "study:device");
     }
     small_text(app, app.theme.warning,
