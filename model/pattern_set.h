@@ -24,6 +24,7 @@ struct Measurement {
     std::string path;                          // of its file: absolute; relative in a set file
     double scale_g = 1.0;                      // g at the file's full scale
     std::string measures;                      // name of the intended pattern, or empty
+    bool synthetic = false;                    // computed, not recorded: shown as such everywhere
 
     bool operator==(const Measurement&) const;  // compares the samples, not the pointers
 };

@@ -3,6 +3,7 @@
 #include <fftw3.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <complex>
 #include <memory>
@@ -43,8 +44,8 @@ double frequency_hz(const Spectrum& spectrum, std::size_t k) {
     return static_cast<double>(k) * spectrum.rate_hz / static_cast<double>(spectrum.samples);
 }
 
-Spectrum amplitude_spectrum(std::span<const double> samples_g, double rate_hz) {
-    const std::size_t n = samples_g.size();
+std::vector<std::complex<double>> half_spectrum(std::span<const double> samples) {
+    const std::size_t n = samples.size();
     if (n == 0) return {};
     const std::size_t bins = n / 2 + 1;
     const auto input = fftw_array<double>(n);
@@ -56,13 +57,40 @@ Spectrum amplitude_spectrum(std::span<const double> samples_g, double rate_hz) {
                                         reinterpret_cast<fftw_complex*>(output.get()),
                                         FFTW_ESTIMATE | FFTW_NO_SIMD));
     }
-    std::copy(samples_g.begin(), samples_g.end(), input.get());
+    std::copy(samples.begin(), samples.end(), input.get());
     fftw_execute(plan.get());
+    return {output.get(), output.get() + bins};
+}
+
+std::vector<double> samples_of(std::span<const std::complex<double>> half, std::size_t samples) {
+    assert(half.size() == (samples == 0 ? 0 : samples / 2 + 1) && "half of another length");
+    if (samples == 0) return {};
+    const auto input = fftw_array<std::complex<double>>(half.size());
+    const auto output = fftw_array<double>(samples);
+    Plan plan;
+    {
+        const std::scoped_lock lock(planner_mutex);
+        plan.reset(fftw_plan_dft_c2r_1d(static_cast<int>(samples),
+                                        reinterpret_cast<fftw_complex*>(input.get()), output.get(),
+                                        FFTW_ESTIMATE | FFTW_NO_SIMD));
+    }
+    std::copy(half.begin(), half.end(), input.get());
+    fftw_execute(plan.get());
+    std::vector<double> result(output.get(), output.get() + samples);
+    for (double& sample : result) sample /= static_cast<double>(samples);
+    return result;
+}
+
+Spectrum amplitude_spectrum(std::span<const double> samples_g, double rate_hz) {
+    const std::size_t n = samples_g.size();
+    if (n == 0) return {};
+    const std::vector<std::complex<double>> half = half_spectrum(samples_g);
+    const std::size_t bins = half.size();
     Spectrum spectrum{rate_hz, n, std::vector<double>(bins)};
     for (std::size_t k = 0; k < bins; ++k) {
         const bool unpaired = k == 0 || 2 * k == n;
         spectrum.amplitude_g[k] =
-            (unpaired ? 1.0 : 2.0) * std::abs(output[k]) / static_cast<double>(n);
+            (unpaired ? 1.0 : 2.0) * std::abs(half[k]) / static_cast<double>(n);
     }
     return spectrum;
 }

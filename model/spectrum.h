@@ -3,10 +3,11 @@
 // Input     samples in g at a rate; no window, no padding
 // Output    one-sided peak amplitudes: a sine of 1 g on a bin gives 1 g there
 // Valid     1 sample and more
-// Left out  phase, averaging, leakage correction.
+// Left out  averaging, leakage correction.
 // Exact     one plan per length, made without measuring: same bits in every run and thread.
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -22,6 +23,12 @@ struct Spectrum {
 
 // k rate / N, in this order: a multiple of a rounded rate / N can miss a band edge.
 double frequency_hz(const Spectrum& spectrum, std::size_t k);
+
+// X[k] = sum_n x[n] exp(-2 pi i k n / N), k = 0 .. floor(N/2): the half that real samples need.
+std::vector<std::complex<double>> half_spectrum(std::span<const double> samples);
+
+// The N real samples of such a half, its inverse with 1/N. X[0] and, N even, X[N/2] count as real.
+std::vector<double> samples_of(std::span<const std::complex<double>> half, std::size_t samples);
 
 // A[k] = c_k / N |sum_n x[n] exp(-2 pi i k n / N)|, c_k = 1 for k = 0 and (N even) k = N/2, else 2.
 Spectrum amplitude_spectrum(std::span<const double> samples_g, double rate_hz);

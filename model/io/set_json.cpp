@@ -95,6 +95,7 @@ Measurement measurement_of(JsonObject& object) {
     }
     measurement.scale_g = number_field(object, "scale_g", 0.0, limits::kScaleG);
     measurement.measures = text_field(object, "measures", "");
+    measurement.synthetic = yes_no_field(object, "synthetic", false);
     return measurement;
 }
 
@@ -251,6 +252,7 @@ Json json_of(const Measurement& measurement, const fs::path& folder) {
     Json fields = {{"waveform", path_from(folder, measurement.path)},
                    {"scale_g", measurement.scale_g}};
     if (!measurement.measures.empty()) fields["measures"] = measurement.measures;
+    if (measurement.synthetic) fields["synthetic"] = true;
     return fields;
 }
 

@@ -84,6 +84,23 @@ std::vector<double> read_channel(SNDFILE* sound, const SF_INFO& info, std::size_
     return samples;
 }
 
+// The opened file, its header read, or why not.
+Expected<std::shared_ptr<SNDFILE>> opened(const fs::path& path, SF_INFO& info) {
+    const std::string name = path.string();
+    const auto size = readable_size(path);
+    if (!size) return size.error();
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) return Error{name + ": cannot be opened for reading"};
+    if (const std::string fault = wave_size_fault(stream, *size); !fault.empty()) {
+        return Error{name + ": " + fault};
+    }
+    std::shared_ptr<SNDFILE> sound(sf_open(path.c_str(), SFM_READ, &info), [](SNDFILE* open) {
+        if (open != nullptr) sf_close(open);
+    });
+    if (!sound) return Error{name + ": expected a WAV file: " + sf_strerror(nullptr)};
+    return sound;
+}
+
 // What is wrong with the samples in g, or empty.
 std::string sample_fault(const std::vector<double>& samples_g, const SF_INFO& info) {
     if (samples_g.size() < static_cast<std::size_t>(info.frames)) {
@@ -126,21 +143,33 @@ bool write_samples(SNDFILE* sound, std::vector<double> samples, const WaveOption
 
 }  // namespace
 
+Expected<WaveChannels> read_wave_channels(const fs::path& path) {
+    SF_INFO info{};
+    const auto sound = opened(path, info);
+    if (!sound) return sound.error();
+    const auto options = with_sidecar({}, path);
+    if (!options) return options.error();
+    if (const auto fault = header_fault(info, 0); !fault.empty()) {
+        return Error{path.string() + ": " + fault};
+    }
+    WaveChannels result{static_cast<double>(info.samplerate), {}, options->scale_g};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(info.channels); ++k) {
+        sf_seek(sound->get(), 0, SEEK_SET);
+        result.channels.push_back(read_channel(sound->get(), info, k));
+        if (const auto fault = sample_fault(result.channels.back(), info); !fault.empty()) {
+            return Error{path.string() + ": " + fault};
+        }
+    }
+    return result;
+}
+
 Expected<Recording> read_wave_file(const fs::path& path, const RecordingOptions& asked) {
     const std::string name = path.string();
-    const auto size = readable_size(path);
-    if (!size) return size.error();
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) return Error{name + ": cannot be opened for reading"};
-    if (const std::string fault = wave_size_fault(stream, *size); !fault.empty()) {
-        return Error{name + ": " + fault};
-    }
+    SF_INFO info{};
+    const auto sound = opened(path, info);
+    if (!sound) return sound.error();
     const auto options = with_sidecar(asked, path);
     if (!options) return options.error();
-
-    SF_INFO info{};
-    const Sound sound(sf_open(path.c_str(), SFM_READ, &info));
-    if (!sound) return Error{name + ": expected a WAV file: " + sf_strerror(nullptr)};
     const std::size_t channel = options->channel.value_or(0);
     if (const auto fault = header_fault(info, channel); !fault.empty()) {
         return Error{name + ": " + fault};
@@ -148,7 +177,7 @@ Expected<Recording> read_wave_file(const fs::path& path, const RecordingOptions&
     Recording recording;
     recording.scale_g = options->scale_g.value_or(1.0);
     Waveform original{static_cast<double>(info.samplerate),
-                      read_channel(sound.get(), info, channel)};
+                      read_channel(sound->get(), info, channel)};
     for (double& sample : original.samples_g) sample *= recording.scale_g;
     if (const auto fault = sample_fault(original.samples_g, info); !fault.empty()) {
         return Error{name + ": " + fault};

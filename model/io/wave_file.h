@@ -11,6 +11,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "model/expected.h"
 #include "model/io/recording.h"
@@ -21,6 +23,14 @@ namespace tact {
 // The scale is that of the options, else of the sidecar, else 1 g with a remark; so is the channel.
 Expected<Recording> read_wave_file(const std::filesystem::path& path,
                                    const RecordingOptions& options = {});
+
+// All channels as they are in the file: at its rate, 1 being full scale.
+struct WaveChannels {
+    double rate_hz = kModelRateHz;
+    std::vector<std::vector<double>> channels;
+    std::optional<double> scale_g;  // that the sidecar says
+};
+Expected<WaveChannels> read_wave_channels(const std::filesystem::path& path);
 
 enum class WaveEncoding { float32, int16, int24 };
 
