@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <string>
 
 #include "app/command_line/commands.h"
@@ -57,6 +58,19 @@ CLI::App& add_command(CLI::App& app, const char* name, const char* help, Command
     return sub;
 }
 
+// For the commands whose answer two sides of a set can be compared by.
+void add_only(CLI::App& command, CommonOptions& options) {
+    command
+        .add_option_function<std::string>(
+            "--only",
+            [&options](const std::string& side) {
+                options.only = side == "measured" ? Side::measured : Side::intended;
+            },
+            "intended or measured: leaves out the measured twins, or all else; compare holds a "
+            "twin against the ratings of the pattern that it measures")
+        ->check(CLI::IsMember({"intended", "measured"}));
+}
+
 struct Commands {
     PredictCommand predict;
     SpaceCommand space;
@@ -70,6 +84,8 @@ struct Commands {
     PlayCommand play;
     CalibrateCommand calibrate;
     GenerateCommand generate;
+    ImportCommand import;
+    MeasureCommand measure;
 };
 
 // Empty where there is such a metric, as CLI11 wants it.
@@ -103,12 +119,14 @@ void add_prediction_commands(CLI::App& app, Commands& commands,
     predict.add_flag("--first-as-reference", commands.predict.first_as_reference,
                      "st-sim and spqi: the earlier pattern of a pair is the reference, instead of "
                      "the mean of both ways");
+    add_only(predict, commands.predict.common);
     predict.footer(list_of_metrics());
 
     CLI::App& space = add_command(app, "space", "coordinates of the perceptual space, as CSV",
                                   commands.space, chosen);
     add_rendering(space, commands.space.common);
     space.add_option("--dim", commands.space.dimensions, "2 or 3")->check(CLI::IsMember({2, 3}));
+    add_only(space, commands.space.common);
     space.add_option("--starts", commands.space.starts, "random starts besides Torgerson's")
         ->check(CLI::Range(0, 100'000));
     space.add_option("--out", commands.space.out, "file for the coordinates");
@@ -236,6 +254,84 @@ void add_generate_command(CLI::App& app, GenerateCommand& command,
     });
 }
 
+void add_measured_options(CLI::App& sub, std::filesystem::path& set, std::filesystem::path& out,
+                          bool& json) {
+    sub.add_option("SET", set, "the set with the intended patterns")->required();
+    sub.add_option("--out", out, "set file; the waveforms go to measured/ beside it")->required();
+    sub.add_flag("--json", json, "JSON instead of text on standard output");
+}
+
+// A number that is left to the file where the option is not given.
+void add_optional(CLI::App& sub, const char* name, std::optional<double>& target, Range range,
+                  const char* help) {
+    sub.add_option_function<double>(
+           name, [&target](double value) { target = value; }, help)
+        ->check(CLI::Range(range.low, range.high));
+}
+
+void add_import_command(CLI::App& app, ImportCommand& command,
+                        std::function<Expected<Done>()>& chosen) {
+    CLI::App& sub = *app.add_subcommand(
+        "import", "recordings of patterns by an accelerometer, each behind its pattern");
+    add_measured_options(sub, command.set, command.out, command.json);
+    sub.add_option("RECORDING", command.recordings,
+                   "tables (.csv, .txt) with or without a time column, or .wav; one or three axes")
+        ->required();
+    sub.add_option("--pattern", command.pattern,
+                   "what all of them measure; else the pattern that a file is named after");
+    const std::map<std::string, AccelerationUnit> units{{"g", AccelerationUnit::g},
+                                                        {"m/s2", AccelerationUnit::m_per_s2},
+                                                        {"V", AccelerationUnit::volt}};
+    sub.add_option_function<std::string>(
+           "--unit",
+           [&command, units](const std::string& unit) { command.options.unit = units.at(unit); },
+           "g, m/s2 or V; else what the table's first line says")
+        ->check(CLI::IsMember({"g", "m/s2", "V"}));
+    const auto range = [](Range of) { return CLI::Range(of.low, of.high); };
+    sub.add_option("--sensitivity", command.options.sensitivity_v_per_g, "of the sensor, V/g")
+        ->check(range(limits::kSensitivityVPerG));
+    sub.add_option("--offset", command.options.offset_v, "of the sensor at 0 g, V")
+        ->check(range(limits::kOffsetV));
+    sub.add_option_function<std::string>(
+           "--axis",
+           [&command](const std::string& axis) {
+               command.options.axis = axis == "all" ? 0 : static_cast<std::size_t>(axis[0] - '0');
+           },
+           "1, 2, 3, or all: three axes made one by DFT321")
+        ->check(CLI::IsMember({"1", "2", "3", "all"}));
+    add_optional(sub, "--rate", command.options.rate_hz, {100.0, 1e7},
+                 "of tables without a time column, Hz");
+    add_optional(sub, "--full-scale", command.options.full_scale, limits::kScaleG,
+                 "of .wav files, in the unit");
+    sub.callback([&] { chosen = [&command] { return run(command); }; });
+}
+
+void add_measure_command(CLI::App& app, MeasureCommand& command,
+                         std::function<Expected<Done>()>& chosen) {
+    CLI::App& sub =
+        *app.add_subcommand("measure", "simulated measurements of patterns, labelled synthetic");
+    add_measured_options(sub, command.set, command.out, command.json);
+    sub.add_flag("--simulate", command.simulate,
+                 "by a resonant actuator and a noisy sensor: it is no recording, and says so")
+        ->required();
+    sub.add_option("--pattern", command.pattern, "only this one");
+    const auto number = [&sub](const char* name, double& target, Range range, const char* help) {
+        sub.add_option(name, target, help)
+            ->check(CLI::Range(range.low, range.high))
+            ->capture_default_str();
+    };
+    ActuatorParams& actuator = command.actuator;
+    number("--resonance", actuator.resonance_hz, limits::kResonanceHz, "of the actuator, Hz");
+    number("--q", actuator.q, limits::kResonanceQ, "quality: gain there against far above");
+    number("--gain", actuator.gain, limits::kActuatorGain, "far above the resonance");
+    number("--onset", actuator.onset_s, limits::kOnsetS, "delay of the motion, s");
+    number("--noise", actuator.noise_g, limits::kSensorNoiseG, "of the sensor, g rms");
+    sub.add_option("--seed", actuator.seed, "of the noise")
+        ->check(CLI::Range(limits::kSeed.low, limits::kSeed.high))
+        ->capture_default_str();
+    sub.callback([&] { chosen = [&command] { return run(command); }; });
+}
+
 constexpr const char* kSnapshotHelp =
     "a view as a picture, without a window; with --frames, as many as make a film";
 
@@ -353,6 +449,7 @@ void add_study_commands(CLI::App& app, Commands& commands,
         ->check(CLI::IsMember({"guess", "similarity", "dissimilarity"}));
     compare.add_option("--metric", options.metrics, "only these of those below")
         ->check(fault_of_metric);
+    add_only(compare, options.common);
     compare.footer(list_of_metrics());
     compare.add_flag("--paper-mode", options.paper_mode,
                      "digits and averages as in Table 2 of Lim & Park 2023");
@@ -380,6 +477,8 @@ int run_command_line(int argc, const char* const* argv) {
     add_study_commands(app, commands, chosen);
     add_generate_command(app, commands.generate, chosen);
     add_study_command(app, commands.study, chosen);
+    add_import_command(app, commands.import, chosen);
+    add_measure_command(app, commands.measure, chosen);
     add_snapshot_command(app, commands.snapshot, chosen);
     try {
         app.parse(argc, argv);

@@ -11,6 +11,8 @@
 
 #include "devices/calibration.h"
 #include "model/expected.h"
+#include "model/io/acceleration_file.h"
+#include "model/measured_twin.h"
 
 namespace tact {
 
@@ -20,6 +22,7 @@ struct CommonOptions {
     bool json = false;
     std::string rendered_by{};  // a key of devices/actuator_kind.h: patterns as it plays them
     double full_scale_g = 1.0;  // that its full scale stands for
+    Side only = Side::both;  // of the merged set
 };
 
 struct PredictCommand {
@@ -119,6 +122,26 @@ struct StudyCommand {
     std::filesystem::path matrix;
 };
 Expected<Done> run(const StudyCommand& command);
+
+struct ImportCommand {
+    std::filesystem::path set;
+    std::vector<std::filesystem::path> recordings;
+    std::string pattern;  // that all of them measure; empty: by their names
+    AccelerationOptions options;
+    std::filesystem::path out;  // a set file
+    bool json = false;
+};
+Expected<Done> run(const ImportCommand& command);
+
+struct MeasureCommand {
+    std::filesystem::path set;
+    bool simulate = false;  // has to be said: nothing else is possible
+    std::string pattern;    // empty: all that measure nothing themselves
+    ActuatorParams actuator;
+    std::filesystem::path out;  // a set file
+    bool json = false;
+};
+Expected<Done> run(const MeasureCommand& command);
 
 struct FindingsCommand {
     int threads = 0;

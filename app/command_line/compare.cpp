@@ -68,6 +68,19 @@ Expected<RatingStudy> ratings_for(const PatternSet& set, const fs::path& path,
     return study;
 }
 
+// People rated intended patterns: on the measured side each is stood in for by its twin.
+PatternSet of_side(const PatternSet& set, Side side) {
+    return side == Side::measured ? measured_stand_ins(set) : one_side(set, side);
+}
+
+// Twins are a likely reason for ratings that do not fit.
+Error with_hint(Error error, const PatternSet& set) {
+    if (std::ranges::any_of(set.vibrations, measures_another)) {
+        error.message += " (--only intended leaves out what measures another pattern)";
+    }
+    return error;
+}
+
 // The files of one set: all of them for a single set, else one for each.
 Expected<std::vector<RatedPatterns>> load_all(const CompareCommand& command) {
     const auto& sets = command.common.sets;
@@ -82,13 +95,17 @@ Expected<std::vector<RatedPatterns>> load_all(const CompareCommand& command) {
         one.sets = {sets[k]};
         Expected<PatternSet> set = load_for(one);
         if (!set) return set.error();
+        set = of_side(*set, command.common.only);
         if (const auto pair = need_a_pair(*set, one); !pair) return pair.error();
         const auto files = std::span(ratings);
         const bool one_each = sets.size() > 1 && !ratings.empty();
         auto study = ratings_for(*set, sets[k], one_each ? files.subspan(k, 1) : files,
                                  scale_of(command.scale));
-        if (!study) return study.error();
-        const std::string name = set->name.empty() ? sets[k].filename().string() : set->name;
+        if (!study) return with_hint(study.error(), *set);
+        std::string name = set->name.empty() ? sets[k].filename().string() : set->name;
+        if (command.common.only != Side::both) {
+            name += std::string(", ") + kSideNames[static_cast<std::size_t>(command.common.only)];
+        }
         all.push_back({*std::move(set), name, *std::move(study)});
     }
     return all;

@@ -97,7 +97,12 @@ Expected<PatternSet> load_as_meant(const CommonOptions& options) {
     Expected<Loaded> loaded = load_sets(options.sets);
     if (!loaded) return loaded.error();
     for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
-    return std::move(loaded->set);
+    if (options.only == Side::both) return std::move(loaded->set);
+    PatternSet side = one_side(loaded->set, options.only);
+    std::cerr << "tactspace: only the " << side.vibrations.size() << " "
+              << kSideNames[static_cast<std::size_t>(options.only)] << " of "
+              << loaded->set.vibrations.size() << " patterns\n";
+    return side;
 }
 
 Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options) {

@@ -15,8 +15,8 @@
 
 namespace tact {
 
-// The sets of a command as one, with its remarks printed to standard error; as a device plays it
-// where the options name one.
+// The sets of a command as one, or the side of it asked for, with its remarks printed to standard
+// error; as a device plays it where the options name one.
 Expected<PatternSet> load_for(const CommonOptions& options);
 
 // The same as it was meant, and the device that the options name, if any.
