@@ -193,6 +193,7 @@ enum class ChooserPurpose {
     load_tables,
     load_ratings,
     load_calibration,
+    import_recordings,
     study_folder,
     export_study,
     export_view,
@@ -216,13 +217,24 @@ struct TourState {
     ViewBeforeTour before;
 };
 
-enum class Dialog { none, about, keys, devices, export_view, export_animation, generate };
+enum class Dialog {
+    none,
+    about,
+    keys,
+    devices,
+    export_view,
+    export_animation,
+    generate,
+    import_recordings,
+    simulate_measurement
+};
 
 // What of the window is drawn as a picture.
 enum class PictureView { window, physiology, space, matrix };
 
 struct RunningAnimation;  // app/exports.h
 struct StudyState;        // app/study_state.h
+struct ImportState;       // app/import_state.h
 
 // What the dialogs for export were left at, and what is on its way to files.
 struct ExportState {
@@ -305,6 +317,7 @@ struct App {
     GenerateState generate;
     TourState tour;
     std::shared_ptr<StudyState> study;  // never null after make_app()
+    std::shared_ptr<ImportState> import;
     Session session;
     StatusLine status;
     std::vector<Vibration> clipboard;

@@ -5,6 +5,7 @@
 #include "app/check_findings.h"
 #include "app/editing.h"
 #include "app/files.h"
+#include "app/import_follow.h"
 #include "app/map_follow.h"
 #include "model/io/ratings_file.h"
 #include "model/procrustes.h"
@@ -45,7 +46,9 @@ void follow_comparison(App& app) {
 void follow_difference(App& app) {
     const std::optional<ChosenPair> pair = chosen_pair(app);
     if (app.bench != BenchTab::why || !pair || !has_exact_map(app)) return;
-    const DifferenceRequest request{app.map.shown, pair->current, pair->partner};
+    const auto rows = rows_in_map(app, *pair);
+    if (!rows) return;
+    const DifferenceRequest request{app.map.shown, rows->first, rows->second};
     if (request == app.difference_asked) return;
     app.difference_asked = request;
     app.difference_job->submit(request);
@@ -119,12 +122,29 @@ std::optional<ChosenPair> chosen_pair(const App& app) {
     const auto pinned = place_named(app.document.set, app.pinned);
     if (pinned && pinned != current) return ChosenPair{current, *pinned, PartnerKind::pinned};
     ChosenPair pair{current, current == 0 ? 1U : 0U, PartnerKind::closest};
-    if (!app.map.shown || app.map.shown->prediction.pm.size != count) return pair;
+    if (!app.map.shown) return pair;
+    const PatternSet& mapped = *app.map.shown->request.set;
     const Dissimilarity& pm = app.map.shown->prediction.pm;
-    for (std::size_t k = 0; k < count; ++k) {
-        if (k != current && pm(current, k) < pm(current, pair.partner)) pair.partner = k;
+    const auto row = place_named(mapped, app.document.set.vibrations[current].name);
+    std::optional<std::size_t> closest;
+    for (std::size_t k = 0; row && k < pm.size; ++k) {
+        const bool closer = !closest || pm(*row, k) < pm(*row, *closest);
+        if (k != *row && closer && place_named(app.document.set, mapped.vibrations[k].name)) {
+            closest = k;
+        }
     }
+    if (closest) pair.partner = *place_named(app.document.set, mapped.vibrations[*closest].name);
     return pair;
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> rows_in_map(const App& app,
+                                                               const ChosenPair& pair) {
+    const PatternSet& mapped = *app.map.shown->request.set;
+    const auto& all = app.document.set.vibrations;
+    const auto a = place_named(mapped, all[pair.current].name);
+    const auto b = place_named(mapped, all[pair.partner].name);
+    if (!a || !b) return std::nullopt;
+    return std::pair{*a, *b};
 }
 
 void choose_pair(App& app, std::size_t current, std::size_t partner) {
@@ -158,7 +178,12 @@ void load_ratings(App& app, const std::vector<std::filesystem::path>& paths) {
     const Expected<LoadedRatings> loaded = read_ratings(paths, RatingScale::guess);
     if (!loaded) return complain(app, loaded.error().message);
     const std::string file = paths.front().filename().string();
-    const Expected<RatingStudy> study = matched(loaded->study, names_of(app.document.set));
+    Expected<RatingStudy> study = matched(loaded->study, names_of(app.document.set));
+    if (!study) {  // people rate the intended patterns, not what measures them
+        const PatternSet intended = one_side(app.document.set, Side::intended);
+        auto of_intended = matched(loaded->study, names_of(intended));
+        if (of_intended) study = std::move(of_intended);
+    }
     if (!study) return complain(app, file + ": " + study.error().message);
     app.document.set.ratings = kept_ratings(*study, file);
     document_changed(app);
@@ -170,7 +195,13 @@ void load_ratings(App& app, const std::vector<std::filesystem::path>& paths) {
 }
 
 void drop_paths(App& app, const std::vector<std::filesystem::path>& paths) {
-    if (paths.size() == 1 && paths[0].extension() == ".csv") return load_ratings(app, paths);
+    const bool tables = !paths.empty() && std::ranges::all_of(paths, [](const auto& path) {
+        return extension_of(path) == ".csv";
+    });
+    if (tables && !read_ratings(paths, RatingScale::guess) && are_accelerations(paths)) {
+        return import_recordings(app, paths);
+    }
+    if (tables) return load_ratings(app, paths);
     open_paths(app, paths);
 }
 

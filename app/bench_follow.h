@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "app/app.h"
 
@@ -37,6 +38,10 @@ struct ChosenPair {
 // Chosen by a click, else pinned, else the closest by PM. None with fewer than two patterns.
 std::optional<ChosenPair> chosen_pair(const App& app);
 
+// Their rows in the map on screen, which there must be; none where it leaves one of them out.
+std::optional<std::pair<std::size_t, std::size_t>> rows_in_map(const App& app,
+                                                               const ChosenPair& pair);
+
 // Makes the first pattern current and the second its partner.
 void choose_pair(App& app, std::size_t current, std::size_t partner);
 
@@ -48,7 +53,8 @@ std::optional<Eigen::MatrixXd> people_over_map(const App& app);
 void load_ratings_dialog(App& app);
 void load_ratings(App& app, const std::vector<std::filesystem::path>& paths);
 
-// What was dropped on the window: a lone table of ratings goes to the open set, all else is opened.
+// What was dropped on the window: tables of ratings or of accelerations go to the open set, all
+// else is opened.
 void drop_paths(App& app, const std::vector<std::filesystem::path>& paths);
 
 }  // namespace tact

@@ -13,6 +13,7 @@
 #include "app/files.h"
 #include "app/generating.h"
 #include "app/playing.h"
+#include "app/import_follow.h"
 #include "app/study_follow.h"
 #include "app/tour.h"
 #include "app/widgets.h"
@@ -93,6 +94,16 @@ void escape(App& app) {
     }
 }
 
+template <Side kSide>
+void show_the_side(App& app) {
+    show_side(app, kSide);
+}
+
+template <Side kSide>
+bool shows_side(const App& app) {
+    return shown_side(app) == kSide;
+}
+
 template <int kPercent>
 void set_text_scale(App& app) {
     app.text_scale = static_cast<float>(kPercent) / 100.0F;
@@ -148,6 +159,8 @@ const auto kCommands = std::to_array<Command>({
     {"File", "Save as...", ctrl('s', true), always, save_dialog},
     {"File", "Load ratings...", {}, has_selection, load_ratings_dialog, nullptr,
      "people study participants compare csv"},
+    {"File", "Import recordings...", {}, has_selection, import_recordings_dialog, nullptr,
+     "measured accelerometer csv wav acceleration"},
     {"File", "Export view...", ctrl('e'), always, export_view_dialog, nullptr,
      "picture image png svg save"},
     {"File", "Export stage as CSV...", {}, has_selection, export_stages_dialog, nullptr,
@@ -218,6 +231,12 @@ const auto kCommands = std::to_array<Command>({
     {"View", "What a device makes of it", {}, always,
      [](App& app) { app.bench = BenchTab::device; }, nullptr,
      "rendering actuator controller joy-con energy lost"},
+    {"View", "Intended and measured", {}, always, show_the_side<Side::both>,
+     shows_side<Side::both>, "both recordings twins"},
+    {"View", "Intended only", {}, always, show_the_side<Side::intended>,
+     shows_side<Side::intended>, "IPS map patterns"},
+    {"View", "Measured only", {}, always, show_the_side<Side::measured>,
+     shows_side<Side::measured>, "MPS map recordings twins"},
     {"View", "Larger text", ctrl('+'), always, [](App& app) { step_text_scale(app, 1.1F); },
      nullptr, "zoom scale"},
     {"View", "Smaller text", ctrl('-'), always, [](App& app) { step_text_scale(app, 1.0F / 1.1F); },
@@ -274,6 +293,8 @@ const auto kCommands = std::to_array<Command>({
      [](App& app) { app.time_range = {}; },
      nullptr,
      "zoom out time"},
+    {"Play", "Simulate measurement...", {}, has_selection, simulate_measurement_dialog, nullptr,
+     "synthetic measured actuator resonance"},
 
     {"Study", "Design and participants", plain('5'), always, open_study,
      [](const App& app) { return app.study->is_open; }, "ratings people experiment"},

@@ -7,6 +7,7 @@
 #include "app/calibrating.h"
 #include "app/exports.h"
 #include "app/files.h"
+#include "app/import_follow.h"
 #include "app/panels/panels.h"
 #include "app/study_follow.h"
 #include "app/widgets.h"
@@ -85,6 +86,8 @@ void draw_chooser(App& app) {
             return load_ratings(app, {*chosen});
         case ChooserPurpose::load_calibration:
             return use_calibration(app, *chosen);
+        case ChooserPurpose::import_recordings:
+            return import_recordings(app, {*chosen});
         case ChooserPurpose::study_folder:
             return set_study_folder(app, *chosen);
         case ChooserPurpose::export_study:
@@ -126,9 +129,30 @@ bool begin_dialog(App& app, const char* title, float width_px) {
 
 ImU32 dialog_field(const Theme& theme) { return theme.is_dark ? theme.pane : theme.field; }
 
+bool draw_ends(App& app, const char* action, bool enabled) {
+    ImGui::Spacing();
+    const auto pressed = [](ImGuiKey which) {
+        return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false);
+    };
+    ImGui::BeginDisabled(!enabled);
+    const bool go = ImGui::Button(action) || (enabled && pressed(ImGuiKey_Enter));
+    ImGui::EndDisabled();
+    note_item(app.rects, "button:choose");
+    ImGui::SameLine();
+    const bool leave = ImGui::Button("Cancel") || pressed(ImGuiKey_Escape);
+    note_item(app.rects, "button:cancel");
+    if (go || leave) {
+        app.dialog = Dialog::none;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+    return go;
+}
+
 void draw_dialogs(App& app) {
     draw_chooser(app);
     draw_exports(app);
+    draw_import_dialogs(app);
     if (app.dialog == Dialog::about) draw_about(app);
     if (app.dialog == Dialog::keys) draw_keys(app);
     if (app.dialog == Dialog::generate) draw_generate_dialog(app);

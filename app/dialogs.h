@@ -17,4 +17,8 @@ ImU32 dialog_field(const Theme& theme);
 // Its last line, with Close; Esc and Enter do the same.
 void end_dialog(App& app);
 
+// The buttons at its end and ImGui::EndPopup(). True when the dialog is to go on with `action`, on
+// Enter too; either button closes it.
+bool draw_ends(App& app, const char* action, bool enabled);
+
 }  // namespace tact

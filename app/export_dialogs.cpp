@@ -85,27 +85,6 @@ void keep_in_range(PictureSize& size) {
     size.scale = std::isfinite(size.scale) ? std::clamp(size.scale, 0.75F, 4.0F) : 1.0F;
 }
 
-// True when the dialog is to go on; both ends close it.
-bool draw_ends(App& app, const char* action, bool enabled) {
-    ImGui::Spacing();
-    const auto pressed = [](ImGuiKey which) {
-        return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false);
-    };
-    ImGui::BeginDisabled(!enabled);
-    const bool go = ImGui::Button(action) || (enabled && pressed(ImGuiKey_Enter));
-    ImGui::EndDisabled();
-    note_item(app.rects, "button:choose");
-    ImGui::SameLine();
-    const bool leave = ImGui::Button("Cancel") || pressed(ImGuiKey_Escape);
-    note_item(app.rects, "button:cancel");
-    if (go || leave) {
-        app.dialog = Dialog::none;
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::EndPopup();
-    return go;
-}
-
 void draw_view_dialog(App& app) {
     if (!begin_dialog(app, "Export view")) return;
     draw_views(app, kPictureViews, app.exports.view, app.exports.picture_size);

@@ -4,11 +4,13 @@
 
 #include "app/autosave.h"
 #include "app/editing.h"
+#include "app/import_follow.h"
 #include "app/map_follow.h"
 #include "app/playing.h"
 #include "assets/assets.h"
 #include "model/io/atomic_file.h"
 #include "model/io/load.h"
+#include "model/io/measured_files.h"
 #include "model/io/set_file.h"
 
 namespace tact {
@@ -114,9 +116,11 @@ void save_as(App& app, const std::filesystem::path& path) {
         set.name = target.filename().string();
         if (set.name.ends_with(kSetEnding)) set.name.resize(set.name.size() - 15);
     }
+    const Expected<Done> stored = store_measurements(set, target, measured_folder(app));
+    if (!stored) return complain(app, "Not saved: " + stored.error().message);
     const Expected<Done> written = write_set_file(target, set);
     if (!written) return complain(app, "Not saved: " + written.error().message);
-    app.document.set.name = set.name;
+    app.document.set = set;  // with its name, and with files of measurements beside it
     app.document.path = target;
     app.document.saved = app.document.set;
     app.unsaved_revision = 0;  // look again

@@ -14,6 +14,7 @@
 #include "app/editing.h"
 #include "app/exports.h"
 #include "app/files.h"
+#include "app/import_follow.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
 #include "app/panels/study_pages.h"
@@ -135,6 +136,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_progress(app);
     app.selection.hovered_last = app.selection.hovered;
     app.selection.hovered.reset();
+    follow_import(app);
     follow_study(app);
     if (is_study_running(app)) {
         draw_study_pages(app, pressed);
@@ -200,6 +202,7 @@ App make_app() {
     app.rects = widget_rects_wanted();
     app.committed = std::make_shared<const PatternSet>();
     app.study = make_study();
+    app.import = make_import();
     return app;
 }
 

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "app/bench_follow.h"
+#include "app/import_follow.h"
 #include "app/study_follow.h"
 #include "model/procrustes.h"
 
@@ -112,6 +113,7 @@ void make_jobs(App& app) {
 void stop_jobs(App& app) {
     stop_study(app);
     app.generate.job.reset();
+    stop_import(app);
     app.findings_job.reset();
     app.rendering.job.reset();
     app.difference_job.reset();
@@ -131,8 +133,8 @@ void request_maps(App& app) {
         app.full_job->cancel();
         return;
     }
-    LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(set), app.dimensions,
-                           false, rendered_by(app.rendering)};
+    LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(shown_set(app)),
+                           app.dimensions, false, rendered_by(app.rendering)};
     app.full_job->submit(request);
     // A preview takes a hundredth of the work. One that lasts would come too late to be one.
     constexpr double kLongestPreviewS = 0.5;

@@ -8,6 +8,7 @@
 #include "app/columns.h"
 #include "app/editing.h"
 #include "app/frame.h"
+#include "app/import_follow.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
 #include "app/study_state.h"
@@ -68,10 +69,18 @@ std::vector<std::string> together_forms(const App& app) {
     return {count + " edited together", count + " together", count};
 }
 
+// What the map leaves out is said over it.
+std::string side_detail(const App& app) {
+    return shown_side(app) == Side::both ? "" : shown_patterns_text(app);
+}
+
 PaneTitle bench_title(const App& app) {
     switch (app.bench) {
         case BenchTab::matrix:
-            return {"Matrix", "dissimilarity of every pair", map_state_forms(app)};
+            return {
+                "Matrix",
+                shown_side(app) == Side::both ? "dissimilarity of every pair" : side_detail(app),
+                map_state_forms(app)};
         case BenchTab::compare:
             return {"Compare", "metrics against people", {}};
         case BenchTab::shepard:
@@ -110,18 +119,17 @@ PaneTitle with_origin(const App& app, PaneTitle title) {
 }
 
 PaneTitle title_of(const App& app, Pane pane) {
-    const std::size_t count = app.document.set.vibrations.size();
     const Vibration* current = current_vibration(app);
     const std::string name = current == nullptr ? "" : current->name;
     switch (pane) {
         case Pane::patterns:
-            return {"Patterns", "", {std::to_string(count)}};
+            return {"Patterns", "", {shown_patterns_text(app)}};
         case Pane::editor:
             return {"Editor", name, together_forms(app)};
         case Pane::physiology:
             return with_origin(app, {"Physiology", name, {}});
         case Pane::space:
-            return with_origin(app, {"Perceptual space", "", space_title_right(app)});
+            return with_origin(app, {"Perceptual space", side_detail(app), space_title_right(app)});
         case Pane::matrix:
             return app.bench == BenchTab::model || app.bench == BenchTab::device
                        ? bench_title(app)

@@ -50,7 +50,7 @@ std::string farthest(const App& app) {
     const std::size_t current = app.selection.current;
     std::size_t best = (current + 1) % all.size();
     const bool known = map_state(app) == MapState::exact || map_state(app) == MapState::preview;
-    if (!known) return all[best].name;
+    if (!known || app.map.shown->prediction.pm.size != all.size()) return all[best].name;
     const Dissimilarity& pm = app.map.shown->prediction.pm;
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (k != current && pm(current, k) > pm(current, best)) best = k;

@@ -6,6 +6,7 @@
 
 #include "app/editing.h"
 #include "app/frame.h"
+#include "app/import_follow.h"
 #include "app/live_map.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
@@ -68,6 +69,7 @@ PaneTitle physiology_title(const App& app) {
 PaneTitle space_title(const App& app) {
     PaneTitle title{"Perceptual space", app.document.set.name, {}};
     if (app.rendering.on) title.detail += "   " + rendered_words(app.rendering);
+    if (shown_side(app) != Side::both) title.detail += "   " + shown_patterns_text(app);
     if (map_state(app) == MapState::stale) title.detail += "   before the last change";
     if (map_state(app) == MapState::preview) title.detail += "   preview";
     if (!app.map.shown || app.map.shown->space.verdict == MdsVerdict::constant) return title;
@@ -157,6 +159,8 @@ App still_view(const App& app) {
     still.physiology.explained.reset();
     still.map_cancelled = app.map_cancelled;
     still.compute_large = app.compute_large;
+    still.import = make_import();
+    still.import->side = shown_side(app);
     still.map = app.map;
     still.camera = app.camera;
     still.dimensions = app.dimensions;

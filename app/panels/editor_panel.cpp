@@ -96,7 +96,8 @@ void draw_times(App& app, const Pattern& pattern) {
 }
 
 void draw_measurement(App& app, const Measurement& measurement) {
-    dim_text(app, "Measured waveform");
+    dim_text(app, measurement.synthetic ? "Synthetic measurement: simulated, not recorded"
+                                        : "Measured waveform");
     ImGui::TextWrapped("%s", measurement.path.c_str());
     char text[128];
     std::snprintf(text, sizeof text, "%.4g s, peak %.3g g, %.4g g at full scale",

@@ -97,7 +97,8 @@ void draw_matrix_panel(App& app) {
                        : "It is computed together with the space above.");
         return;
     }
-    const std::vector<std::string> labels = names_of(*app.map.shown->request.set);
+    const PatternSet& mapped = *app.map.shown->request.set;
+    const std::vector<std::string> labels = names_of(mapped);
     // Low panes need it for the map; the pair under the mouse is told there, too.
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const bool has_foot = !app.as_picture && area.height() > 9.0F * line;
@@ -110,15 +111,21 @@ void draw_matrix_panel(App& app) {
     scene.condensed = shown_matrix(app).condensed;
     scene.labels = labels;
     scene.quantity = quantity_name(app.matrix_quantity);
-    const bool same_order = labels.size() == app.document.set.vibrations.size();
-    if (same_order) scene.selected = app.selection.current;
+    const PatternSet& set = app.document.set;
+    const Vibration* current = current_vibration(app);
+    if (current != nullptr) scene.selected = place_named(mapped, current->name);
     note_rect(app.rects, "view:Matrix", area.min, area.max);
     const MatrixAction action = draw_matrix("matrix", app.theme, area, scene);
-    if (same_order && action.clicked) {
-        choose_pair(app, action.clicked->first, action.clicked->second);
+    const auto place = [&](std::size_t row) { return place_named(set, labels[row]); };
+    if (action.clicked) {
+        const auto a = place(action.clicked->first);
+        const auto b = place(action.clicked->second);
+        if (a && b) choose_pair(app, *a, *b);
     }
-    if (same_order && action.clicked_row) select_only(app, *action.clicked_row);
-    if (same_order && action.hovered) app.selection.hovered = action.hovered->second;
+    if (action.clicked_row) {
+        if (const auto row = place(*action.clicked_row)) select_only(app, *row);
+    }
+    if (action.hovered) app.selection.hovered = place(action.hovered->second);
     if (has_foot) draw_pair(app, foot_area, action.hovered, labels);
 }
 

@@ -66,7 +66,9 @@ void draw_toolbar(App& app) {
 
 std::string strength_text(const Vibration& vibration) {
     const auto* pattern = std::get_if<Pattern>(&vibration.source);
-    if (pattern == nullptr) return "measured";
+    if (pattern == nullptr) {
+        return std::get<Measurement>(vibration.source).synthetic ? "synthetic" : "measured";
+    }
     char text[32];
     std::snprintf(text, sizeof text, "%.3g g", pattern->amplitude_g);
     return text;

@@ -4,6 +4,7 @@
 
 #include "app/bench_follow.h"
 #include "app/editing.h"
+#include "app/import_follow.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
 #include "app/playing.h"
@@ -71,6 +72,10 @@ void draw_controls(App& app) {
 
 void draw_nothing(App& app, const Rect& area, MapState state) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (shown_side(app) != Side::both && shown_set(app).vibrations.size() < 2) {
+        return draw_empty(list, app.theme, area, "Shown: " + shown_patterns_text(app),
+                          "A map takes two. View > Intended and measured shows all of them.");
+    }
     const std::size_t count = app.document.set.vibrations.size();
     if (state == MapState::too_large) {
         const double minutes = expected_map_s(app.document.set) / 60.0;

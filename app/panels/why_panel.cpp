@@ -273,19 +273,21 @@ void draw_why_panel(App& app) {
     const std::optional<ChosenPair> pair = chosen_pair(app);
     if (!pair) return draw_none(app, "No pair", "It takes two patterns to differ.");
     draw_names(app, *pair);
-    const std::size_t count = app.document.set.vibrations.size();
     const std::shared_ptr<const LiveMap> map = app.map.shown;
-    const bool has_map = map && map->prediction.pm.size == count;
-    if (!has_map) {
-        return draw_none(app, "No distance yet", "It is computed together with the space above.");
+    const auto rows = map ? rows_in_map(app, *pair) : std::nullopt;
+    if (!rows) {
+        const bool left_out = map && map_state(app) == MapState::exact;
+        return draw_none(app, left_out ? "Not in the map" : "No distance yet",
+                         left_out ? "One of the two is of the side that is not shown."
+                                  : "It is computed together with the space above.");
     }
+    const std::size_t count = map->prediction.pm.size;
     ImGui::BeginChild("why", ImGui::GetContentRegionAvail());
-    const std::size_t k = pair_index(count, std::min(pair->current, pair->partner),
-                                     std::max(pair->current, pair->partner));
+    const auto [a, b] = *rows;
+    const std::size_t k = pair_index(count, std::min(a, b), std::max(a, b));
     draw_parts(app, map->prediction, k);
     const std::shared_ptr<const LiveDifference> live = app.difference;
-    const bool fits = live && live->request.a == pair->current &&
-                      live->request.b == pair->partner &&
+    const bool fits = live && live->request.a == a && live->request.b == b &&
                       live->request.map->prediction.pm.size == count;
     if (fits) {
         app.time_range = fitted(app.time_range, shown_duration_s(app));
