@@ -97,28 +97,15 @@ Spectrum amplitude_spectrum(std::span<const double> samples_g, double rate_hz) {
 
 std::vector<double> zero_phase_filtered(std::span<const double> samples, double rate_hz,
                                         const std::function<double(double frequency_hz)>& gain) {
-    if (samples.empty()) return {};
-    const std::size_t n = 2 * samples.size();
-    const std::size_t bins = n / 2 + 1;
-    const auto signal = fftw_array<double>(n);
-    const auto lines = fftw_array<std::complex<double>>(bins);
-    Plan forward;
-    Plan backward;
-    {
-        const std::scoped_lock lock(planner_mutex);
-        auto* complex = reinterpret_cast<fftw_complex*>(lines.get());
-        constexpr unsigned int kHow = FFTW_ESTIMATE | FFTW_NO_SIMD;
-        forward.reset(fftw_plan_dft_r2c_1d(static_cast<int>(n), signal.get(), complex, kHow));
-        backward.reset(fftw_plan_dft_c2r_1d(static_cast<int>(n), complex, signal.get(), kHow));
+    std::vector<double> padded(samples.begin(), samples.end());
+    padded.resize(2 * samples.size(), 0.0);
+    std::vector<std::complex<double>> half = half_spectrum(padded);
+    for (std::size_t k = 0; k < half.size(); ++k) {
+        half[k] *= gain(static_cast<double>(k) * rate_hz / static_cast<double>(padded.size()));
     }
-    std::fill_n(std::copy(samples.begin(), samples.end(), signal.get()), samples.size(), 0.0);
-    fftw_execute(forward.get());
-    const auto count = static_cast<double>(n);
-    for (std::size_t k = 0; k < bins; ++k) {
-        lines[k] *= gain(static_cast<double>(k) * rate_hz / count) / count;
-    }
-    fftw_execute(backward.get());
-    return {signal.get(), signal.get() + samples.size()};
+    padded = samples_of(half, padded.size());
+    padded.resize(samples.size());
+    return padded;
 }
 
 }  // namespace tact
