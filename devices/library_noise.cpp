@@ -1,5 +1,9 @@
 #include "devices/library_noise.h"
 
+// clang-format off: alsa/error.h needs va_list and does not include it.
+#include <cstdarg>
+// clang-format on
+
 #include <alsa/error.h>
 #include <jack/jack.h>
 #include <unistd.h>
