@@ -244,9 +244,7 @@ void draw_results(App& app, const StudyAnswers& answers) {
     draw_tooltip(app, "A line an answer, those who are not counted marked: for R and Python.");
 }
 
-}  // namespace
-
-void draw_study_people(App& app) {
+void draw_people(App& app) {
     draw_buttons(app);
     draw_device(app);
     const std::shared_ptr<const StudyAnswers> answers = app.study->answers;
@@ -261,6 +259,15 @@ void draw_study_people(App& app) {
                answers->others.empty()
                    ? "Run a participant: each becomes a file in the folder above."
                    : "There are participants of the other kind of study in this folder.");
+}
+
+}  // namespace
+
+// Scrolls where the pane is too low for its buttons.
+void draw_study_people(App& app) {
+    ImGui::BeginChild("study people", ImGui::GetContentRegionAvail());
+    draw_people(app);
+    ImGui::EndChild();
 }
 
 }  // namespace tact

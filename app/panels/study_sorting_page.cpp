@@ -173,7 +173,8 @@ void draw_sorting_page(App& app, const Rect& area, std::span<const KeyPress> pre
     take_keys(app, pressed, box_count(*app.study->run));
     const StudyRun& run = *app.study->run;
     const Theme& theme = app.theme;
-    const float top = area.min.y - 0.06F * area.height();
+    // Higher than on other pages, but below the progress.
+    const float top = std::max(area.min.y - 0.06F * area.height(), 72.0F * theme.scale);
     centred_text(app, theme.fonts.large, theme.text, area, top, task_text(run));
     const float foot = 64.0F * theme.scale;
     const std::size_t boxes = box_count(run);
