@@ -1,8 +1,8 @@
 #include "model/dtw_kernel.h"
 
-#include <algorithm>
-#include <cstdlib>
 #include <vector>
+
+#include "model/simd_choice.h"
 
 namespace tact {
 
@@ -26,17 +26,10 @@ std::span<const DtwKernel> dtw_kernels() {
     return kernels;
 }
 
-const DtwKernel& dtw_kernel(std::string_view name) {
-    const auto kernels = dtw_kernels();
-    const auto named = std::ranges::find(kernels, name, &DtwKernel::name);
-    return named == kernels.end() ? kernels.front() : *named;
-}
+const DtwKernel& dtw_kernel(std::string_view name) { return kernel_of(dtw_kernels(), name); }
 
 const DtwKernel& dtw_kernel() {
-    static const DtwKernel& chosen = [&]() -> const DtwKernel& {
-        const char* name = std::getenv("TACTSPACE_SIMD");  // NOLINT(concurrency-mt-unsafe)
-        return dtw_kernel(name == nullptr ? std::string_view{} : name);
-    }();
+    static const DtwKernel& chosen = dtw_kernel(simd_wish());
     return chosen;
 }
 
