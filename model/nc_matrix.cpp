@@ -65,14 +65,17 @@ void add_case(SpikeForm& form, std::size_t p, std::size_t q, std::int64_t count)
 // Beyond 64 bits: 4 x 4 products of two weights in units of 1e-12 and of up to 1e7 samples.
 __extension__ using Wide = __int128;
 
-constexpr double kWeightUnits = 1e12;
-
 double root_of(Wide sum, std::size_t samples) {
     if (samples == 0) return 0.0;
     return std::sqrt(static_cast<double>(sum) / static_cast<double>(samples)) / kWeightUnits;
 }
 
 }  // namespace
+
+std::int64_t weight_units(double weight) {
+    assert(std::abs(weight) <= kLargestWeight && "a weight out of range");
+    return std::llround(weight * kWeightUnits);
+}
 
 SpikeForm spike_form(const NeuralCode& a, const NeuralCode& b) {
     assert(a.central_spikes.size() == b.central_spikes.size() && "patterns were not padded");
@@ -128,10 +131,7 @@ SpikeForm spike_form(const PackedSpikes& a, const PackedSpikes& b) {
 
 PerReceptor<std::int64_t> whole_weights(const PerReceptor<double>& channel_weight) {
     PerReceptor<std::int64_t> weight{};
-    for (std::size_t c = 0; c < kReceptorCount; ++c) {
-        assert(std::abs(channel_weight[c]) <= kLargestWeight && "a weight out of range");
-        weight[c] = std::llround(channel_weight[c] * kWeightUnits);
-    }
+    std::ranges::transform(channel_weight, weight.begin(), weight_units);
     return weight;
 }
 

@@ -58,6 +58,10 @@ PerReceptor<std::int64_t> whole_weights(const PerReceptor<double>& channel_weigh
 // sqrt(unit^2 sum / samples), the unit one of those; 0 of no samples.
 double root_mean_square(std::int64_t unit, std::int64_t sum, std::size_t samples);
 
+// A weight as a whole number of 1 / kWeightUnits.
+inline constexpr double kWeightUnits = 1e12;
+std::int64_t weight_units(double weight);
+
 // |a_c & b_d| of two blocks of kReceptorCount rows of words, for one instruction set.
 struct CoincidenceCounter {
     const char* name;

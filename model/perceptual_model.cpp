@@ -11,6 +11,7 @@
 #include "model/dtw.h"
 #include "model/nc_matrix.h"
 #include "model/parallel.h"
+#include "model/rank_sum.h"
 #include "model/rhythm_envelope.h"
 
 namespace tact {
@@ -100,8 +101,8 @@ const Prediction* usable(const PredictOptions& options, const PerceptualModelPar
 Dissimilarity rank_sum(const Prediction& prediction) {
     Dissimilarity pm{prediction.nc.size, std::vector<double>(prediction.nc_rank.size())};
     for (std::size_t k = 0; k < pm.condensed.size(); ++k) {
-        pm.condensed[k] = prediction.params.nc_weight * prediction.nc_rank[k] +
-                          prediction.params.oc_weight * prediction.oc_rank[k];
+        pm.condensed[k] = pm_of(prediction.nc_rank[k], prediction.oc_rank[k],
+                                prediction.params.nc_weight, prediction.params.oc_weight);
     }
     return pm;
 }

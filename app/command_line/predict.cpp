@@ -15,6 +15,7 @@
 #include "model/io/matrix_file.h"
 #include "model/io/numbers.h"
 #include "model/metric_matrix.h"
+#include "model/rank_sum.h"
 
 namespace tact {
 
@@ -127,7 +128,8 @@ Dissimilarity rank_sum(Work& work) {
     replace_by_ranks(pm.condensed);
     replace_by_ranks(oc.condensed);
     for (std::size_t k = 0; k < pm.condensed.size(); ++k) {
-        pm.condensed[k] = work.nc_weight * pm.condensed[k] + work.oc_weight * oc.condensed[k];
+        pm.condensed[k] =
+            pm_of(pm.condensed[k], oc.condensed[k], work.nc_weight, work.oc_weight);
     }
     oc = {};
     return std::move(pm);
