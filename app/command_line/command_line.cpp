@@ -32,6 +32,18 @@ void add_common(CLI::App& command, CommonOptions& options) {
     command.add_option("SET", options.sets, kSetHelp)->required();
     add_threads(command, options.threads);
     command.add_flag("--json", options.json, "JSON instead of CSV on standard output");
+    command.add_option("--model", options.model,
+                       "file of model parameters, as train writes it, instead of the set's own");
+}
+
+void add_ratings(CLI::App& command, RatingFiles& ratings) {
+    command.add_option("--ratings", ratings.files,
+                       "files of ratings, one a participant, or a folder of them; for several "
+                       "sets a file or folder each. Without it, the ratings in the set file");
+    command
+        .add_option("--scale", ratings.scale,
+                    "what a high rating means: similarity (0-100), dissimilarity, or guess")
+        ->check(CLI::IsMember({"guess", "similarity", "dissimilarity"}));
 }
 
 // The patterns as a device plays them, in the place of what was meant.
@@ -79,6 +91,7 @@ struct Commands {
     SnapshotCommand snapshot;
     CompareCommand compare;
     StudyCommand study;
+    TrainCommand train;
     FindingsCommand findings;
     DevicesCommand devices;
     PlayCommand play;
@@ -434,25 +447,42 @@ void add_study_command(CLI::App& app, StudyCommand& command,
     rule.add_option("--matrix", command.matrix, "file for the mean matrix, .csv");
 }
 
+void add_train_command(CLI::App& app, TrainCommand& command,
+                       std::function<Expected<Done>()>& chosen) {
+    CLI::App& train = add_command(
+        app, "train", "the parameters of the model that agree best with ratings", command, chosen);
+    add_rendering(train, command.common);
+    add_only(train, command.common);
+    add_ratings(train, command.ratings);
+    train
+        .add_option("--objective", command.objective,
+                    "mean over the sets of Spearman's rho, or of its size: mean-rho, mean-abs-rho")
+        ->check(CLI::IsMember({"mean-rho", "mean-abs-rho"}));
+    train.add_option("--step", command.step, "of the weights from 0 to 1; 0.1 as published")
+        ->check(fault_of_step);
+    train
+        .add_option("--leave-out", command.leave_out,
+                    "fit without each of them and try on it: sets or participants")
+        ->check(CLI::IsMember({"sets", "participants"}));
+    train.add_option("--out", command.out,
+                     "file for the parameters, for --model of other commands and the model bench");
+}
+
 void add_study_commands(CLI::App& app, Commands& commands,
                         std::function<Expected<Done>()>& chosen) {
     CompareCommand& options = commands.compare;
     CLI::App& compare = add_command(
         app, "compare", "how well metrics agree with people: rho and K of each", options, chosen);
     add_rendering(compare, options.common);
-    compare.add_option("--ratings", options.ratings,
-                       "files of ratings, one a participant, or a folder of them; for several "
-                       "sets a file or folder each. Without it, the ratings in the set file");
-    compare
-        .add_option("--scale", options.scale,
-                    "what a high rating means: similarity (0-100), dissimilarity, or guess")
-        ->check(CLI::IsMember({"guess", "similarity", "dissimilarity"}));
+    add_ratings(compare, options.ratings);
     compare.add_option("--metric", options.metrics, "only these of those below")
         ->check(fault_of_metric);
     add_only(compare, options.common);
     compare.footer(list_of_metrics());
     compare.add_flag("--paper-mode", options.paper_mode,
                      "digits and averages as in Table 2 of Lim & Park 2023");
+
+    add_train_command(app, commands.train, chosen);
 
     CLI::App& findings =
         *app.add_subcommand("findings", "what the publication found, checked one by one");

@@ -20,9 +20,16 @@ struct CommonOptions {
     std::vector<std::filesystem::path> sets;  // merged in order
     int threads = 0;                          // 0: all cores
     bool json = false;
-    std::string rendered_by{};  // a key of devices/actuator_kind.h: patterns as it plays them
-    double full_scale_g = 1.0;  // that its full scale stands for
-    Side only = Side::both;  // of the merged set
+    std::string rendered_by{};    // a key of devices/actuator_kind.h: patterns as it plays them
+    double full_scale_g = 1.0;    // that its full scale stands for
+    Side only = Side::both;       // of the merged set
+    std::filesystem::path model;  // a file of parameters (model_file.h) instead of the set's own
+};
+
+// What people said of the sets of a command.
+struct RatingFiles {
+    std::vector<std::filesystem::path> files;  // of one set all; else a file or folder each
+    std::string scale = "guess";               // guess, similarity, dissimilarity
 };
 
 struct PredictCommand {
@@ -79,11 +86,10 @@ struct SnapshotCommand {
 Expected<Done> run(const SnapshotCommand& command);
 
 struct CompareCommand {
-    CommonOptions common;                        // sets are not merged: each has its own ratings
-    std::vector<std::filesystem::path> ratings;  // of one set all; else a file or folder each
-    std::vector<std::string> metrics;            // empty: all
-    std::string scale = "guess";                 // guess, similarity, dissimilarity
-    bool paper_mode = false;                     // Table 2's digits and averages
+    CommonOptions common;  // sets are not merged: each has its own ratings
+    RatingFiles ratings;
+    std::vector<std::string> metrics;  // empty: all
+    bool paper_mode = false;           // Table 2's digits and averages
 };
 Expected<Done> run(const CompareCommand& command);
 
@@ -142,6 +148,18 @@ struct MeasureCommand {
     bool json = false;
 };
 Expected<Done> run(const MeasureCommand& command);
+struct TrainCommand {
+    CommonOptions common;  // sets are not merged: each has its own ratings
+    RatingFiles ratings;
+    std::string objective = "mean-rho";  // mean-rho, mean-abs-rho
+    double step = 0.1;                   // of a weight
+    std::string leave_out;               // empty, sets, participants
+    std::filesystem::path out;           // for the parameters
+};
+Expected<Done> run(const TrainCommand& command);
+
+// Empty where weights from 0 to 1 have whole steps of this.
+std::string fault_of_step(const std::string& text);
 
 struct FindingsCommand {
     int threads = 0;

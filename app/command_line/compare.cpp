@@ -9,25 +9,15 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
+#include "app/command_line/rated_sets.h"
 #include "app/command_line/text_table.h"
 #include "model/evaluation.h"
-#include "model/io/ratings_file.h"
 #include "model/metric_comparison.h"
 #include "model/ratings.h"
-#include "model/set_ratings.h"
 
 namespace tact {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-// One set with its ratings, in the order of its patterns.
-struct RatedPatterns {
-    PatternSet set;
-    std::string name;
-    RatingStudy study;
-};
 
 struct MetricAgreement {
     Metric metric = Metric::pm;
@@ -40,76 +30,6 @@ struct SetResult {
     RatedPeople people;
     std::vector<MetricAgreement> rows;
 };
-
-RatingScale scale_of(const std::string& word) {
-    if (word == "similarity") return RatingScale::similarity;
-    if (word == "dissimilarity") return RatingScale::dissimilarity;
-    return RatingScale::guess;
-}
-
-// The ratings that a set file brings along, each as one voice.
-Expected<RatingStudy> own_ratings(const PatternSet& set, const fs::path& path) {
-    if (set.ratings.empty()) {
-        return Error{path.string() + ": has no ratings of its own, expected --ratings FILE"};
-    }
-    Expected<RatingStudy> study = study_of(set);
-    if (!study) return Error{path.string() + ": " + study.error().message};
-    return study;
-}
-
-Expected<RatingStudy> ratings_for(const PatternSet& set, const fs::path& path,
-                                  std::span<const fs::path> files, RatingScale scale) {
-    if (files.empty()) return own_ratings(set, path);
-    const Expected<LoadedRatings> loaded = read_ratings(files, scale);
-    if (!loaded) return loaded.error();
-    for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
-    Expected<RatingStudy> study = matched(loaded->study, names_of(set));
-    if (!study) return Error{files.front().string() + ": " + study.error().message};
-    return study;
-}
-
-// People rated intended patterns: on the measured side each is stood in for by its twin.
-PatternSet of_side(const PatternSet& set, Side side) {
-    return side == Side::measured ? measured_stand_ins(set) : one_side(set, side);
-}
-
-// Twins are a likely reason for ratings that do not fit.
-Error with_hint(Error error, const PatternSet& set) {
-    if (std::ranges::any_of(set.vibrations, measures_another)) {
-        error.message += " (--only intended leaves out what measures another pattern)";
-    }
-    return error;
-}
-
-// The files of one set: all of them for a single set, else one for each.
-Expected<std::vector<RatedPatterns>> load_all(const CompareCommand& command) {
-    const auto& sets = command.common.sets;
-    const auto& ratings = command.ratings;
-    if (sets.size() > 1 && !ratings.empty() && ratings.size() != sets.size()) {
-        return Error{"expected a file or a folder of ratings for each of the " +
-                     std::to_string(sets.size()) + " sets, got " + std::to_string(ratings.size())};
-    }
-    std::vector<RatedPatterns> all;
-    for (std::size_t k = 0; k < sets.size(); ++k) {
-        CommonOptions one = command.common;
-        one.sets = {sets[k]};
-        Expected<PatternSet> set = load_for(one);
-        if (!set) return set.error();
-        set = of_side(*set, command.common.only);
-        if (const auto pair = need_a_pair(*set, one); !pair) return pair.error();
-        const auto files = std::span(ratings);
-        const bool one_each = sets.size() > 1 && !ratings.empty();
-        auto study = ratings_for(*set, sets[k], one_each ? files.subspan(k, 1) : files,
-                                 scale_of(command.scale));
-        if (!study) return with_hint(study.error(), *set);
-        std::string name = set->name.empty() ? sets[k].filename().string() : set->name;
-        if (command.common.only != Side::both) {
-            name += std::string(", ") + kSideNames[static_cast<std::size_t>(command.common.only)];
-        }
-        all.push_back({*std::move(set), name, *std::move(study)});
-    }
-    return all;
-}
 
 const char* key_of(const MetricAgreement& row) { return traits(row.metric).key; }
 
@@ -298,7 +218,7 @@ std::string json_text(const std::vector<SetResult>& results, Bookkeeping books) 
 Expected<Done> run(const CompareCommand& command) {
     const Expected<std::vector<Metric>> metrics = metrics_of(command);
     if (!metrics) return metrics.error();
-    const Expected<std::vector<RatedPatterns>> all = load_all(command);
+    const Expected<std::vector<RatedPatterns>> all = load_rated(command.common, command.ratings);
     if (!all) return all.error();
     std::vector<SetResult> results;
     for (const RatedPatterns& patterns : *all) {

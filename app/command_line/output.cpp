@@ -14,6 +14,7 @@
 #include "app/rendered_set.h"
 #include "model/io/atomic_file.h"
 #include "model/io/load.h"
+#include "model/io/model_file.h"
 #include "model/io/recording.h"
 
 namespace tact {
@@ -97,6 +98,11 @@ Expected<PatternSet> load_as_meant(const CommonOptions& options) {
     Expected<Loaded> loaded = load_sets(options.sets);
     if (!loaded) return loaded.error();
     for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
+    if (!options.model.empty()) {
+        const Expected<ModelFile> file = read_model_file(options.model);
+        if (!file) return file.error();
+        loaded->set.model = file->model;
+    }
     if (options.only == Side::both) return std::move(loaded->set);
     PatternSet side = one_side(loaded->set, options.only);
     std::cerr << "tactspace: only the " << side.vibrations.size() << " "

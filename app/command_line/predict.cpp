@@ -128,8 +128,7 @@ Dissimilarity rank_sum(Work& work) {
     replace_by_ranks(pm.condensed);
     replace_by_ranks(oc.condensed);
     for (std::size_t k = 0; k < pm.condensed.size(); ++k) {
-        pm.condensed[k] =
-            pm_of(pm.condensed[k], oc.condensed[k], work.nc_weight, work.oc_weight);
+        pm.condensed[k] = pm_of(pm.condensed[k], oc.condensed[k], work.nc_weight, work.oc_weight);
     }
     oc = {};
     return std::move(pm);

@@ -1,0 +1,90 @@
+#include "app/command_line/rated_sets.h"
+
+#include <algorithm>
+#include <iostream>
+#include <span>
+
+#include "app/command_line/output.h"
+#include "model/io/ratings_file.h"
+#include "model/measured_twin.h"
+#include "model/set_ratings.h"
+
+namespace tact {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+RatingScale scale_of(const std::string& word) {
+    if (word == "similarity") return RatingScale::similarity;
+    if (word == "dissimilarity") return RatingScale::dissimilarity;
+    return RatingScale::guess;
+}
+
+// The ratings that a set file brings along, each as one voice.
+Expected<RatingStudy> own_ratings(const PatternSet& set, const fs::path& path) {
+    if (set.ratings.empty()) {
+        return Error{path.string() + ": has no ratings of its own, expected --ratings FILE"};
+    }
+    Expected<RatingStudy> study = study_of(set);
+    if (!study) return Error{path.string() + ": " + study.error().message};
+    return study;
+}
+
+Expected<RatingStudy> ratings_for(const PatternSet& set, const fs::path& path,
+                                  std::span<const fs::path> files, RatingScale scale) {
+    if (files.empty()) return own_ratings(set, path);
+    const Expected<LoadedRatings> loaded = read_ratings(files, scale);
+    if (!loaded) return loaded.error();
+    for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
+    Expected<RatingStudy> study = matched(loaded->study, names_of(set));
+    if (!study) return Error{files.front().string() + ": " + study.error().message};
+    return study;
+}
+
+// People rated intended patterns: on the measured side each is stood in for by its twin.
+PatternSet of_side(const PatternSet& set, Side side) {
+    return side == Side::measured ? measured_stand_ins(set) : one_side(set, side);
+}
+
+// Twins are a likely reason for ratings that do not fit.
+Error with_hint(Error error, const PatternSet& set) {
+    if (std::ranges::any_of(set.vibrations, measures_another)) {
+        error.message += " (--only intended leaves out what measures another pattern)";
+    }
+    return error;
+}
+
+}  // namespace
+
+Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
+                                                const RatingFiles& files) {
+    const auto& sets = common.sets;
+    const auto& ratings = files.files;
+    if (sets.size() > 1 && !ratings.empty() && ratings.size() != sets.size()) {
+        return Error{"expected a file or a folder of ratings for each of the " +
+                     std::to_string(sets.size()) + " sets, got " + std::to_string(ratings.size())};
+    }
+    std::vector<RatedPatterns> all;
+    for (std::size_t k = 0; k < sets.size(); ++k) {
+        CommonOptions one = common;
+        one.sets = {sets[k]};
+        Expected<PatternSet> set = load_for(one);
+        if (!set) return set.error();
+        set = of_side(*set, common.only);
+        if (const auto pair = need_a_pair(*set, one); !pair) return pair.error();
+        const auto all_files = std::span(ratings);
+        const bool one_each = sets.size() > 1 && !ratings.empty();
+        auto study = ratings_for(*set, sets[k], one_each ? all_files.subspan(k, 1) : all_files,
+                                 scale_of(files.scale));
+        if (!study) return with_hint(study.error(), *set);
+        std::string name = set->name.empty() ? sets[k].filename().string() : set->name;
+        if (common.only != Side::both) {
+            name += std::string(", ") + kSideNames[static_cast<std::size_t>(common.only)];
+        }
+        all.push_back({*std::move(set), name, *std::move(study)});
+    }
+    return all;
+}
+
+}  // namespace tact

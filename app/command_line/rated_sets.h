@@ -1,0 +1,26 @@
+// Sets of a command with what people said of them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/command_line/commands.h"
+#include "model/pattern_set.h"
+#include "model/ratings.h"
+
+namespace tact {
+
+// One set with its ratings, in the order of its patterns.
+struct RatedPatterns {
+    PatternSet set;
+    std::string name;
+    RatingStudy study;
+};
+
+// Each set of a command with its files of ratings: all of them for a single set, else one for each;
+// without files, those of the set file. Remarks go to standard error.
+Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
+                                                const RatingFiles& ratings);
+
+}  // namespace tact
