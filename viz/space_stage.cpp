@@ -18,7 +18,7 @@ float base_radius_px(const Theme& theme, std::size_t n) {
 }  // namespace
 
 SpaceStage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene) {
-    return {list, theme, pane, scene, fit(*scene.points), {}, {}, {}, {}};
+    return {list, theme, pane, scene, fit(*scene.points), {}, {}, {}, {}, {}};
 }
 
 float nearness(const SpaceStage& stage, std::size_t i) {
@@ -27,6 +27,7 @@ float nearness(const SpaceStage& stage, std::size_t i) {
 
 float presence(const SpaceStage& stage, std::size_t i) {
     const float depth = stage.fit.flat ? 1.0F : 0.5F + 0.5F * nearness(stage, i);
+    if (stage.faint[i]) return 0.2F * depth;
     return stage.scene.chosen.empty() || stage.chosen[i] ? depth : 0.55F * depth;
 }
 
@@ -50,6 +51,8 @@ void place_points(SpaceStage& stage, const SpaceCamera& camera) {
     stage.front_to_back.clear();
     stage.chosen.assign(n, false);
     for (const std::size_t i : stage.scene.chosen) stage.chosen[i] = true;
+    stage.faint.assign(n, false);
+    for (const std::size_t i : stage.scene.faint) stage.faint[i] = true;
     for (std::size_t i = 0; i < n; ++i) {
         const Eigen::Vector3d p = point_of(*stage.scene.points, static_cast<Eigen::Index>(i));
         if (!p.allFinite()) {

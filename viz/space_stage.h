@@ -19,6 +19,7 @@ struct SpaceStage {
     std::vector<Disc> discs;                 // by point
     std::vector<std::size_t> front_to_back;  // only points that can be seen
     std::vector<bool> chosen;                // by point
+    std::vector<bool> faint;                 // by point
 };
 
 SpaceStage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene);

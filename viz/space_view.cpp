@@ -2,6 +2,7 @@
 
 #include <imgui_internal.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -90,6 +91,58 @@ void draw_paths(const SpaceStage& stage) {
                                toned(stage, stage.theme.dim_text, strength),
                                stage.theme.hairline_px);
         }
+    }
+}
+
+// Pairs that are too close, thin and in the colour of a warning.
+void draw_links(const SpaceStage& stage) {
+    for (const SpaceLink& link : stage.scene.links) {
+        if (!somewhere(stage, link.a) || !somewhere(stage, link.b)) continue;
+        const float strength = std::min(presence(stage, link.a), presence(stage, link.b));
+        stage.list.AddLine(stage.discs[link.a].centre, stage.discs[link.b].centre,
+                           toned(stage, stage.theme.warning, 0.3F + 0.6F * strength),
+                           stage.theme.hairline_px);
+    }
+}
+
+// The part of a covariance that is seen: J C J', J the change of the place on the screen along each
+// axis of the map.
+Eigen::Matrix2d seen_covariance(const SpaceStage& stage, const SpaceCamera& camera, std::size_t i) {
+    const Eigen::Vector3d p = point_of(*stage.scene.points, static_cast<Eigen::Index>(i));
+    const double step = 1e-3 * stage.fit.radius;
+    Eigen::Matrix<double, 2, 3> change;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Eigen::Vector3d moved = p + step * Eigen::Vector3d::Unit(axis);
+        const ImVec2 way = project(camera, stage.fit, stage.pane, moved).at - stage.projected[i].at;
+        change.col(axis) = Eigen::Vector2d(way.x, way.y) / step;
+    }
+    return change * stage.scene.spread[i] * change.transpose();
+}
+
+// Around where each point might be as well: half of a normal distribution in two dimensions lies
+// within sqrt(2 ln 2) standard deviations.
+void draw_spread(const SpaceStage& stage, const SpaceCamera& camera) {
+    if (stage.scene.spread.size() != stage.discs.size()) return;
+    constexpr double kHalf = 1.17741;
+    constexpr int kCorners = 32;
+    for (const std::size_t i : stage.front_to_back) {
+        const Eigen::LLT<Eigen::Matrix2d> root(seen_covariance(stage, camera, i) +
+                                               1e-9 * Eigen::Matrix2d::Identity());
+        if (root.info() != Eigen::Success) continue;
+        const Eigen::Matrix2d half = kHalf * Eigen::Matrix2d(root.matrixL());
+        std::array<ImVec2, kCorners> corners;
+        for (int k = 0; k < kCorners; ++k) {
+            const double angle = 2.0 * std::acos(-1.0) * k / kCorners;
+            const Eigen::Vector2d at = half * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+            corners[static_cast<std::size_t>(k)] =
+                stage.discs[i].centre +
+                ImVec2{static_cast<float>(at.x()), static_cast<float>(at.y())};
+        }
+        const float strength = presence(stage, i);
+        const ImU32 colour = stage.scene.looks[i].colour;
+        stage.list.AddConvexPolyFilled(corners.data(), kCorners, faded(colour, 0.10F * strength));
+        stage.list.AddPolyline(corners.data(), kCorners, faded(colour, 0.5F * strength),
+                               ImDrawFlags_Closed, stage.theme.hairline_px);
     }
 }
 
@@ -294,6 +347,11 @@ SpaceAction read_mouse(const char* id, const Theme& theme, const Rect& pane, Spa
         if (camera.orbiting) action.clicked_empty = hovered;
         if (!camera.orbiting) action.clicked = action.hovered;
     }
+    const bool right_dragged = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] >
+                               std::pow(kClickSlackPx * theme.scale, 2);
+    if (hovered && io.MouseReleased[ImGuiMouseButton_Right] && !right_dragged) {
+        action.right_clicked = action.hovered;
+    }
     if (hovered && io.MouseDoubleClicked[ImGuiMouseButton_Left]) {
         action.double_clicked = action.hovered;
         if (!action.hovered) camera = SpaceCamera{.orbiting = camera.orbiting};
@@ -340,6 +398,8 @@ SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
     draw_floor(stage, camera);
     draw_drop_lines(stage, camera);
     draw_paths(stage);
+    draw_spread(stage, camera);
+    draw_links(stage);
     draw_ghosts(stage, camera);
     std::array<Rect, 3> occupied{draw_axes_cross(stage, camera), draw_hint(stage, action), Rect{}};
     const bool pair = hovered && scene.selected && *hovered != *scene.selected &&
