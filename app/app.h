@@ -157,7 +157,7 @@ struct PhysiologyState {
 enum class MatrixQuantity { pm, nc, oc };
 
 // What the lower right pane shows.
-enum class BenchTab { matrix, compare, shepard, why, model, device };
+enum class BenchTab { matrix, subset, compare, shepard, why, model, device };
 
 enum class CompareView { table, scatter, findings };
 
@@ -197,6 +197,7 @@ enum class ChooserPurpose {
     study_folder,
     export_study,
     export_view,
+    export_subset,
     export_stages,
     export_animation
 };
@@ -235,6 +236,7 @@ enum class PictureView { window, physiology, space, matrix };
 struct RunningAnimation;  // app/exports.h
 struct StudyState;        // app/study_state.h
 struct ImportState;       // app/import_state.h
+struct SubsetState;       // app/subset_state.h
 
 // What the dialogs for export were left at, and what is on its way to files.
 struct ExportState {
@@ -305,6 +307,7 @@ struct App {
     BenchTab bench = BenchTab::matrix;
     ModelPanelState model_panel;
     RenderingState rendering;
+    std::shared_ptr<SubsetState> subset;  // never null
 
     VibrationCache cache;
     SetPanelState set_panel;

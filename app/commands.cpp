@@ -12,9 +12,11 @@
 #include "app/exports.h"
 #include "app/files.h"
 #include "app/generating.h"
-#include "app/playing.h"
 #include "app/import_follow.h"
+#include "app/playing.h"
 #include "app/study_follow.h"
+#include "app/subset_export.h"
+#include "app/subset_follow.h"
 #include "app/tour.h"
 #include "app/widgets.h"
 #include "viz/marks.h"
@@ -30,6 +32,8 @@ bool has_answers(const App& app) {
     const auto& answers = app.study->answers;
     return answers && answers->results;
 }
+
+bool has_subset(const App& app) { return shown_pick(app) != nullptr; }
 
 void step_selection(App& app, int step) {
     const std::vector<std::size_t> listed = listed_indices(app);
@@ -163,6 +167,8 @@ const auto kCommands = std::to_array<Command>({
      "measured accelerometer csv wav acceleration"},
     {"File", "Export view...", ctrl('e'), always, export_view_dialog, nullptr,
      "picture image png svg save"},
+    {"File", "Export subset...", {}, has_subset, export_subset_dialog, nullptr,
+     "report picked distinct set table map"},
     {"File", "Export stage as CSV...", {}, has_selection, export_stages_dialog, nullptr,
      "stages table numbers save"},
     {"File", "Export animation...", {}, has_selection, export_animation_dialog, nullptr,
@@ -179,6 +185,8 @@ const auto kCommands = std::to_array<Command>({
      "design space factorial sample sobol latin hypercube levels"},
     {"Edit", "Rename", special(key::kF1 + 1), has_selection, start_rename},
     {"Edit", "Lock or unlock", ctrl('l'), has_selection, toggle_locked},
+    {"Edit", "Drop from subsets or not", ctrl('l', true), has_selection, toggle_dropped, nullptr,
+     "exclude must not pick"},
     {"Edit", "Copy", ctrl('c'), has_selection, copy_selected},
     {"Edit", "Paste", ctrl('v'), always, paste},
     {"Edit", "Select all", ctrl('a'), has_selection, select_all},
@@ -215,6 +223,13 @@ const auto kCommands = std::to_array<Command>({
      show_bench<BenchTab::matrix>,
      nullptr,
      "dissimilarity heat map"},
+    {"View",
+     "Subset",
+     {},
+     always,
+     [](App& app) { app.bench = BenchTab::subset; },
+     nullptr,
+     "pick most distinct confusable separate stable"},
     {"View", "Compare with people", {}, always,
      show_bench<BenchTab::compare>, nullptr, "ratings metrics rho table"},
     {"View", "Shepard diagram", {}, always, show_bench<BenchTab::shepard>,

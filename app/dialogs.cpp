@@ -10,6 +10,7 @@
 #include "app/import_follow.h"
 #include "app/panels/panels.h"
 #include "app/study_follow.h"
+#include "app/subset_export.h"
 #include "app/widgets.h"
 
 namespace tact {
@@ -94,6 +95,8 @@ void draw_chooser(App& app) {
             return export_study(app, *chosen);
         case ChooserPurpose::export_view:
             return export_view(app, *chosen);
+        case ChooserPurpose::export_subset:
+            return export_subset(app, *chosen);
         case ChooserPurpose::export_stages:
             return export_stages(app, *chosen);
         case ChooserPurpose::export_animation:

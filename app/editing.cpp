@@ -246,9 +246,24 @@ void toggle_locked(App& app) {
     const Vibration* current = current_vibration(app);
     if (current == nullptr) return;
     const bool lock = !current->locked;
-    for (const std::size_t index : selected_indices(app)) vibrations(app)[index].locked = lock;
+    for (const std::size_t index : selected_indices(app)) {
+        vibrations(app)[index].locked = lock;
+        if (lock) vibrations(app)[index].dropped = false;
+    }
     document_changed(app);
     commit_step(app, of_selection(app, lock ? "Lock" : "Unlock"));
+}
+
+void toggle_dropped(App& app) {
+    const Vibration* current = current_vibration(app);
+    if (current == nullptr) return;
+    const bool drop = !current->dropped;
+    for (const std::size_t index : selected_indices(app)) {
+        vibrations(app)[index].dropped = drop;
+        if (drop) vibrations(app)[index].locked = false;
+    }
+    document_changed(app);
+    commit_step(app, of_selection(app, drop ? "Drop" : "Take back"));
 }
 
 double shown_duration_s(const App& app) { return longest_s(app.document.set); }

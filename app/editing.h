@@ -47,7 +47,8 @@ void copy_selected(App& app);
 void paste(App& app);
 void move_vibration(App& app, std::size_t from, std::size_t to);
 void rename_vibration(App& app, std::size_t index, const std::string& name);
-void toggle_locked(App& app);
+void toggle_locked(App& app);   // locked ones are in every subset ...
+void toggle_dropped(App& app);  // ... dropped ones in none
 
 // Duration of what the panes show, s: of any pattern, padded as in its set.
 double shown_duration_s(const App& app);

@@ -7,6 +7,8 @@
 #include "app/folders.h"
 #include "app/panels/time_rows.h"
 #include "app/stage_csv.h"
+#include "app/subset_export.h"
+#include "app/subset_state.h"
 #include "app/view_pictures.h"
 #include "model/io/atomic_file.h"
 #include "model/io/recording.h"
@@ -157,10 +159,12 @@ void cancel_animation(App& app) {
 }
 
 bool is_exporting(const App& app) {
-    return app.exports.animation != nullptr || !app.exports.picture.empty();
+    return app.exports.animation != nullptr || !app.exports.picture.empty() ||
+           !app.subset->export_to.empty();
 }
 
 void continue_exports(App& app) {
+    if (!app.subset->export_to.empty()) return continue_subset_export(app);
     if (!app.exports.picture.empty()) return draw_waiting_picture(app);
     if (app.exports.animation) draw_next_frame(app);
 }

@@ -20,6 +20,8 @@
 #include "app/panels/study_pages.h"
 #include "app/playing.h"
 #include "app/study_follow.h"
+#include "app/subset_follow.h"
+#include "app/subset_state.h"
 #include "app/tour.h"
 #include "app/widgets.h"
 #include "model/mds.h"
@@ -168,6 +170,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     draw_palette(app, pressed);
     follow_current(app);
     follow_bench(app);
+    follow_subset(app);
     autosave_if_due(app);
     write_rects(app.rects);
 }
@@ -189,7 +192,8 @@ bool wants_another_frame(const App& app) {
 
 double next_wake_s(const App& app) {
     double wake_s = std::numeric_limits<double>::infinity();
-    if (is_computing(app) || is_bench_computing(app)) wake_s = 0.1;  // progress
+    if (is_computing(app) || is_bench_computing(app) || is_subset_busy(app))
+        wake_s = 0.1;  // progress
     if (app.autosave_pending) wake_s = std::min(wake_s, 0.5);
     wake_s = std::min(wake_s, study_wake_s(app));
     // A little later than it fades, lest the clock's last digit asks for it twice.
@@ -203,6 +207,7 @@ App make_app() {
     app.committed = std::make_shared<const PatternSet>();
     app.study = make_study();
     app.import = make_import();
+    app.subset = std::make_shared<SubsetState>();
     return app;
 }
 

@@ -28,6 +28,12 @@ PerceptualSpace preview_space(const Dissimilarity& pm, int dimensions, const Liv
     return smacof(pm, last->space.points, params, stop);
 }
 
+// Names, notes and locks make no difference to the model.
+bool is_same_to_model(const PatternSet& a, const PatternSet& b) {
+    return a.model == b.model && std::ranges::equal(a.vibrations, b.vibrations, {},
+                                                    &Vibration::source, &Vibration::source);
+}
+
 }  // namespace
 
 double expected_map_s(const PatternSet& set) {
@@ -52,7 +58,8 @@ std::optional<LiveMap> LiveMapWork::kept(const LiveMapRequest& request) {
     if (request.preview) return std::nullopt;
     const auto found = std::ranges::find_if(all_, [&request](const auto& map) {
         return map->request.dimensions == request.dimensions &&
-               map->request.rendered_by == request.rendered_by && *map->request.set == *request.set;
+               map->request.rendered_by == request.rendered_by &&
+               is_same_to_model(*map->request.set, *request.set);
     });
     if (found == all_.end()) return std::nullopt;
     std::rotate(found, found + 1, all_.end());

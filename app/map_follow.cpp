@@ -9,6 +9,7 @@
 #include "app/bench_follow.h"
 #include "app/import_follow.h"
 #include "app/study_follow.h"
+#include "app/subset_follow.h"
 #include "model/procrustes.h"
 
 namespace tact {
@@ -108,12 +109,14 @@ void make_jobs(App& app) {
         *job = std::make_unique<StagesJob>(JobPolicy::finish, compute_live_stages, app.wake);
     }
     make_bench_jobs(app);
+    make_subset_jobs(app);
 }
 
 void stop_jobs(App& app) {
     stop_study(app);
     app.generate.job.reset();
     stop_import(app);
+    stop_subset_jobs(app);
     app.findings_job.reset();
     app.rendering.job.reset();
     app.difference_job.reset();

@@ -81,6 +81,8 @@ PaneTitle bench_title(const App& app) {
                 "Matrix",
                 shown_side(app) == Side::both ? "dissimilarity of every pair" : side_detail(app),
                 map_state_forms(app)};
+        case BenchTab::subset:
+            return {"Subset", "the most distinct patterns", {}};
         case BenchTab::compare:
             return {"Compare", "metrics against people", {}};
         case BenchTab::shepard:
@@ -150,7 +152,8 @@ void draw_bench(App& app) {
         note_item(app.rects, std::string("tab:") + name);
     };
     tab(BenchTab::matrix, "Matrix");
-    for (const auto& [which, name] : {std::pair{BenchTab::compare, "Compare"},
+    for (const auto& [which, name] : {std::pair{BenchTab::subset, "Subset"},
+                                      {BenchTab::compare, "Compare"},
                                       {BenchTab::shepard, "Shepard"},
                                       {BenchTab::why, "Why"},
                                       {BenchTab::model, "Model"},
@@ -161,6 +164,8 @@ void draw_bench(App& app) {
     switch (app.bench) {
         case BenchTab::matrix:
             return draw_matrix_panel(app);
+        case BenchTab::subset:
+            return draw_subset_panel(app);
         case BenchTab::compare:
             return draw_compare_panel(app);
         case BenchTab::shepard:

@@ -61,11 +61,12 @@ Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilari
 }
 
 Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
-                      const PictureSize& size) {
+                      const PictureSize& size, std::span<const std::size_t> chosen,
+                      const std::string& quantity) {
     const std::vector<std::string> labels = names_of(set);
-    char detail[96];
-    std::snprintf(detail, sizeof detail, "predicted by PM, stress-1 %.3f, %s", space.stress1,
-                  stress_label(space.stress1).c_str());
+    char stress[64];
+    std::snprintf(stress, sizeof stress, ", stress-1 %.3f, ", space.stress1);
+    const std::string detail = "predicted by " + quantity + stress + stress_label(space.stress1);
     return drawn(size, options_of(size, drawn_text(set)), [&](const Theme& theme) {
         const Rect area = draw_title(theme, "Perceptual space", detail);
         std::vector<PatternLook> looks;
@@ -76,8 +77,9 @@ Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const Perc
         scene.labels = labels;
         scene.looks = looks;
         scene.points = &space.points;
+        scene.chosen = chosen;
         scene.dissimilarity = [&pm](std::size_t i, std::size_t j) { return pm(i, j); };
-        scene.quantity = "PM";
+        scene.quantity = quantity;
         SpaceCamera camera;
         draw_space("space", theme, area, scene, camera);
     });

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -40,8 +41,10 @@ Picture drawn(const PictureSize& size, const PictureOptions& options,
 Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
                        const std::string& quantity, const PictureSize& size);
 
+// `chosen`: a subset, ringed; `quantity`: what the matrix is.
 Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
-                      const PictureSize& size);
+                      const PictureSize& size, std::span<const std::size_t> chosen = {},
+                      const std::string& quantity = "PM");
 
 Picture wave_picture(const Vibration& vibration, const PictureSize& size);
 

@@ -92,6 +92,7 @@ struct Commands {
     CompareCommand compare;
     StudyCommand study;
     TrainCommand train;
+    SubsetCommand subset;
     FindingsCommand findings;
     DevicesCommand devices;
     PlayCommand play;
@@ -468,6 +469,45 @@ void add_train_command(CLI::App& app, TrainCommand& command,
                      "file for the parameters, for --model of other commands and the model bench");
 }
 
+void add_subset_command(CLI::App& app, SubsetCommand& command,
+                        std::function<Expected<Done>()>& chosen) {
+    CLI::App& subset = add_command(app, "subset", "the k most distinct patterns of a set, proven",
+                                   command, chosen);
+    subset.add_option("-k,--count", command.count, "how many to pick")
+        ->required()
+        ->check(CLI::Range(2, 10'000));
+    subset
+        .add_option("--objective", command.objective,
+                    "max-min: the weakest pair as far apart as can be; max-sum: all pairs together")
+        ->check(CLI::IsMember({"max-min", "max-sum"}));
+    subset.add_option("--keep", command.keep, "a pattern to pick, as are locked ones; repeatable")
+        ->allow_extra_args(false);
+    subset.add_option("--drop", command.drop, "a pattern not to pick; repeatable")
+        ->allow_extra_args(false);
+    CLI::Option* metric =
+        subset.add_option("--metric", command.metric, "pm unless another of those below")
+            ->check(fault_of_metric);
+    CLI::Option* matrix =
+        subset.add_option("--matrix", command.matrix, "dissimilarities from a CSV file, by names");
+    CLI::Option* ratings =
+        subset.add_option("--ratings", command.ratings, "dissimilarities as people rated them");
+    matrix->excludes(metric)->excludes(ratings);
+    ratings->excludes(metric);
+    subset.add_option("--time-limit", command.time_limit_s, "s; else 60")
+        ->check(CLI::NonNegativeNumber);
+    subset.add_option("--alternatives", command.alternatives, "how many of the next best to list")
+        ->check(CLI::Range(0, 1000));
+    subset.add_flag("--curve", command.curve, "also the weakest pair for other counts");
+    subset
+        .add_option("--sensitivity", command.draws,
+                    "draws of what is uncertain in the model: how often each pattern is picked")
+        ->check(CLI::Range(0, 100'000));
+    subset.add_option("--out", command.out, "a set file for the subset");
+    subset.add_option("--report", command.report,
+                      "a folder for the subset, a page about it and the map");
+    subset.footer(list_of_metrics());
+}
+
 void add_study_commands(CLI::App& app, Commands& commands,
                         std::function<Expected<Done>()>& chosen) {
     CompareCommand& options = commands.compare;
@@ -504,6 +544,7 @@ int run_command_line(int argc, const char* const* argv) {
     add_pattern_commands(app, commands, chosen);
     add_play_commands(app, commands, chosen);
     add_calibrate_command(app, commands.calibrate, chosen);
+    add_subset_command(app, commands.subset, chosen);
     add_study_commands(app, commands, chosen);
     add_generate_command(app, commands.generate, chosen);
     add_study_command(app, commands.study, chosen);

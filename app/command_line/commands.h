@@ -148,6 +148,7 @@ struct MeasureCommand {
     bool json = false;
 };
 Expected<Done> run(const MeasureCommand& command);
+
 struct TrainCommand {
     CommonOptions common;  // sets are not merged: each has its own ratings
     RatingFiles ratings;
@@ -160,6 +161,24 @@ Expected<Done> run(const TrainCommand& command);
 
 // Empty where weights from 0 to 1 have whole steps of this.
 std::string fault_of_step(const std::string& text);
+
+struct SubsetCommand {
+    CommonOptions common;
+    int count = 8;
+    std::string objective = "max-min";  // or max-sum
+    std::vector<std::string> keep;      // besides the locked patterns
+    std::vector<std::string> drop;      // besides those dropped in the set
+    std::string metric = "pm";
+    std::filesystem::path matrix;  // instead of a metric
+    std::vector<std::filesystem::path> ratings;
+    double time_limit_s = 60.0;
+    int alternatives = 0;
+    bool curve = false;
+    int draws = 0;                 // of uncertain models; 0: none
+    std::filesystem::path out;     // a set file for the subset
+    std::filesystem::path report;  // a folder for the set, a page and the map
+};
+Expected<Done> run(const SubsetCommand& command);
 
 struct FindingsCommand {
     int threads = 0;

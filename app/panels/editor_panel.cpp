@@ -7,6 +7,7 @@
 #include "app/editing.h"
 #include "app/panels/panels.h"
 #include "app/panels/pattern_fields.h"
+#include "app/subset_follow.h"
 #include "app/widgets.h"
 #include "viz/marks.h"
 
@@ -155,6 +156,12 @@ void draw_editor_panel(App& app) {
     draw_hint(app, "editor",
               "Drag a slider and watch the point move on the right. Type a number for an exact "
               "value; arrow keys nudge.");
+    if (is_too_close(app, vibration->name)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+        ImGui::TextWrapped("Too close to another pattern: see Subset, Too close.");
+        ImGui::PopStyleColor();
+        note_item(app.rects, "editor:too close");
+    }
     const Vibration shown = *vibration;  // edits below replace the document's own
     ImGui::BeginDisabled(shown.locked);
     if (const auto* pattern = std::get_if<Pattern>(&shown.source)) {

@@ -13,6 +13,7 @@ void draw_physiology_panel(App& app);
 void draw_space_panel(App& app);
 void draw_matrix_panel(App& app);
 void draw_model_panel(App& app);
+void draw_subset_panel(App& app);
 void draw_compare_panel(App& app);
 void draw_shepard_panel(App& app);
 void draw_why_panel(App& app);

@@ -10,6 +10,7 @@
 
 #include "app/editing.h"
 #include "app/panels/panels.h"
+#include "app/subset_follow.h"
 #include "app/widgets.h"
 #include "viz/colour.h"
 #include "viz/marks.h"
@@ -98,6 +99,7 @@ void draw_row_menu(App& app, std::size_t index) {
         app.set_panel.rename_text = vibration.name;
     }
     if (ImGui::MenuItem(vibration.locked ? "Unlock" : "Lock")) toggle_locked(app);
+    if (ImGui::MenuItem(vibration.dropped ? "Take back" : "Drop")) toggle_dropped(app);
     if (ImGui::MenuItem("Duplicate", "Ctrl+D")) duplicate_selected(app);
     if (ImGui::MenuItem("Copy", "Ctrl+C")) copy_selected(app);
     if (ImGui::MenuItem("Delete", "Del")) remove_selected(app);
@@ -157,11 +159,16 @@ void draw_row_content(App& app, std::size_t index, const Rect& row, const RowPar
     const float name_begin = row.min.x + 26.0F * s;
     std::string name = vibration.name;
     if (vibration.locked) name += "  (locked)";
+    if (vibration.dropped) name += "  (dropped)";
     const float name_end = name_begin + text_size(theme.fonts.regular, name).x + 6.0F * s;
     const float end = draw_row_end(app, vibration, look, row, name_end, parts);
     const std::string shown =
         shortened(theme.fonts.regular, name, std::max(0.0F, end - name_begin - 5.0F * s));
     draw_text(list, theme.fonts.regular, {name_begin, text_y}, theme.text, shown);
+    if (is_too_close(app, vibration.name)) {
+        list.AddCircle({row.min.x + 12.0F * s, middle}, 9.0F * s, theme.warning, 0,
+                       1.5F * theme.hairline_px);
+    }
     const ImVec2 corner{name_begin, text_y};
     note_rect(app.rects, "row name:" + vibration.name, corner,
               corner + text_size(theme.fonts.regular, shown), shown);

@@ -6,6 +6,7 @@
 #include "app/editing.h"
 #include "app/import_follow.h"
 #include "app/map_follow.h"
+#include "app/panels/map_look.h"
 #include "app/panels/panels.h"
 #include "app/playing.h"
 #include "app/widgets.h"
@@ -60,6 +61,7 @@ void draw_controls(App& app) {
     ImGui::SameLine(0.0F, 1.5F * app.theme.gap_px);
     choose("2-D", 2);
     draw_overlay_choice(app);
+    draw_map_look(app);
     // Every map begins unturned: the way back is of use only after that.
     if (app.camera == SpaceCamera{}) return;
     const float width = ImGui::CalcTextSize(kReset).x;
@@ -194,14 +196,19 @@ void draw_space_panel(App& app) {
                                   : PatternLook{app.theme.dim_text, true});
     }
     const Eigen::MatrixXd points = eased_points(app);
+    const MapDecor decor = map_decor(app, looks);
     SpaceScene scene = scene_of(app, labels, looks, points, places);
+    decorate(app, decor, scene);
     const auto people = app.show_people ? people_over_map(app) : std::nullopt;
     if (people) {
         scene.ghosts = &*people;
         scene.ghost_opacity = 1.0;
         note_rect(app.rects, "overlay", area.min, area.max);
     }
-    act(app, draw_space("space", app.theme, area, scene, app.camera), places);
+    const SpaceAction action = draw_space("space", app.theme, area, scene, app.camera);
+    act(app, action, places);
+    if (!app.as_picture) draw_point_menu(app, action, places);
+    draw_map_legend(app, area);
     note_points(app, area, labels, points);
     const std::string verdict = verdict_text(app.map.shown->space, shown.size());
     if (!verdict.empty()) {

@@ -11,8 +11,11 @@
 #include <thread>
 #include <vector>
 
+#include "app/map_follow.h"
+#include "app/subset_state.h"
 #include "app/window.h"
 #include "model/io/set_file.h"
+#include "model/random.h"
 #include "tests/bench/owed.h"
 
 // Its checks are switched off here, and leave a variable behind.
@@ -166,6 +169,44 @@ PatternSet strong() {
     return set;
 }
 
+constexpr std::size_t kManyPoints = 1000;
+
+PatternSet thousand() {
+    PatternSet set;
+    set.name = "thousand";
+    set.duration_s = 0.1;
+    for (std::size_t k = 0; k < kManyPoints; ++k) {
+        Pattern pattern;
+        pattern.duration_s = 0.1;
+        pattern.carriers[0].frequency_hz = 40.0 + 0.3 * static_cast<double>(k);
+        pattern.modulation.frequency_hz = static_cast<double>(k % 50);
+        Vibration vibration;
+        vibration.name = "pattern " + std::to_string(k);
+        vibration.source = pattern;
+        set.vibrations.push_back(vibration);
+    }
+    return set;
+}
+
+// A map at random: what matters is that it is drawn, coloured, with a subset and links.
+void show_made_up_map(App& app) {
+    make_jobs(app);
+    RandomStream random{5};
+    LiveMap map;
+    map.request = {app.revision, std::make_shared<const PatternSet>(app.document.set), 3, false};
+    map.prediction.pm.size = kManyPoints;
+    map.prediction.pm.condensed.resize(pair_count(kManyPoints));
+    for (double& value : map.prediction.pm.condensed) value = 2.0 + next_even(random);
+    map.space.points.resize(kManyPoints, 3);
+    for (double& value : map.space.points.reshaped()) value = next_normal(random);
+    show_map(app, std::make_shared<const LiveMap>(std::move(map)));
+    app.bench = BenchTab::subset;
+    app.subset->view = SubsetView::confusable;
+    app.subset->share = 0.0005;
+    app.subset->look.colour = PatternParameter::carrier;
+    app.subset->look.path = PatternParameter::modulation;
+}
+
 // In a real window, from the start of a frame until it is on the screen, while the playhead runs a
 // hundred times slower than life and the points move.
 void frame_on_display(benchmark::State& state, const PatternSet& set) {
@@ -178,7 +219,11 @@ void frame_on_display(benchmark::State& state, const PatternSet& set) {
     app.document = {set, {}, set};
     app.committed = std::make_shared<const PatternSet>(set);
     app.playhead = {.at_s = 0.0, .speed = 0.01, .playing = true, .loop = true};
-    start_jobs(app);
+    if (set.vibrations.size() == kManyPoints) {
+        show_made_up_map(app);
+    } else {
+        start_jobs(app);
+    }
     std::vector<double> frames_s;
     std::vector<double> computed_s;
     std::size_t receptors = 0;
@@ -232,3 +277,6 @@ BENCHMARK_CAPTURE(frame_on_display, twelve, twelve())
 BENCHMARK_CAPTURE(frame_on_display, strong, strong())
     ->Name("interface/frame_on_display/strong")
     ->Iterations(400);
+BENCHMARK_CAPTURE(frame_on_display, thousand, thousand())
+    ->Name("interface/frame_on_display/thousand")
+    ->Iterations(200);

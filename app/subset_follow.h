@@ -1,0 +1,35 @@
+// Keeping the picked subset, and what is asked about it, in step with the document.
+#pragma once
+
+#include "app/app.h"
+#include "app/subset_state.h"
+
+namespace tact {
+
+void make_subset_jobs(App& app);
+void stop_subset_jobs(App& app);
+
+// Takes what the jobs have finished; asks anew where the document or the question has changed.
+void follow_subset(App& app);
+
+// The subset on screen, of the map on screen; null: none. It may answer an earlier question.
+const Pick* shown_pick(const App& app);
+// The best one, or the alternative that is looked at.
+const Subset* shown_subset(const App& app);
+bool is_picking(const App& app);
+bool is_subset_busy(const App& app);  // with anything
+void cancel_picking(App& app);
+
+// The share of draws, where the shown subset's was computed.
+const Stability* shown_stability(const App& app);
+
+// Pairs that are too close, of the map on screen.
+const TooClosePairs& too_close_pairs(App& app);
+
+// Whether the shown pairs have a pattern of that name, while the person looks at such pairs.
+bool is_too_close(const App& app, const std::string& name);
+
+// Applies a change as one step.
+void apply_separation(App& app, std::size_t place, const Separation& separation);
+
+}  // namespace tact
