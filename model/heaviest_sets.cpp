@@ -99,6 +99,8 @@ class Search {
     // Takes and leaves all that must be; the bound of the sets from here on, if any may be kept.
     std::optional<Units> settled(Node& node) const {
         for (;;) {
+            // Two that must be taken may be unable to stand together: then there are too many.
+            if (node.chosen.size() > problem_.count) return std::nullopt;
             const std::size_t r = problem_.count - node.chosen.size();
             const std::size_t m = node.rest.objects.size();
             if (m < r) return std::nullopt;
@@ -126,7 +128,7 @@ class Search {
                 again = *settled;
             }
             const Units bound = whole(tangent.bound);
-            if (!may_be_kept(node, bound, r)) return std::nullopt;
+            if (!may_be_kept(node, bound)) return std::nullopt;
             if (!again) return bound;
         }
     }
@@ -205,11 +207,13 @@ class Search {
     }
 
     // Where the bound is no more than the worst sum kept, only lower indices would help.
-    bool may_be_kept(const Node& node, Units bound, std::size_t r) const {
+    bool may_be_kept(const Node& node, Units bound) const {
+        const std::size_t missing = problem_.count - std::min(problem_.count, node.chosen.size());
+        if (node.rest.objects.size() < missing) return false;
         if (bound > best_.floor()) return true;
         std::vector<std::size_t> lowest = node.rest.objects;
         std::ranges::sort(lowest);
-        lowest.resize(r);
+        lowest.resize(missing);
         lowest.insert(lowest.end(), node.chosen.begin(), node.chosen.end());
         std::ranges::sort(lowest);
         return best_.would_keep(bound, lowest);
