@@ -114,9 +114,9 @@ PickRequest request_of(const App& app) {
     const SubsetState& state = *app.subset;
     PickRequest request{app.map.shown, {}, state.by_ratings, state.metric};
     if (app.document.set.ratings.empty()) request.by_ratings = false;
-    request.problem = subset_problem(app.document.set, 2, state.objective);
-    request.problem.count =
-        possible_count(request.problem, app.document.set.vibrations.size(), state.count);
+    const PatternSet& set = *app.map.shown->request.set;
+    request.problem = subset_problem(set, 2, state.objective);
+    request.problem.count = possible_count(request.problem, set.vibrations.size(), state.count);
     return request;
 }
 
