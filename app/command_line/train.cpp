@@ -22,14 +22,20 @@ namespace {
 
 constexpr std::size_t kListedTies = 20;
 
-std::string digits_of(double step) { return fixed_digits(step, step < 0.1 - 1e-9 ? 3 : 1); }
+// A weight of a grid whose steps are so long, with as many digits as that takes, at most three.
+std::string weight_text(double weight, double step) {
+    int digits = 1;
+    for (double ten = 10.0; digits < 3; ++digits, ten *= 10.0) {
+        if (std::abs(step * ten - std::round(step * ten)) < 1e-9) break;
+    }
+    return fixed_digits(weight, digits);
+}
 
 TextRow parameters_row(const std::string& name, const PerceptualModelParams& model, double step) {
     TextRow row{name};
     const auto values = trained_values(model);
     for (std::size_t p = 0; p < values.size(); ++p) {
-        row.push_back(p < 2 ? fixed_digits(values[p], 0)
-                            : fixed_digits(values[p], step < 0.1 - 1e-9 ? 3 : 1));
+        row.push_back(p < 2 ? fixed_digits(values[p], 0) : weight_text(values[p], step));
     }
     return row;
 }
@@ -84,13 +90,14 @@ std::string ties_text(const Training& training) {
 }
 
 std::string marginals_text(const Training& training) {
-    const std::size_t steps = training.best_of[7].size();
-    std::vector<TextRow> rows{names_row("best with")};
+    const std::size_t weights = training.best_of[7].size();
+    const std::size_t steps = std::max(weights, training.best_of[0].size());
+    std::vector<TextRow> rows{names_row("best with layers / weight")};
     for (std::size_t k = 0; k < steps; ++k) {
-        TextRow row{k <= 4 && steps > 5
-                        ? std::to_string(k) + " / " +
-                              digits_of(static_cast<double>(k) / training.grid.units)
-                        : digits_of(static_cast<double>(k) / training.grid.units)};
+        const double step = 1.0 / training.grid.units;
+        const std::string weight =
+            k < weights ? weight_text(static_cast<double>(k) * step, step) : "-";
+        TextRow row{(k <= kMostTrainedLayers ? std::to_string(k) : "-") + " / " + weight};
         for (const auto& best : training.best_of) {
             row.push_back(k < best.size() && std::isfinite(best[k]) ? fixed_digits(best[k], 3)
                                                                     : "");
