@@ -146,6 +146,31 @@ void make_subset_jobs(App& app) {
         JobPolicy::supersede, find_stability, app.wake);
 }
 
+std::shared_ptr<SubsetState> still_subset(const SubsetState& state) {
+    auto still = std::make_shared<SubsetState>();
+    still->view = state.view;
+    still->count = state.count;
+    still->objective = state.objective;
+    still->by_ratings = state.by_ratings;
+    still->metric = state.metric;
+    still->alternative = state.alternative;
+    still->too_close = state.too_close;
+    still->share = state.share;
+    still->reference_a = state.reference_a;
+    still->reference_b = state.reference_b;
+    still->open_pair = state.open_pair;
+    still->change_second = state.change_second;
+    still->look = state.look;
+    still->asked = state.asked;
+    still->curve_asked = state.curve_asked;
+    still->cancelled = state.cancelled;
+    still->pick = state.pick;
+    still->curve = state.curve;
+    still->separations = state.separations;
+    still->stability = state.stability;
+    return still;
+}
+
 void stop_subset_jobs(App& app) {
     app.subset->pick_job.reset();
     app.subset->curve_job.reset();

@@ -7,6 +7,9 @@
 namespace tact {
 
 void make_subset_jobs(App& app);
+// What is shown of it, without its jobs: for a picture.
+std::shared_ptr<SubsetState> still_subset(const SubsetState& state);
+
 void stop_subset_jobs(App& app);
 
 // Takes what the jobs have finished; asks anew where the document or the question has changed.

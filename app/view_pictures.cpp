@@ -10,6 +10,7 @@
 #include "app/live_map.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
+#include "app/subset_follow.h"
 #include "app/widgets.h"
 
 namespace tact {
@@ -137,7 +138,8 @@ App opened_view(const PatternSet& set, const ViewChoice& choice) {
 }
 
 App still_view(const App& app) {
-    App still;
+    App still = make_app();
+    still.rects = {};
     still.motion = false;
     still.document = app.document;
     still.revision = app.revision;
@@ -159,8 +161,8 @@ App still_view(const App& app) {
     still.physiology.explained.reset();
     still.map_cancelled = app.map_cancelled;
     still.compute_large = app.compute_large;
-    still.import = make_import();
     still.import->side = shown_side(app);
+    still.subset = still_subset(*app.subset);
     still.map = app.map;
     still.camera = app.camera;
     still.dimensions = app.dimensions;

@@ -56,6 +56,6 @@ TEST_CASE("calibrate: what cannot be is refused in a sentence") {
         refusal_of({"calibrate", "--signal", signal.string(), "--low", "400", "--high", "300"}),
         "--high"));
     REQUIRE(write_wave_file(signal, {kModelRateHz, std::vector<double>(5000, 0.1)}));
-    CHECK(contains(refusal_of({"calibrate", "--recording", signal.string()}),
+    CHECK(contains(refusal_of({"calibrate", "--recording", signal.string(), "--scale", "1"}),
                    "whole calibration signal"));
 }

@@ -69,6 +69,7 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
     for (std::size_t k = 0; k < sets.size(); ++k) {
         CommonOptions one = common;
         one.sets = {sets[k]};
+        one.only = Side::both;  // the ratings decide who stands for whom
         Expected<PatternSet> set = load_for(one);
         if (!set) return set.error();
         set = of_side(*set, common.only);

@@ -204,8 +204,8 @@ void draw_devices(App& app) {
         ImGui::SameLine(0.0F, app.theme.gap_px);
         dim_text(app, "looking...");
     }
-    end_dialog(app);
     ImGui::PopStyleColor(2);
+    end_dialog(app);
 }
 
 }  // namespace tact

@@ -42,8 +42,13 @@ void draw_transport_bar(App& app, const Rect& area);
 void draw_explain_window(App& app, const Rect& beside);
 
 // Of the bar: device, level, meter, clip light; without `level` the device alone.
-void draw_sound_controls(App& app, bool level);
-float sound_controls_width(const App& app, bool level);
+// Without `level` its controls, without `wide` most of the device's name is left out.
+struct SoundParts {
+    bool level = true;
+    bool wide = true;
+};
+void draw_sound_controls(App& app, SoundParts parts);
+float sound_controls_width(const App& app, SoundParts parts);
 
 // The dialog of devices.
 void draw_devices(App& app);

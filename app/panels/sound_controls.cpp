@@ -15,6 +15,7 @@ namespace tact {
 namespace {
 
 constexpr float kDeviceWidthPx = 132.0F;
+constexpr float kNarrowDeviceWidthPx = 64.0F;
 constexpr float kLevelWidthPx = 136.0F;
 constexpr float kMeterWidthPx = 64.0F;
 constexpr float kLightPx = 10.0F;
@@ -59,10 +60,14 @@ void draw_device_menu(App& app) {
     ImGui::EndPopup();
 }
 
-void draw_device_button(App& app) {
+float device_width(const App& app, bool wide) {
+    return (wide ? kDeviceWidthPx : kNarrowDeviceWidthPx) * app.theme.scale;
+}
+
+void draw_device_button(App& app, bool wide) {
     const Theme& theme = app.theme;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 size{kDeviceWidthPx * theme.scale, ImGui::GetFrameHeight()};
+    const ImVec2 size{device_width(app, wide), ImGui::GetFrameHeight()};
     if (ImGui::Button("##device", size)) ImGui::OpenPopup("device menu");
     const std::string text = device_text(app);
     note_item(app.rects, "device", text);
@@ -137,18 +142,18 @@ void draw_clip_light(App& app) {
 
 }  // namespace
 
-float sound_controls_width(const App& app, bool level) {
-    float width = kDeviceWidthPx * app.theme.scale;
-    if (level && is_device_chosen(app)) {
+float sound_controls_width(const App& app, SoundParts parts) {
+    float width = device_width(app, parts.wide);
+    if (parts.level && is_device_chosen(app)) {
         width += (kLevelWidthPx + kMeterWidthPx + 2.0F * kLightPx) * app.theme.scale +
                  2.5F * app.theme.gap_px;
     }
     return width;
 }
 
-void draw_sound_controls(App& app, bool level) {
-    draw_device_button(app);
-    if (!level || !is_device_chosen(app)) return;
+void draw_sound_controls(App& app, SoundParts parts) {
+    draw_device_button(app, parts.wide);
+    if (!parts.level || !is_device_chosen(app)) return;
     ImGui::SameLine(0.0F, app.theme.gap_px);
     draw_level(app);
     ImGui::SameLine(0.0F, app.theme.gap_px);

@@ -149,17 +149,19 @@ struct BarParts {
     bool level = true;
     bool speeds = true;
     bool steps = true;
-    bool computing = true;
+    bool wide_device = true;
     bool loop = true;
+    bool computing = true;
 };
-constexpr std::array<bool BarParts::*, 8> kFirstToGo{&BarParts::computing_in_full,
+constexpr std::array<bool BarParts::*, 9> kFirstToGo{&BarParts::computing_in_full,
                                                      &BarParts::whole,
                                                      &BarParts::range,
                                                      &BarParts::level,
                                                      &BarParts::speeds,
                                                      &BarParts::steps,
-                                                     &BarParts::computing,
-                                                     &BarParts::loop};
+                                                     &BarParts::wide_device,
+                                                     &BarParts::loop,
+                                                     &BarParts::computing};
 
 constexpr const char* kShowAll = "Show all";
 constexpr float kAlternateSides = 1.5F;  // width of A|B, of its height
@@ -176,7 +178,7 @@ float bar_width(const App& app, const BarParts& parts) {
         sum += app.theme.padding_px;
         for (const Speed& speed : kSpeeds) sum += button_width(speed.text) + 0.5F * gap;
     }
-    sum += app.theme.padding_px + sound_controls_width(app, parts.level);
+    sum += app.theme.padding_px + sound_controls_width(app, {parts.level, parts.wide_device});
     sum += app.theme.padding_px + text_size(app.theme.fonts.semibold, time.at).x;
     if (parts.whole) sum += 0.75F * gap + width(time.whole);
     if (!time.range.empty()) {
@@ -340,7 +342,7 @@ void draw_transport_bar(App& app, const Rect& area) {
         const BarParts parts = fitting_parts(app, area.width() - 2.0F * app.theme.padding_px);
         draw_buttons(app, parts);
         ImGui::SameLine(0.0F, app.theme.padding_px);
-        draw_sound_controls(app, parts.level);
+        draw_sound_controls(app, {parts.level, parts.wide_device});
         if (parts.speeds) {
             ImGui::SameLine(0.0F, app.theme.padding_px);
             draw_speeds(app);
