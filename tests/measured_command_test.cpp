@@ -57,7 +57,8 @@ TEST_CASE("import: recordings stand behind the patterns that their files are nam
     const Waveform intended = waveform_of(with.vibrations[0]);
     const Waveform measured = waveform_of(with.vibrations[1]);
     REQUIRE(measured.samples_g.size() == intended.samples_g.size());
-    // A logger's offset cannot be told from the mean of the pattern: one and a half cycles have one.
+    // A logger's offset cannot be told from the mean of the pattern: one and a half cycles have
+    // one.
     const double offset_g = measured.samples_g[0] - intended.samples_g[0];
     CHECK(std::abs(offset_g) < 0.03);
     for (std::size_t n = 0; n < intended.samples_g.size(); ++n) {
