@@ -1,6 +1,5 @@
 // A participant at the study: what they do goes to the run, and what it asks for is done.
 
-#include <ctime>
 #include <utility>
 
 #include "app/editing.h"
@@ -8,6 +7,7 @@
 #include "app/playing.h"
 #include "app/study_follow.h"
 #include "devices/drive.h"
+#include "model/io/utc_time.h"
 #include "model/pink_noise.h"
 
 namespace tact {
@@ -17,15 +17,6 @@ namespace fs = std::filesystem;
 using What = StudyEvent::What;
 
 namespace {
-
-std::string utc_now() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    gmtime_r(&now, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
-}
 
 void mask(StudyState& state, double level) {
     constexpr double kRateHz = 48'000.0;

@@ -2,24 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include <random>
-
 #include "model/nc_matrix.h"
+#include "random_code.h"
 
 using namespace tact;
-
-namespace {
-
-NeuralCode random_code(std::size_t samples, std::uint32_t seed) {
-    std::mt19937 random(seed);
-    NeuralCode code;
-    for (std::size_t n = 0; n < samples; ++n) {
-        code.central_spikes.push_back(static_cast<std::uint8_t>(random() & random() & 15U));
-    }
-    return code;
-}
-
-}  // namespace
 
 TEST_CASE("brain units: the distance has the bits of the one from counted spikes") {
     const PerReceptor<double> weights[] = {{0.2, 0.7, 0.0, 0.5},     {0.1, 0.2, 0.0, 0.3},

@@ -3,23 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <random>
 
 #include "model/pattern.h"
+#include "random_code.h"
 
 using namespace tact;
 
 namespace {
-
-// Spikes at random: each channel at every fourth sample, in every combination.
-NeuralCode random_code(std::size_t samples, std::uint32_t seed) {
-    std::mt19937 random(seed);
-    NeuralCode code;
-    for (std::size_t n = 0; n < samples; ++n) {
-        code.central_spikes.push_back(static_cast<std::uint8_t>(random() & random() & 15U));
-    }
-    return code;
-}
 
 std::vector<NeuralCode> codes_of_patterns() {
     std::vector<NeuralCode> codes;

@@ -2,13 +2,13 @@
 
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "model/fingerprint.h"
 #include "model/io/atomic_file.h"
 #include "model/io/model_json.h"
+#include "model/io/utc_time.h"
 
 namespace tact {
 
@@ -16,15 +16,6 @@ namespace {
 
 constexpr const char* kFormatKey = "tactspace_model";
 constexpr Range kCount{0, 1e15};
-
-std::string now_utc() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    gmtime_r(&now, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
-}
 
 std::size_t participant_count(const RatingStudy& study) {
     std::set<std::string> names;
@@ -115,7 +106,7 @@ TrainingRecord record_of(const Training& training, std::span<const TrainingSet> 
                          const std::string& program) {
     TrainingRecord record;
     record.program = program;
-    record.date = now_utc();
+    record.date = utc_now();
     record.objective = training.objective;
     record.step = 1.0 / training.grid.units;
     record.value = training.best.value;
