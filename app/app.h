@@ -180,8 +180,11 @@ struct ComparePanelState {
     ShepardFit fit;
 };
 
-// Whose knots the model bench lists.
+enum class ModelView { parameters, training };
+
+// Which view of the model bench is shown, and whose knots it lists.
 struct ModelPanelState {
+    ModelView view = ModelView::parameters;
     Receptor type = Receptor::pacinian;
     bool threshold = true;  // or slope
 };
@@ -193,6 +196,9 @@ enum class ChooserPurpose {
     load_tables,
     load_ratings,
     load_calibration,
+    load_model,
+    save_model,
+    add_training_set,
     import_recordings,
     study_folder,
     export_study,
@@ -237,6 +243,7 @@ struct RunningAnimation;  // app/exports.h
 struct StudyState;        // app/study_state.h
 struct ImportState;       // app/import_state.h
 struct SubsetState;       // app/subset_state.h
+struct TrainingState;     // app/training_state.h
 
 // What the dialogs for export were left at, and what is on its way to files.
 struct ExportState {
@@ -307,7 +314,8 @@ struct App {
     BenchTab bench = BenchTab::matrix;
     ModelPanelState model_panel;
     RenderingState rendering;
-    std::shared_ptr<SubsetState> subset;  // never null
+    std::shared_ptr<SubsetState> subset;      // never null
+    std::shared_ptr<TrainingState> training;  // never null
 
     VibrationCache cache;
     SetPanelState set_panel;

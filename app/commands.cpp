@@ -142,6 +142,11 @@ void show_bench(App& app) {
     app.bench = kTab;
 }
 
+void show_training(App& app) {
+    show_bench<BenchTab::model>(app);
+    app.model_panel.view = ModelView::training;
+}
+
 void space_layout(App& app) {
     close_study(app);
     app.layout = Layout{};
@@ -243,6 +248,8 @@ const auto kCommands = std::to_array<Command>({
      show_bench<BenchTab::model>,
      nullptr,
      "parameters weights layers thresholds"},
+    {"View", "Train on ratings", {}, always, show_training, nullptr,
+     "fit parameters people optimum search model"},
     {"View", "What a device makes of it", {}, always,
      [](App& app) { app.bench = BenchTab::device; }, nullptr,
      "rendering actuator controller joy-con energy lost"},

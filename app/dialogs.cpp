@@ -11,6 +11,7 @@
 #include "app/panels/panels.h"
 #include "app/study_follow.h"
 #include "app/subset_export.h"
+#include "app/training_follow.h"
 #include "app/widgets.h"
 
 namespace tact {
@@ -87,6 +88,12 @@ void draw_chooser(App& app) {
             return load_ratings(app, {*chosen});
         case ChooserPurpose::load_calibration:
             return use_calibration(app, *chosen);
+        case ChooserPurpose::load_model:
+            return load_model(app, *chosen);
+        case ChooserPurpose::save_model:
+            return save_trained(app, *chosen);
+        case ChooserPurpose::add_training_set:
+            return add_training_set(app, *chosen);
         case ChooserPurpose::import_recordings:
             return import_recordings(app, {*chosen});
         case ChooserPurpose::study_folder:

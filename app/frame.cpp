@@ -23,6 +23,7 @@
 #include "app/subset_follow.h"
 #include "app/subset_state.h"
 #include "app/tour.h"
+#include "app/training_follow.h"
 #include "app/widgets.h"
 #include "model/mds.h"
 #include "viz/marks.h"
@@ -140,6 +141,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.selection.hovered.reset();
     follow_import(app);
     follow_study(app);
+    follow_training(app);
     if (is_study_running(app)) {
         draw_study_pages(app, pressed);
         autosave_if_due(app);
@@ -192,8 +194,9 @@ bool wants_another_frame(const App& app) {
 
 double next_wake_s(const App& app) {
     double wake_s = std::numeric_limits<double>::infinity();
-    if (is_computing(app) || is_bench_computing(app) || is_subset_busy(app))
+    if (is_computing(app) || is_bench_computing(app) || is_subset_busy(app) || is_training(app)) {
         wake_s = 0.1;  // progress
+    }
     if (app.autosave_pending) wake_s = std::min(wake_s, 0.5);
     wake_s = std::min(wake_s, study_wake_s(app));
     // A little later than it fades, lest the clock's last digit asks for it twice.
@@ -208,6 +211,7 @@ App make_app() {
     app.study = make_study();
     app.import = make_import();
     app.subset = std::make_shared<SubsetState>();
+    app.training = std::make_shared<TrainingState>();
     return app;
 }
 

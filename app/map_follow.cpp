@@ -10,6 +10,7 @@
 #include "app/import_follow.h"
 #include "app/study_follow.h"
 #include "app/subset_follow.h"
+#include "app/training_follow.h"
 #include "model/procrustes.h"
 
 namespace tact {
@@ -110,6 +111,7 @@ void make_jobs(App& app) {
     }
     make_bench_jobs(app);
     make_subset_jobs(app);
+    make_training_job(app);
 }
 
 void stop_jobs(App& app) {
@@ -117,6 +119,7 @@ void stop_jobs(App& app) {
     app.generate.job.reset();
     stop_import(app);
     stop_subset_jobs(app);
+    stop_training(app);
     app.findings_job.reset();
     app.rendering.job.reset();
     app.difference_job.reset();

@@ -172,7 +172,7 @@ void use_as_ratings(App& app) {
     const StudyResults& results = *answers->results;
     const Expected<RatingStudy> study = matched(results.study, names_of(app.document.set));
     if (!study) return complain(app, study.error().message);
-    const std::string source = std::string(results.synthetic ? "synthetic, " : "") +
+    const std::string source = std::string(results.synthetic ? kSyntheticRatings : "") +
                                answers->question.folder.filename().string();
     app.document.set.ratings = kept_ratings(*study, source);
     document_changed(app);

@@ -11,6 +11,7 @@
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
 #include "app/subset_follow.h"
+#include "app/training_follow.h"
 #include "app/widgets.h"
 
 namespace tact {
@@ -163,6 +164,7 @@ App still_view(const App& app) {
     still.compute_large = app.compute_large;
     still.import->side = shown_side(app);
     still.subset = still_subset(*app.subset);
+    still.training = still_training(*app.training);
     still.map = app.map;
     still.camera = app.camera;
     still.dimensions = app.dimensions;

@@ -337,6 +337,14 @@ bool draw_chip(App& app, const char* id, const char* text, bool lit) {
     return pressed;
 }
 
+void coloured_text(ImU32 colour, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
 void draw_info_mark(const App& app, ImVec2 centre, bool lit) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float radius = 6.5F * app.theme.scale;

@@ -84,6 +84,9 @@ float chip_width(const App& app, const char* text);
 // Text in the theme's dim colour.
 void dim_text(const App& app, const std::string& text);
 
+// Text in a colour, wrapped at the pane's edge.
+void coloured_text(ImU32 colour, const std::string& text);
+
 // The "i" in a circle.
 void draw_info_mark(const App& app, ImVec2 centre, bool lit);
 

@@ -5,6 +5,8 @@
 
 namespace tact {
 
+bool is_synthetic(const Ratings& ratings) { return ratings.file.starts_with(kSyntheticRatings); }
+
 std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& file) {
     std::vector<Ratings> kept;
     for (const Judgement& judgement : study.judgements) {

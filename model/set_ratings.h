@@ -13,6 +13,10 @@
 
 namespace tact {
 
+// Their file's name begins so where nobody was asked.
+inline constexpr const char* kSyntheticRatings = "synthetic, ";
+bool is_synthetic(const Ratings& ratings);
+
 // `file`: where the study was read from; may be empty.
 std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& file);
 

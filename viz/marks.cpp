@@ -50,11 +50,13 @@ const ImFont& font_or_current(const ImFont* font) {
 
 ImVec2 text_size(const ImFont* font, std::string_view text) {
     const ImFont& used = font_or_current(font);
+    if (text.empty()) return {0.0F, used.FontSize};  // ImGui would measure a text without an end
     return used.CalcTextSizeA(used.FontSize, 1e9F, 0.0F, text.data(), text.data() + text.size());
 }
 
 void draw_text(ImDrawList& list, const ImFont* font, ImVec2 corner, ImU32 colour,
                std::string_view text) {
+    if (text.empty()) return;
     const ImFont& used = font_or_current(font);
     list.AddText(&used, used.FontSize, corner, colour, text.data(), text.data() + text.size());
 }

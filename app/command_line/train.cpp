@@ -11,6 +11,7 @@
 #include "app/command_line/output.h"
 #include "app/command_line/rated_sets.h"
 #include "app/command_line/text_table.h"
+#include "app/trained_text.h"
 #include "model/io/atomic_file.h"
 #include "model/io/model_file.h"
 #include "model/io/numbers.h"
@@ -22,22 +23,14 @@ namespace {
 
 constexpr std::size_t kListedTies = 20;
 
-// A weight of a grid whose steps are so long, with as many digits as that takes, at most three.
-std::string weight_text(double weight, double step) {
-    int digits = 1;
-    for (double ten = 10.0; digits < 3; ++digits, ten *= 10.0) {
-        if (std::abs(step * ten - std::round(step * ten)) < 1e-9) break;
-    }
-    return fixed_digits(weight, digits);
+TextRow row_of(const std::string& name, const std::vector<std::string>& parameters) {
+    TextRow row{name};
+    row.insert(row.end(), parameters.begin(), parameters.end());
+    return row;
 }
 
 TextRow parameters_row(const std::string& name, const PerceptualModelParams& model, double step) {
-    TextRow row{name};
-    const auto values = trained_values(model);
-    for (std::size_t p = 0; p < values.size(); ++p) {
-        row.push_back(p < 2 ? fixed_digits(values[p], 0) : weight_text(values[p], step));
-    }
-    return row;
+    return row_of(name, parameter_texts(model, step));
 }
 
 TextRow names_row(const std::string& first) {
@@ -71,17 +64,11 @@ std::string parameters_text(const Training& training) {
 // The smallest of each proportion; the layers where OC alone decides are any.
 std::string ties_text(const Training& training) {
     if (training.best.classes < 2) return {};
-    const double step = 1.0 / training.grid.units;
     std::vector<TextRow> rows{names_row("equally good")};
     for (const GridPoint& point : training.best.points) {
         if (rows.size() > kListedTies) break;
-        PerceptualModelParams none;
-        none.channel_weight = {};
-        none.nc_weight = none.oc_weight = 0.0;
-        TextRow row = parameters_row("", nearest_model(training.grid, point, none), step);
-        if (point.channel == kAny) std::fill(row.begin() + 1, row.begin() + 7, "any");
-        row[0] = "x " + std::to_string(combinations_of(training.grid, point));
-        rows.push_back(row);
+        rows.push_back(row_of("x " + std::to_string(combinations_of(training.grid, point)),
+                              parameter_texts(training.grid, point)));
     }
     std::string text = aligned(rows);
     const std::uint64_t more = training.best.classes - (rows.size() - 1);

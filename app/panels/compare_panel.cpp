@@ -26,14 +26,6 @@ std::string digits(double value, int decimals) {
     return result;
 }
 
-void coloured_text(ImU32 colour, const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
 void draw_views(App& app) {
     const float gap = 2.0F * app.theme.scale;
     const auto view = [&app](CompareView which, const char* name) {

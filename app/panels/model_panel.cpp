@@ -327,14 +327,28 @@ void draw_summary(App& app, const Model& original) {
     note_item(app.rects, "reset:model");
 }
 
+void draw_views(App& app) {
+    const auto view = [&app](ModelView which, const char* name) {
+        if (draw_chip(app, name, name, app.model_panel.view == which)) app.model_panel.view = which;
+        note_item(app.rects, std::string("model:") + name);
+    };
+    view(ModelView::parameters, "Parameters");
+    flow_on(chip_width(app, "Train on ratings"), 2.0F * app.theme.scale);
+    view(ModelView::training, "Train on ratings");
+    ImGui::Dummy({1.0F, 1.0F});
+}
+
 }  // namespace
 
 void draw_model_panel(App& app) {
+    draw_views(app);
+    if (app.model_panel.view == ModelView::training) return draw_training(app);
     const Model original;
     ImGui::BeginChild("parameters", ImGui::GetContentRegionAvail());
     draw_hint(app, "model",
               "Every number here changes the prediction at once, for this set only. Changed ones "
               "show what they were; click it to go back.");
+    draw_model_choice(app);
     draw_summary(app, original);
     draw_heading(app, "Trained in the paper",
                  "With the authors' own tables and kernels; with ours they are a starting point.");

@@ -30,6 +30,10 @@ void draw_findings(App& app, const Rect& area);
 // The knots of the physiology tables, as a part of the model bench.
 void draw_table_fields(App& app, const PhysiologyTables& original);
 
+// The other parts of it: which parameters to have, and fitting them to ratings.
+void draw_model_choice(App& app);
+void draw_training(App& app);
+
 // Over the window: which candidates to generate.
 void draw_generate_dialog(App& app);
 
