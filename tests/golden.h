@@ -27,6 +27,9 @@ inline Json read(const std::string& file) {
     return Json::parse(stream);
 }
 
+// One part of it: a loop over a part of what read() returns would outlive the whole.
+inline Json read(const std::string& file, const std::string& part) { return read(file).at(part); }
+
 // Largest difference of two lists, as a share of the largest expected value.
 inline double worst_difference(const std::vector<double>& got,
                                const std::vector<double>& expected) {

@@ -25,14 +25,14 @@ RumbleFrame frame_of(const Json& numbers) {
 }  // namespace
 
 TEST_CASE("rumble: an actuator's four bytes are those of an independent encoder") {
-    for (const Json& golden : golden::read("rumble.json").at("hd_rumble")) {
+    for (const Json& golden : golden::read("rumble.json", "hd_rumble")) {
         CAPTURE(golden.at("frame").dump());
         CHECK(hex(hd_rumble(frame_of(golden.at("frame")))) == golden.at("bytes"));
     }
 }
 
 TEST_CASE("rumble: amplitudes become the nearest index of the table, and never one above 100") {
-    for (const Json& golden : golden::read("rumble.json").at("amplitudes")) {
+    for (const Json& golden : golden::read("rumble.json", "amplitudes")) {
         CAPTURE(golden.at("share").dump());
         const int index = amplitude_index(golden.at("share"));
         CHECK(index == golden.at("index"));
@@ -100,7 +100,7 @@ TEST_CASE("rumble: a pad on a cable is woken by 80 02, 80 03, 80 02, 80 04") {
 
 TEST_CASE("rumble: Sony's reports and their checksums are those of an independent encoder") {
     using enum DualSenseRumble;
-    for (const Json& golden : golden::read("rumble.json").at("sony")) {
+    for (const Json& golden : golden::read("rumble.json", "sony")) {
         CAPTURE(golden.dump());
         RumbleFrame frame;
         frame.low = golden.at("low");
