@@ -8,6 +8,7 @@
 //     capture jack CHANNELS RAW STAMPS          as JACK's client "actuator", until SIGTERM
 //     capture lines RAW CHANNELS CHANNEL DURATION HZ:AMPLITUDE...    a sum of sines, and whole
 //     capture signal NUMBER PID                 sends it, prints when
+//     capture now                               prints when
 //     capture silent RAW STAMPS CHANNELS CHANNEL SINCE MS   nothing is heard MS after SINCE
 #include <jack/jack.h>
 #include <unistd.h>
@@ -268,6 +269,11 @@ int send_signal(const std::vector<std::string>& words) {
     return kill(std::stoi(words[1]), std::stoi(words[0])) == 0 ? 0 : 1;
 }
 
+int tell_now() {
+    std::printf("%.6f\n", monotonic_s());
+    return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -278,6 +284,7 @@ int main(int argc, char** argv) {
     if (what == "jack" && rest.size() == 3) return record_jack(rest);
     if (what == "lines" && rest.size() >= 5) return lines(rest);
     if (what == "signal" && rest.size() == 2) return send_signal(rest);
+    if (what == "now" && rest.empty()) return tell_now();
     if (what == "silent" && rest.size() == 6) return silent(rest);
     std::cerr << "see the head of capture.cpp\n";
     return 2;

@@ -1,56 +1,9 @@
-# Sourced by the stories of sound: a server without a card, what it is given, and the patterns that
-# are played. capture.cpp records and measures.
-set -euo pipefail
+# Sourced by the stories of sound: what is played, and how it must arrive. capture.cpp records and
+# measures; the story starts a server without a card, and says how it is recorded.
+. "$(dirname "${BASH_SOURCE[0]}")/story.sh"
 
-program=$1
 capture=$2
-deadline_s=20
-
-need() {
-    local tool
-    for tool in "$@"; do
-        command -v "$tool" >/dev/null && continue
-        echo "$tool is missing: sudo apt-get install pulseaudio pulseaudio-utils libasound2-plugins jackd2"
-        [ -n "${CI:-}" ] && exit 1
-        exit 77
-    done
-}
-
-scratch=$(mktemp -d)
-export HOME=$scratch XDG_RUNTIME_DIR=$scratch
-unset DISPLAY WAYLAND_DISPLAY
-# The libraries of sound leak; the unit tests look for leaks of ours.
-export ASAN_OPTIONS=detect_leaks=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}
-children=()
-
-end_story() {
-    local code=$?
-    if [ "$code" -ne 0 ] && [ "$code" -ne 77 ]; then
-        cat "$scratch/err" 2>/dev/null || true
-        tail -n 5 "$scratch/log" 2>/dev/null || true
-    fi
-    # Only what was started here.
-    [ "${#children[@]}" -eq 0 ] || kill -9 "${children[@]}" 2>/dev/null || true
-    wait 2>/dev/null || true
-    rm -rf "$scratch"
-}
-trap end_story EXIT
-
-fail() {
-    echo "failed: $*"
-    exit 1
-}
-
-until_true() {
-    local what=$1 end=$((SECONDS + deadline_s))
-    shift
-    until "$@"; do
-        [ "$SECONDS" -lt "$end" ] || fail "waited $deadline_s s until $what"
-        sleep 0.02
-    done
-}
-
-is_gone() { ! kill -0 "$1" 2>/dev/null; }
+export XDG_RUNTIME_DIR=$scratch
 
 # waveform NAME SECONDS AWK-EXPRESSION: samples in g at 10 kHz; t is the time in s.
 waveform() {
@@ -115,6 +68,7 @@ notices_loss() {
     children+=("$playing")
     sleep 1.5
     kill -9 "$server"
+    wait "$server" 2>/dev/null || true
     until_true "the loss is noticed" is_gone "$playing"
     wait "$playing" || code=$?
     [ "$code" -eq 1 ] || fail "exit code $code when the server was gone"

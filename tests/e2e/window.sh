@@ -1,60 +1,21 @@
 # Sourced by the stories: starts the program in a real window on a display of its own, and finds,
 # moves and reads what is in it. The program writes after each frame where its widgets are and what
 # they show (TACTSPACE_WIDGET_RECTS): lines of name, left, top, right, bottom and value.
-#
-# Everything waits for what it expects, up to a deadline; no story relies on how fast a machine is.
-set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/story.sh"
+need "xvfb xdotool" Xvfb xdotool
 
-program=$1
-deadline_s=90
-
-for tool in Xvfb xdotool; do
-    command -v "$tool" >/dev/null && continue
-    echo "$tool is missing: sudo apt-get install xvfb xdotool"
-    [ -n "${CI:-}" ] && exit 1
-    exit 77
-done
-
-scratch=$(mktemp -d)
-export HOME=$scratch XDG_STATE_HOME=$scratch/state TACTSPACE_WIDGET_RECTS=$scratch/rects
+export XDG_STATE_HOME=$scratch/state TACTSPACE_WIDGET_RECTS=$scratch/rects
 unset WAYLAND_DISPLAY
-# Drivers of displays leak; the unit tests look for leaks of ours.
-export ASAN_OPTIONS=detect_leaks=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}
 pid=""
 display_pid=""
 : >"$scratch/display"
-
-end_story() {
-    local code=$?
-    if [ "$code" -ne 0 ] && [ -s "$scratch/err" ]; then cat "$scratch/err"; fi
-    [ -z "$pid" ] || kill -9 "$pid" 2>/dev/null || true
-    [ -z "$display_pid" ] || kill "$display_pid" 2>/dev/null || true
-    wait 2>/dev/null || true
-    rm -rf "$scratch"
-}
-trap end_story EXIT
-
-fail() {
-    echo "failed: $*"
-    if [ -s "$TACTSPACE_WIDGET_RECTS" ]; then grep -v '^point:' "$TACTSPACE_WIDGET_RECTS"; fi
-    exit 1
-}
-
-# until_true WHAT COMMAND...: the command must succeed before the deadline.
-until_true() {
-    local what=$1 end=$((SECONDS + deadline_s))
-    shift
-    until "$@"; do
-        [ "$SECONDS" -lt "$end" ] || fail "waited $deadline_s s until $what"
-        sleep 0.03
-    done
-}
 
 # Two servers that look for a free number at one time can end up without one: then anew.
 display_answers() {
     if [ -z "$display_pid" ] || is_gone "$display_pid"; then
         Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp 3>"$scratch/display" 2>/dev/null &
         display_pid=$!
+        children+=("$display_pid")
     fi
     DISPLAY=:$(tail -n 1 "$scratch/display")
     export DISPLAY
@@ -63,13 +24,13 @@ display_answers() {
 
 is_drawn() { [ -s "$TACTSPACE_WIDGET_RECTS" ] && window=$(xdotool search --onlyvisible --pid "$pid"); }
 is_exact() { says "title:Perceptual space" "exact, "; }  # the preview says "exact 40 %"
-is_gone() { ! kill -0 "$1" 2>/dev/null; }
 
 # Starts the program with the arguments and waits for its first exact map.
 start() {
     rm -f "$TACTSPACE_WIDGET_RECTS"
     "$program" "$@" >"$scratch/out" 2>"$scratch/err" &
     pid=$!
+    children+=("$pid")
     until_true "the window is there" is_drawn
     until_true "the map is exact" is_exact
 }

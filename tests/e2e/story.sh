@@ -1,0 +1,70 @@
+# Sourced by the stories, once: the program, a folder of their own, waiting for what must come, and
+# an end that leaves nothing behind.
+#
+# Everything waits for what it expects, up to a deadline; no story relies on how fast a machine is.
+if declare -F until_true >/dev/null; then return 0; fi
+set -euo pipefail
+
+program=$1
+deadline_s=90
+
+# need PACKAGES TOOL...: without the tools there is no story.
+need() {
+    local packages=$1 tool
+    shift
+    for tool in "$@"; do
+        command -v "$tool" >/dev/null && continue
+        echo "$tool is missing: sudo apt-get install $packages"
+        [ -n "${CI:-}" ] && exit 1
+        exit 77
+    done
+}
+
+scratch=$(mktemp -d)
+export HOME=$scratch
+# Drivers of displays and libraries of sound leak; the unit tests look for leaks of ours.
+export ASAN_OPTIONS=detect_leaks=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}
+children=()  # started here, and to be ended here
+
+is_gone() { ! kill -0 "$1" 2>/dev/null; }
+are_gone() {
+    local child
+    for child in "${children[@]}"; do is_gone "$child" || return 1; done
+}
+
+# What asks servers to end gives them time to: they tidy up behind themselves.
+end_children() {
+    [ "${#children[@]}" -gt 0 ] || return 0
+    kill "${children[@]}" 2>/dev/null || true
+    local end=$((SECONDS + 5))
+    until are_gone || [ "$SECONDS" -ge "$end" ]; do sleep 0.02; done
+    kill -9 "${children[@]}" 2>/dev/null || true
+    wait 2>/dev/null || true
+}
+
+end_story() {
+    local code=$?
+    if [ "$code" -ne 0 ] && [ "$code" -ne 77 ]; then
+        cat "$scratch/err" 2>/dev/null || true
+        tail -n 5 "$scratch/log" 2>/dev/null || true
+    fi
+    end_children
+    rm -rf "$scratch"
+}
+trap end_story EXIT
+
+fail() {
+    echo "failed: $*"
+    if [ -s "${TACTSPACE_WIDGET_RECTS:-}" ]; then grep -v '^point:' "$TACTSPACE_WIDGET_RECTS"; fi
+    exit 1
+}
+
+# until_true WHAT COMMAND...: the command must succeed before the deadline.
+until_true() {
+    local what=$1 end=$((SECONDS + deadline_s))
+    shift
+    until "$@"; do
+        [ "$SECONDS" -lt "$end" ] || fail "waited $deadline_s s until $what"
+        sleep 0.02
+    done
+}
