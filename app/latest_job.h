@@ -4,6 +4,9 @@
 // run would lag behind it. Hence two policies, used side by side: a preview that finishes and a
 // full run that a newer request stops.
 //
+// A newer request that asks for the same work, such as of patterns that were only renamed, lets the
+// running one come to its end, and follows it: work that keeps its answers then has it at once.
+//
 // Input     requests, from one thread
 // Output    answers as immutable snapshots; latest() at the top of a frame, held while drawing
 // Left out  queues, several workers (the work itself may use more threads), exceptions: the work
@@ -37,11 +40,15 @@ class LatestJob {
     using Work =
         std::function<std::optional<Answer>(const Request&, std::stop_token, std::atomic<float>&)>;
 
+    // Whether two requests ask for the same work.
+    using Same = std::function<bool(const Request& running, const Request& newer)>;
+
     // `wake` is called on the worker's thread after an answer is there or the work has ended.
-    LatestJob(JobPolicy policy, Work work, std::function<void()> wake = {})
+    LatestJob(JobPolicy policy, Work work, std::function<void()> wake = {}, Same same = {})
         : policy_(policy),
           work_(std::move(work)),
           wake_(std::move(wake)),
+          same_(std::move(same)),
           thread_([this](std::stop_token quit) { run(quit); }) {}
 
     ~LatestJob() { cancel(); }  // the thread then ends as soon as its work heeds the stop
@@ -50,8 +57,9 @@ class LatestJob {
     LatestJob& operator=(const LatestJob&) = delete;
 
     void submit(Request request) {
+        const bool stops = policy_ == JobPolicy::supersede && !is_same_work(request);
         const std::stop_source running = replace_waiting(std::move(request));
-        if (policy_ == JobPolicy::supersede) running.request_stop();
+        if (stops) running.request_stop();
         changed_.notify_one();
     }
 
@@ -74,6 +82,12 @@ class LatestJob {
     }
 
   private:
+    bool is_same_work(const Request& newer) const {
+        if (!same_) return false;
+        const std::lock_guard lock(mutex_);
+        return is_running_ && same_(*current_, newer);
+    }
+
     // What stops the running request. That is done unlocked: it calls whatever the work registered
     // for a stop.
     std::stop_source replace_waiting(std::optional<Request> request) {
@@ -98,7 +112,8 @@ class LatestJob {
         running_ = std::stop_source();
         is_running_ = true;
         progress_.store(0.0F, std::memory_order_relaxed);
-        return std::exchange(waiting_, std::nullopt);
+        current_ = std::exchange(waiting_, std::nullopt);
+        return current_;
     }
 
     // After a stop was asked for, an answer may be one to a question nobody asks any more.
@@ -113,8 +128,10 @@ class LatestJob {
     JobPolicy policy_;
     Work work_;
     std::function<void()> wake_;
-    mutable std::mutex mutex_;  // guards the next four; never held while the work runs
+    Same same_;
+    mutable std::mutex mutex_;  // guards the next five; never held while the work runs
     std::optional<Request> waiting_;
+    std::optional<Request> current_;  // the running one, or the last
     std::stop_source running_;
     bool is_running_ = false;
     std::shared_ptr<const Answer> latest_;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string_view>
 
+#include "model/dtw_kernel.h"
 #include "model/parallel.h"
 
 namespace tact {
@@ -28,25 +30,31 @@ PerceptualSpace preview_space(const Dissimilarity& pm, int dimensions, const Liv
     return smacof(pm, last->space.points, params, stop);
 }
 
-// Names, notes and locks make no difference to the model.
-bool is_same_to_model(const PatternSet& a, const PatternSet& b) {
-    return a.model == b.model && std::ranges::equal(a.vibrations, b.vibrations, {},
-                                                    &Vibration::source, &Vibration::source);
+// Cells of dynamic time warping a second and core: of the processors with each instruction set,
+// between old and new.
+double cells_per_s() {
+    const std::string_view kernel = dtw_kernel().name;
+    if (kernel == "avx512") return 1.8e10;
+    return kernel == "avx2" ? 6.5e9 : 2.5e9;
 }
 
 }  // namespace
+
+bool is_same_work(const LiveMapRequest& a, const LiveMapRequest& b) {
+    return a.dimensions == b.dimensions && a.preview == b.preview &&
+           a.rendered_by == b.rendered_by && a.set->model == b.set->model &&
+           std::ranges::equal(a.set->vibrations, b.set->vibrations, {}, &Vibration::source,
+                              &Vibration::source);
+}
 
 double expected_map_s(const PatternSet& set) {
     return expected_map_s(set.vibrations.size(), longest_s(set));
 }
 
 double expected_map_s(std::size_t patterns, double longest_s) {
-    // Cells of dynamic time warping a second and core: what AVX2 does, between old and new
-    // machines.
-    constexpr double kCellsPerS = 4e9;
     const double samples = longest_s * kModelRateHz;
     const auto pairs = static_cast<double>(pair_count(patterns));
-    return pairs * samples * samples / (kCellsPerS * thread_count(0));
+    return pairs * samples * samples / (cells_per_s() * thread_count(0));
 }
 
 bool needs_asking(const PatternSet& set) {
@@ -56,11 +64,8 @@ bool needs_asking(const PatternSet& set) {
 // The answer to the same question asked before; it becomes the one used last.
 std::optional<LiveMap> LiveMapWork::kept(const LiveMapRequest& request) {
     if (request.preview) return std::nullopt;
-    const auto found = std::ranges::find_if(all_, [&request](const auto& map) {
-        return map->request.dimensions == request.dimensions &&
-               map->request.rendered_by == request.rendered_by &&
-               is_same_to_model(*map->request.set, *request.set);
-    });
+    const auto found = std::ranges::find_if(
+        all_, [&request](const auto& map) { return is_same_work(map->request, request); });
     if (found == all_.end()) return std::nullopt;
     std::rotate(found, found + 1, all_.end());
     last_ = all_.back();

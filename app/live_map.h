@@ -39,6 +39,9 @@ struct LiveMapRequest {
     std::optional<RenderedBy> rendered_by{};  // the patterns as a device plays them
 };
 
+// Whether both have one answer: names, notes and locks make no difference to the model.
+bool is_same_work(const LiveMapRequest& a, const LiveMapRequest& b);
+
 // One answer: a snapshot that panels draw as long as they like.
 struct LiveMap {
     LiveMapRequest request;

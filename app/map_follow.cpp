@@ -105,7 +105,8 @@ void make_jobs(App& app) {
     using MapJob = LatestJob<LiveMapRequest, LiveMap>;
     using StagesJob = LatestJob<LiveStagesRequest, LiveStages>;
     app.preview_job = std::make_unique<MapJob>(JobPolicy::finish, LiveMapWork{}, app.wake);
-    app.full_job = std::make_unique<MapJob>(JobPolicy::supersede, LiveMapWork{}, app.wake);
+    app.full_job =
+        std::make_unique<MapJob>(JobPolicy::supersede, LiveMapWork{}, app.wake, is_same_work);
     for (auto* job : {&app.stages_job, &app.pinned_job}) {
         *job = std::make_unique<StagesJob>(JobPolicy::finish, compute_live_stages, app.wake);
     }
@@ -142,8 +143,9 @@ void request_maps(App& app) {
     LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(shown_set(app)),
                            app.dimensions, false, rendered_by(app.rendering)};
     app.full_job->submit(request);
-    // A preview takes a hundredth of the work. One that lasts would come too late to be one.
-    constexpr double kLongestPreviewS = 0.5;
+    // A preview takes a hundredth of the work, and of one pattern changed again only a row of that.
+    // One that lasts would come too late to be one.
+    constexpr double kLongestPreviewS = 3.0;
     constexpr std::size_t kMostPreviewed = 300;
     if (set.vibrations.size() > kMostPreviewed) return;
     if (expected_map_s(set) / 100.0 > kLongestPreviewS) return;

@@ -96,6 +96,35 @@ TEST_CASE("job: a full run is stopped by a newer request within milliseconds") {
     CHECK(*job.latest() == 7);  // and -1, stopped, was never published
 }
 
+TEST_CASE("job: a newer request for the same work waits for the running one, any other stops it") {
+    std::counting_semaphore<> may_end(0);
+    std::atomic<int> started = 0;
+    std::atomic<int> stopped = 0;
+    Job job(
+        JobPolicy::supersede,
+        [&](const int& request, std::stop_token stop, std::atomic<float>&) {
+            ++started;
+            while (!may_end.try_acquire_for(100us) && !stop.stop_requested()) continue;
+            if (stop.stop_requested()) ++stopped;
+            return std::optional(request);
+        },
+        {}, [](const int& running, const int& newer) { return running / 10 == newer / 10; });
+    job.submit(11);
+    REQUIRE(eventually([&] { return started == 1; }));
+    job.submit(12);
+    may_end.release();
+    REQUIRE(eventually([&] { return started == 2; }));
+    CHECK(stopped == 0);
+    REQUIRE(job.latest() != nullptr);
+    CHECK(*job.latest() == 11);
+    job.submit(21);
+    REQUIRE(eventually([&] { return started == 3; }));
+    CHECK(stopped == 1);
+    may_end.release();
+    REQUIRE(eventually([&] { return !job.busy(); }));
+    CHECK(*job.latest() == 21);
+}
+
 TEST_CASE("job: progress is seen while the work runs, and starts again with the next run") {
     std::atomic<int> started = 0;
     Job job(JobPolicy::supersede, Endless{&started});

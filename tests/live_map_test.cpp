@@ -16,10 +16,27 @@ TEST_CASE("live map: sets of a usual size need no asking, long or very large one
     CHECK_FALSE(needs_asking(short_patterns(0)));
     CHECK_FALSE(needs_asking(short_patterns(300)));
     CHECK(needs_asking(short_patterns(kMostLivePatterns + 1)));
-    PatternSet minutes = short_patterns(12);
+    PatternSet minutes = short_patterns(100);
     std::get<Pattern>(minutes.vibrations[3].source).duration_s = 60.0;  // all are padded to it
     CHECK(needs_asking(minutes));
     CHECK(expected_map_s(short_patterns(24)) > 4.0 * expected_map_s(short_patterns(12)));
+}
+
+TEST_CASE("live map: other names and locks are the same work, another sound or map is not") {
+    PatternSet set = short_patterns(4);
+    const LiveMapRequest request = request_of(set, false);
+    set.vibrations[1].name = "another";
+    set.vibrations[2].locked = true;
+    LiveMapRequest same = request_of(set, false);
+    same.revision = 9;
+    CHECK(is_same_work(request, same));
+    LiveMapRequest other = same;
+    other.dimensions = 2;
+    CHECK_FALSE(is_same_work(request, other));
+    CHECK_FALSE(is_same_work(request, request_of(set, true)));
+    std::get<Pattern>(set.vibrations[3].source).amplitude_g = 2.0;
+    CHECK_FALSE(is_same_work(request, request_of(set, false)));
+    CHECK_FALSE(is_same_work(request, request_of(short_patterns(5), false)));
 }
 
 TEST_CASE("live map: a stopped run answers nothing, and the next one starts from before it") {
