@@ -84,6 +84,13 @@ void take_row_click(App& app) {
     }
 }
 
+// A picture waits for all of them.
+void begin_thumbnails(App& app) {
+    constexpr std::size_t kSamplesAFrame = 30'000;  // about 1 ms
+    if (app.full_job) app.cache.samples_left = kSamplesAFrame;
+    app.cache.behind = false;
+}
+
 void run_waiting(App& app) {
     for (const auto run : std::exchange(app.waiting, {})) run(app);
 }
@@ -131,6 +138,7 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
 void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.frame_s = std::clamp(time_s - app.time_s, 0.0, 0.1);
     app.time_s = time_s;
+    begin_thumbnails(app);
     follow_sound(app);
     if (was_pressed(pressed, key::kEscape)) app.play.escaped = silence(app);
     follow_playhead(app);
@@ -186,7 +194,7 @@ bool is_bench_computing(const App& app) {
 bool wants_another_frame(const App& app) {
     const bool hover_rests = app.time_s - app.hover_since_s < 0.5;
     const bool tilts = app.time_s - app.physiology.tilt_since_s < 0.3;
-    return app.playhead.playing || is_sounding(app) || app.play.meter > 0.0 ||
+    return app.playhead.playing || is_sounding(app) || app.play.meter > 0.0 || app.cache.behind ||
            is_study_playing(app) || is_exporting(app) || tilts || is_moving(app) || hover_rests ||
            app.fonts_outdated || app.selection.hovered != app.selection.hovered_last ||
            app.physiology.crosshair_s != app.physiology.crosshair_last_s;

@@ -1,5 +1,7 @@
 #include "app/vibration_cache.h"
 
+#include <algorithm>
+
 namespace tact {
 
 const Waveform& cached_waveform(VibrationCache& cache, const Vibration& vibration) {
@@ -15,6 +17,21 @@ const Waveform& cached_waveform(VibrationCache& cache, const Vibration& vibratio
     }
     CachedVibration fresh{vibration.source, waveform_of(vibration)};
     return cache.entries.insert_or_assign(vibration.name, std::move(fresh)).first->second.waveform;
+}
+
+const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibration) {
+    const auto found = cache.entries.find(vibration.name);
+    const bool known = found != cache.entries.end() && found->second.source == vibration.source;
+    if (known || std::holds_alternative<Measurement>(vibration.source)) {
+        return &cached_waveform(cache, vibration);
+    }
+    if (cache.samples_left == 0) {
+        cache.behind = true;
+        return found == cache.entries.end() ? nullptr : &found->second.waveform;
+    }
+    const Waveform& fresh = cached_waveform(cache, vibration);
+    cache.samples_left -= std::min(cache.samples_left, fresh.samples_g.size());
+    return &fresh;
 }
 
 const std::vector<Component>& cached_components(VibrationCache& cache, const Vibration& vibration,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <variant>
@@ -28,9 +29,16 @@ struct VibrationCache {
     NeuralCodingParams spectrum_params;
     std::vector<Component> components;
     bool has_components = false;
+
+    // Small pictures may be behind by some frames, lest one frame renders all patterns of a set.
+    std::size_t samples_left = std::numeric_limits<std::size_t>::max();  // to render in this frame
+    bool behind = false;                                                 // some of them are
 };
 
 const Waveform& cached_waveform(VibrationCache& cache, const Vibration& vibration);
+
+// The same while there are samples left to render; then what it was before, or null.
+const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibration);
 
 const std::vector<Component>& cached_components(VibrationCache& cache, const Vibration& vibration,
                                                 const NeuralCodingParams& params);

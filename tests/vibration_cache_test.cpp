@@ -32,3 +32,25 @@ TEST_CASE("cache: components follow the vibration and the model's choices") {
     params.components = Components::peaks;
     CHECK(cached_components(cache, vibration, params).size() < 10);
 }
+
+TEST_CASE("cache: a frame renders so much and no more; what is behind is shown as it was") {
+    VibrationCache cache;
+    Vibration a;
+    a.name = "a";
+    Vibration b;
+    b.name = "b";
+    cache.samples_left = 1;  // the one that is begun is rendered whole
+    REQUIRE(waveform_in_time(cache, a) != nullptr);
+    CHECK_FALSE(cache.behind);
+    CHECK(waveform_in_time(cache, b) == nullptr);
+    CHECK(cache.behind);
+    Pattern louder;
+    louder.amplitude_g = 2.0;
+    a.source = louder;
+    CHECK(*waveform_in_time(cache, a) == render(Pattern{}));
+    cache.samples_left = 1'000'000;
+    cache.behind = false;
+    CHECK(*waveform_in_time(cache, a) == render(louder));
+    CHECK(*waveform_in_time(cache, b) == render(Pattern{}));
+    CHECK_FALSE(cache.behind);
+}

@@ -248,7 +248,9 @@ void draw_rows(App& app) {
 }  // namespace
 
 void draw_thumbnail(App& app, const Rect& area, const Vibration& vibration, ImU32 colour) {
-    const Waveform& waveform = cached_waveform(app.cache, vibration);
+    const Waveform* known = waveform_in_time(app.cache, vibration);
+    if (known == nullptr) return;
+    const Waveform& waveform = *known;
     Plot plot;
     plot.area = area;
     const double length_s = std::max(duration_s(waveform), 1e-3);

@@ -81,6 +81,10 @@ double frame_s(Program& program) {
     return clock_s() - begin_s;
 }
 
+double p99_of_median(const std::vector<double>& values) {
+    return share(values, 0.99) / share(values, 0.5);
+}
+
 void frame(benchmark::State& state) {
     Program program(twelve());
     start_jobs(program.app);
@@ -101,19 +105,22 @@ void frame_while_computing(benchmark::State& state) {
     start_jobs(program.app);
     program.wait_for_exact_map();
     std::vector<double> frames_s;
+    std::vector<double> computed_s;  // by the frame itself: without what other programs took
     int turn = 0;
     for (auto _ : state) {
         if (!is_computing(program.app)) change_every_pattern(program.app, ++turn);
         const double begin_s = clock_s();
+        const double computed_before_s = thread_s();
         frames_s.push_back(frame_s(program));
+        computed_s.push_back(thread_s() - computed_before_s);
         const double left_s = kFrameS - (clock_s() - begin_s);
         if (left_s > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(left_s));
     }
-    const double median_s = share(frames_s, 0.5);
-    state.counters["median_ms"] = 1e3 * median_s;
+    state.counters["median_ms"] = 1e3 * share(frames_s, 0.5);
+    state.counters["computed_p99_of_median"] = p99_of_median(computed_s);
     state.counters["p99_ms"] = 1e3 * share(frames_s, 0.99);
     state.counters["runs"] = turn;
-    owe_at_most(state, share(frames_s, 0.99) / median_s, 2.0, "x median (p99)");
+    owe_at_most(state, p99_of_median(frames_s), 2.0, "x median (p99)");
 }
 
 // From the frame in which the button is let go to that which shows the new, exact map.
@@ -259,7 +266,7 @@ void frame_on_display(benchmark::State& state, const PatternSet& set) {
     const auto opened = run_window({}, client);
     if (!opened) state.SkipWithError("no window");
     state.counters["receptors"] = static_cast<double>(receptors);
-    state.counters["p99_of_median"] = share(frames_s, 0.99) / share(frames_s, 0.5);
+    state.counters["p99_of_median"] = p99_of_median(frames_s);
     state.counters["frames"] = static_cast<double>(frames_s.size());
     state.counters["all_threads_ms"] = 1e3 * share(computed_s, 0.5);
     state.counters["p99_ms"] = 1e3 * share(frames_s, 0.99);
