@@ -230,4 +230,19 @@ TEST_CASE("space view: an empty set draws a floor and does not fail") {
     picture(scene_of(e));
 }
 
+TEST_CASE("space view: beside a subset of many points the others are a cloud without names") {
+    for (const int n : {12, 90}) {
+        const Example e = example(n, 3);
+        Example nameless = e;
+        for (std::size_t k = 2; k < nameless.labels.size(); ++k) nameless.labels[k].clear();
+        const std::vector<std::size_t> chosen{0, 1};
+        SpaceScene named = scene_of(e);
+        SpaceScene bare = scene_of(nameless);
+        named.chosen = bare.chosen = chosen;
+        CHECK((picture(named) == picture(bare)) == (n == 90));
+        named.chosen = bare.chosen = {};
+        CHECK(picture(named) != picture(bare));
+    }
+}
+
 }  // namespace tact

@@ -43,6 +43,15 @@ bool visible(const SpaceStage& stage, const Disc& disc) {
            near.contains(disc.centre);
 }
 
+bool asked_for(const SpaceStage& stage, std::optional<std::size_t> hovered, std::size_t i) {
+    return hovered == i || stage.scene.selected == i;
+}
+
+bool is_cloud(const SpaceStage& stage, std::size_t i) {
+    constexpr std::size_t kMany = 40;
+    return stage.discs.size() > kMany && !stage.scene.chosen.empty() && !stage.chosen[i];
+}
+
 void place_points(SpaceStage& stage, const SpaceCamera& camera) {
     const std::size_t n = stage.scene.labels.size();
     const float base = base_radius_px(stage.theme, n);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "viz/space_view.h"
@@ -41,5 +42,11 @@ ImU32 toned(const SpaceStage& stage, ImU32 colour, float strength);
 bool somewhere(const SpaceStage& stage, std::size_t i);
 
 bool visible(const SpaceStage& stage, const Disc& disc);
+
+// The selected point, or the one under the mouse.
+bool asked_for(const SpaceStage& stage, std::optional<std::size_t> hovered, std::size_t i);
+
+// Beside a subset chosen from many, the others are a cloud without names and drop lines.
+bool is_cloud(const SpaceStage& stage, std::size_t i);
 
 }  // namespace tact
