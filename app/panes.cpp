@@ -82,7 +82,7 @@ PaneTitle bench_title(const App& app) {
                 shown_side(app) == Side::both ? "dissimilarity of every pair" : side_detail(app),
                 map_state_forms(app)};
         case BenchTab::subset:
-            return {"Subset", "the most distinct patterns", {}};
+            return {"Subset", "the most distinct patterns", map_state_forms(app)};
         case BenchTab::compare:
             return {"Compare", "metrics against people", {}};
         case BenchTab::shepard:

@@ -340,6 +340,19 @@ void play_once(App& app, std::size_t index) {
     app.playhead.playing = shown_duration_s(app) > 0.0;
 }
 
+void play_pair(App& app, std::size_t first, std::size_t second) {
+    const auto& all = app.document.set.vibrations;
+    if (std::max(first, second) >= all.size()) return;
+    choose_pair(app, first, second);
+    if (!can_sound(app)) return play_once(app, first);
+    start(app, {.names = {all[first].name, all[second].name}, .selects = false});
+}
+
+void stop_playing(App& app) {
+    silence(app);
+    app.playhead.playing = false;
+}
+
 void play_all(App& app) {
     if (!can_sound(app) || app.document.set.vibrations.empty()) return;
     start(app, {.names = names_of(app.document.set), .selects = true});

@@ -50,7 +50,9 @@ void set_speed(App& app, double speed);
 void toggle_alternating(App& app);
 bool is_alternating(const App& app);
 
-void play_once(App& app, std::size_t index);  // silently without a device
+void play_once(App& app, std::size_t index);                      // silently without a device
+void play_pair(App& app, std::size_t first, std::size_t second);  // the first, then the second
+void stop_playing(App& app);                                      // and the playhead
 void play_all(App& app);
 void play_test_buzz(App& app);
 

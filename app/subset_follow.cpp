@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/editing.h"
 #include "app/map_follow.h"
 #include "model/metric_matrix.h"
 #include "model/set_ratings.h"
@@ -16,7 +15,6 @@ constexpr double kPickLimitS = 20.0;
 constexpr double kCurveLimitS = 20.0;
 constexpr std::size_t kAlternatives = 6;
 constexpr std::size_t kMostOfCurve = 30;
-constexpr std::size_t kMostPairs = 200;
 
 const PatternSet& set_of(const PickRequest& request) { return *request.map->request.set; }
 
@@ -82,6 +80,7 @@ std::optional<FoundSeparations> find_separations(const SeparationRequest& reques
                                                  std::stop_token stop,
                                                  std::atomic<float>& progress) {
     SeparationOptions options;
+    options.from = request.from;
     options.stop = stop;
     options.progress = [&progress](double share) { progress = static_cast<float>(share); };
     auto all = separations(*request.map->request.set, request.map->prediction, request.changed,
@@ -158,7 +157,7 @@ std::shared_ptr<SubsetState> still_subset(const SubsetState& state) {
     still->share = state.share;
     still->reference_a = state.reference_a;
     still->reference_b = state.reference_b;
-    still->open_pair = state.open_pair;
+    still->opened = state.opened;
     still->change_second = state.change_second;
     still->look = state.look;
     still->asked = state.asked;
@@ -210,6 +209,11 @@ const Pick* shown_pick(const App& app) {
     return is_of_shown ? pick : nullptr;
 }
 
+bool is_pick_stale(const App& app) {
+    const SubsetState& state = *app.subset;
+    return map_state(app) != MapState::exact || !state.pick || state.pick->request != state.asked;
+}
+
 const Subset* shown_subset(const App& app) {
     const Pick* pick = shown_pick(app);
     if (pick == nullptr) return nullptr;
@@ -235,58 +239,6 @@ void cancel_picking(App& app) {
 const Stability* shown_stability(const App& app) {
     const auto& found = app.subset->stability;
     return found && found->request.pick == app.subset->pick ? &found->stability : nullptr;
-}
-
-const TooClosePairs& too_close_pairs(App& app) {
-    SubsetState& state = *app.subset;
-    TooClosePairs& pairs = state.pairs;
-    const std::string reference = state.reference_a + "\n" + state.reference_b;
-    const bool is_known = pairs.of == app.map.shown && pairs.by == state.too_close &&
-                          pairs.share == state.share && pairs.reference == reference;
-    if (is_known) return pairs;
-    pairs = {app.map.shown, state.too_close, state.share, reference, 0.0, {}};
-    if (!app.map.shown) return pairs;
-    const PatternSet& set = *app.map.shown->request.set;
-    const Dissimilarity& pm = app.map.shown->prediction.pm;
-    if (state.too_close == TooClose::ratings) {
-        const Expected<RatingStudy> study = study_of(set);
-        if (!study) return pairs;
-        const Dissimilarity people = mean_ratings(*study);
-        pairs.threshold = threshold_at(people, state.share);
-        pairs.pairs = confusable_pairs(people, pairs.threshold, kMostPairs);
-        return pairs;
-    }
-    if (state.too_close == TooClose::reference) {
-        const auto a = place_named(set, state.reference_a);
-        const auto b = place_named(set, state.reference_b);
-        if (!a || !b || *a == *b) return pairs;
-        pairs.threshold = pm(*a, *b);
-    } else {
-        pairs.threshold = threshold_at(pm, state.share);
-    }
-    pairs.pairs = confusable_pairs(pm, pairs.threshold, kMostPairs);
-    return pairs;
-}
-
-bool is_too_close(const App& app, const std::string& name) {
-    const SubsetState& state = *app.subset;
-    if (app.bench != BenchTab::subset || state.view != SubsetView::confusable) return false;
-    if (!state.pairs.of) return false;
-    const auto& all = state.pairs.of->request.set->vibrations;
-    return std::ranges::any_of(state.pairs.pairs, [&](const ConfusablePair& pair) {
-        return all[pair.a].name == name || all[pair.b].name == name;
-    });
-}
-
-void apply_separation(App& app, std::size_t place, const Separation& separation) {
-    Vibration& vibration = app.document.set.vibrations[place];
-    auto* pattern = std::get_if<Pattern>(&vibration.source);
-    if (pattern == nullptr || vibration.locked) return;
-    *pattern = with_value(*pattern, separation.parameter, separation.to);
-    document_changed(app);
-    commit_step(
-        app, std::string("Change ") + traits(separation.parameter).name + " of " + vibration.name);
-    select_only(app, place);
 }
 
 }  // namespace tact

@@ -15,8 +15,10 @@ void stop_subset_jobs(App& app);
 // Takes what the jobs have finished; asks anew where the document or the question has changed.
 void follow_subset(App& app);
 
-// The subset on screen, of the map on screen; null: none. It may answer an earlier question.
+// The subset on screen, of the map on screen; null: none. It may answer an earlier question ...
 const Pick* shown_pick(const App& app);
+// ... and then is not that of the document as it is.
+bool is_pick_stale(const App& app);
 // The best one, or the alternative that is looked at.
 const Subset* shown_subset(const App& app);
 bool is_picking(const App& app);
@@ -25,14 +27,5 @@ void cancel_picking(App& app);
 
 // The share of draws, where the shown subset's was computed.
 const Stability* shown_stability(const App& app);
-
-// Pairs that are too close, of the map on screen.
-const TooClosePairs& too_close_pairs(App& app);
-
-// Whether the shown pairs have a pattern of that name, while the person looks at such pairs.
-bool is_too_close(const App& app, const std::string& name);
-
-// Applies a change as one step.
-void apply_separation(App& app, std::size_t place, const Separation& separation);
 
 }  // namespace tact

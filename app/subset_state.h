@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/latest_job.h"
@@ -45,6 +46,7 @@ struct SeparationRequest {
     std::shared_ptr<const LiveMap> map;
     std::size_t changed = 0;
     double threshold = 0.0;
+    std::vector<std::size_t> from{};  // rows that count; empty: all
 
     bool operator==(const SeparationRequest&) const = default;
 };
@@ -71,6 +73,7 @@ enum class SubsetView { pick, confusable, stability };
 // What is too close for comfort.
 enum class TooClose {
     share,      // the closest pairs of the set, so many of them
+    picked,     // the same share of the pairs within the picked subset
     reference,  // all that are no farther apart than a pair the person knows
     ratings     // the same share of the pairs as people rated them
 };
@@ -81,8 +84,10 @@ struct TooClosePairs {
     TooClose by = TooClose::share;
     double share = 0.0;
     std::string reference;
-    double threshold = 0.0;  // in the matrix's own unit
-    std::vector<ConfusablePair> pairs;
+    std::vector<std::size_t> picked;    // rows; empty unless by them
+    double threshold = 0.0;             // in the matrix's own unit
+    std::size_t count = 0;              // of all such pairs ...
+    std::vector<ConfusablePair> pairs;  // ... of which the closest are kept
 };
 
 // By what the map is coloured, joined and filtered.
@@ -123,8 +128,8 @@ struct SubsetState {
     std::string reference_a;  // names; empty: none chosen yet
     std::string reference_b;
     TooClosePairs pairs;
-    std::optional<ConfusablePair> open_pair;
-    bool change_second = false;  // of the open pair
+    std::optional<std::pair<std::string, std::string>> opened;  // names of a pair
+    bool change_second = false;                                 // of the open pair
 
     MapLook look;
     ShownClusters clusters;

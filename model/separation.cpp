@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "model/quantile.h"
 
@@ -22,9 +23,10 @@ struct Nearest {
     std::size_t place = 0;
 };
 
-Nearest nearest_to(const Dissimilarity& pm, std::size_t place) {
+Nearest nearest_to(const Dissimilarity& pm, std::size_t place,
+                   std::span<const std::size_t> others) {
     Nearest nearest{0.0, place};
-    for (std::size_t k = 0; k < pm.size; ++k) {
+    for (const std::size_t k : others) {
         const bool is_first = nearest.place == place;
         if (k != place && (is_first || pm(place, k) < nearest.distance)) {
             nearest = {pm(place, k), k};
@@ -38,7 +40,11 @@ class Trial {
   public:
     Trial(const PatternSet& set, const PerceptualModelParams& params, std::size_t place,
           const SeparationOptions& options)
-        : waveforms_(model_waveforms(set)), params_(params), place_(place) {
+        : waveforms_(model_waveforms(set)), params_(params), place_(place), others_(options.from) {
+        if (others_.empty()) {
+            others_.resize(waveforms_.size());
+            std::iota(others_.begin(), others_.end(), std::size_t{0});
+        }
         predict_.threads = options.threads;
         predict_.stop = options.stop;
     }
@@ -53,7 +59,7 @@ class Trial {
         const auto prediction = predict(waveforms_, params_, predict_);
         std::swap(changed, waveforms_[place_]);
         if (!prediction) return std::nullopt;
-        return nearest_to(prediction->pm, place_);
+        return nearest_to(prediction->pm, place_, others_);
     }
 
     // The set as it is, with coarse envelopes: a hundredth of the work, for the search.
@@ -67,6 +73,7 @@ class Trial {
     std::vector<Waveform> waveforms_;
     const PerceptualModelParams& params_;
     std::size_t place_;
+    std::vector<std::size_t> others_;
     PredictOptions predict_;
 };
 
@@ -125,14 +132,15 @@ std::optional<bool> narrow(Way& way, const Parts& parts) {
 
 double with_three_digits(double value) {
     if (value == 0.0) return 0.0;
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2.0);
-    return std::round(value / unit) * unit;
+    // By whole powers of ten, so that 55.3 is the number that 55.3 is read as.
+    const double digits = 2.0 - std::floor(std::log10(std::abs(value)));
+    const double whole = std::pow(10.0, std::abs(digits));
+    return digits >= 0.0 ? std::round(value * whole) / whole : std::round(value / whole) * whole;
 }
 
 }  // namespace
 
-std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold,
-                                             std::size_t most) {
+std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold) {
     std::vector<ConfusablePair> pairs;
     std::size_t k = 0;
     for (std::size_t i = 0; i < dissimilarity.size; ++i) {
@@ -142,7 +150,6 @@ std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity,
         }
     }
     std::ranges::stable_sort(pairs, {}, &ConfusablePair::dissimilarity);
-    if (pairs.size() > most) pairs.resize(most);
     return pairs;
 }
 
@@ -153,6 +160,16 @@ double threshold_at(const Dissimilarity& dissimilarity, double share) {
     }
     std::ranges::sort(values);
     return quantile(values, share);
+}
+
+Dissimilarity among(const Dissimilarity& dissimilarity, std::span<const std::size_t> objects) {
+    Dissimilarity result{objects.size(), {}};
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        for (std::size_t j = i + 1; j < objects.size(); ++j) {
+            result.condensed.push_back(dissimilarity(objects[i], objects[j]));
+        }
+    }
+    return result;
 }
 
 std::optional<std::vector<Separation>> separations(const PatternSet& set,

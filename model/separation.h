@@ -1,5 +1,5 @@
 // Pairs that people may confuse, and the smallest change of one pattern that would part it from all
-// others.
+// others, or from those of a subset.
 //
 // PM depends on the set. Of a changed pattern it is that of the set with the change: all ranks are
 // taken anew. As there are as many pairs as before, PM keeps its scale, and a threshold its
@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -34,32 +35,35 @@ struct ConfusablePair {
     bool operator==(const ConfusablePair&) const = default;
 };
 
-// The pairs not above the threshold, the closest first, at most so many.
-std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold,
-                                             std::size_t most);
+// The pairs not above the threshold, the closest first.
+std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold);
 
 // The dissimilarity below which a share of the pairs lies; NaN of none.
 double threshold_at(const Dissimilarity& dissimilarity, double share);
+
+// Those of some of the objects alone (ascending), in their order.
+Dissimilarity among(const Dissimilarity& dissimilarity, std::span<const std::size_t> objects);
 
 struct Separation {
     PatternParameter parameter = PatternParameter::amplitude;
     double from = 0.0;
     double to = 0.0;
     double steps = 0.0;          // size of the change, in what is felt roughly alike
-    double nearest = 0.0;        // PM to the closest other pattern then ...
+    double nearest = 0.0;        // PM to the closest of the others then ...
     std::size_t nearest_to = 0;  // ... which is this one
 
     bool operator==(const Separation&) const = default;
 };
 
 struct SeparationOptions {
-    int threads = 0;  // 0: all cores
+    std::vector<std::size_t> from{};  // the others that count, such as a subset's; empty: all
+    int threads = 0;                  // 0: all cores
     std::stop_token stop{};
     std::function<void(double)> progress{};  // 0..1, from this thread
 };
 
-// Changes of the pattern at a place that bring its PM to all others above the threshold, the
-// smallest first. None when stopped, and for a recording.
+// Changes of the pattern at a place that bring its PM to all others that count above the threshold,
+// the smallest first. None when stopped, and for a recording.
 std::optional<std::vector<Separation>> separations(const PatternSet& set,
                                                    const Prediction& prediction, std::size_t place,
                                                    double threshold,

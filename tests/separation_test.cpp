@@ -62,12 +62,13 @@ double nearest(const Dissimilarity& pm, std::size_t place) {
 
 TEST_CASE("confusable: pairs up to the threshold, the closest first, no more than asked for") {
     const Dissimilarity line = on_a_line({0.0, 1.0, 3.0, 7.0});
-    const auto pairs = confusable_pairs(line, 3.0, 10);
+    const auto pairs = confusable_pairs(line, 3.0);
     REQUIRE(pairs.size() == 3);
     CHECK(pairs[0] == ConfusablePair{0, 1, 1.0});
     CHECK(pairs[1] == ConfusablePair{1, 2, 2.0});
     CHECK(pairs[2] == ConfusablePair{0, 2, 3.0});
-    CHECK(confusable_pairs(line, 3.0, 1).size() == 1);
+    CHECK(among(line, std::vector<std::size_t>{0, 2, 3}).condensed ==
+          std::vector<double>{3.0, 7.0, 4.0});
     CHECK(threshold_at(line, 0.0) == 1.0);
     CHECK(threshold_at(line, 1.0) == 7.0);
     CHECK(std::isnan(threshold_at({1, {}}, 0.5)));
@@ -95,6 +96,30 @@ TEST_CASE("separation: each change brings the pattern's PM to all others above t
         CHECK(one.steps >= steps);  // the smallest first
         steps = one.steps;
     }
+}
+
+TEST_CASE("separation: from a subset alone, changes are found that do not part it from all") {
+    const PatternSet set = short_set();
+    const Prediction prediction = predicted(set);
+    SeparationOptions options;
+    options.from = {1, 2, 3};  // the pattern itself is among them
+    const double threshold = prediction.pm(1, 2);
+    const auto all = separations(set, prediction, 1, threshold, options);
+    REQUIRE(all);
+    REQUIRE_FALSE(all->empty());
+    bool only_from_these = false;
+    for (const Separation& one : *all) {
+        CAPTURE(traits(one.parameter).key);
+        PatternSet changed = set;
+        auto& pattern = std::get<Pattern>(changed.vibrations[1].source);
+        pattern = with_value(pattern, one.parameter, one.to);
+        const Dissimilarity pm = predicted(changed).pm;
+        CHECK(std::min(pm(1, 2), pm(1, 3)) == one.nearest);
+        CHECK(one.nearest > threshold);
+        CHECK((one.nearest_to == 2 || one.nearest_to == 3));
+        only_from_these |= nearest(pm, 1) <= threshold;
+    }
+    CHECK(only_from_these);
 }
 
 TEST_CASE("separation: the same on one and on four threads; none when stopped") {

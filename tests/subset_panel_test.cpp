@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/bench_follow.h"
+#include "app/separation_follow.h"
 #include "app/subset_follow.h"
 #include "model/set_subset.h"
 #include "program.h"
@@ -112,7 +113,7 @@ TEST_CASE("subset panel: too close pairs are listed, and a separation is one ste
     SubsetBench bench;
     App& app = bench.app;
     bench.program.click("subset:Too close");
-    app.subset->share = 0.1;
+    app.subset->share = 0.005;  // the closest pair: there is room for it elsewhere
     bench.program.settle();
     const auto& pairs = too_close_pairs(app);
     REQUIRE_FALSE(pairs.pairs.empty());
@@ -125,7 +126,7 @@ TEST_CASE("subset panel: too close pairs are listed, and a separation is one ste
     bench.wait([&] { return !app.subset->separation_job->busy(); });
     const auto found = app.subset->separations;
     REQUIRE(found);
-    if (found->all.empty()) return;
+    REQUIRE_FALSE(found->all.empty());
     const PatternSet before = app.document.set;
     const std::size_t changed = found->request.changed;
     bench.program.click("apply:0");
@@ -142,6 +143,82 @@ TEST_CASE("subset panel: too close pairs are listed, and a separation is one ste
     CHECK(nearest > found->request.threshold);
     undo(app);
     CHECK(app.document.set == before);
+}
+
+TEST_CASE("subset panel: what would separate the weakest pair is asked in one click") {
+    SubsetBench bench;
+    App& app = bench.app;
+    const Subset before = *shown_subset(app);
+    const auto name = [&](std::size_t row) { return app.document.set.vibrations[row].name; };
+    bench.program.click("link:separate pair");
+    CHECK(app.subset->view == SubsetView::confusable);
+    CHECK(app.subset->too_close == TooClose::picked);
+    CHECK(opened_rows(app) == before.weakest);
+    CHECK(bench.program.shows("too close:" + name(before.weakest.first) + "|" +
+                              name(before.weakest.second)));
+    bench.wait([&] { return !app.subset->separation_job->busy(); });
+    const auto found = app.subset->separations;
+    REQUIRE(found);
+    CHECK(found->request.from == before.members);
+    CHECK(found->request.threshold >= before.weakest_dissimilarity);
+    REQUIRE_FALSE(found->all.empty());
+    for (const Separation& one : found->all) {
+        CHECK(std::ranges::binary_search(before.members, one.nearest_to));
+    }
+    bench.program.click("apply:0");
+    bench.wait_for_pick();
+    CHECK_FALSE(opened_rows(app) == std::nullopt);
+    undo(app);
+    CHECK(app.history.undo_label() == nullptr);
+}
+
+TEST_CASE("subset panel: whatever cannot be asked says why") {
+    SubsetBench bench;
+    App& app = bench.app;
+    bench.program.click("subset:Too close");
+    const auto& all = app.document.set.vibrations;
+    const ConfusablePair pair = too_close_pairs(app).pairs.front();
+    bench.program.click("too close:" + all[pair.a].name + "|" + all[pair.b].name);
+    CHECK_FALSE(bench.program.shows("separation obstacle"));
+    ++app.revision;  // as in the middle of a drag
+    bench.program.settle();
+    CHECK(bench.program.at("separation obstacle").value ==
+          "It can be asked once the map is exact.");
+    bench.program.click("button:separate");
+    CHECK_FALSE(app.subset->separation_job->busy());
+    bench.program.click("subset:Pick");
+    CHECK(bench.program.at("subset:proof").value.starts_with("From before the last change"));
+    bench.program.click("subset:Too close");
+    --app.revision;
+
+    app.document.set.vibrations[pair.a].locked = true;
+    bench.program.settle();
+    CHECK(bench.program.at("radio:change first").value == all[pair.a].name + "  (locked)");
+    CHECK_FALSE(bench.program.shows("separation obstacle"));
+    CHECK(row_to_change(app, {pair.a, pair.b}) == pair.b);
+    app.document.set.vibrations[pair.b].locked = true;
+    bench.program.settle();
+    CHECK(bench.program.at("separation obstacle").value ==
+          "Both are locked: unlock one of them to change it (Ctrl+L).");
+
+    bench.program.click("subset:How sure");
+    CHECK_FALSE(bench.program.shows("stability obstacle"));
+    app.subset->metric = Metric::nc;
+    bench.wait_for_pick();
+    CHECK(bench.program.at("stability obstacle").value ==
+          "Only a subset picked by PM hangs on the model's numbers.");
+}
+
+TEST_CASE("subset panel: the weakest pair can be played from where it is named") {
+    SubsetBench bench;
+    App& app = bench.app;
+    bench.program.click("link:play pair");
+    CHECK(app.playhead.playing);
+    CHECK(app.selection.current == shown_subset(app)->weakest.first);
+    CHECK(app.partner == app.document.set.vibrations[shown_subset(app)->weakest.second].name);
+    CHECK(bench.program.at("link:play pair").value == "Stop");
+    bench.program.click("link:play pair");
+    CHECK_FALSE(app.playhead.playing);
 }
 
 TEST_CASE("subset panel: models are drawn on request, and the map has an ellipse for each point") {

@@ -7,7 +7,7 @@
 #include "app/editing.h"
 #include "app/panels/panels.h"
 #include "app/panels/pattern_fields.h"
-#include "app/subset_follow.h"
+#include "app/separation_follow.h"
 #include "app/widgets.h"
 #include "viz/marks.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/editing.h"
+#include "app/separation_follow.h"
 #include "app/subset_follow.h"
 #include "app/widgets.h"
 #include "model/clusters.h"
@@ -170,8 +171,13 @@ MapDecor map_decor(App& app, std::vector<PatternLook>& looks) {
         if (!value || !look.passes.contains(*value)) decor.faint.push_back(k);
     }
     if (app.bench != BenchTab::subset) return decor;
-    if (const Subset* subset = shown_subset(app); subset && state.view != SubsetView::confusable) {
+    const bool by_picked = state.too_close == TooClose::picked;
+    const Subset* subset = shown_subset(app);
+    if (subset && (state.view != SubsetView::confusable || by_picked)) {
         decor.chosen = subset->members;
+    } else if (const auto opened = opened_rows(app);
+               opened && state.view == SubsetView::confusable) {
+        decor.chosen = {opened->first, opened->second};
     }
     if (state.view == SubsetView::confusable && look.show_pairs) {
         for (const ConfusablePair& pair : too_close_pairs(app).pairs) {

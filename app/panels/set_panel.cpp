@@ -10,7 +10,7 @@
 
 #include "app/editing.h"
 #include "app/panels/panels.h"
-#include "app/subset_follow.h"
+#include "app/separation_follow.h"
 #include "app/widgets.h"
 #include "viz/colour.h"
 #include "viz/marks.h"

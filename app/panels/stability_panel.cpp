@@ -33,9 +33,9 @@ void draw_ask(App& app) {
     draw_tooltip(app,
                  "Thresholds of each receptor type within 6 dB, choices the paper leaves open, "
                  "weights near the trained ones: 100 models, and what each would pick.");
-    ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
     if (busy) {
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
         char text[32];
         std::snprintf(text, sizeof text, "drawing, %d %%",
                       static_cast<int>(100.0F * state.stability_job->progress()));
@@ -44,7 +44,11 @@ void draw_ask(App& app) {
         if (link(app, "cancel stability", "Cancel")) state.stability_job->cancel();
         note_item(app.rects, "link:cancel stability");
     } else if (!possible) {
-        dim_text(app, pick == nullptr ? "Pick a subset first." : "Only of a subset picked by PM.");
+        const std::string why = pick == nullptr
+                                    ? "Nothing is picked yet: see Pick."
+                                    : "Only a subset picked by PM hangs on the model's numbers.";
+        coloured_note(app.theme.dim_text, why);
+        note_item(app.rects, "stability obstacle", why);
     }
 }
 
@@ -106,7 +110,10 @@ void draw_stability_view(App& app) {
                              percent(stability->share_weakest) +
                              ". In the map, half of the draws lie within each ellipse.";
     ImGui::PushFont(app.theme.fonts.small);
-    coloured_note(app, app.theme.dim_text, text);
+    coloured_note(app.theme.dim_text, text);
+    if (is_pick_stale(app)) {
+        coloured_note(app.theme.warning, "Of the subset before the last change.");
+    }
     ImGui::PopFont();
     note_item(app.rects, "subset:stability", text);
     draw_shares(app, *stability);

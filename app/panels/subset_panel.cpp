@@ -8,6 +8,8 @@
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
 #include "app/panels/subset_views.h"
+#include "app/playing.h"
+#include "app/separation_follow.h"
 #include "app/subset_export.h"
 #include "app/subset_follow.h"
 #include "app/widgets.h"
@@ -93,12 +95,6 @@ std::string quantity_of(const Pick& pick) {
     return pick.request.by_ratings ? "rating" : traits(pick.request.metric).name;
 }
 
-void choose_named_pair(App& app, const std::string& a, const std::string& b) {
-    const auto first = place_named(app.document.set, a);
-    const auto second = place_named(app.document.set, b);
-    if (first && second) choose_pair(app, *first, *second);
-}
-
 void draw_proof(App& app, const Pick& pick) {
     const SubsetAnswer& answer = pick.answer;
     std::string text = "Proven: no other subset is better.";
@@ -110,11 +106,43 @@ void draw_proof(App& app, const Pick& pick) {
         text = "The best found in time; none is above " + grouped(answer.bound) + ".";
         colour = app.theme.warning;
     }
-    if (app.subset->asked != pick.request) text = "Of the question before.";
+    if (is_pick_stale(app)) {
+        text = map_state(app) == MapState::exact
+                   ? "Of the question before."
+                   : "From before the last change; picked anew once the map is exact.";
+        colour = app.theme.warning;
+    }
     ImGui::PushFont(app.theme.fonts.small);
-    coloured_note(app, colour, text);
+    coloured_note(colour, text);
     ImGui::PopFont();
     note_item(app.rects, "subset:proof", text);
+}
+
+// What can be done with the two that are most alike.
+void draw_weakest_pair(App& app, const Pick& pick, const std::string& a, const std::string& b) {
+    const std::string names = a + " \u2013 " + b;
+    const std::string shown =
+        shortened(app.theme.fonts.regular, names, ImGui::GetContentRegionAvail().x);
+    if (link(app, "weakest pair", shown)) open_pair(app, a, b);
+    note_item(app.rects, "link:weakest pair", a + "|" + b);
+    draw_tooltip(app, (names + ": shows the two in every pane.").c_str());
+    const auto first = place_named(app.document.set, a);
+    const auto second = place_named(app.document.set, b);
+    if (!first || !second) return;
+    const bool plays = app.playhead.playing;
+    const char* play = plays ? "Stop" : "Play both";
+    flow_on(ImGui::CalcTextSize(play).x, 1.5F * app.theme.gap_px);
+    if (link(app, "play pair", play)) plays ? stop_playing(app) : play_pair(app, *first, *second);
+    note_item(app.rects, "link:play pair", play);
+    draw_tooltip(app, "One after the other; without a device silently, the first alone.");
+    if (pick.request.by_ratings || pick.request.metric != Metric::pm) return;
+    constexpr const char* kAsk = "What would separate them?";
+    flow_on(ImGui::CalcTextSize(kAsk).x, 1.5F * app.theme.gap_px);
+    if (link(app, "separate pair", kAsk)) ask_about_picked(app, a, b);
+    note_item(app.rects, "link:separate pair");
+    draw_tooltip(app,
+                 "The smallest change of one number that brings one of the two farther from all "
+                 "others of the subset.");
 }
 
 // The weakest pair, large: what the subset is worth.
@@ -130,10 +158,9 @@ void draw_headline(App& app, const Pick& pick, const Subset& subset) {
     ImGui::SameLine(0.0F, app.theme.gap_px);
     const float lower = app.theme.fonts.large->FontSize - app.theme.fonts.regular->FontSize;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);
-    dim_text(app, quantity_of(pick) + " of the weakest pair");
-    if (link(app, "weakest pair", a + " \u2013 " + b)) choose_named_pair(app, a, b);
-    note_item(app.rects, "link:weakest pair", a + "|" + b);
-    draw_tooltip(app, "Shows the two: play them, or ask why they are alike.");
+    const std::string what = quantity_of(pick) + " of the weakest pair";
+    dim_text(app, shortened(app.theme.fonts.regular, what, ImGui::GetContentRegionAvail().x));
+    draw_weakest_pair(app, pick, a, b);
     draw_proof(app, pick);
 }
 
@@ -308,8 +335,7 @@ bool draw_pick_state(App& app) {
 
 }  // namespace
 
-void coloured_note(const App& app, ImU32 colour, const std::string& text) {
-    (void)app;
+void coloured_note(ImU32 colour, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(text.c_str());

@@ -10,6 +10,6 @@ void draw_too_close_view(App& app);
 void draw_stability_view(App& app);
 
 // Text in a colour, wrapped at the pane's edge.
-void coloured_note(const App& app, ImU32 colour, const std::string& text);
+void coloured_note(ImU32 colour, const std::string& text);
 
 }  // namespace tact

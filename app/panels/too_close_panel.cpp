@@ -5,11 +5,11 @@
 
 #include "app/bench_follow.h"
 #include "app/editing.h"
-#include "app/map_follow.h"
 #include "app/panels/panels.h"
 #include "app/panels/subset_views.h"
-#include "app/subset_follow.h"
+#include "app/separation_follow.h"
 #include "app/widgets.h"
+#include "model/io/numbers.h"
 #include "viz/marks.h"
 #include "viz/plot.h"
 
@@ -57,6 +57,10 @@ void draw_threshold(App& app) {
         draw_tooltip(app, help);
     };
     choose("Closest", TooClose::share, "The closest pairs of this set, so many of them.", true);
+    choose("Among the picked", TooClose::picked,
+           "The closest pairs within the picked subset; a change has to part a pattern from the "
+           "others of the subset only.",
+           false);
     choose("Reference pair", TooClose::reference, "Pairs no farther apart than one you know.",
            false);
     if (!app.document.set.ratings.empty()) {
@@ -70,61 +74,76 @@ void draw_threshold(App& app) {
     }
 }
 
-const std::string& name_of(const TooClosePairs& pairs, std::size_t place) {
-    return pairs.of->request.set->vibrations[place].name;
+const std::string& name_of(const TooClosePairs& pairs, std::size_t row) {
+    return pairs.of->request.set->vibrations[row].name;
+}
+
+// What the list has, or why it has nothing.
+std::string summary_of(const App& app, const TooClosePairs& pairs) {
+    const SubsetState& state = *app.subset;
+    if (pairs.by == TooClose::picked && pairs.picked.size() < 2) {
+        return "Nothing is picked yet: see Pick.";
+    }
+    if (pairs.by == TooClose::reference && state.reference_a.empty()) {
+        return "Click a pattern in the map, then another one, and take them.";
+    }
+    if (pairs.pairs.empty()) return "No pair is too close.";
+    const std::string total = grouped_digits(pairs.count) + (pairs.count == 1 ? " pair" : " pairs");
+    if (pairs.count == pairs.pairs.size()) return total + ", the closest first";
+    return "The closest " + grouped_digits(pairs.pairs.size()) + " of " + total;
+}
+
+void draw_pair(App& app, const TooClosePairs& pairs, const ConfusablePair& pair, bool open) {
+    const std::string& a = name_of(pairs, pair.a);
+    const std::string& b = name_of(pairs, pair.b);
+    const std::string text = grouped(pair.dissimilarity) + "   " + a + " \u2013 " + b;
+    const std::string shown =
+        shortened(app.theme.fonts.regular, text, ImGui::GetContentRegionAvail().x);
+    if (ImGui::Selectable(shown.c_str(), open)) open_pair(app, a, b);
+    note_item(app.rects, "too close:" + a + "|" + b, text);
+    if (shown != text) draw_tooltip(app, text.c_str());
 }
 
 void draw_pair_list(App& app, const TooClosePairs& pairs) {
-    SubsetState& state = *app.subset;
+    ImGui::PushFont(app.theme.fonts.small);
+    const std::string summary = summary_of(app, pairs);
+    coloured_note(app.theme.dim_text, summary);
+    ImGui::PopFont();
+    note_item(app.rects, "too close", summary);
+    const auto opened = opened_rows(app);
     ImGui::BeginChild("pairs");
-    for (std::size_t k = 0; k < pairs.pairs.size(); ++k) {
-        const ConfusablePair& pair = pairs.pairs[k];
-        const std::string& a = name_of(pairs, pair.a);
-        const std::string& b = name_of(pairs, pair.b);
-        ImGui::PushID(static_cast<int>(k));
-        const bool open =
-            state.open_pair && state.open_pair->a == pair.a && state.open_pair->b == pair.b;
-        const std::string text = grouped(pair.dissimilarity) + "   " + a + " \u2013 " + b;
-        if (ImGui::Selectable(text.c_str(), open)) {
-            state.open_pair = pair;
-            const auto first = place_named(app.document.set, a);
-            const auto second = place_named(app.document.set, b);
-            if (first && second) choose_pair(app, *first, *second);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(pairs.pairs.size()));
+    while (clipper.Step()) {
+        for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
+            ImGui::PushID(k);
+            const ConfusablePair& pair = pairs.pairs[static_cast<std::size_t>(k)];
+            draw_pair(app, pairs, pair, opened == std::pair(pair.a, pair.b));
+            ImGui::PopID();
         }
-        note_item(app.rects, "too close:" + a + "|" + b, text);
-        ImGui::PopID();
     }
-    if (pairs.pairs.empty()) dim_text(app, "No pair is too close.");
     ImGui::EndChild();
 }
 
-// Which of the two is changed: the one that may be.
-std::size_t changed_one(App& app, const TooClosePairs& pairs) {
+// Which of the two is changed. One that may not says why.
+void draw_change_choice(App& app, std::pair<std::size_t, std::size_t> rows) {
     SubsetState& state = *app.subset;
-    const ConfusablePair& pair = *state.open_pair;
-    const auto may_change = [&](std::size_t place) {
-        const auto now = place_named(app.document.set, name_of(pairs, place));
-        if (!now) return false;
-        const Vibration& vibration = app.document.set.vibrations[*now];
-        return !vibration.locked && std::holds_alternative<Pattern>(vibration.source);
-    };
-    const bool first = may_change(pair.a);
-    const bool second = may_change(pair.b);
-    if (first != second) state.change_second = second;
+    const std::size_t changed = row_to_change(app, rows);
     ImGui::AlignTextToFramePadding();
     dim_text(app, "Change");
-    for (const bool is_second : {false, true}) {
-        const std::size_t place = is_second ? pair.b : pair.a;
-        const std::string& name = name_of(pairs, place);
-        flow_on(radio_width(app, name.c_str()), app.theme.gap_px);
-        ImGui::BeginDisabled(!may_change(place));
-        if (draw_radio(app, name.c_str(), state.change_second == is_second)) {
-            state.change_second = is_second;
+    for (const std::size_t row : {rows.first, rows.second}) {
+        const std::string why = fixed_because(app, row);
+        const std::string name = app.map.shown->request.set->vibrations[row].name;
+        const std::string text = name + (why.empty() ? "" : "  (" + why + ")");
+        flow_on(radio_width(app, text.c_str()), app.theme.gap_px);
+        ImGui::BeginDisabled(!why.empty());
+        if (draw_radio(app, text.c_str(), changed == row)) {
+            state.change_second = row == rows.second;
         }
         ImGui::EndDisabled();
-        note_item(app.rects, is_second ? "radio:change second" : "radio:change first", name);
+        note_item(app.rects, row == rows.second ? "radio:change second" : "radio:change first",
+                  text);
     }
-    return state.change_second ? pair.b : pair.a;
 }
 
 std::string number(double value, const char* unit) {
@@ -148,30 +167,29 @@ void draw_separation(App& app, const FoundSeparations& found, std::size_t k) {
     ImGui::SameLine();
     ImGui::TextUnformatted(text.c_str());
     ImGui::PushFont(app.theme.fonts.small);
-    dim_text(app, "then " + grouped(separation.nearest) + " from its closest, " +
-                      set.vibrations[separation.nearest_to].name);
+    coloured_note(app.theme.dim_text, "then " + grouped(separation.nearest) +
+                                          " from its closest, " +
+                                          set.vibrations[separation.nearest_to].name);
     ImGui::PopFont();
     ImGui::PopID();
 }
 
-void draw_found(App& app, const SeparationRequest& asked) {
+void draw_search(App& app) {
     SubsetState& state = *app.subset;
-    const bool busy = state.separation_job && state.separation_job->busy();
-    const std::shared_ptr<const FoundSeparations> found = state.separations;
-    const bool answers = found && found->request == asked;
-    if (busy) {
-        char text[32];
-        std::snprintf(text, sizeof text, "searching, %d %%",
-                      static_cast<int>(100.0F * state.separation_job->progress()));
-        dim_text(app, text);
-        ImGui::SameLine();
-        if (link(app, "cancel separation", "Cancel")) state.separation_job->cancel();
-        note_item(app.rects, "link:cancel separation");
-        return;
-    }
-    if (!answers) return;
+    char text[32];
+    std::snprintf(text, sizeof text, "searching, %d %%",
+                  static_cast<int>(100.0F * state.separation_job->progress()));
+    dim_text(app, text);
+    ImGui::SameLine();
+    if (link(app, "cancel separation", "Cancel")) state.separation_job->cancel();
+    note_item(app.rects, "link:cancel separation");
+}
+
+void draw_found(App& app, const SeparationRequest& asked) {
+    const std::shared_ptr<const FoundSeparations> found = app.subset->separations;
+    if (!found || found->request != asked) return;
     if (found->all.empty()) {
-        coloured_note(app, app.theme.dim_text,
+        coloured_note(app.theme.dim_text,
                       "No change of a single number is enough. Change the rhythm, or add a "
                       "carrier.");
         note_item(app.rects, "separations", "none");
@@ -183,21 +201,26 @@ void draw_found(App& app, const SeparationRequest& asked) {
 }
 
 // The open pair: which to change, and the changes that would do.
-void draw_open_pair(App& app, const TooClosePairs& pairs) {
-    SubsetState& state = *app.subset;
-    const std::size_t changed = changed_one(app, pairs);
-    const Vibration& vibration = pairs.of->request.set->vibrations[changed];
-    const SeparationRequest asked{pairs.of, changed, pairs.threshold};
-    const bool possible = state.separation_job && map_state(app) == MapState::exact &&
-                          state.too_close != TooClose::ratings && !vibration.locked &&
-                          std::holds_alternative<Pattern>(vibration.source);
-    ImGui::BeginDisabled(!possible);
-    if (ImGui::Button("What would separate them?")) state.separation_job->submit(asked);
-    note_item(app.rects, "button:separate");
+void draw_open_pair(App& app, std::pair<std::size_t, std::size_t> rows) {
+    constexpr const char* kAsk = "What would separate them?";
+    draw_change_choice(app, rows);
+    const std::size_t row = row_to_change(app, rows);
+    const SeparationRequest asked = separation_request(app, row);
+    if (app.subset->separation_job && app.subset->separation_job->busy()) return draw_search(app);
+    const std::string obstacle = separation_obstacle(app, row);
+    ImGui::BeginDisabled(!obstacle.empty());
+    if (ImGui::Button(kAsk)) ask_for_separation(app, row);
+    note_item(app.rects, "button:separate", obstacle);
     ImGui::EndDisabled();
-    draw_tooltip(app,
-                 "The smallest change of one number that brings the pattern farther than this "
-                 "from all others. PM depends on the set: it is ranked anew with each change.");
+    const std::string from = asked.from.empty() ? "all others" : "the other picked ones";
+    draw_tooltip(app, ("The smallest change of one number that brings the pattern farther than " +
+                       grouped(asked.threshold) + " from " + from +
+                       ". PM depends on the set: it is ranked anew with each change.")
+                          .c_str());
+    if (!obstacle.empty()) {
+        coloured_note(app.theme.dim_text, obstacle);
+        note_item(app.rects, "separation obstacle", obstacle);
+    }
     draw_found(app, asked);
 }
 
@@ -205,21 +228,33 @@ void draw_open_pair(App& app, const TooClosePairs& pairs) {
 
 void draw_too_close_view(App& app) {
     draw_threshold(app);
-    if (!app.map.shown || app.map.shown->prediction.pm.size < 2) return;
+    if (!app.map.shown || app.map.shown->prediction.pm.size < 2) {
+        const bool few = app.document.set.vibrations.size() < 2;
+        const Rect area = rest_of_pane();
+        if (area.empty()) return;
+        return draw_empty(*ImGui::GetWindowDrawList(), app.theme, area,
+                          few ? "Nothing to compare" : "No pairs yet",
+                          few ? "It takes two patterns to be too close."
+                              : "They are listed once the space above is there.");
+    }
     const TooClosePairs& pairs = too_close_pairs(app);
-    SubsetState& state = *app.subset;
-    const std::size_t n = app.map.shown->prediction.pm.size;
-    if (state.open_pair && state.open_pair->b >= n) state.open_pair.reset();
+    const auto rows = opened_rows(app);
     const Rect area = rest_of_pane();
     if (area.width() < 40.0F || area.height() < 30.0F) return;
-    const float left = state.open_pair ? 0.46F * area.width() : area.width();
-    ImGui::BeginChild("left", {left, area.height()});
+    // Side by side where there is room, else the open pair below a short list.
+    const float gap = app.theme.gap_px;
+    const bool wide = area.width() > 360.0F * app.theme.scale;
+    const ImVec2 list{rows && wide ? 0.46F * area.width() : area.width(),
+                      rows && !wide ? 0.4F * area.height() : area.height()};
+    ImGui::BeginChild("left", list);
     draw_pair_list(app, pairs);
     ImGui::EndChild();
-    if (!state.open_pair) return;
-    ImGui::SetCursorScreenPos({area.min.x + left + app.theme.gap_px, area.min.y});
-    ImGui::BeginChild("right", {area.width() - left - app.theme.gap_px, area.height()});
-    draw_open_pair(app, pairs);
+    if (!rows) return;
+    const ImVec2 corner = wide ? ImVec2{area.min.x + list.x + gap, area.min.y}
+                               : ImVec2{area.min.x, area.min.y + list.y + gap};
+    ImGui::SetCursorScreenPos(corner);
+    ImGui::BeginChild("right", area.max - corner);
+    draw_open_pair(app, *rows);
     ImGui::EndChild();
 }
 
