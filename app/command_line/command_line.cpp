@@ -93,6 +93,7 @@ struct Commands {
     StudyCommand study;
     TrainCommand train;
     SubsetCommand subset;
+    SeparateCommand separate;
     FindingsCommand findings;
     DevicesCommand devices;
     PlayCommand play;
@@ -508,6 +509,30 @@ void add_subset_command(CLI::App& app, SubsetCommand& command,
     subset.footer(list_of_metrics());
 }
 
+void add_separate_command(CLI::App& app, SeparateCommand& command,
+                          std::function<Expected<Done>()>& chosen) {
+    CLI::App& separate = add_command(
+        app, "separate", "the smallest changes that part two patterns people may confuse", command,
+        chosen);
+    separate.add_option("--pair", command.pair, "names of the two, with a comma between")
+        ->required();
+    separate.add_option("--change", command.change,
+                        "the one of them to change; else either that is not locked");
+    separate
+        .add_option("--among", command.among,
+                    "a pattern to keep away from, such as one of a subset; repeatable; else all")
+        ->allow_extra_args(false);
+    CLI::Option* closest =
+        separate
+            .add_option("--closest", command.percent,
+                        "%, else 5: a change must bring the pattern farther from all that count "
+                        "than so many of the pairs are apart, and than the pair is")
+            ->check(CLI::Range(0.0, 100.0));
+    separate.add_option("--threshold", command.threshold, "instead farther than this PM")
+        ->check(CLI::NonNegativeNumber)
+        ->excludes(closest);
+}
+
 void add_study_commands(CLI::App& app, Commands& commands,
                         std::function<Expected<Done>()>& chosen) {
     CompareCommand& options = commands.compare;
@@ -545,6 +570,7 @@ int run_command_line(int argc, const char* const* argv) {
     add_play_commands(app, commands, chosen);
     add_calibrate_command(app, commands.calibrate, chosen);
     add_subset_command(app, commands.subset, chosen);
+    add_separate_command(app, commands.separate, chosen);
     add_study_commands(app, commands, chosen);
     add_generate_command(app, commands.generate, chosen);
     add_study_command(app, commands.study, chosen);

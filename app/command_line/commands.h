@@ -180,6 +180,16 @@ struct SubsetCommand {
 };
 Expected<Done> run(const SubsetCommand& command);
 
+struct SeparateCommand {
+    CommonOptions common;
+    std::string pair;                 // "A,B"
+    std::string change;               // one of the two; empty: either, unless it is locked
+    std::vector<std::string> among;   // others that count; empty: all
+    double percent = 5.0;             // of the pairs are too close ...
+    std::optional<double> threshold;  // ... or those up to this PM
+};
+Expected<Done> run(const SeparateCommand& command);
+
 struct FindingsCommand {
     int threads = 0;
     bool json = false;
