@@ -211,7 +211,9 @@ const Pick* shown_pick(const App& app) {
 
 bool is_pick_stale(const App& app) {
     const SubsetState& state = *app.subset;
-    return map_state(app) != MapState::exact || !state.pick || state.pick->request != state.asked;
+    if (map_state(app) != MapState::exact || !state.pick) return true;
+    // A map that has just come is asked about at the end of its frame.
+    return state.pick->request != state.asked || state.pick->request.map != app.map.shown;
 }
 
 const Subset* shown_subset(const App& app) {

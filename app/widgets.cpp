@@ -294,6 +294,7 @@ void draw_tooltip(const App& app, const char* text) {
     constexpr float kRestS = 0.4F;
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     if (ImGui::GetCurrentContext() == nullptr || ImGui::GetIO().MouseDown[0]) return;
+    if (ImGui::IsItemActive()) return;  // who types there knows, and has to see what is beside
     if (app.time_s - app.hover_since_s < static_cast<double>(kRestS)) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(320.0F * app.theme.scale);

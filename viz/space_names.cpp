@@ -129,7 +129,8 @@ void draw_names(const SpaceStage& stage, std::span<const Rect> occupied,
             return !plate.empty() && plate.intersects(*placed[k]);
         };
         if (placed[k] && (special || std::none_of(plates.begin(), plates.end(), under))) {
-            const float strength = special ? 1.0F : 0.35F + 0.5F * presence(stage, i);
+            const float least = stage.chosen[i] ? 0.6F : 0.35F;
+            const float strength = special ? 1.0F : least + 0.4F * presence(stage, i);
             draw_text_halo(stage.list, font, placed[k]->min, toned(stage, theme.text, strength),
                            theme.pane, theme.scale, name);
         }

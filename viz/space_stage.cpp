@@ -76,6 +76,7 @@ void place_points(SpaceStage& stage, const SpaceCamera& camera) {
     }
     std::stable_sort(stage.front_to_back.begin(), stage.front_to_back.end(),
                      [&](std::size_t a, std::size_t b) {
+                         if (is_cloud(stage, a) != is_cloud(stage, b)) return is_cloud(stage, b);
                          return stage.projected[a].depth > stage.projected[b].depth;
                      });
 }

@@ -16,11 +16,12 @@ struct SpaceStage {
     const Rect& pane;
     const SpaceScene& scene;
     SpaceFit fit;
-    std::vector<Projected> projected;        // by point
-    std::vector<Disc> discs;                 // by point
-    std::vector<std::size_t> front_to_back;  // only points that can be seen
-    std::vector<bool> chosen;                // by point
-    std::vector<bool> faint;                 // by point
+    std::vector<Projected> projected;  // by point
+    std::vector<Disc> discs;           // by point
+    // Only points that can be seen; a cloud lies behind all that was chosen.
+    std::vector<std::size_t> front_to_back;
+    std::vector<bool> chosen;  // by point
+    std::vector<bool> faint;   // by point
 };
 
 SpaceStage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene);

@@ -88,11 +88,15 @@ void draw_kind(App& app, RhythmChoice& choice) {
         flow_on(120.0F * app.theme.scale, 2.0F * app.theme.gap_px);
         draw_count(app, "notes", "notes", choice.notes, choice.steps);
     }
+    // On one line with the chips, whose text is smaller and padded.
+    const float top = ImGui::GetCursorPosY();
+    ImGui::SetCursorPosY(top + 2.0F * app.theme.scale);
     dim_text(app, "Notes of");
     const std::pair<const char*, int> lengths[] = {
         {"1 step", 1}, {"2 steps", 2}, {"3 steps", 3}, {"as long as can be", 0}};
     for (const auto& [text, steps] : lengths) {
-        flow_on(chip_width(app, text), gap);
+        const bool beside = flow_on(chip_width(app, text), gap);
+        if (beside && steps == 1) ImGui::SetCursorPosY(top);
         if (chip(app, text, choice.note_steps == steps,
                  "Every note is held so long, but never into the next.")) {
             choice.note_steps = steps;

@@ -81,7 +81,7 @@ void draw_shares(App& app, const Stability& stability) {
     }
     std::ranges::stable_sort(order, std::greater<>{},
                              [&](std::size_t k) { return stability.share_picked[k]; });
-    ImGui::BeginChild("shares");
+    ImGui::BeginChild("shares", {0.0F, rest_or_lines(4.0F).height()});
     if (ImGui::BeginTable("shares", 2, ImGuiTableFlags_NoSavedSettings)) {
         for (const std::size_t k : order) {
             draw_share(app, names[k], stability.share_picked[k],

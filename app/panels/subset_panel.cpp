@@ -69,9 +69,10 @@ void draw_source(App& app) {
     SubsetState& state = *app.subset;
     const bool has_ratings = !app.document.set.ratings.empty();
     const char* shown = state.by_ratings && has_ratings ? "Ratings" : traits(state.metric).name;
-    const float width = 120.0F * app.theme.scale;
-    flow_on(width, 1.5F * app.theme.gap_px);
-    ImGui::SetNextItemWidth(width);
+    const float s = app.theme.scale;
+    const bool beside = flow_on(84.0F * s, 1.5F * app.theme.gap_px);
+    const float room = beside ? ImGui::GetContentRegionAvail().x : 120.0F * s;
+    ImGui::SetNextItemWidth(std::min(120.0F * s, room));
     if (ImGui::BeginCombo("##source", shown)) {
         for (const Metric metric : kMetrics) {
             const bool chosen = !state.by_ratings && state.metric == metric;
@@ -111,6 +112,12 @@ void draw_proof(App& app, const Pick& pick) {
                    ? "Of the question before."
                    : "From before the last change; picked anew once the map is exact.";
         colour = app.theme.warning;
+    }
+    // Beside the headline, or where it has no room there below it.
+    const ImFont* small = app.theme.fonts.small;
+    if (flow_on(text_size(small, text).x, 1.5F * app.theme.gap_px)) {
+        const float lower = app.theme.fonts.regular->FontSize - small->FontSize;
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);
     }
     ImGui::PushFont(app.theme.fonts.small);
     coloured_note(colour, text);
@@ -160,8 +167,8 @@ void draw_headline(App& app, const Pick& pick, const Subset& subset) {
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);
     const std::string what = quantity_of(pick) + " of the weakest pair";
     dim_text(app, shortened(app.theme.fonts.regular, what, ImGui::GetContentRegionAvail().x));
-    draw_weakest_pair(app, pick, a, b);
     draw_proof(app, pick);
+    draw_weakest_pair(app, pick, a, b);
 }
 
 void draw_member(App& app, const Pick& pick, std::size_t member) {
@@ -230,79 +237,6 @@ void draw_alternatives(App& app, const Pick& pick) {
     }
 }
 
-// Whole numbers below the curve, as many as have room, and what they count.
-void draw_counts(const App& app, const Plot& plot, const PickCurve& curve) {
-    const ImFont* font = app.theme.fonts.small;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float y = plot.area.max.y + 3.0F * app.theme.scale;
-    const std::string unit = "picked";
-    const float unit_left = plot.area.max.x - text_size(font, unit).x;
-    float free = plot.area.min.x - app.theme.gap_px;
-    for (const CurvePoint& point : curve.points) {
-        const std::string text = std::to_string(point.count);
-        const float width = text_size(font, text).x;
-        const float left = to_pixel(plot.x, static_cast<double>(point.count)) - 0.5F * width;
-        if (left < free || left + width + app.theme.gap_px > unit_left) continue;
-        draw_text(list, font, {left, y}, app.theme.dim_text, text);
-        free = left + width + app.theme.gap_px;
-    }
-    draw_text(list, font, {unit_left, y}, app.theme.dim_text, unit);
-}
-
-// How far apart the weakest pair is for each k; a click chooses k.
-void draw_curve(App& app, const Rect& area) {
-    const PickCurve& curve = *app.subset->curve;
-    if (curve.points.size() < 2 || area.width() < 90.0F || area.height() < 70.0F) return;
-    const Theme& theme = app.theme;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    double most = 0.0;
-    for (const CurvePoint& point : curve.points) most = std::max(most, point.bound);
-    const auto first = static_cast<double>(curve.points.front().count);
-    const auto last = static_cast<double>(curve.points.back().count);
-    const PlotLabels labels{"", "", true};
-    const float foot = ImGui::GetTextLineHeight();
-    const Rect above{area.min, {area.max.x, area.max.y - foot}};
-    const Plot plot =
-        plot_within(above, theme, {first - 0.5, last + 0.5}, {0.0, 1.05 * most}, labels);
-    draw_axes(list, theme, plot, labels);
-    draw_counts(app, plot, curve);
-    ImGui::SetCursorScreenPos(area.min);
-    const bool pressed = ImGui::InvisibleButton("curve", area.size());
-    std::optional<std::size_t> hovered;
-    if (ImGui::IsItemHovered()) {
-        const double k = std::round(to_value(plot.x, ImGui::GetIO().MousePos.x));
-        if (k >= first && k <= last) hovered = static_cast<std::size_t>(k - first);
-        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    }
-    note_rect(app.rects, "subset:curve", plot.area.min, plot.area.max,
-              std::to_string(curve.points.size()));
-    std::vector<ImVec2> line;
-    for (const CurvePoint& point : curve.points) {
-        const float x = to_pixel(plot.x, static_cast<double>(point.count));
-        line.push_back({x, to_pixel(plot.y, point.weakest)});
-        if (point.bound > point.weakest) {
-            draw_upright_line(list, x, to_pixel(plot.y, point.bound), line.back().y,
-                              theme.hairline_px, theme.warning);
-        }
-    }
-    list.AddPolyline(line.data(), static_cast<int>(line.size()), theme.dim_text, 0, theme.trace_px);
-    for (std::size_t k = 0; k < line.size(); ++k) {
-        const bool chosen = curve.points[k].count == static_cast<std::size_t>(app.subset->count);
-        const bool lit = chosen || hovered == k;
-        draw_disc(list, theme, line[k], (lit ? 5.0F : 3.0F) * theme.scale,
-                  lit ? theme.accent : theme.dim_text);
-        note_rect(app.rects, "curve point:" + std::to_string(curve.points[k].count), line[k],
-                  line[k]);
-    }
-    if (!hovered) return;
-    const CurvePoint& point = curve.points[*hovered];
-    const std::vector<std::string> lines{std::to_string(point.count) + " picked",
-                                         "weakest pair " + grouped(point.weakest),
-                                         point.bound > point.weakest ? "not proven" : "proven"};
-    draw_readout(list, theme, area, line[*hovered], lines);
-    if (pressed) app.subset->count = static_cast<int>(point.count);
-}
-
 // True where there is a subset to draw.
 bool draw_pick_state(App& app) {
     SubsetState& state = *app.subset;
@@ -324,16 +258,30 @@ bool draw_pick_state(App& app) {
     const bool has_fault = state.pick && !state.pick->fault.empty() && !is_picking(app);
     const Rect area = rest_of_pane();
     if (area.empty()) return false;
-    const bool few = app.document.set.vibrations.size() < 2;
-    draw_empty(*ImGui::GetWindowDrawList(), app.theme, area,
-               few ? "Nothing to pick from" : "Nothing picked yet",
-               few         ? "It takes two patterns to be alike or far apart."
-               : has_fault ? state.pick->fault
-                           : "The subset is picked once the space above is exact.");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (app.document.set.vibrations.size() < 2) {
+        draw_empty(list, app.theme, area, "Nothing to pick from",
+                   "It takes two patterns to be alike or far apart.");
+    } else if (is_picking(app)) {
+        draw_empty(list, app.theme, area, "Picking",
+                   "Of many patterns it takes some seconds to prove that no others are better.");
+    } else {
+        draw_empty(
+            list, app.theme, area, "Nothing picked yet",
+            has_fault ? state.pick->fault : "The subset is picked once the space above is exact.");
+    }
     return false;
 }
 
 }  // namespace
+
+Rect rest_or_lines(float lines) {
+    Rect area = rest_of_pane();
+    const float least = lines * ImGui::GetTextLineHeightWithSpacing();
+    area.max.y = std::max(area.max.y, area.min.y + least);
+    area.max.x = std::max(area.max.x, area.min.x + 1.0F);
+    return area;
+}
 
 void coloured_note(ImU32 colour, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
@@ -350,10 +298,9 @@ void draw_pick_view(App& app) {
     if (!draw_pick_state(app)) return;
     const std::shared_ptr<const Pick> pick = app.subset->pick;  // kept while it is drawn
     draw_headline(app, *pick, *shown_subset(app));
-    const Rect area = rest_of_pane();
-    if (area.width() < 40.0F || area.height() < 30.0F) return;
+    const Rect area = rest_or_lines(5.0F);
     const bool wide = area.width() > 320.0F * app.theme.scale;
-    const float left = wide && app.subset->curve ? 0.48F * area.width() : area.width();
+    const float left = wide && has_curve(app) ? 0.48F * area.width() : area.width();
     ImGui::BeginChild("members", {left, area.height()});
     for (const std::size_t member : shown_subset(app)->members) draw_member(app, *pick, member);
     draw_alternatives(app, *pick);
@@ -365,14 +312,19 @@ void draw_pick_view(App& app) {
 void draw_subset_panel(App& app) {
     draw_views(app);
     ImGui::Dummy({1.0F, 1.0F});
+    ImGui::BeginChild("view");  // scrolls where the pane is low
     switch (app.subset->view) {
         case SubsetView::pick:
-            return draw_pick_view(app);
+            draw_pick_view(app);
+            break;
         case SubsetView::confusable:
-            return draw_too_close_view(app);
+            draw_too_close_view(app);
+            break;
         case SubsetView::stability:
-            return draw_stability_view(app);
+            draw_stability_view(app);
+            break;
     }
+    ImGui::EndChild();
 }
 
 }  // namespace tact

@@ -239,19 +239,18 @@ void draw_too_close_view(App& app) {
     }
     const TooClosePairs& pairs = too_close_pairs(app);
     const auto rows = opened_rows(app);
-    const Rect area = rest_of_pane();
-    if (area.width() < 40.0F || area.height() < 30.0F) return;
+    const bool side_by_side = rest_of_pane().width() > 360.0F * app.theme.scale;
+    const Rect area = rest_or_lines(!rows || side_by_side ? 5.0F : 12.0F);
     // Side by side where there is room, else the open pair below a short list.
     const float gap = app.theme.gap_px;
-    const bool wide = area.width() > 360.0F * app.theme.scale;
-    const ImVec2 list{rows && wide ? 0.46F * area.width() : area.width(),
-                      rows && !wide ? 0.4F * area.height() : area.height()};
+    const ImVec2 list{rows && side_by_side ? 0.46F * area.width() : area.width(),
+                      rows && !side_by_side ? 0.4F * area.height() : area.height()};
     ImGui::BeginChild("left", list);
     draw_pair_list(app, pairs);
     ImGui::EndChild();
     if (!rows) return;
-    const ImVec2 corner = wide ? ImVec2{area.min.x + list.x + gap, area.min.y}
-                               : ImVec2{area.min.x, area.min.y + list.y + gap};
+    const ImVec2 corner = side_by_side ? ImVec2{area.min.x + list.x + gap, area.min.y}
+                                       : ImVec2{area.min.x, area.min.y + list.y + gap};
     ImGui::SetCursorScreenPos(corner);
     ImGui::BeginChild("right", area.max - corner);
     draw_open_pair(app, *rows);
