@@ -1,0 +1,161 @@
+// Actuators: playing on them, how strong they are, and recordings of what they did.
+#include "app/command_line/options.h"
+
+#include <map>
+
+namespace tact {
+
+namespace {
+
+constexpr const char* kDeviceHelp =
+    "id or name of the device, or a part of its name that no other has; see tactspace devices. "
+    "Another one is never played on";
+
+void add_measured_options(CLI::App& sub, std::filesystem::path& set, std::filesystem::path& out,
+                          bool& json) {
+    sub.add_option("SET", set, "the set with the intended patterns")->required();
+    sub.add_option("--out", out, "set file; the waveforms go to measured/ beside it")->required();
+    sub.add_flag("--json", json, "JSON instead of text on standard output");
+}
+
+// A number that is left to the file where the option is not given.
+void add_optional(CLI::App& sub, const char* name, std::optional<double>& target, Range range,
+                  const char* help) {
+    sub.add_option_function<double>(
+           name, [&target](double value) { target = value; }, help)
+        ->check(CLI::Range(range.low, range.high));
+}
+
+}  // namespace
+
+void add_devices_command(CLI::App& app, DevicesCommand& command, Chosen& chosen) {
+    CLI::App& devices = *app.add_subcommand("devices", "what there is to play on");
+    devices.add_flag("--json", command.json, "JSON instead of text");
+    devices.callback([&] { chosen = [&command] { return run(command); }; });
+}
+
+void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen) {
+    CLI::App& play =
+        add_command(app, "play", "patterns on an actuator, to be felt", options, chosen);
+    play.add_option("--pattern", options.pattern, "name of the pattern");
+    play.add_flag("--all", options.all, "every pattern instead, one after the other");
+    play.add_option("--gap", options.gap_s, "silence between two of them, s")
+        ->check(CLI::Range(0.0, 60.0));
+    play.add_option("--device", options.device, kDeviceHelp);
+    play.add_option("--channel", options.channel, "number from 1, or name; else the first");
+    play.add_option("--channels", options.of_channels,
+                    "how many the outputs behind a sound server have")
+        ->check(CLI::Range(1, 8));
+    play.add_option("--level", options.level, "how strong, 0-1; else 0.1")
+        ->check(CLI::Range(0.0, 1.0));
+    play.add_option("--full-scale", options.full_scale_g,
+                    "acceleration that full scale stands for without a calibration, g; else 1")
+        ->check(CLI::Range(1e-3, 1e3));
+    play.add_option("--calibration", options.calibration,
+                    "of this device and channel, as tactspace calibrate makes it: strengths are "
+                    "then true at --level 1");
+    play.add_flag("--loop", options.loop, "until Ctrl+C");
+}
+
+void add_calibrate_command(CLI::App& app, CalibrateCommand& options, Chosen& chosen) {
+    CLI::App& calibrate = *app.add_subcommand(
+        "calibrate", "how strong an actuator is: the signal to play, and what its recording says");
+    auto* signal = calibrate.add_option("--signal", options.signal,
+                                        "WAV file to write, to be played at full level");
+    auto* recording =
+        calibrate.add_option("--recording", options.recording,
+                             "what the sensor recorded meanwhile, in g, begun before it");
+    signal->excludes(recording);
+    calibrate.add_option("--scale", options.scale_g, "g at full scale of a WAV recording, else 1")
+        ->check(CLI::Range(1e-6, 1e6));
+    calibrate.add_flag("--sweep", options.sweep, "a sweep of 20 s instead of tones of 0.6 s");
+    calibrate.add_option("--low", options.low_hz, "lowest frequency, Hz; else 20")
+        ->check(CLI::Range(1.0, 2000.0));
+    calibrate.add_option("--high", options.high_hz, "highest frequency, Hz; else 500")
+        ->check(CLI::Range(1.0, 2000.0));
+    Calibration& about = options.about;
+    calibrate.add_option("--device", about.device, "its id; see tactspace devices");
+    calibrate.add_option("--channel", about.channel, "number from 1")->check(CLI::Range(1, 256));
+    calibrate.add_option("--actuator", about.actuator, "its name");
+    calibrate.add_option("--mounting", about.mounting, "how it is held or fixed");
+    calibrate.add_option("--gain-note", about.gain_note, "settings of amplifier and mixer");
+    calibrate.add_option("--sensor", about.sensor, "what it was recorded with");
+    calibrate.add_option("--date", about.date, "of the measurement, YYYY-MM-DD");
+    calibrate.add_option("--load-mass", about.load_mass_g, "that it moves, g")
+        ->check(CLI::Range(0.0, 1e5));
+    calibrate.add_option("--excursion-limit", about.excursion_limit_mm, "peak, mm")
+        ->check(CLI::Range(0.0, 100.0));
+    calibrate.add_option("--rms-limit", about.rms_limit, "of the drive over a second, 0-1")
+        ->check(CLI::Range(0.0, 1.0));
+    calibrate.add_option("--out", options.out, "calibration file for the table");
+    calibrate.add_flag("--json", options.json, "JSON instead of text on standard output");
+    calibrate.callback([&options, &chosen] {
+        if (options.signal.empty() && options.recording.empty()) {
+            throw CLI::RequiredError("--signal FILE or --recording FILE");
+        }
+        chosen = [&options] { return run(options); };
+    });
+}
+
+void add_import_command(CLI::App& app, ImportCommand& command, Chosen& chosen) {
+    CLI::App& sub = *app.add_subcommand(
+        "import", "recordings of patterns by an accelerometer, each behind its pattern");
+    add_measured_options(sub, command.set, command.out, command.json);
+    sub.add_option("RECORDING", command.recordings,
+                   "tables (.csv, .txt) with or without a time column, or .wav; one or three axes")
+        ->required();
+    sub.add_option("--pattern", command.pattern,
+                   "what all of them measure; else the pattern that a file is named after");
+    const std::map<std::string, AccelerationUnit> units{{"g", AccelerationUnit::g},
+                                                        {"m/s2", AccelerationUnit::m_per_s2},
+                                                        {"V", AccelerationUnit::volt}};
+    sub.add_option_function<std::string>(
+           "--unit",
+           [&command, units](const std::string& unit) { command.options.unit = units.at(unit); },
+           "g, m/s2 or V; else what the table's first line says")
+        ->check(CLI::IsMember({"g", "m/s2", "V"}));
+    const auto range = [](Range of) { return CLI::Range(of.low, of.high); };
+    sub.add_option("--sensitivity", command.options.sensitivity_v_per_g, "of the sensor, V/g")
+        ->check(range(limits::kSensitivityVPerG));
+    sub.add_option("--offset", command.options.offset_v, "of the sensor at 0 g, V")
+        ->check(range(limits::kOffsetV));
+    sub.add_option_function<std::string>(
+           "--axis",
+           [&command](const std::string& axis) {
+               command.options.axis = axis == "all" ? 0 : static_cast<std::size_t>(axis[0] - '0');
+           },
+           "1, 2, 3, or all: three axes made one by DFT321")
+        ->check(CLI::IsMember({"1", "2", "3", "all"}));
+    add_optional(sub, "--rate", command.options.rate_hz, {100.0, 1e7},
+                 "of tables without a time column, Hz");
+    add_optional(sub, "--full-scale", command.options.full_scale, limits::kScaleG,
+                 "of .wav files, in the unit");
+    sub.callback([&] { chosen = [&command] { return run(command); }; });
+}
+
+void add_measure_command(CLI::App& app, MeasureCommand& command, Chosen& chosen) {
+    CLI::App& sub =
+        *app.add_subcommand("measure", "simulated measurements of patterns, labelled synthetic");
+    add_measured_options(sub, command.set, command.out, command.json);
+    sub.add_flag("--simulate", command.simulate,
+                 "by a resonant actuator and a noisy sensor: it is no recording, and says so")
+        ->required();
+    sub.add_option("--pattern", command.pattern, "only this one");
+    const auto number = [&sub](const char* name, double& target, Range range, const char* help) {
+        sub.add_option(name, target, help)
+            ->check(CLI::Range(range.low, range.high))
+            ->capture_default_str();
+    };
+    ActuatorParams& actuator = command.actuator;
+    number("--resonance", actuator.resonance_hz, limits::kResonanceHz, "of the actuator, Hz");
+    number("--q", actuator.q, limits::kResonanceQ, "quality: gain there against far above");
+    number("--gain", actuator.gain, limits::kActuatorGain, "far above the resonance");
+    number("--onset", actuator.onset_s, limits::kOnsetS, "delay of the motion, s");
+    number("--noise", actuator.noise_g, limits::kSensorNoiseG, "of the sensor, g rms");
+    sub.add_option("--seed", actuator.seed, "of the noise")
+        ->check(CLI::Range(limits::kSeed.low, limits::kSeed.high))
+        ->capture_default_str();
+    sub.callback([&] { chosen = [&command] { return run(command); }; });
+}
+
+}  // namespace tact

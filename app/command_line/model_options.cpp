@@ -1,0 +1,104 @@
+// What the model says of a set, and what follows from it.
+#include "app/command_line/options.h"
+
+namespace tact {
+
+void add_predict_command(CLI::App& app, PredictCommand& command, Chosen& chosen) {
+    CLI::App& predict = add_command(
+        app, "predict", "dissimilarity matrix of a set, as labelled CSV", command, chosen);
+    add_rendering(predict, command.common);
+    predict.add_option("--metric", command.metric, "pm unless another of those below")
+        ->check(fault_of_metric);
+    predict.add_option("--out", command.out, "file for the matrix");
+    predict.add_option("--image", command.image, "picture of the matrix, .png or .svg");
+    predict.add_flag("--resume", command.resume,
+                     "go on where a stopped run with the same --out left off: pm, nc and oc");
+    predict.add_flag("--first-as-reference", command.first_as_reference,
+                     "st-sim and spqi: the earlier pattern of a pair is the reference, instead of "
+                     "the mean of both ways");
+    add_only(predict, command.common);
+    predict.footer(list_of_metrics());
+}
+
+void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen) {
+    CLI::App& space =
+        add_command(app, "space", "coordinates of the perceptual space, as CSV", command, chosen);
+    add_rendering(space, command.common);
+    space.add_option("--dim", command.dimensions, "2 or 3")->check(CLI::IsMember({2, 3}));
+    add_only(space, command.common);
+    space.add_option("--starts", command.starts, "random starts besides Torgerson's")
+        ->check(CLI::Range(0, 100'000));
+    space.add_option("--out", command.out, "file for the coordinates");
+    space.add_option("--image", command.image, "picture of the space, .png or .svg");
+}
+
+void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen) {
+    CLI::App& subset = add_command(app, "subset", "the k most distinct patterns of a set, proven",
+                                   command, chosen);
+    subset.add_option("-k,--count", command.count, "how many to pick")
+        ->required()
+        ->check(CLI::Range(2, 10'000));
+    subset
+        .add_option("--objective", command.objective,
+                    "max-min: the weakest pair as far apart as can be; max-sum: all pairs together")
+        ->check(CLI::IsMember({"max-min", "max-sum"}));
+    subset.add_option("--keep", command.keep, "a pattern to pick, as are locked ones; repeatable")
+        ->allow_extra_args(false);
+    subset.add_option("--drop", command.drop, "a pattern not to pick; repeatable")
+        ->allow_extra_args(false);
+    CLI::Option* metric =
+        subset.add_option("--metric", command.metric, "pm unless another of those below")
+            ->check(fault_of_metric);
+    CLI::Option* matrix =
+        subset.add_option("--matrix", command.matrix, "dissimilarities from a CSV file, by names");
+    CLI::Option* ratings =
+        subset.add_option("--ratings", command.ratings, "dissimilarities as people rated them");
+    matrix->excludes(metric)->excludes(ratings);
+    ratings->excludes(metric);
+    subset.add_option("--time-limit", command.time_limit_s, "s; else 60")
+        ->check(CLI::NonNegativeNumber);
+    subset.add_option("--alternatives", command.alternatives, "how many of the next best to list")
+        ->check(CLI::Range(0, 1000));
+    subset.add_flag("--curve", command.curve, "also the weakest pair for other counts");
+    subset
+        .add_option("--sensitivity", command.draws,
+                    "draws of what is uncertain in the model: how often each pattern is picked")
+        ->check(CLI::Range(0, 100'000));
+    subset.add_option("--out", command.out, "a set file for the subset");
+    subset.add_option("--report", command.report,
+                      "a folder for the subset, a page about it and the map");
+    subset.footer(list_of_metrics());
+}
+
+void add_separate_command(CLI::App& app, SeparateCommand& command, Chosen& chosen) {
+    CLI::App& separate = add_command(
+        app, "separate", "the smallest changes that part two patterns people may confuse", command,
+        chosen);
+    separate.add_option("--pair", command.pair, "names of the two, with a comma between")
+        ->required();
+    separate.add_option("--change", command.change,
+                        "the one of them to change; else either that is not locked");
+    separate
+        .add_option("--among", command.among,
+                    "a pattern to keep away from, such as one of a subset; repeatable; else all")
+        ->allow_extra_args(false);
+    CLI::Option* closest =
+        separate
+            .add_option("--closest", command.percent,
+                        "%, else 5: a change must bring the pattern farther from all that count "
+                        "than so many of the pairs are apart, and than the pair is")
+            ->check(CLI::Range(0.0, 100.0));
+    separate.add_option("--threshold", command.threshold, "instead farther than this PM")
+        ->check(CLI::NonNegativeNumber)
+        ->excludes(closest);
+}
+
+void add_findings_command(CLI::App& app, FindingsCommand& command, Chosen& chosen) {
+    CLI::App& findings =
+        *app.add_subcommand("findings", "what the publication found, checked one by one");
+    add_threads(findings, command.threads);
+    findings.add_flag("--json", command.json, "JSON instead of text");
+    findings.callback([&] { chosen = [&command] { return run(command); }; });
+}
+
+}  // namespace tact

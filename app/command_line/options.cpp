@@ -1,0 +1,72 @@
+#include "app/command_line/options.h"
+
+#include "devices/rendering.h"
+#include "model/metric.h"
+
+namespace tact {
+
+void add_threads(CLI::App& command, int& threads) {
+    command.add_option("--threads", threads, "threads to use; 0: all cores")
+        ->check(CLI::Range(0, 1024));
+}
+
+void add_common(CLI::App& command, CommonOptions& options) {
+    command.add_option("SET", options.sets, kSetHelp)->required();
+    add_threads(command, options.threads);
+    command.add_flag("--json", options.json, "JSON instead of CSV on standard output");
+    command.add_option("--model", options.model,
+                       "file of model parameters, as train writes it, instead of the set's own");
+}
+
+void add_ratings(CLI::App& command, RatingFiles& ratings) {
+    command.add_option("--ratings", ratings.files,
+                       "files of ratings, one a participant, or a folder of them; for several "
+                       "sets a file or folder each. Without it, the ratings in the set file");
+    command
+        .add_option("--scale", ratings.scale,
+                    "what a high rating means: similarity (0-100), dissimilarity, or guess")
+        ->check(CLI::IsMember({"guess", "similarity", "dissimilarity"}));
+}
+
+void add_rendering(CLI::App& command, CommonOptions& options) {
+    std::vector<std::string> keys;
+    for (const ActuatorKind kind : kActuatorKinds) keys.emplace_back(traits(kind).key);
+    command
+        .add_option("--rendered-by", options.rendered_by,
+                    "the patterns as this kind of device plays them")
+        ->check(CLI::IsMember(keys));
+    command
+        .add_option("--full-scale", options.full_scale_g,
+                    "acceleration that the device's full scale stands for, g; else 1")
+        ->check(CLI::Range(kFullScaleRangeG.low, kFullScaleRangeG.high));
+}
+
+void add_only(CLI::App& command, CommonOptions& options) {
+    command
+        .add_option_function<std::string>(
+            "--only",
+            [&options](const std::string& side) {
+                options.only = side == "measured" ? Side::measured : Side::intended;
+            },
+            "intended or measured: leaves out the measured twins, or all else; compare holds a "
+            "twin against the ratings of the pattern that it measures")
+        ->check(CLI::IsMember({"intended", "measured"}));
+}
+
+std::string fault_of_metric(const std::string& key) {
+    const Expected<Metric> metric = metric_named(key);
+    return metric ? "" : metric.error().message;
+}
+
+std::string list_of_metrics() {
+    std::string list = "Metrics:";
+    for (const Metric metric : kMetrics) {
+        const MetricTraits& about = traits(metric);
+        const std::string key = about.key;
+        list += "\n  " + key + std::string(15 - key.size(), ' ') + about.description;
+        if (about.is_reference) list += " (a reference, not from the paper)";
+    }
+    return list;
+}
+
+}  // namespace tact

@@ -1,0 +1,70 @@
+// The options of the subcommands: what each adds to the command line, and what several share.
+//
+// Included by the files named *_options.cpp and by command_line.cpp alone, as CLI11 takes seconds
+// to compile. What an option sets lives in the command; `chosen` becomes the work of the one that
+// is given.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "app/command_line/commands.h"
+
+namespace tact {
+
+using Chosen = std::function<Expected<Done>()>;
+
+inline constexpr const char* kSetHelp =
+    "a .tactspace.json file, a folder of .txt or .wav files, or single .txt and .wav files";
+
+void add_threads(CLI::App& command, int& threads);
+void add_common(CLI::App& command, CommonOptions& options);
+void add_ratings(CLI::App& command, RatingFiles& ratings);
+
+// The patterns as a device plays them, in the place of what was meant.
+void add_rendering(CLI::App& command, CommonOptions& options);
+
+// For the commands whose answer two sides of a set can be compared by.
+void add_only(CLI::App& command, CommonOptions& options);
+
+// Empty where there is such a metric, as CLI11 wants it.
+std::string fault_of_metric(const std::string& key);
+std::string list_of_metrics();
+
+// Registers a subcommand whose options live in `command`; `chosen` is set to its work.
+template <class Command>
+CLI::App& add_command(CLI::App& app, const char* name, const char* help, Command& command,
+                      Chosen& chosen) {
+    CLI::App& sub = *app.add_subcommand(name, help);
+    add_common(sub, command.common);
+    sub.callback([&] { chosen = [&command] { return run(command); }; });
+    return sub;
+}
+
+// model_options.cpp
+void add_predict_command(CLI::App& app, PredictCommand& command, Chosen& chosen);
+void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen);
+void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen);
+void add_separate_command(CLI::App& app, SeparateCommand& command, Chosen& chosen);
+void add_findings_command(CLI::App& app, FindingsCommand& command, Chosen& chosen);
+
+// pattern_options.cpp
+void add_stages_command(CLI::App& app, StagesCommand& command, Chosen& chosen);
+void add_render_command(CLI::App& app, RenderCommand& command, Chosen& chosen);
+void add_generate_command(CLI::App& app, GenerateCommand& command, Chosen& chosen);
+void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chosen);
+
+// actuator_options.cpp
+void add_devices_command(CLI::App& app, DevicesCommand& command, Chosen& chosen);
+void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen);
+void add_calibrate_command(CLI::App& app, CalibrateCommand& options, Chosen& chosen);
+void add_import_command(CLI::App& app, ImportCommand& command, Chosen& chosen);
+void add_measure_command(CLI::App& app, MeasureCommand& command, Chosen& chosen);
+
+// people_options.cpp
+void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen);
+void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen);
+void add_train_command(CLI::App& app, TrainCommand& command, Chosen& chosen);
+
+}  // namespace tact

@@ -1,0 +1,104 @@
+// Patterns: their stages, waveforms, pictures, and candidates for more of them.
+#include "app/command_line/options.h"
+
+#include "app/frame_sequence.h"
+#include "app/stages.h"
+
+namespace tact {
+
+namespace {
+
+constexpr const char* kGenerateHelp =
+    "SPEC, with any key left out taking its default:\n"
+    "  {\"design\": \"factorial\", \"amplitude_g\": [0.5, 1],\n"
+    "   \"carriers\": [{\"frequency_hz\": {\"from\": 60, \"to\": 240, \"steps\": 3, "
+    "\"spacing\": \"log\"}}],\n"
+    "   \"modulation\": {\"frequency_hz\": [0, 8]}, \"rhythm\": {\"texts\": [\"\", "
+    "\"x=--x---\"]},\n"
+    "   \"constraints\": {\"band_hz\": [40, 400], \"detectable_db\": 6}}\n"
+    "A number is fixed, an array lists levels, an object is a range. The designs\n"
+    "\"latin-hypercube\" and \"sobol\" take \"samples\" and \"seed\".";
+
+constexpr const char* kSnapshotHelp =
+    "a view as a picture, without a window; with --frames, as many as make a film";
+
+constexpr const char* kFilmHelp =
+    "A film of a folder of frames:\n"
+    "  ffmpeg -framerate 30 -i FOLDER/frame_%04d.png -pix_fmt yuv420p film.mp4";
+
+void add_moment_options(CLI::App& snapshot, SnapshotCommand& command) {
+    snapshot.add_option("--at", command.at_s, "where the playhead is, s; else 0");
+    snapshot
+        .add_option("--frames", command.frames,
+                    "draws so many pictures over time into the folder --out: frame_0001.png ...")
+        ->check(CLI::Range(1, kMostFrames));
+    snapshot.add_option("--from", command.from_s, "time of the first frame, s; else 0");
+    snapshot.add_option("--to", command.to_s,
+                        "time at which the last frame ends, s; else the end of the pattern");
+    snapshot.footer(kFilmHelp);
+}
+
+}  // namespace
+
+void add_stages_command(CLI::App& app, StagesCommand& command, Chosen& chosen) {
+    CLI::App& stages =
+        add_command(app, "stages", "every stage of neural coding, as CSV files", command, chosen);
+    add_rendering(stages, command.common);
+    stages.add_option("--pattern", command.pattern, "name of the pattern")->required();
+    stages.add_option("--out", command.out, "folder for the files")->required();
+}
+
+void add_render_command(CLI::App& app, RenderCommand& command, Chosen& chosen) {
+    CLI::App& render =
+        add_command(app, "render", "waveforms of all patterns, a file each", command, chosen);
+    add_rendering(render, command.common);
+    render.add_option("--format", command.format, "wav, txt or csv")
+        ->check(CLI::IsMember({"wav", "txt", "csv"}));
+    render.add_option("--out", command.out, "folder for the files")->required();
+}
+
+void add_generate_command(CLI::App& app, GenerateCommand& command, Chosen& chosen) {
+    CLI::App& generate = *app.add_subcommand(
+        "generate", "candidate patterns from levels and ranges of their parameters");
+    generate
+        .add_option("SPEC", command.spec,
+                    "a .json file with a generator, or a set file that has one: its own patterns "
+                    "stay, those generated before are replaced")
+        ->required();
+    generate.add_option("--out", command.out, "set file for the patterns");
+    generate.add_flag("--count", command.count, "only say how many patterns it makes");
+    generate.add_flag("--json", command.json, "JSON instead of text on standard output");
+    generate.footer(kGenerateHelp);
+    generate.callback([&] {
+        if (command.out.empty() && !command.count) {
+            throw CLI::RequiredError("--out SET or --count");
+        }
+        chosen = [&command] { return run(command); };
+    });
+}
+
+void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chosen) {
+    CLI::App& snapshot = add_command(app, "snapshot", kSnapshotHelp, command, chosen);
+    add_rendering(snapshot, command.common);
+    snapshot
+        .add_option("--view", command.view, "window, physiology, wave, spectrum, matrix or space")
+        ->check(CLI::IsMember({"window", "physiology", "wave", "spectrum", "matrix", "space"}));
+    snapshot.add_option("--pattern", command.pattern, "pattern to show; else the first");
+    snapshot.add_option("--with", command.with, "another pattern to compare it with");
+    std::vector<std::string> keys;
+    for (const Stage stage : kStages) keys.emplace_back(text_of(stage).key);
+    snapshot.add_option("--stage", command.stage, "the stage to show large; else all of them")
+        ->check(CLI::IsMember(keys));
+    snapshot.add_flag("--tilted", command.tilted, "the receptors seen from the side");
+    add_moment_options(snapshot, command);
+    snapshot.add_option("--theme", command.theme, "dark or light")
+        ->check(CLI::IsMember({"dark", "light"}));
+    snapshot.add_option("--width", command.width, "pixels")->check(CLI::Range(64, 8192));
+    snapshot.add_option("--height", command.height, "pixels")->check(CLI::Range(64, 8192));
+    snapshot.add_option("--scale", command.scale, "size of text and marks, 0.75-4")
+        ->check(CLI::Range(0.75, 4.0));
+    snapshot.add_option("--out", command.out, "file, .png or .svg; with --frames a folder")
+        ->required();
+}
+
+}  // namespace tact

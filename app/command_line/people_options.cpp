@@ -1,0 +1,102 @@
+// People: comparing with what they said, asking them, and fitting the model to them.
+#include "app/command_line/options.h"
+
+#include "model/study_design.h"
+
+namespace tact {
+
+namespace {
+
+void add_study_design(CLI::App& study, StudyCommand& command) {
+    const auto range = [](Range limits) { return CLI::Range(limits.low, limits.high); };
+    CLI::App& design = *study.add_option_group("Design", "in place of the design in the set");
+    design.add_option("--seed", command.seed, "of orders, sides and simulated answers")
+        ->check(range(limits::kStudySeed));
+    design.add_option("--repetitions", command.repetitions, "of every pair; the publication: 4")
+        ->check(range(limits::kRepetitions));
+    design.add_option("--attention", command.attention_pairs, "pairs of identical patterns")
+        ->check(range(limits::kAttentionPairs));
+    design.add_flag("--adaptive", command.adaptive,
+                    "pairs in an order that settles the map early; not the publication's design");
+    design.add_flag("--sorting", command.sorting,
+                    "patterns sorted into groups, not rated by pairs");
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen) {
+    CLI::App& compare = add_command(
+        app, "compare", "how well metrics agree with people: rho and K of each", options, chosen);
+    add_rendering(compare, options.common);
+    add_ratings(compare, options.ratings);
+    compare.add_option("--metric", options.metrics, "only these of those below")
+        ->check(fault_of_metric);
+    add_only(compare, options.common);
+    compare.footer(list_of_metrics());
+    compare.add_flag("--paper-mode", options.paper_mode,
+                     "digits and averages as in Table 2 of Lim & Park 2023");
+}
+
+void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
+    CLI::App& study = add_command(
+        app, "study", "a rating study: simulate participants, or collect what they said", command,
+        chosen);
+    CLI::App& task = *study.add_option_group("Task");
+    task.add_option("--simulate", command.simulate, "so many synthetic participants into --out DIR")
+        ->check(CLI::Range(1, 1000));
+    task.add_option("--collect", command.collect,
+                    "a folder of participants' files: who counts, "
+                    "how far they agree, and their mean matrix");
+    task.require_option(1);
+    study.add_option("--out", command.out,
+                     "folder for simulated participants; file for collected ratings, .csv");
+    add_study_design(study, command);
+    CLI::App& crowd = *study.add_option_group("Simulated", "participants that are none");
+    crowd.add_option("--noise", command.noise, "standard deviation of a rating, points of 100")
+        ->check(CLI::Range(0.0, 100.0));
+    crowd.add_option("--bias", command.bias, "points added to every similarity")
+        ->check(CLI::Range(-100.0, 100.0));
+    crowd.add_option("--lapses", command.lapses, "share of trials that each answers blindly")
+        ->check(CLI::Range(0.0, 1.0));
+    crowd
+        .add_option("--inattentive", command.inattentive,
+                    "share of participants who answer blindly throughout")
+        ->check(CLI::Range(0.0, 1.0));
+    auto* map = crowd.add_option("--from-map", command.from_map,
+                                 "coordinates that they feel by, as of tactspace space");
+    crowd.add_option("--from-matrix", command.from_matrix, "dissimilarities that they feel by")
+        ->excludes(map);
+    CLI::App& rule = *study.add_option_group("Collected", "who counts, and what is written");
+    rule.add_option("--above", command.attention_above,
+                    "similarity that identical patterns must exceed; the publication: 80")
+        ->check(CLI::Range(0.0, 100.0));
+    rule.add_option("--failures", command.failures_allowed, "identical pairs that may be missed")
+        ->check(CLI::Range(0, 100));
+    rule.add_flag("--unfinished", command.unfinished, "count who did not come to the end, too");
+    rule.add_flag("--everyone", command.everyone, "write excluded participants as well, marked");
+    rule.add_option("--scaling", command.scaling, "of each participant: none, min-max or standard")
+        ->check(CLI::IsMember({"none", "min-max", "standard"}));
+    rule.add_option("--matrix", command.matrix, "file for the mean matrix, .csv");
+}
+
+void add_train_command(CLI::App& app, TrainCommand& command, Chosen& chosen) {
+    CLI::App& train = add_command(
+        app, "train", "the parameters of the model that agree best with ratings", command, chosen);
+    add_rendering(train, command.common);
+    add_only(train, command.common);
+    add_ratings(train, command.ratings);
+    train
+        .add_option("--objective", command.objective,
+                    "mean over the sets of Spearman's rho, or of its size: mean-rho, mean-abs-rho")
+        ->check(CLI::IsMember({"mean-rho", "mean-abs-rho"}));
+    train.add_option("--step", command.step, "of the weights from 0 to 1; 0.1 as published")
+        ->check(fault_of_step);
+    train
+        .add_option("--leave-out", command.leave_out,
+                    "fit without each of them and try on it: sets or participants")
+        ->check(CLI::IsMember({"sets", "participants"}));
+    train.add_option("--out", command.out,
+                     "file for the parameters, for --model of other commands and the model bench");
+}
+
+}  // namespace tact
