@@ -2,30 +2,19 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "five_patterns.h"
 #include "model/metric.h"
 #include "run_program.h"
 #include "temporary_folder.h"
 
+using tact::five_patterns;
 using Json = nlohmann::json;
 
 namespace {
 
-// Five short patterns, as DTW is quadratic, that are not alike.
-constexpr const char* kSet = R"({"tactspace": 1, "name": "five", "duration_s": 0.1, "patterns": [
-    {"name": "v 1", "amplitude_g": 1.6, "carriers": [{"frequency_hz": 70}]},
-    {"name": "v 2", "carriers": [{"frequency_hz": 150}], "modulation": {"frequency_hz": 20}},
-    {"name": "v 3", "carriers": [{"frequency_hz": 250}], "rhythm": {"text": "x-", "unit_s": 0.02}},
-    {"name": "v 10", "amplitude_g": 0.3, "carriers": [{"frequency_hz": 40}]},
-    {"name": "v 11", "carriers": [{"frequency_hz": 70}, {"frequency_hz": 210}]}]RATINGS})";
-
-std::string set_with(const std::string& ratings) {
-    std::string text = kSet;
-    return text.replace(text.find("RATINGS"), 7, ratings);
-}
-
 struct Study {
     TemporaryFolder folder;
-    std::string set = folder.write("five.tactspace.json", set_with("")).string();
+    std::string set = folder.write("five.tactspace.json", five_patterns()).string();
     std::string ratings =
         folder.write("mean.csv", output_of({"predict", set, "--metric", "nc"})).string();
 
@@ -133,7 +122,7 @@ TEST_CASE("compare: several sets, each with its ratings, and their means") {
 TEST_CASE("compare: ratings in the set file serve where none are named") {
     const Study study;
     const std::string own = study.written(
-        "own.json", set_with(R"(, "ratings": [{"name": "us", "labels": ["v 11", "v 10", "v 3",
+        "own.json", five_patterns(R"(, "ratings": [{"name": "us", "labels": ["v 11", "v 10", "v 3",
             "v 2", "v 1"], "condensed": [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]}])"));
     CHECK(output_of({"compare", own, "--metric", "oc"})
               .starts_with("five: 5 patterns, 10 of 10 pairs rated\n"));

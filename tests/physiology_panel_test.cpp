@@ -5,7 +5,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "app/tour.h"
 #include "model/io/set_file.h"
 #include "program.h"
 #include "run_program.h"
@@ -27,16 +26,8 @@ PatternSet rich_patterns() {
     return set;
 }
 
-struct Physiology : Program {
-    explicit Physiology(const PatternSet& set = rich_patterns()) : Program(set) {
-        wait_for_stages();
-    }
-    ~Physiology() {
-        app.full_job.reset();
-        app.preview_job.reset();
-        app.stages_job.reset();
-        app.pinned_job.reset();
-    }
+struct Physiology : ProgramWithStages {
+    explicit Physiology(const PatternSet& set = rich_patterns()) : ProgramWithStages(set) {}
 
     ImVec2 in_row(const std::string& id, float share) const {
         const Place& row = at("plot:" + id);
@@ -361,60 +352,4 @@ TEST_CASE("physiology: silence, saturation, nothing at all and an edit under way
     CHECK(program.shows("plot:brain"));
     Program empty((PatternSet()));
     CHECK_FALSE(empty.shows("plot:brain"));
-}
-
-TEST_CASE("model bench: a weight is changed, marked, undone, and brought back by one click") {
-    Physiology program;
-    program.app.layout.maximised = Pane::matrix;
-    program.frame();
-    program.click("tab:Model");
-    const Place bar = program.at("slider:weight_FA1");
-    program.drag({bar.middle().x, bar.middle().y}, {bar.max.x - 3.0F, bar.middle().y}, 3);
-    CHECK(program.app.document.set.model.channel_weight[0] == 1.0);
-    CHECK(program.at("model:changed").value == "1");
-    program.wait_for_stages();
-    CHECK(program.app.stages->request.model.channel_weight[0] == 1.0);
-    program.press('z', true);
-    CHECK(program.app.document.set.model == PerceptualModelParams{});
-    program.press('z', true, true);
-    program.click("reset:weight_FA1");
-    CHECK(program.app.document.set.model == PerceptualModelParams{});
-    program.click("choice:skin_input acceleration");
-    CHECK(program.app.document.set.model.coding.skin_input == SkinInput::acceleration);
-    program.click("reset:model");
-    CHECK(program.app.document.set.model == PerceptualModelParams{});
-    CHECK_FALSE(program.shows("model:changed"));
-}
-
-TEST_CASE("tour: it goes from start to end, and leaves the document and the view as they were") {
-    Physiology program;
-    program.app.time_range = {0.0, 0.05};
-    program.app.physiology.open = Stage::envelope;
-    program.frame();
-    program.click("start tour");
-    for (std::size_t step = 1; step < tour_steps().size(); ++step) {
-        REQUIRE(program.app.tour.step == step - 1);
-        program.click("tour:next");
-        for (int k = 0; k < 3; ++k) program.frame();
-    }
-    program.wait_for_stages();
-    CHECK(program.shows("plot:brain pinned"));
-    program.click("tour:finish");
-    CHECK_FALSE(program.shows("tour"));
-    CHECK(program.app.physiology.open == Stage::envelope);
-    CHECK(program.app.time_range == TimeRange{0.0, 0.05});
-    CHECK(program.app.document.set == rich_patterns());
-    CHECK(program.app.history.undo_label() == nullptr);
-    CHECK(program.app.tour.left_at == 0);
-}
-
-TEST_CASE("tour: left half way, it is taken up there") {
-    Physiology program;
-    program.click("start tour");
-    for (int k = 0; k < 4; ++k) program.click("tour:next");
-    program.press_key(key::kEscape);
-    CHECK_FALSE(program.shows("tour"));
-    program.click("start tour");
-    CHECK(program.app.tour.step == 4U);
-    CHECK(program.app.physiology.open == Stage::receptors);
 }

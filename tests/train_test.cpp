@@ -2,35 +2,26 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "five_patterns.h"
 #include "run_program.h"
 #include "temporary_folder.h"
 
+using tact::five_patterns;
 using Json = nlohmann::json;
 
 namespace {
 
-constexpr const char* kSet = R"({"tactspace": 1, "name": "five", "duration_s": 0.1, "patterns": [
-    {"name": "v 1", "amplitude_g": 1.6, "carriers": [{"frequency_hz": 70}]},
-    {"name": "v 2", "carriers": [{"frequency_hz": 150}], "modulation": {"frequency_hz": 20}},
-    {"name": "v 3", "carriers": [{"frequency_hz": 250}], "rhythm": {"text": "x-", "unit_s": 0.02}},
-    {"name": "v 4", "amplitude_g": 0.3, "carriers": [{"frequency_hz": 40}]},
-    {"name": "v 5", "carriers": [{"frequency_hz": 70}, {"frequency_hz": 210}]}]MODEL})";
-
-std::string set_with(const std::string& model) {
-    std::string text = kSet;
-    return text.replace(text.find("MODEL"), 5, model);
-}
-
 // Ratings that are the predictions of a model with planted parameters.
 struct Planted {
     TemporaryFolder folder;
-    std::string set = folder.write("five.tactspace.json", set_with("")).string();
-    std::string planted = folder
-                              .write("planted.tactspace.json",
-                                     set_with(R"(, "model": {"coding": {"excitatory_layers": 1},
+    std::string set = folder.write("five.tactspace.json", five_patterns()).string();
+    std::string planted =
+        folder
+            .write("planted.tactspace.json",
+                   five_patterns(R"(, "model": {"coding": {"excitatory_layers": 1},
                             "channel_weight": {"meissner": 1, "pacinian": 0.5, "ruffini": 0.5},
                             "nc_weight": 1, "oc_weight": 0.5})"))
-                              .string();
+            .string();
     std::string ratings = folder.write("said.csv", output_of({"predict", planted})).string();
     std::string out = (folder.path / "params.json").string();
 };
