@@ -19,6 +19,15 @@ namespace tact {
 
 namespace {
 
+// "0.8 s", "4.7 min".
+std::string time_taken(double seconds) {
+    char text[32];
+    const bool minutes = seconds >= 99.5;
+    const double value = minutes ? seconds / 60.0 : seconds;
+    std::snprintf(text, sizeof text, minutes ? "%.2g min" : "%.2g s", value);
+    return text;
+}
+
 // "exact in 0.8 s", "preview", "computing 40 %": what the numbers on screen are.
 std::string map_state_text(const App& app) {
     char text[96];
@@ -33,8 +42,7 @@ std::string map_state_text(const App& app) {
             return "map waits";
         case MapState::exact:
             if (app.map.shown->seconds <= 0.0) return "exact";
-            std::snprintf(text, sizeof text, "exact, %.2g s", app.map.shown->seconds);
-            return text;
+            return "exact, " + time_taken(app.map.shown->seconds);
         case MapState::preview:
             std::snprintf(text, sizeof text, "preview; exact %d %%", percent);
             return text;
