@@ -41,6 +41,7 @@ void draw_ask(App& app) {
                       static_cast<int>(100.0F * state.stability_job->progress()));
         dim_text(app, text);
         ImGui::SameLine();
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y);
         if (link(app, "cancel stability", "Cancel")) state.stability_job->cancel();
         note_item(app.rects, "link:cancel stability");
     } else if (!possible) {
