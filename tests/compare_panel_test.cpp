@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "app/bench_follow.h"
+#include "app/import_follow.h"
 #include "model/io/set_file.h"
 #include "program.h"
 #include "run_program.h"
@@ -373,4 +374,21 @@ TEST_CASE("findings: they are checked on request, and can be cancelled") {
     bench.wait_until([&] { return !bench.program.app.findings_job->busy(); });
     CHECK(bench.program.app.findings == nullptr);
     CHECK(bench.program.shows("button:check findings"));
+}
+
+TEST_CASE("compare: ratings of the patterns alone can be held against either side of their twins") {
+    Bench bench(with_synthetic_twins(short_patterns(4), {}));
+    bench.load(",p1,p2,p3,p4\np1,0,1,2,3\np2,1,0,4,5\np3,2,4,0,6\np4,3,5,6,0\n");
+    bench.wait_for_comparison();
+    CHECK(bench.program.shows("compare:fault"));
+    bench.program.click("button:measured only");
+    CHECK(shown_side(bench.program.app) == Side::measured);
+    bench.wait_for_comparison();
+    REQUIRE(bench.program.app.comparison->people);
+    CHECK_FALSE(bench.program.shows("compare:fault"));
+    show_side(bench.program.app, Side::both);
+    bench.wait_for_comparison();
+    bench.program.click("button:intended only");
+    bench.wait_for_comparison();
+    CHECK(bench.program.app.comparison->people);
 }

@@ -1,11 +1,13 @@
 // Metrics beside what people said: the table, the pairs that disagree, and the paper's findings.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <set>
 
 #include "app/bench_follow.h"
+#include "app/import_follow.h"
 #include "app/panels/metric_choice.h"
 #include "app/panels/panels.h"
 #include "app/widgets.h"
@@ -316,11 +318,25 @@ void draw_pairs(App& app, const Comparison& comparison) {
     draw_list(app, comparison, row, {{left.max.x + app.theme.gap_px, area.min.y}, area.max});
 }
 
+// People rate intended patterns: beside their twins each of the two sides can be held against that.
+void draw_sides(App& app) {
+    const bool has_twins = std::ranges::any_of(app.document.set.vibrations, measures_another);
+    if (shown_side(app) != Side::both || !has_twins) return;
+    coloured_text(app.theme.dim_text,
+                  "Patterns and their measured twins are shown together. Compare either side with "
+                  "the ratings of the patterns:");
+    if (ImGui::Button("Intended only")) show_side(app, Side::intended);
+    note_item(app.rects, "button:intended only");
+    flow_on(button_width("Measured only"), app.theme.gap_px);
+    if (ImGui::Button("Measured only")) show_side(app, Side::measured);
+    note_item(app.rects, "button:measured only");
+}
+
 void draw_no_ratings(App& app, const Comparison& comparison) {
     if (!comparison.fault.empty()) {
         coloured_text(app.theme.warning, "The ratings do not fit the set: " + comparison.fault);
         note_item(app.rects, "compare:fault", comparison.fault);
-        return;
+        return draw_sides(app);
     }
     ImGui::TextWrapped(
         "What did people say of these patterns? With their ratings this table tells which metric "
