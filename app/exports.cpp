@@ -46,6 +46,12 @@ std::vector<Stage> stages_to_export(const App& app) {
     return {kStages.begin(), kStages.end()};
 }
 
+// ", as a Joy-Con plays them, uncalibrated": goes with every number of what a device plays.
+std::string as_played(const App& app) {
+    const std::string words = rendered_words(app.rendering);
+    return words.empty() ? "" : ", " + words;
+}
+
 void draw_waiting_picture(App& app) {
     const fs::path file = std::exchange(app.exports.picture, {});
     PictureSize size = app.exports.picture_size;
@@ -100,7 +106,8 @@ void export_stages_dialog(App& app) {
                              : "Export all stages as CSV into a folder";
     app.chooser.extensions = {".csv"};
     ask_where(app, ChooserPurpose::export_stages,
-              file_word(current_vibration(app)->name) + " stages", std::move(written));
+              file_word(current_vibration(app)->name) + " stages" + as_played(app),
+              std::move(written));
 }
 
 void choose_picture(App& app) {
@@ -124,7 +131,10 @@ void export_stages(App& app, const fs::path& folder) {
     if (current_vibration(app) == nullptr) return;
     if (const auto made = make_folder(folder); !made) return complain(app, made.error().message);
     const PatternSet& set = app.document.set;
-    const Waveform waveform = padded(waveform_of(*current_vibration(app)), longest_samples(set));
+    // What is on the screen.
+    Waveform played = waveform_of(*current_vibration(app));
+    if (const auto by = rendered_by(app.rendering)) played = rendering(*by, played).waveform;
+    const Waveform waveform = padded(played, longest_samples(set));
     const StageValues values = stage_values(waveform, set.model);
     std::size_t count = 0;
     for (const Stage stage : stages_to_export(app)) {
@@ -135,7 +145,7 @@ void export_stages(App& app, const fs::path& folder) {
         }
     }
     say(app, "Exported " + std::to_string(count) + (count == 1 ? " file" : " files") + " into " +
-                 folder.string());
+                 folder.string() + as_played(app));
 }
 
 void export_animation(App& app, const fs::path& folder) {

@@ -9,6 +9,7 @@
 #include "app/folders.h"
 #include "app/map_follow.h"
 #include "app/pictures.h"
+#include "app/rendered_set.h"
 #include "app/subset_follow.h"
 #include "app/subset_state.h"
 #include "model/io/atomic_file.h"
@@ -123,6 +124,9 @@ std::string report_text(const SubsetReport& report) {
             name(best.weakest.second) + ", " + report.quantity + " " +
             significant(best.weakest_dissimilarity, 4) + "; all pairs together " +
             significant(best.sum, 6) + ". " + proof_sentence(report) + "\n\n";
+    if (!report.origin.empty()) {
+        text += "Distances are of the patterns " + report.origin + ".\n\n";
+    }
     std::string locked;
     for (const std::size_t member : best.members) {
         if (all[member].locked) locked += (locked.empty() ? "" : ", ") + name(member);
@@ -181,6 +185,8 @@ void continue_subset_export(App& app) {
     const LiveMap& map = *pick->request.map;
     const std::string quantity =
         pick->request.by_ratings ? "Rating" : traits(pick->request.metric).name;
+    const auto& by = map.request.rendered_by;
+    const std::string origin = by && !pick->request.by_ratings ? words_on(*by) : "";
     const SubsetReport report{*map.request.set,
                               *pick->dissimilarity,
                               quantity,
@@ -188,7 +194,8 @@ void continue_subset_export(App& app) {
                               answer,
                               map.space,
                               "PM",
-                              weakest_of_best};
+                              weakest_of_best,
+                              origin};
     if (const auto written = write_subset(folder, report); !written) {
         return complain(app, "Not exported: " + written.error().message);
     }

@@ -26,6 +26,7 @@ struct SubsetReport {
     const PerceptualSpace& space;             // of the whole set ...
     std::string space_of = "PM";              // ... by this
     std::optional<double> weakest_of_best{};  // where `answer.best` is an alternative to it
+    std::string origin{};  // "as a Joy-Con plays them, uncalibrated"; empty: as they are meant
 };
 
 // The page, Markdown.

@@ -160,6 +160,24 @@ TEST_CASE("exports: stages from the window are the files of tactspace stages, by
     }
 }
 
+TEST_CASE("exports: stages of what a device plays are of that, and their folder says so") {
+    Exporting exporting;
+    Program& program = exporting.program;
+    save_as(program.app, exporting.set_file);
+    program.app.rendering.by = {ActuatorKind::dualshock_4, 1.0};
+    program.app.rendering.on = true;
+    exporting.run("Export stage as CSV...");
+    const std::string name = "p1 stages, as a DualShock 4 plays them, uncalibrated";
+    CHECK(program.app.chooser.name == name);
+    exporting.answer(name);
+    CHECK(contains(exporting.status(), "as a DualShock 4 plays them, uncalibrated"));
+    const fs::path from_command = exporting.folder.path / "command";
+    output_of({"stages", exporting.set_file.string(), "--pattern", "p1", "--rendered-by",
+               "dualshock-4", "--out", from_command.string()});
+    CHECK((bytes_of(exporting.folder.path / name / "input.csv") ==
+           bytes_of(from_command / "input.csv")));
+}
+
 TEST_CASE("exports: of an open stage only its own files, and none replaced unasked") {
     Exporting exporting;
     Program& program = exporting.program;
