@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/parallel.h"
+#include "viz/plot.h"
 
 namespace tact {
 
@@ -28,7 +29,16 @@ std::shared_ptr<const Waveform> known(const Vibration& vibration, std::size_t pl
 }  // namespace
 
 std::string words_on(const RenderedBy& by) {
-    return std::string("as a ") + traits(by.kind).name + " plays them, uncalibrated";
+    return std::string("as a ") + traits(by.kind).name + " plays them, " +
+           (is_calibrated(by) ? "calibrated" : "uncalibrated");
+}
+
+std::string strength_words(const RenderedBy& by) {
+    if (!is_calibrated(by)) return "full scale stands for " + significant(by.full_scale_g) + " g";
+    const Calibration& made = *by.calibration;
+    std::string words = "by the calibration";
+    if (!made.actuator.empty()) words += " of " + made.actuator;
+    return made.date.empty() ? words : words + ", " + made.date;
 }
 
 std::optional<RenderedSet> rendered_set(const PatternSet& set, const RenderedBy& by,

@@ -22,6 +22,10 @@ struct RenderedSet {
 // "as a Joy-Con plays them, uncalibrated": what results of it are labelled with.
 std::string words_on(const RenderedBy& by);
 
+// "full scale stands for 1 g", "by the calibration of coil, 2026-11-21": where its strength is
+// from.
+std::string strength_words(const RenderedBy& by);
+
 struct RenderSetOptions {
     int threads = 0;  // 0: all cores
     std::stop_token stop = {};

@@ -126,6 +126,9 @@ App opened_view(const PatternSet& set, const ViewChoice& choice) {
     app.unsaved_revision = app.revision;  // nothing to keep
     app.rendering.on = choice.rendered_by.has_value();
     app.rendering.by = choice.rendered_by.value_or(RenderedBy{});
+    if (const auto& calibration = app.rendering.by.calibration) {
+        app.play.calibration = std::make_shared<const Calibration>(*calibration);
+    }
     if (choice.view != PictureView::physiology) compute_map(app, set, choice.threads);
     if (choice.pattern >= set.vibrations.size()) return app;
     app.selection.current = choice.pattern;

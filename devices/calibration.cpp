@@ -148,6 +148,12 @@ CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& ca
     return driven;
 }
 
+std::vector<double> acceleration_g(const Drive& drive, const Calibration& calibration) {
+    return zero_phase_filtered(drive.samples, drive.rate_hz, [&](double f_hz) {
+        return response_g(calibration, f_hz).value_or(0.0);
+    });
+}
+
 // Twice integrated: a / (2 pi f)^2. Slower motion than 10 Hz is drift of the sensor.
 double peak_displacement_mm(const Waveform& waveform) {
     const auto moved = zero_phase_filtered(waveform.samples_g, waveform.rate_hz, [](double f_hz) {

@@ -69,6 +69,9 @@ struct CalibratedDrive {
 
 CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& calibration);
 
+// What the actuator makes of a drive signal, in g, as long as it; nothing beyond the table's reach.
+std::vector<double> acceleration_g(const Drive& drive, const Calibration& calibration);
+
 // The largest displacement of a waveform around its mean, from 10 Hz up.
 double peak_displacement_mm(const Waveform& waveform);
 

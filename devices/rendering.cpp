@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "devices/motor_envelope.h"
+#include "devices/playback.h"
 #include "devices/rumble_plan.h"
 #include "model/resample.h"
 #include "model/spectrum.h"
@@ -140,18 +142,22 @@ void compare_bands(const Waveform& intended, Rendering& rendering) {
     rendering.share_added = added / whole;
 }
 
-}  // namespace
+// The limiter turns down all of what is too strong, as devices/playback.h does.
+void render_calibrated(const Waveform& meant, Rendering& rendering) {
+    const Calibration& calibration = *rendering.by.calibration;
+    CalibratedDrive driven = calibrated_drive(meant, calibration);
+    const double share = driven.peak > kCeiling ? kCeiling / driven.peak : 1.0;
+    for (double& sample : driven.drive.samples) sample *= share;
+    rendering.clipped = share < 1.0;
+    rendering.warnings = std::move(driven.warnings);
+    rendering.waveform.samples_g = acceleration_g(driven.drive, calibration);
+}
 
-Rendering rendering(const RenderedBy& by, const Waveform& intended) {
-    const Waveform meant =
-        intended.rate_hz == kModelRateHz ? intended : resampled(intended, kModelRateHz);
+void render_uncalibrated(const Waveform& meant, Rendering& rendering) {
+    const RenderedBy& by = rendering.by;
     const std::size_t samples = meant.samples_g.size();
     Drive drive = drive_of(meant, by.full_scale_g);
-
-    Rendering rendering;
-    rendering.by = by;
     rendering.clipped = peak_g(meant) > by.full_scale_g;
-    rendering.waveform.rate_hz = kModelRateHz;
     const ActuatorTraits& about = traits(by.kind);
     if (about.language == Language::waveform) {
         rendering.waveform.samples_g = through_coil(std::move(drive.samples));
@@ -165,6 +171,25 @@ Rendering rendering(const RenderedBy& by, const Waveform& intended) {
         }
     }
     for (double& sample : rendering.waveform.samples_g) sample *= by.full_scale_g;
+}
+
+}  // namespace
+
+bool is_calibrated(const RenderedBy& by) {
+    return by.calibration && traits(by.kind).language == Language::waveform;
+}
+
+Rendering rendering(const RenderedBy& by, const Waveform& intended) {
+    const Waveform meant =
+        intended.rate_hz == kModelRateHz ? intended : resampled(intended, kModelRateHz);
+    Rendering rendering;
+    rendering.by = by;
+    rendering.waveform.rate_hz = kModelRateHz;
+    if (is_calibrated(by)) {
+        render_calibrated(meant, rendering);
+    } else {
+        render_uncalibrated(meant, rendering);
+    }
     compare_bands(meant, rendering);
     return rendering;
 }

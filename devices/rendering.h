@@ -5,19 +5,25 @@
 // Motors      two sines whose frequency is the motor's speed and whose amplitude its square; the
 //             speed follows the duty with the motor's inertia (devices/motor_envelope.h)
 // Intensity   a buzz of 160 Hz as strong as the envelope
-// Voice coil  the waveform within the coil's band and within full scale
+// Voice coil  the waveform within the coil's band and within full scale; of a calibrated one what
+// its
+//             response makes of the drive that it is given, turned down as a whole by the limiter
 //
-// Source    two bands: the protocol; all else: own choices, none measured. A calibration knows
-// more. Input     a vibration in g, and the g that full scale is taken for Output    the same
-// length, 10 kHz Left out  resonances and hysteresis of actuators, how firmly a controller is held,
-// packets that
-//           are lost on the air.
+// Source    two bands: the protocol; a calibrated coil: its table; all else: own choices, none
+//           measured.
+// Input     a vibration in g; the g that full scale is taken for, or a calibration
+// Output    the same length, 10 kHz
+// Left out  hysteresis of actuators, resonances of all but calibrated ones, how firmly a controller
+//           is held, packets that are lost on the air.
 // Exact     same input, same bits.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "devices/actuator_kind.h"
+#include "devices/calibration.h"
 #include "devices/drive.h"
 #include "model/range.h"
 #include "model/waveform.h"
@@ -25,9 +31,11 @@
 namespace tact {
 
 // What a device is taken to be: until it is measured, its full scale in g is a person's word.
+// `calibration` is of kinds that take waveforms, for all others it counts as none.
 struct RenderedBy {
     ActuatorKind kind = ActuatorKind::joy_con;
     double full_scale_g = kFullScaleG;
+    std::optional<Calibration> calibration{};
 
     bool operator==(const RenderedBy&) const = default;
 };
@@ -65,10 +73,14 @@ struct Rendering {
     double share_lost = 0.0;            // of all intended energy
     double share_added = 0.0;           // energy where none or less was meant, as a share of it
     bool clipped = false;               // full scale is too little for it
+    std::vector<std::string> warnings;  // of a calibrated drive
 
     bool operator==(const Rendering&) const = default;
 };
 
 Rendering rendering(const RenderedBy& by, const Waveform& intended);
+
+// Whether the calibration counts: strengths in g are then known.
+bool is_calibrated(const RenderedBy& by);
 
 }  // namespace tact

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -363,4 +364,23 @@ TEST_CASE("render --rendered-by: what the device plays, with what is lost by ban
     CHECK(ran.exit_code == 0);
     CHECK(ran.err.find("as a Joy-Con plays them, uncalibrated") != std::string::npos);
     CHECK(run_program({"predict", set.path, "--rendered-by", "wii"}).exit_code == 2);
+}
+
+TEST_CASE("--calibration: patterns as a measured voice coil plays them, and as nothing else does") {
+    const ShortSet set;
+    const TemporaryFolder folder;
+    const std::string file = (folder.path / "coil.json").string();
+    std::ofstream(file) << R"({"tactspace_calibration": 1, "actuator": "left coil", "points": [
+        {"frequency_hz": 20, "g_per_full_scale": 1},
+        {"frequency_hz": 500, "g_per_full_scale": 9}]})";
+    const Ran ran =
+        run_program({"predict", set.path, "--rendered-by", "voice-coil", "--calibration", file});
+    CHECK(ran.exit_code == 0);
+    CHECK(contains(ran.err, "as a voice coil plays them, calibrated: by the calibration of left"));
+    CHECK(ran.out != output_of({"predict", set.path, "--rendered-by", "voice-coil"}));
+    const Ran pad =
+        run_program({"predict", set.path, "--rendered-by", "joy-con", "--calibration", file});
+    CHECK(pad.exit_code == 1);
+    CHECK(contains(pad.err, "expected --rendered-by voice-coil"));
+    CHECK(run_program({"predict", set.path, "--calibration", file}).exit_code == 1);
 }

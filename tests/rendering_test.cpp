@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "devices/motor_envelope.h"
 #include "golden.h"
@@ -162,4 +163,66 @@ TEST_CASE("rendering: kinds are called by their keys, and a wrong one lists them
     const std::string message = actuator_kind_named("wii").error().message;
     CHECK(message.find("\"wii\"") != std::string::npos);
     CHECK(message.find("joy-con, switch-pro") != std::string::npos);
+}
+
+namespace {
+
+// Of a coil that gives most at 80 Hz.
+Calibration resonant_coil() {
+    Calibration calibration;
+    calibration.actuator = "coil";
+    for (const auto& [frequency_hz, g] : {std::pair{20.0, 0.3},
+                                          {40.0, 1.0},
+                                          {80.0, 4.0},
+                                          {160.0, 2.0},
+                                          {320.0, 1.0},
+                                          {500.0, 0.6}}) {
+        calibration.points.push_back({frequency_hz, g, 0.6, 0.01, 0.01});
+    }
+    return calibration;
+}
+
+Waveform on_coil(double frequency_hz, double amplitude_g) {
+    return rendering({ActuatorKind::voice_coil, 1.0, resonant_coil()},
+                     tone(frequency_hz, amplitude_g))
+        .waveform;
+}
+
+}  // namespace
+
+TEST_CASE("rendering: a calibrated coil gives what was meant where its table reaches") {
+    const Waveform meant = tone(150.0, 0.7);
+    const Waveform made = on_coil(150.0, 0.7);
+    REQUIRE(made.samples_g.size() == meant.samples_g.size());
+    double worst_g = 0.0;
+    for (std::size_t n = 500; n + 500 < meant.samples_g.size(); ++n) {
+        worst_g = std::max(worst_g, std::abs(made.samples_g[n] - meant.samples_g[n]));
+    }
+    // The onset has frequencies beyond the table, whose ringing dies away.
+    CHECK(worst_g < 0.01 * 0.7);
+}
+
+TEST_CASE("rendering: a calibrated coil is turned down to its limiter, and says so") {
+    // 0.6 g at 500 Hz is its full scale; the limiter leaves 80 %.
+    const Rendering made =
+        rendering({ActuatorKind::voice_coil, 1.0, resonant_coil()}, tone(500.0, 3.0));
+    CHECK(made.clipped);
+    CHECK(made.warnings.size() == 1);
+    CHECK(peak_g(made.waveform) < 0.6);
+    CHECK(peak_g(made.waveform) > 0.8 * 0.6 * 0.8);
+}
+
+TEST_CASE("rendering: beyond its table a calibrated coil is given nothing, and gives nothing") {
+    const Rendering made =
+        rendering({ActuatorKind::voice_coil, 1.0, resonant_coil()}, tone(900.0, 0.5));
+    CHECK(made.share_lost > 0.99);
+    CHECK(made.waveform.samples_g.size() == tone(900.0, 0.5).samples_g.size());
+}
+
+TEST_CASE("rendering: a calibration changes nothing of a controller, whose packets it is not of") {
+    const RenderedBy plain{ActuatorKind::joy_con, 1.0};
+    const RenderedBy with{ActuatorKind::joy_con, 1.0, resonant_coil()};
+    CHECK_FALSE(is_calibrated(with));
+    CHECK(rendering(plain, tone(150.0, 0.5)).waveform ==
+          rendering(with, tone(150.0, 0.5)).waveform);
 }

@@ -26,6 +26,33 @@ void add_optional(CLI::App& sub, const char* name, std::optional<double>& target
         ->check(CLI::Range(range.low, range.high));
 }
 
+// How a recording of accelerations is read; `full_scale` is the name, or names, of that option.
+void add_recording_options(CLI::App& sub, AccelerationOptions& options, const char* full_scale) {
+    const std::map<std::string, AccelerationUnit> units{{"g", AccelerationUnit::g},
+                                                        {"m/s2", AccelerationUnit::m_per_s2},
+                                                        {"V", AccelerationUnit::volt}};
+    sub.add_option_function<std::string>(
+           "--unit", [&options, units](const std::string& unit) { options.unit = units.at(unit); },
+           "g, m/s2 or V; else what the table's first line says")
+        ->check(CLI::IsMember({"g", "m/s2", "V"}));
+    const auto range = [](Range of) { return CLI::Range(of.low, of.high); };
+    sub.add_option("--sensitivity", options.sensitivity_v_per_g, "of the sensor, V/g")
+        ->check(range(limits::kSensitivityVPerG));
+    sub.add_option("--offset", options.offset_v, "of the sensor at 0 g, V")
+        ->check(range(limits::kOffsetV));
+    sub.add_option_function<std::string>(
+           "--axis",
+           [&options](const std::string& axis) {
+               options.axis = axis == "all" ? 0 : static_cast<std::size_t>(axis[0] - '0');
+           },
+           "1, 2, 3, or all: three axes made one by DFT321")
+        ->check(CLI::IsMember({"1", "2", "3", "all"}));
+    add_optional(sub, "--rate", options.rate_hz, {100.0, 1e7},
+                 "of tables without a time column, Hz");
+    add_optional(sub, full_scale, options.full_scale, limits::kScaleG,
+                 "of .wav files, in the unit");
+}
+
 }  // namespace
 
 void add_devices_command(CLI::App& app, DevicesCommand& command, Chosen& chosen) {
@@ -62,12 +89,11 @@ void add_calibrate_command(CLI::App& app, CalibrateCommand& options, Chosen& cho
         "calibrate", "how strong an actuator is: the signal to play, and what its recording says");
     auto* signal = calibrate.add_option("--signal", options.signal,
                                         "WAV file to write, to be played at full level");
-    auto* recording =
-        calibrate.add_option("--recording", options.recording,
-                             "what the sensor recorded meanwhile, in g, begun before it");
+    auto* recording = calibrate.add_option(
+        "--recording", options.recording,
+        "what the sensor recorded meanwhile (.csv, .txt, .wav), begun before it");
     signal->excludes(recording);
-    calibrate.add_option("--scale", options.scale_g, "g at full scale of a WAV recording, else 1")
-        ->check(CLI::Range(1e-6, 1e6));
+    add_recording_options(calibrate, options.how, "--full-scale,--scale");
     calibrate.add_flag("--sweep", options.sweep, "a sweep of 20 s instead of tones of 0.6 s");
     calibrate.add_option("--low", options.low_hz, "lowest frequency, Hz; else 20")
         ->check(CLI::Range(1.0, 2000.0));
@@ -106,30 +132,7 @@ void add_import_command(CLI::App& app, ImportCommand& command, Chosen& chosen) {
         ->required();
     sub.add_option("--pattern", command.pattern,
                    "what all of them measure; else the pattern that a file is named after");
-    const std::map<std::string, AccelerationUnit> units{{"g", AccelerationUnit::g},
-                                                        {"m/s2", AccelerationUnit::m_per_s2},
-                                                        {"V", AccelerationUnit::volt}};
-    sub.add_option_function<std::string>(
-           "--unit",
-           [&command, units](const std::string& unit) { command.options.unit = units.at(unit); },
-           "g, m/s2 or V; else what the table's first line says")
-        ->check(CLI::IsMember({"g", "m/s2", "V"}));
-    const auto range = [](Range of) { return CLI::Range(of.low, of.high); };
-    sub.add_option("--sensitivity", command.options.sensitivity_v_per_g, "of the sensor, V/g")
-        ->check(range(limits::kSensitivityVPerG));
-    sub.add_option("--offset", command.options.offset_v, "of the sensor at 0 g, V")
-        ->check(range(limits::kOffsetV));
-    sub.add_option_function<std::string>(
-           "--axis",
-           [&command](const std::string& axis) {
-               command.options.axis = axis == "all" ? 0 : static_cast<std::size_t>(axis[0] - '0');
-           },
-           "1, 2, 3, or all: three axes made one by DFT321")
-        ->check(CLI::IsMember({"1", "2", "3", "all"}));
-    add_optional(sub, "--rate", command.options.rate_hz, {100.0, 1e7},
-                 "of tables without a time column, Hz");
-    add_optional(sub, "--full-scale", command.options.full_scale, limits::kScaleG,
-                 "of .wav files, in the unit");
+    add_recording_options(sub, command.options, "--full-scale");
     sub.callback([&] { chosen = [&command] { return run(command); }; });
 }
 

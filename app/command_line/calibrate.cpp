@@ -11,7 +11,7 @@
 #include "app/command_line/text_table.h"
 #include "devices/calibration_file.h"
 #include "devices/calibration_run.h"
-#include "model/io/recording.h"
+#include "model/io/acceleration_file.h"
 #include "model/io/wave_file.h"
 
 namespace tact {
@@ -72,9 +72,7 @@ Expected<Done> run(const CalibrateCommand& command) {
     const CalibrationPlan plan = calibration_plan(params);
     if (!command.signal.empty()) return write_signal(command, plan);
 
-    RecordingOptions options;
-    options.scale_g = command.scale_g;
-    const Expected<Recording> recording = read_recording(command.recording, options);
+    const Expected<Recording> recording = read_acceleration_file(command.recording, command.how);
     if (!recording) return recording.error();
     for (const std::string& remark : recording->remarks) {
         std::cerr << "tactspace: " << command.recording.string() << ": " << remark << "\n";

@@ -20,9 +20,10 @@ struct CommonOptions {
     std::vector<std::filesystem::path> sets;  // merged in order
     int threads = 0;                          // 0: all cores
     bool json = false;
-    std::string rendered_by{};    // a key of devices/actuator_kind.h: patterns as it plays them
-    double full_scale_g = 1.0;    // that its full scale stands for
-    Side only = Side::both;       // of the merged set
+    std::string rendered_by{};  // a key of devices/actuator_kind.h: patterns as it plays them
+    double full_scale_g = 1.0;  // that its full scale stands for
+    std::filesystem::path rendered_calibration{};  // in its place, of a voice coil; empty: none
+    Side only = Side::both;                        // of the merged set
     std::filesystem::path model;  // a file of parameters (model_file.h) instead of the set's own
 };
 
@@ -205,7 +206,7 @@ Expected<Done> run(const DevicesCommand& command);
 struct CalibrateCommand {
     std::filesystem::path signal;
     std::filesystem::path recording;
-    std::optional<double> scale_g;
+    AccelerationOptions how;  // it is read
     bool sweep = false;
     double low_hz = 20.0;
     double high_hz = 500.0;

@@ -39,6 +39,8 @@ void add_rendering(CLI::App& command, CommonOptions& options) {
         .add_option("--full-scale", options.full_scale_g,
                     "acceleration that the device's full scale stands for, g; else 1")
         ->check(CLI::Range(kFullScaleRangeG.low, kFullScaleRangeG.high));
+    command.add_option("--calibration", options.rendered_calibration,
+                       "of a voice coil, in the place of its full scale; see calibrate");
 }
 
 void add_only(CLI::App& command, CommonOptions& options) {

@@ -12,6 +12,7 @@
 #include <streambuf>
 
 #include "app/rendered_set.h"
+#include "devices/calibration_file.h"
 #include "model/io/atomic_file.h"
 #include "model/io/load.h"
 #include "model/io/model_file.h"
@@ -75,10 +76,21 @@ std::string time_text(double seconds) {
 }  // namespace
 
 Expected<std::optional<RenderedBy>> rendered_by(const CommonOptions& options) {
-    if (options.rendered_by.empty()) return std::optional<RenderedBy>();
+    if (options.rendered_by.empty()) {
+        if (options.rendered_calibration.empty()) return std::optional<RenderedBy>();
+        return Error{std::string("--calibration: expected --rendered-by ") +
+                     traits(ActuatorKind::voice_coil).key + " as well"};
+    }
     const Expected<ActuatorKind> kind = actuator_kind_named(options.rendered_by);
     if (!kind) return kind.error();
-    return std::optional(RenderedBy{*kind, options.full_scale_g});
+    RenderedBy by{*kind, options.full_scale_g};
+    if (options.rendered_calibration.empty()) return std::optional(std::move(by));
+    Expected<Calibration> read = read_calibration(options.rendered_calibration);
+    if (!read) return read.error();
+    by.calibration = *std::move(read);
+    if (is_calibrated(by)) return std::optional(std::move(by));
+    return Error{std::string("--calibration: a ") + traits(*kind).name +
+                 " has none, expected --rendered-by " + traits(ActuatorKind::voice_coil).key};
 }
 
 Expected<PatternSet> load_for(const CommonOptions& options) {
@@ -89,8 +101,7 @@ Expected<PatternSet> load_for(const CommonOptions& options) {
     std::optional<RenderedSet> rendered = rendered_set(*set, **by, nullptr, {options.threads, {}});
     const std::string origin = words_on(**by);
     rendered->played.name += (set->name.empty() ? "" : ", ") + origin;
-    std::cerr << "tactspace: the patterns " << origin << ": full scale stands for "
-              << options.full_scale_g << " g\n";
+    std::cerr << "tactspace: the patterns " << origin << ": " << strength_words(**by) << "\n";
     return std::move(rendered->played);
 }
 

@@ -78,6 +78,7 @@ void add(DeviceReport& report, const std::string& name, const Rendering& renderi
                                {"share_lost", rendering.share_lost},
                                {"share_added", rendering.share_added},
                                {"clipped", rendering.clipped},
+                               {"warnings", rendering.warnings},
                                {"bands", bands}});
 }
 
@@ -130,14 +131,15 @@ Expected<Done> run(const RenderCommand& command) {
     std::cerr << "\n";
     if (*by) {
         if (const auto written = write(report, **by, command.out); !written) return written;
-        std::cerr << "tactspace: the patterns " << words_on(**by) << ": full scale stands for "
-                  << (*by)->full_scale_g << " g; what is lost stands in bands.csv\n";
+        std::cerr << "tactspace: the patterns " << words_on(**by) << ": " << strength_words(**by)
+                  << "; what is lost stands in bands.csv\n";
     }
     if (command.common.json) {
         nlohmann::json answer{{"files", files}};
         if (*by) {
             answer["rendered_by"] = traits((*by)->kind).key;
-            answer["full_scale_g"] = (*by)->full_scale_g;
+            answer["calibrated"] = is_calibrated(**by);
+            if (!is_calibrated(**by)) answer["full_scale_g"] = (*by)->full_scale_g;
             answer["patterns"] = report.patterns;
         }
         std::cout << answer.dump() << "\n";
