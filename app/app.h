@@ -199,6 +199,8 @@ enum class ChooserPurpose {
     load_model,
     save_model,
     add_training_set,
+    save_calibration_signal,
+    open_calibration_recording,
     import_recordings,
     study_folder,
     export_study,
@@ -229,6 +231,7 @@ enum class Dialog {
     about,
     keys,
     devices,
+    calibrate,
     export_view,
     export_animation,
     generate,
@@ -242,6 +245,7 @@ enum class PictureView { window, physiology, space, matrix };
 struct RunningAnimation;  // app/exports.h
 struct StudyState;        // app/study_state.h
 struct ImportState;       // app/import_state.h
+struct CalibrateState;    // app/calibrate_state.h
 struct SubsetState;       // app/subset_state.h
 struct TrainingState;     // app/training_state.h
 
@@ -329,6 +333,7 @@ struct App {
     TourState tour;
     std::shared_ptr<StudyState> study;  // never null after make_app()
     std::shared_ptr<ImportState> import;
+    std::shared_ptr<CalibrateState> calibrate;  // null until its dialog is opened
     Session session;
     StatusLine status;
     std::vector<Vibration> clipboard;

@@ -1,6 +1,9 @@
 #include "app/calibrating.h"
 
+#include <utility>
+
 #include "app/editing.h"
+#include "app/map_follow.h"
 #include "app/playing.h"
 #include "app/widgets.h"
 #include "devices/calibration_file.h"
@@ -8,7 +11,23 @@
 
 namespace tact {
 
-void follow_calibration(App& app) {
+namespace {
+
+// What the window takes a voice coil for is the one that is calibrated.
+void follow_rendered_coil(App& app) {
+    std::optional<Calibration>& used = app.rendering.by.calibration;
+    const bool is_coil = traits(app.rendering.by.kind).language == Language::waveform;
+    const Calibration* const wanted = is_coil ? app.play.calibration.get() : nullptr;
+    if (wanted == nullptr ? !used : used == *wanted) return;
+    if (wanted != nullptr) {
+        used = *wanted;
+    } else {
+        used.reset();
+    }
+    if (app.rendering.on) predictions_changed(app);
+}
+
+void read_chosen(App& app) {
     PlayState& play = app.play;
     if (play.calibration_read == play.choice.calibration) return;
     play.calibration_read = play.choice.calibration;
@@ -24,6 +43,13 @@ void follow_calibration(App& app) {
                           (made.device.empty() ? "this device" : made.device) + ", channel " +
                           std::to_string(made.channel) + ": here its strengths may be wrong");
     }
+}
+
+}  // namespace
+
+void follow_calibration(App& app) {
+    read_chosen(app);
+    follow_rendered_coil(app);
 }
 
 void load_calibration_dialog(App& app) {
@@ -55,18 +81,24 @@ std::string calibration_text(const App& app) {
            significant(made.points.back().frequency_hz) + " Hz";
 }
 
-Drive drive_for(App& app, const Vibration& vibration) {
-    const Waveform waveform = waveform_of(vibration);
-    if (!app.play.calibration) return drive_of(waveform, app.play.full_scale_g);
-    CalibratedDrive driven = calibrated_drive(waveform, *app.play.calibration);
-    if (!driven.warnings.empty()) {
-        std::string words = vibration.name;
-        for (const std::string& warning : driven.warnings) {
-            words += (words.size() == vibration.name.size() ? " " : "; it ") + warning;
-        }
-        say(app, words + ".");
+DriveRequest drive_request(const App& app, const Vibration& vibration) {
+    return {0, vibration, app.play.calibration, app.play.full_scale_g};
+}
+
+MadeDrive made_drive(const DriveRequest& request) {
+    const Waveform waveform = waveform_of(request.vibration);
+    MadeDrive made{request, {}, {}};
+    if (!request.calibration) {
+        made.drive = drive_of(waveform, request.full_scale_g);
+        return made;
     }
-    return std::move(driven.drive);
+    CalibratedDrive driven = calibrated_drive(waveform, *request.calibration);
+    made.drive = std::move(driven.drive);
+    for (const std::string& warning : driven.warnings) {
+        made.remark += (made.remark.empty() ? request.vibration.name + " " : "; it ") + warning;
+    }
+    if (!made.remark.empty()) made.remark += ".";
+    return made;
 }
 
 }  // namespace tact

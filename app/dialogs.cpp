@@ -8,6 +8,7 @@
 #include "app/exports.h"
 #include "app/files.h"
 #include "app/import_follow.h"
+#include "app/measuring_response.h"
 #include "app/panels/panels.h"
 #include "app/study_follow.h"
 #include "app/subset_export.h"
@@ -94,6 +95,10 @@ void draw_chooser(App& app) {
             return save_trained(app, *chosen);
         case ChooserPurpose::add_training_set:
             return add_training_set(app, *chosen);
+        case ChooserPurpose::save_calibration_signal:
+            return save_calibration_signal(app, *chosen);
+        case ChooserPurpose::open_calibration_recording:
+            return read_calibration_recording(app, *chosen);
         case ChooserPurpose::import_recordings:
             return import_recordings(app, {*chosen});
         case ChooserPurpose::study_folder:
@@ -115,12 +120,15 @@ void draw_chooser(App& app) {
 
 void end_dialog(App& app) {
     ImGui::Spacing();
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    const bool escape =
+        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !app.play.escaped;
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
     if (ImGui::Button("Close") || escape || enter) {
         app.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();
     }
+    ImGui::PopStyleColor();
     note_item(app.rects, "button:close");
     ImGui::EndPopup();
 }
@@ -144,13 +152,16 @@ bool draw_ends(App& app, const char* action, bool enabled) {
     const auto pressed = [](ImGuiKey which) {
         return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false);
     };
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
     ImGui::BeginDisabled(!enabled);
     const bool go = ImGui::Button(action) || (enabled && pressed(ImGuiKey_Enter));
     ImGui::EndDisabled();
     note_item(app.rects, "button:choose");
     ImGui::SameLine();
-    const bool leave = ImGui::Button("Cancel") || pressed(ImGuiKey_Escape);
+    const bool escape = pressed(ImGuiKey_Escape) && !app.play.escaped;
+    const bool leave = ImGui::Button("Cancel") || escape;
     note_item(app.rects, "button:cancel");
+    ImGui::PopStyleColor();
     if (go || leave) {
         app.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();
@@ -167,6 +178,7 @@ void draw_dialogs(App& app) {
     if (app.dialog == Dialog::keys) draw_keys(app);
     if (app.dialog == Dialog::generate) draw_generate_dialog(app);
     if (app.dialog == Dialog::devices) draw_devices(app);
+    if (app.dialog == Dialog::calibrate) draw_calibrate(app);
 }
 
 }  // namespace tact

@@ -16,6 +16,7 @@
 #include "app/files.h"
 #include "app/import_follow.h"
 #include "app/map_follow.h"
+#include "app/measuring_response.h"
 #include "app/panels/panels.h"
 #include "app/panels/study_pages.h"
 #include "app/playing.h"
@@ -139,8 +140,8 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.frame_s = std::clamp(time_s - app.time_s, 0.0, 0.1);
     app.time_s = time_s;
     begin_thumbnails(app);
+    take_escape(app, was_pressed(pressed, key::kEscape));
     follow_sound(app);
-    if (was_pressed(pressed, key::kEscape)) app.play.escaped = silence(app);
     follow_playhead(app);
     follow_input_mode(app, pressed);
     take_answers(app);
@@ -148,6 +149,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.selection.hovered_last = app.selection.hovered;
     app.selection.hovered.reset();
     follow_import(app);
+    follow_calibrate(app);
     follow_study(app);
     follow_training(app);
     if (is_study_running(app)) {

@@ -3,12 +3,12 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <string>
 
 #include "app/dialogs.h"
 #include "app/import_follow.h"
+#include "app/recording_fields.h"
 #include "app/widgets.h"
 #include "viz/colour.h"
 #include "viz/marks.h"
@@ -18,20 +18,25 @@ namespace tact {
 
 namespace {
 
-constexpr float kNumberPx = 90.0F;
+// Until two colours are popped: what can be pressed or typed into stands out from the dialog.
+void push_field_colours(const App& app) {
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(app.theme));
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
+}
 
-// A number that is taken when its entry is left.
-bool draw_number(App& app, const char* id, const char* label, double& value, Range range,
-                 const char* unit) {
-    draw_label(app, label);
-    ImGui::SetNextItemWidth(kNumberPx * app.theme.scale);
-    ImGui::InputDouble((std::string("##") + id).c_str(), &value, 0.0, 0.0, "%.6g");
-    const bool finished = ImGui::IsItemDeactivatedAfterEdit();
-    note_item(app.rects, std::string("import:") + id);
-    ImGui::SameLine();
-    dim_text(app, unit);
-    if (finished) value = value >= range.low ? std::min(value, range.high) : range.low;
-    return finished;
+// Names of the two curves above their right end.
+void draw_names(App& app, const Plot& plot, const char* measured) {
+    const Theme& theme = app.theme;
+    const ImFont* font = theme.fonts.small;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    float x = plot.area.max.x;
+    const auto name = [&](const char* text, ImU32 colour) {
+        x -= text_size(font, text).x;
+        draw_text(list, font, {x, plot.outer.min.y}, colour, text);
+        x -= theme.gap_px;
+    };
+    name("intended", theme.dim_text);
+    name(measured, theme.accent);
 }
 
 // The measured signal over the intended one, on one scale.
@@ -54,10 +59,7 @@ void draw_overlay(App& app, const Vibration& intended, const Twin& twin, bool sy
                 TraceStyle::line);
     draw_signal(list, theme, plot, measured.samples_g, measured.rate_hz, faded(theme.accent, 0.8F),
                 TraceStyle::line);
-    draw_text(list, theme.fonts.small, plot.area.min, theme.accent,
-              synthetic ? "synthetic" : "measured");
-    const ImVec2 below{plot.area.min.x, plot.area.min.y + ImGui::GetTextLineHeight()};
-    draw_text(list, theme.fonts.small, below, theme.dim_text, "intended");
+    draw_names(app, plot, synthetic ? "synthetic" : "measured");
 }
 
 void draw_empty_overlay(App& app, const char* title, const std::string& reason) {
@@ -100,6 +102,7 @@ void draw_file_row(App& app, std::size_t k, bool& changed) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const std::string name = state.files[k].filename().string();
+    ImGui::AlignTextToFramePadding();
     if (ImGui::Selectable(name.c_str(), state.shown == k)) state.shown = k;
     note_item(app.rects, "import:file " + std::to_string(k), name);
     ImGui::TableNextColumn();
@@ -118,6 +121,7 @@ void draw_file_row(App& app, std::size_t k, bool& changed) {
         file != nullptr &&
         (!file->fault.empty() || (file->twin && file->twin->alignment.correlation < kLeastAlike));
     if (odd) ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text);
     if (odd) ImGui::PopStyleColor();
     note_item(app.rects, "import:result " + std::to_string(k), text);
@@ -143,69 +147,11 @@ bool draw_files(App& app) {
     return changed;
 }
 
-bool draw_unit(App& app) {
-    AccelerationOptions& options = app.import->options;
-    bool changed = false;
-    draw_label(app, "Unit");
-    const auto choice = [&](const char* id, const char* text,
-                            std::optional<AccelerationUnit> unit) {
-        if (draw_chip(app, id, text, options.unit == unit) && options.unit != unit) {
-            options.unit = unit;
-            changed = true;
-        }
-        note_item(app.rects, std::string("import:unit ") + id);
-        ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
-    };
-    choice("file", "as the file says", std::nullopt);
-    choice("g", "g", AccelerationUnit::g);
-    choice("m/s2", "m/s\u00b2", AccelerationUnit::m_per_s2);
-    choice("V", "V", AccelerationUnit::volt);
-    ImGui::NewLine();
-    if (options.unit == AccelerationUnit::volt) {
-        changed |= draw_number(app, "sensitivity", "Sensitivity", options.sensitivity_v_per_g,
-                               limits::kSensitivityVPerG, "V/g, of the sensor");
-        changed |= draw_number(app, "offset", "Offset", options.offset_v, limits::kOffsetV,
-                               "V, of the sensor at 0 g");
-    }
-    return changed;
-}
-
-bool draw_axis(App& app) {
-    AccelerationOptions& options = app.import->options;
-    bool changed = false;
-    draw_label(app, "Axis");
-    constexpr std::array<const char*, 4> kNames{"all as one", "1", "2", "3"};
-    for (std::size_t axis = 0; axis < kNames.size(); ++axis) {
-        if (draw_chip(app, kNames[axis], kNames[axis], options.axis == axis) &&
-            options.axis != axis) {
-            options.axis = axis;
-            changed = true;
-        }
-        if (axis == 0) {
-            draw_tooltip(app,
-                         "Three axes are made one of the same energy (DFT321): the skin "
-                         "hardly tells directions of vibration apart.");
-        }
-        ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
-    }
-    ImGui::NewLine();
-    return changed;
-}
-
 bool draw_options(App& app) {
     ImportState& state = *app.import;
-    bool changed = draw_unit(app);
-    changed |= draw_axis(app);
-    changed |=
-        draw_number(app, "rate", "Rate", state.rate_hz, {0.0, 1e7}, "Hz; 0: from the time column");
     const bool has_wave = std::ranges::any_of(
         state.files, [](const auto& file) { return extension_of(file) == ".wav"; });
-    if (has_wave) {
-        changed |= draw_number(app, "full scale", "Full scale", state.full_scale,
-                               {0.0, limits::kScaleG.high},
-                               "of .wav files, in the unit; 0: as their sidecar says");
-    }
-    return changed;
+    return draw_recording_fields(app, state.fields, has_wave);
 }
 
 void draw_shown_file(App& app) {
@@ -255,6 +201,7 @@ void drop_left_out(ImportState& state) {
 void draw_import_dialog(App& app) {
     if (!begin_dialog(app, "Import recordings")) return;
     ImportState& state = *app.import;
+    push_field_colours(app);
     dim_text(app, "Recordings by an accelerometer, and the pattern each measures");
     const bool changed = draw_files(app);
     if (draw_options(app) || changed) look_at_recordings(app);
@@ -265,6 +212,7 @@ void draw_import_dialog(App& app) {
     const bool more = ImGui::Button("Add files...");
     note_item(app.rects, "button:add files");
     ImGui::SameLine();
+    ImGui::PopStyleColor(2);
     if (more) {
         app.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();
@@ -279,14 +227,16 @@ void draw_import_dialog(App& app) {
 
 bool draw_actuator(App& app, ActuatorParams& actuator) {
     const ActuatorParams before = actuator;
-    draw_number(app, "resonance", "Resonance", actuator.resonance_hz, limits::kResonanceHz, "Hz");
-    draw_number(app, "q", "Q", actuator.q, limits::kResonanceQ,
-                "how much stronger it moves there than far above");
-    draw_number(app, "gain", "Gain", actuator.gain, limits::kActuatorGain,
-                "far above the resonance; below, it falls");
-    draw_number(app, "onset", "Onset", actuator.onset_s, limits::kOnsetS,
-                "s until the motion begins");
-    draw_number(app, "noise", "Noise", actuator.noise_g, limits::kSensorNoiseG, "g rms");
+    draw_number_entry(app, "import:resonance", "Resonance", actuator.resonance_hz,
+                      limits::kResonanceHz, "Hz");
+    draw_number_entry(app, "import:q", "Q", actuator.q, limits::kResonanceQ,
+                      "how much stronger it moves there than far above");
+    draw_number_entry(app, "import:gain", "Gain", actuator.gain, limits::kActuatorGain,
+                      "far above the resonance; below, it falls");
+    draw_number_entry(app, "import:onset", "Onset", actuator.onset_s, limits::kOnsetS,
+                      "s until the motion begins");
+    draw_number_entry(app, "import:noise", "Noise", actuator.noise_g, limits::kSensorNoiseG,
+                      "g rms");
     return actuator != before;
 }
 
@@ -301,6 +251,7 @@ bool is_sound(const ActuatorParams& actuator) {
 void draw_simulation_dialog(App& app) {
     if (!begin_dialog(app, "Simulate measurement")) return;
     ImportState& state = *app.import;
+    push_field_colours(app);
     ImGui::PushTextWrapPos(0.0F);
     dim_text(app,
              "What an accelerometer on a resonant actuator might record. It is computed, no "
@@ -309,7 +260,7 @@ void draw_simulation_dialog(App& app) {
     const bool changed = draw_actuator(app, state.actuator);
     const bool sound = is_sound(state.actuator);
     if (changed && sound) look_at_simulation(app);
-    draw_label(app, "Of");
+    draw_chips_label(app, "Of");
     if (draw_chip(app, "all", "all patterns", state.simulate_all)) state.simulate_all = true;
     note_item(app.rects, "import:all");
     ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
@@ -328,6 +279,7 @@ void draw_simulation_dialog(App& app) {
                            shown ? "What measures another pattern has no twin itself." : "");
     }
     const bool any = state.simulate_all || (shown && !shown->twins.empty());
+    ImGui::PopStyleColor(2);
     if (draw_ends(app, "Add synthetic twins", sound && any)) take_simulation(app);
 }
 

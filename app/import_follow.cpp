@@ -110,13 +110,10 @@ void take(App& app, const std::vector<const Twin*>& twins, const std::string& la
 
 ImportRequest import_request(App& app, const fs::path& keep_in) {
     ImportState& state = *app.import;
-    AccelerationOptions options = state.options;
-    if (state.rate_hz > 0.0) options.rate_hz = state.rate_hz;
-    if (state.full_scale > 0.0) options.full_scale = state.full_scale;
     return {++state.asked,
             state.files,
             state.patterns,
-            options,
+            options_of(state.fields),
             std::make_shared<const PatternSet>(app.document.set),
             keep_in};
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/latest_job.h"
+#include "app/recording_fields.h"
 #include "model/io/acceleration_file.h"
 #include "model/measured_twin.h"
 
@@ -55,10 +56,8 @@ struct ImportState {
     std::vector<std::filesystem::path> files;
     std::vector<std::string> patterns;
     std::size_t shown = 0;  // the file whose signals are drawn
-    AccelerationOptions options;
-    double rate_hz = 0.0;     // 0: from the time column
-    double full_scale = 0.0;  // of WAV files; 0: the sidecar's
-    bool adding = false;      // the chooser looks for more files
+    RecordingFields fields;
+    bool adding = false;  // the chooser looks for more files
     ActuatorParams actuator;
     bool simulate_all = true;  // patterns, not only the selected ones
     std::uint64_t asked = 0;   // the number of the last request of either kind

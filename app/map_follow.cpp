@@ -153,6 +153,11 @@ void request_maps(App& app) {
     app.preview_job->submit(request);
 }
 
+void predictions_changed(App& app) {
+    ++app.revision;
+    request_maps(app);
+}
+
 void take_answers(App& app) {
     if (!app.full_job) return;
     for (const auto* job : {app.preview_job.get(), app.full_job.get()}) {

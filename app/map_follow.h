@@ -9,6 +9,8 @@ namespace tact {
 void make_jobs(App& app);
 void stop_jobs(App& app);
 void request_maps(App& app);
+// All that is predicted is asked for anew, though the document stays what it is.
+void predictions_changed(App& app);
 
 // Takes what the jobs have finished, aligns it to what is shown and starts the transition.
 void take_answers(App& app);

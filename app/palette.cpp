@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/commands.h"
+#include "app/dialogs.h"
 #include "app/widgets.h"
 #include "viz/marks.h"
 
@@ -61,7 +62,7 @@ void draw_palette(App& app, std::span<const KeyPress> pressed) {
     ImGui::SetNextWindowFocus();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, app.theme.hairline_px);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, app.theme.pane);
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(app.theme));
     if (ImGui::Begin("Command palette", &state.open,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoNav)) {

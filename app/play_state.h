@@ -1,6 +1,7 @@
 // What is being felt, on which device, and how the transport bar was left.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,9 +29,25 @@ struct Sounding {
     std::optional<double> rests_until_s{};  // between two of them
     Vibration as_played{};                  // the one that sounds, as it was when it began
     double position_s = 0.0;                // in the last frame
+    std::optional<double> level{};          // of its own, in the place of the bar's
+    bool is_prepared = true;                // its drive is there; false: still being computed
 };
 
 using Listing = std::vector<DeviceInfo>;
+
+// A vibration as the chosen device is to be driven for it.
+struct DriveRequest {
+    std::uint64_t number = 0;
+    Vibration vibration;
+    std::shared_ptr<const Calibration> calibration;  // null: none
+    double full_scale_g = kFullScaleG;
+};
+
+struct MadeDrive {
+    DriveRequest request;
+    Drive drive;
+    std::string remark;  // a sentence on what the actuator cannot do of it; empty: it can
+};
 
 inline constexpr double kFirstLevel = 0.1;  // of every start: nobody is startled
 
@@ -54,14 +71,18 @@ struct PlayState {
     DeviceChoice opened;             // as which it was opened
     std::shared_ptr<const Calibration> calibration;  // null: strengths in g are not known
     std::string calibration_read;                    // the file it is from, or that was no good
-    DeviceStatus status;                             // of this frame
-    std::string told_trouble;                        // at the foot of the window
+    std::unique_ptr<LatestJob<DriveRequest, MadeDrive>> drive_job;  // of calibrated ones
+    std::uint64_t drives_asked = 0;
+    DeviceStatus status;       // of this frame
+    std::string told_trouble;  // at the foot of the window
     std::optional<Sounding> sounding;
     std::optional<std::size_t> hovered_in_map;  // in this frame
     std::string felt_on_hover;                  // until another one is pointed at
     double meter = 0.0;                         // of full scale; falls slowly
     bool clip_light = false;                    // until it is clicked
-    bool escaped = false;                       // Esc has silenced something in this frame
+    bool focused = true;                        // the window, in the last frame
+    bool halted = false;   // Esc has stopped the device; the frame that takes it is still to come
+    bool escaped = false;  // Esc has silenced something in this frame
 };
 
 }  // namespace tact

@@ -24,14 +24,39 @@ const Vibration* vibration_named(const App& app, const std::string& name) {
     return place ? &app.document.set.vibrations[*place] : nullptr;
 }
 
+// As the bar says, but for a signal that has a level of its own.
+double level_now(const PlayState& play) {
+    return play.sounding ? play.sounding->level.value_or(play.level) : play.level;
+}
+
 void play_drive(App& app, const Drive& drive, bool loop) {
     PlayState& play = app.play;
-    play.device->set_level(play.level);
+    play.halted = false;
+    play.device->set_level(level_now(play));
     const Expected<Done> begun = play.device->play(drive, loop);
     if (begun) return;
     play.sounding.reset();
     app.playhead.playing = false;
     complain(app, begun.error().message);
+}
+
+// At once, or when its drive by the calibration is computed; until then what sounded goes on.
+void play_vibration(App& app, const Vibration& vibration) {
+    PlayState& play = app.play;
+    DriveRequest request = drive_request(app, vibration);
+    if (!request.calibration)
+        return play_drive(app, made_drive(request).drive, play.sounding->loops);
+    if (!play.drive_job) {
+        play.drive_job = std::make_unique<LatestJob<DriveRequest, MadeDrive>>(
+            JobPolicy::supersede,
+            [](const DriveRequest& asked, std::stop_token, std::atomic<float>&) {
+                return std::optional(made_drive(asked));
+            },
+            app.wake);
+    }
+    request.number = ++play.drives_asked;
+    play.sounding->is_prepared = false;
+    play.drive_job->submit(std::move(request));
 }
 
 // The pattern of the queue that is to sound now; one that was removed ends it all.
@@ -51,7 +76,7 @@ void play_current(App& app) {
         select_only(app, *place_named(app.document.set, vibration->name));
         app.set_panel.scroll_to_current = true;
     }
-    play_drive(app, drive_for(app, *vibration), sounding.loops);
+    play_vibration(app, *vibration);
 }
 
 void start(App& app, Sounding sounding) {
@@ -91,11 +116,27 @@ void follow_edits(App& app) {
     if (*current == sounding.as_played) return;
     sounding.names = {current->name};
     sounding.as_played = *current;
-    play_drive(app, drive_for(app, *current), sounding.loops);
+    play_vibration(app, *current);
+}
+
+// Begins what was being computed for the one that sounds.
+bool take_drive(App& app) {
+    Sounding& sounding = *app.play.sounding;
+    const auto made = app.play.drive_job ? app.play.drive_job->latest() : nullptr;
+    if (sounding.is_prepared || !made || made->request.number != app.play.drives_asked) {
+        return false;
+    }
+    sounding.is_prepared = true;
+    if (!made->remark.empty()) say(app, made->remark);
+    play_drive(app, made->drive, sounding.loops);
+    return true;
 }
 
 void follow_device(App& app) {
+    if (app.play.halted) return;
+    if (take_drive(app)) return;  // of which this frame's status says nothing yet
     Sounding& sounding = *app.play.sounding;
+    if (!sounding.is_prepared && !app.play.status.playing) return;
     if (!app.play.status.playing || sounding.rests_until_s) return advance(app);
     if (sounding.names.empty()) return;
     follow_edits(app);
@@ -126,7 +167,7 @@ void follow_status(App& app) {
     play.meter *= fall;
     if (play.meter < 1e-3) play.meter = 0.0;
     if (!play.device) return;
-    play.device->set_level(play.level);
+    play.device->set_level(level_now(play));
     play.status = play.device->status();
     play.meter = std::max(play.meter, play.status.peak);
     play.clip_light |= play.status.clipped && is_sounding(app);
@@ -166,25 +207,6 @@ Sounding of_transport(const App& app) {
 
 }  // namespace
 
-void keep_devices(App& app) {
-    Session& session = app.session;
-    session.device = app.play.choice.id;
-    session.device_choices = app.play.choices;
-    if (!session.device.empty()) {
-        session.device_choices.insert(session.device_choices.begin(), app.play.choice);
-    }
-    session.full_scale_g = app.play.full_scale_g;
-}
-
-void restore_devices(App& app) {
-    app.play.choices = app.session.device_choices;
-    app.play.full_scale_g = app.session.full_scale_g;
-    const auto chosen = std::ranges::find(app.play.choices, app.session.device, &DeviceChoice::id);
-    if (app.session.device.empty() || chosen == app.play.choices.end()) return;
-    app.play.choice = *chosen;
-    app.play.choices.erase(chosen);
-}
-
 void make_sound(App& app) {
     app.play.audio = std::make_shared<AudioHost>();
     app.play.list_job = std::make_unique<LatestJob<int, Listing>>(
@@ -204,86 +226,28 @@ void stop_sound(App& app) {
     if (app.study) app.study->device = std::make_shared<MemoryDevice>(false);
     app.play.device.reset();
     app.play.list_job.reset();
+    app.play.drive_job.reset();
     app.play.audio.reset();
-}
-
-void refresh_devices(App& app) {
-    if (app.play.list_job) app.play.list_job->submit(++app.play.lists_asked);
-}
-
-void choose_device(App& app, const DeviceChoice& choice) {
-    PlayState& play = app.play;
-    if (choice == play.choice) return;
-    if (app.study && is_study_running(app))
-        return say(app, "A study is under way: its device stays");
-    silence(app);
-    const auto same = [](const std::string& id) {
-        return [id](const DeviceChoice& other) { return other.id == id; };
-    };
-    if (!play.choice.id.empty()) {
-        std::erase_if(play.choices, same(play.choice.id));
-        play.choices.insert(play.choices.begin(), play.choice);
-    }
-    std::erase_if(play.choices, same(choice.id));
-    play.choice = choice;
-    play.opened = {};
-    play.device.reset();
-    if (app.study) app.study->device = std::make_shared<MemoryDevice>(false);
-    play.status = {};
-    if (!choice.id.empty()) app.playhead.speed = 1.0;
-}
-
-DeviceChoice remembered_choice(const App& app, const std::string& id) {
-    if (app.play.choice.id == id) return app.play.choice;
-    const auto known = std::ranges::find(app.play.choices, id, &DeviceChoice::id);
-    if (known != app.play.choices.end()) return *known;
-    DeviceChoice choice;
-    choice.id = id;
-    return choice;
-}
-
-std::optional<DeviceInfo> chosen_device(const App& app) {
-    if (!app.play.listed) return {};
-    for (const DeviceInfo& device : *app.play.listed) {
-        if (device.id == app.play.choice.id) return device;
-    }
-    return {};
-}
-
-std::string device_text(const App& app) {
-    const PlayState& play = app.play;
-    if (play.choice.id.empty()) {
-        const bool is_any = play.listed && !play.listed->empty();
-        return is_any                                   ? "Silent"
-               : play.list_job && play.list_job->busy() ? "Looking..."
-                                                        : "No device";
-    }
-    const std::optional<DeviceInfo> info = chosen_device(app);
-    const std::string name =
-        info ? info->name : play.choice.id.substr(play.choice.id.rfind('/') + 1);
-    if (info && info->channels.empty()) return name;
-    return name + ", " + std::to_string(play.choice.channel);
-}
-
-std::string device_trouble(const App& app) {
-    const PlayState& play = app.play;
-    if (!play.status.trouble.empty()) return play.status.trouble;
-    if (!play.listed) return {};
-    if (play.choice.id.empty()) return play.listed->empty() ? advice_without_devices() : "";
-    const std::optional<DeviceInfo> info = chosen_device(app);
-    if (info) return info->trouble;
-    return "It is not there: plug it in and refresh, or choose another. Until then everything "
-           "plays "
-           "silently.";
 }
 
 bool can_sound(const App& app) { return app.play.device != nullptr; }
 
 bool is_sounding(const App& app) { return app.play.sounding.has_value(); }
 
+void follow_focus(App& app, bool focused) {
+    const bool is_lost = std::exchange(app.play.focused, focused) && !focused;
+    const std::optional<DeviceInfo> device = chosen_device(app);
+    if (!is_lost || !device || device->kind != DeviceKind::hid || is_study_running(app)) return;
+    if (silence(app)) say(app, device->name + " is still: another window has the keys.");
+}
+
+void take_escape(App& app, bool is_pressed) {
+    app.play.escaped = is_pressed && (silence(app) || app.play.halted);
+    if (is_pressed) app.play.halted = false;
+}
+
 void follow_sound(App& app) {
     PlayState& play = app.play;
-    play.escaped = false;
     if (play.list_job) {
         if (auto listed = play.list_job->latest()) play.listed = std::move(listed);
     }
@@ -363,6 +327,14 @@ void play_test_buzz(App& app) {
     silence(app);
     app.play.sounding = Sounding{};
     play_drive(app, test_buzz(), false);
+}
+
+void play_signal(App& app, const Drive& drive, double level) {
+    if (!can_sound(app)) return;
+    silence(app);
+    app.play.sounding = Sounding{};
+    app.play.sounding->level = level;
+    play_drive(app, drive, false);
 }
 
 bool silence(App& app) {

@@ -18,6 +18,13 @@ void restore_devices(App& app);
 void make_sound(App& app);
 void stop_sound(App& app);  // at the end
 
+// A controller is stilled when the window loses the keys: whatever they go to may want to use it,
+// and Esc would not come here. An output of sound plays on.
+void follow_focus(App& app, bool focused);
+
+// Esc, before follow_sound: silence. What play.halted says was stopped out of turn waits for it.
+void take_escape(App& app, bool is_pressed);
+
 // At the start of a frame: answers, the device's clock, what comes next.
 void follow_sound(App& app);
 
@@ -54,6 +61,8 @@ void play_once(App& app, std::size_t index);                      // silently wi
 void play_pair(App& app, std::size_t first, std::size_t second);  // the first, then the second
 void stop_playing(App& app);                                      // and the playhead
 void play_all(App& app);
+// A drive signal at a level of its own, whatever the bar says: it is no pattern.
+void play_signal(App& app, const Drive& drive, double level);
 void play_test_buzz(App& app);
 
 // Within a few ms; nothing sounds on its own after that. True: something did sound.

@@ -6,10 +6,12 @@
 #include <sstream>
 #include <utility>
 
+#include "app/calibrating.h"
 #include "app/editing.h"
 #include "app/folders.h"
 #include "app/program_version.h"
 #include "app/study_answers.h"
+#include "app/study_masking.h"
 #include "devices/memory_device.h"
 #include "model/io/atomic_file.h"
 #include "model/io/study_csv.h"
@@ -56,7 +58,7 @@ std::shared_ptr<StudyState> make_study() {
 void stop_study(App& app) {
     app.study->job.reset();
     if (app.study->run) app.study->device->stop();
-    if (app.study->masking) app.study->masking->stop();
+    stop_masking(*app.study);
 }
 
 void open_study(App& app) {
@@ -106,8 +108,14 @@ std::string unused_code(const App& app, const std::string& prefix) {
 }
 
 std::string study_calibration(const App& app) {
-    return "uncalibrated, full scale stands for " + significant(app.play.full_scale_g) +
-           " g, level " + significant(app.play.level);
+    const std::string level = ", level " + significant(app.play.level);
+    if (app.play.calibration) {
+        std::string text = calibration_text(app);
+        text.front() = 'c';  // in the middle of a sentence
+        return text + level;
+    }
+    return "uncalibrated, full scale stands for " + significant(app.play.full_scale_g) + " g" +
+           level;
 }
 
 StudyHeader study_header(const App& app, const std::string& code) {
@@ -120,7 +128,7 @@ StudyHeader study_header(const App& app, const std::string& code) {
     header.set_fingerprint = study_fingerprint(set, header.patterns);
     header.design = set.study;
     header.participant.code = code;
-    header.device = {app.study->device->status().name, study_calibration(app)};
+    header.device = {app.study->device->status().name, study_calibration(app), {}};
     return header;
 }
 
@@ -152,7 +160,7 @@ void simulate_participant(App& app) {
     }
     const std::string code = unused_code(app, "synthetic ");
     StudyHeader header = study_header(app, code);
-    header.device = {"none: simulated", "none"};
+    header.device = {"none: simulated", "none", {}};
     header.synthetic = true;
     header.seed = participant_seed(header.design.seed, code);
     const StudyRecord record = simulated_study(header, {{}, truth, header.seed});
@@ -208,6 +216,7 @@ void follow_study(App& app) {
     if (state.run && state.run->playing && app.time_s >= state.run->playing_until_s) {
         act(app, {});
     }
+    follow_masking(app);
     if (state.is_open && !state.run) follow_question(app);
 }
 
@@ -232,7 +241,10 @@ double study_duration_s(const App& app) {
 
 double study_wake_s(const App& app) {
     const StudyState& state = *app.study;
-    if (state.run) return next_change_s(*state.run, app.time_s) + 0.005;
+    if (state.run) {
+        const double next_s = next_change_s(*state.run, app.time_s) + 0.005;
+        return state.masks ? std::min(next_s, kMaskingLookS) : next_s;
+    }
     const bool is_busy = state.is_open && state.job && state.job->busy();
     return is_busy ? 0.1 : std::numeric_limits<double>::infinity();
 }

@@ -2,13 +2,13 @@
 
 #include <utility>
 
+#include "app/calibrating.h"
 #include "app/editing.h"
 #include "app/folders.h"
 #include "app/playing.h"
 #include "app/study_follow.h"
-#include "devices/drive.h"
+#include "app/study_masking.h"
 #include "model/io/utc_time.h"
-#include "model/pink_noise.h"
 
 namespace tact {
 
@@ -18,30 +18,13 @@ using What = StudyEvent::What;
 
 namespace {
 
-void mask(StudyState& state, double level) {
-    constexpr double kRateHz = 48'000.0;
-    constexpr double kLoopS = 20.0;
-    state.masks = false;
-    state.masking_fault.clear();
-    if (level <= 0.0) return;
-    if (!state.masking) {
-        state.masking_fault = "Masking noise is off: there is no second output for headphones.";
-        return;
-    }
-    state.masking->set_level(level);
-    const auto played = state.masking->play({kRateHz, pink_noise(kRateHz, kLoopS, 1)}, true);
-    state.masks = static_cast<bool>(played);
-    if (!played) state.masking_fault = "Masking noise is off: " + played.error().message;
-}
-
 void end_run(App& app) {
     StudyState& state = *app.study;
     const std::string code = state.run->record.header.participant.code;
     const bool is_complete = state.run->page == StudyPage::finished;
     const bool has_file = state.log.has_value();
     state.device->stop();
-    if (state.masking) state.masking->stop();
-    state.masks = false;
+    stop_masking(state);
     state.run.reset();
     state.log.reset();
     state.set.reset();
@@ -74,7 +57,7 @@ void act_on(App& app, const StudyDeeds& deeds) {
     if (deeds.play) {
         const std::string& name = state.run->record.header.patterns[*deeds.play];
         const Vibration& vibration = state.set->vibrations[*place_named(*state.set, name)];
-        const Drive drive = drive_of(waveform_of(vibration), app.play.full_scale_g);
+        const Drive drive = made_drive(drive_request(app, vibration)).drive;
         if (const auto played = state.device->play(drive, false); !played) {
             complain(app, played.error().message);
         }
@@ -105,7 +88,7 @@ void start_run(App& app, StudyRecord record) {
     StudyState& state = *app.study;
     state.set = std::make_shared<const PatternSet>(app.document.set);
     std::vector<double> durations = study_durations_s(*state.set, record.header.patterns);
-    mask(state, record.header.design.masking);
+    begin_masking(app, record.header.design);
     state.run = study_run(std::move(record), std::move(durations));
     state.held.reset();
     state.settling.reset();
@@ -161,6 +144,7 @@ void act(App& app, const StudyEvent& event) {
              {std::pair{"age", state.age}, {"gender", state.gender}, {"hand", state.hand}}) {
             if (!value.empty()) header.participant.fields.emplace_back(key, value);
         }
+        header.device.masking = masking_words(app, header.design);
         header.seed = participant_seed(header.design.seed, state.code);
         if (!state.agrees) return;
         // Its order of trials is the code's.
@@ -169,6 +153,8 @@ void act(App& app, const StudyEvent& event) {
     if (event.what == What::play && may_play(*state.run, app.time_s)) {
         state.pressed_button = event.index;
     }
+    const StudyDesign& design = state.run->record.header.design;
+    if (event.what == What::stay && !state.masks) begin_masking(app, design);
     const bool was_paused = is_paused(*state.run);
     StudyEvent timed = event;
     timed.at = utc_now();

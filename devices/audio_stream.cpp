@@ -156,7 +156,8 @@ Expected<Done> AudioStream::open_once() {
     parameters.suggestedLatency =
         std::max(kLatencyS, Pa_GetDeviceInfo(number)->defaultLowOutputLatency);
     // No callback runs: all of it may be made anew.
-    playback_.layout = {rate_for(parameters), place_.channels, place_.channel, kCeiling};
+    playback_.layout = {rate_for(parameters), place_.channels, place_.channel, kCeiling,
+                        place_.everywhere};
     playback_.own = {};
     playback_.wanted = nullptr;
     playback_.held = nullptr;

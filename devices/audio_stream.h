@@ -32,6 +32,7 @@ class AudioStream {
         std::size_t channel = 0;
         std::size_t channels = 2;
         double latency_offset_s = 0.0;
+        bool everywhere = false;  // on all channels instead
     };
 
     explicit AudioStream(Place place) : place_(std::move(place)) {}

@@ -32,6 +32,7 @@ struct DeviceChoice {
     int of_channels = 0;  // of a sound server: as many as its outputs have; 0: 2, or enough
     double latency_offset_s = 0.0;  // felt so much later than the device says
     std::string calibration{};      // its file; empty: none
+    bool everywhere = false;        // the same on all channels, as masking noise is
 
     bool operator==(const DeviceChoice&) const = default;
 };

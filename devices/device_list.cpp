@@ -112,6 +112,7 @@ Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& 
     place.channel = static_cast<std::size_t>(choice.channel - 1);
     place.channels = static_cast<std::size_t>(channels);
     place.latency_offset_s = choice.latency_offset_s;
+    place.everywhere = choice.everywhere;
     return std::unique_ptr<Device>(std::make_unique<AudioDevice>(host, std::move(place)));
 }
 

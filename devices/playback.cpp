@@ -104,7 +104,10 @@ void render(Playback& playback, float* interleaved, std::size_t frames, double h
         const float off = target - own.gain;
         own.gain = std::abs(off) < 1e-5F ? target : own.gain + off * pull;
         const float sample = next_sample(playback, own.clip != wanted, fade_step);
-        interleaved[n * layout.channels + layout.channel] = std::clamp(sample, -ceiling, ceiling);
+        float* const frame = interleaved + n * layout.channels;
+        const float held = std::clamp(sample, -ceiling, ceiling);
+        if (layout.everywhere) std::fill_n(frame, layout.channels, held);
+        frame[layout.channel] = held;
         peak = std::max(peak, std::abs(sample));
     }
     if (own.has_ended) playback.quiet_frames.fetch_add(frames, std::memory_order_relaxed);

@@ -5,7 +5,8 @@
 // lets it run where the system forbids all that).
 //
 // Source    rules for callbacks: R. Bencina, "Real-time audio programming 101", 2011.
-// Output    interleaved frames: silence on all channels but one. No sound in the first kPadS of a
+// Output    interleaved frames: silence on all channels but one, or the same on all. No sound in
+// the first kPadS of a
 //           stream, as servers lose some of it; a clip that is stopped fades out in kRampS; a
 //           change of level takes about as long.
 // Left out  starting in the middle of a clip. A pattern's own start and end are left as they are:
@@ -33,6 +34,7 @@ struct StreamLayout {
     std::size_t channels = 1;
     std::size_t channel = 0;
     double ceiling = kCeiling;
+    bool everywhere = false;  // on all channels instead
 };
 
 // Between the callback and one control thread; level, peak and clipped between any threads.

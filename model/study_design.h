@@ -34,10 +34,11 @@ struct StudyDesign {
     int attention_pairs = 1;            // of a pattern with itself
     int seed = 1;
     StudyOrder order = StudyOrder::full;
-    double gap_s = 1.0;    // between two vibrations, at least
-    double rest_s = 1.0;   // after each vibration of the training
-    int break_every = 66;  // trials; 0: no breaks
-    double masking = 0.0;  // level of the pink noise, of full scale; 0: none
+    double gap_s = 1.0;      // between two vibrations, at least
+    double rest_s = 1.0;     // after each vibration of the training
+    int break_every = 66;    // trials; 0: no breaks
+    double masking = 0.0;    // level of the pink noise, of full scale; 0: none
+    std::string headphones;  // id of the output that it is on; never the actuator's
     AttentionRule attention;
     std::string instructions;  // empty: instructions_of()
     std::string consent;       // empty: consent_of()

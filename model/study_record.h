@@ -29,6 +29,8 @@ struct Participant {
 struct StudyDevice {
     std::string name;
     std::string calibration;  // its name, or "uncalibrated"
+    std::string masking;  // the noise against hearing it, or why there was none; empty: not asked
+
     bool operator==(const StudyDevice&) const = default;
 };
 

@@ -218,3 +218,19 @@ TEST_CASE("playback: gaps are counted while a clip sounds, and not in silence") 
     render(stream.playback, buffer.data(), 240, 0.0, true);
     CHECK(stream.playback.dropouts == 1);
 }
+
+TEST_CASE(
+    "playback: what is for everywhere comes out of all channels alike, masking noise that is") {
+    const Clip clip = sine(0.5, 2400, false, 1);
+    Stream stream;
+    stream.playback.layout.everywhere = true;
+    stream.playback.wanted = &clip;
+    std::vector<float> buffer(4 * (kPad + 2400));
+    render(stream.playback, buffer.data(), kPad + 2400, 0.0);
+    for (std::size_t n = 0; n < kPad + 2400; ++n) {
+        const float wanted = n < kPad ? 0.0F : clip.samples[n - kPad];
+        for (std::size_t channel = 0; channel < 4; ++channel) {
+            REQUIRE(buffer[4 * n + channel] == wanted);
+        }
+    }
+}

@@ -57,7 +57,8 @@ PatternSet unusual_set() {
         {"20 people", {"one two", "\u0436\u0443\u0436", "gone"}, {0.1, -2.0, 1e-300}, {}});
     set.model.coding.excitatory_layers = 2;
     set.model.nc_weight = 0.1;
-    set.study = {{"one two"}, 3,       2,      7,     StudyOrder::adaptive, 0.5, 1.5, 20, 0.25,
+    set.study = {{"one two"}, 3,       2,      7,     StudyOrder::adaptive,
+                 0.5,         1.5,     20,     0.25,  "audio/ALSA/ears",
                  {75.0, 1},   "Feel.", "Yes.", {0, 3}};
     return set;
 }

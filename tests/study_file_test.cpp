@@ -19,7 +19,7 @@ StudyHeader header() {
     header.design.repetitions = 2;
     header.design.consent = "I agree.";
     header.seed = 0xfedcba9876543210U;
-    header.device = {"memory", "uncalibrated"};
+    header.device = {"memory", "uncalibrated", "pink noise at 0.3 on ears"};
     header.participant = {"P1", {{"age", "27"}, {"hand", "left"}}};
     header.consented = true;
     header.begun = "2026-01-02T03:04:05Z";

@@ -97,7 +97,7 @@ StudyHeader simulated_header(const StudyCommand& command, const PatternSet& set)
     header.set_name = set.name;
     header.patterns = study_patterns(set);
     header.set_fingerprint = study_fingerprint(set, header.patterns);
-    header.device = {"none: simulated", "none"};
+    header.device = {"none: simulated", "none", {}};
     header.design = set.study;
     return header;
 }

@@ -4,6 +4,7 @@
 
 #include "app/calibrating.h"
 #include "app/dialogs.h"
+#include "app/measuring_response.h"
 #include "app/panels/panels.h"
 #include "app/playing.h"
 #include "app/widgets.h"
@@ -85,6 +86,7 @@ bool draw_combo(App& app, const char* label, const char* id, const std::vector<s
                 chosen = static_cast<int>(k);
                 changed = true;
             }
+            note_item(app.rects, std::string("choose:") + (id + 2) + " " + names[k]);
         }
         ImGui::EndCombo();
     }
@@ -137,6 +139,18 @@ constexpr Field kFullScale{
         "The acceleration that full scale is taken for. The actuator may well do another: "
         "strengths within a set are in proportion, but uncalibrated."};
 
+void draw_calibration_links(App& app) {
+    if (can_be_calibrated(app)) {
+        if (link(app, "calibrate", "Calibrate...")) calibrate_dialog(app);
+        note_item(app.rects, "link:calibrate");
+        draw_tooltip(app, "With an accelerometer on the actuator: how many g it gives");
+        ImGui::SameLine(0.0F, app.theme.padding_px);
+    }
+    if (link(app, "load calibration", "Load calibration...")) load_calibration_dialog(app);
+    note_item(app.rects, "link:load calibration");
+    draw_tooltip(app, "A file that an earlier calibration of this actuator has left");
+}
+
 // How drives get their strength: by a calibration, or by what full scale is taken for.
 void draw_strength(App& app) {
     const std::string calibrated = calibration_text(app);
@@ -148,6 +162,8 @@ void draw_strength(App& app) {
         dim_text(app, "at a level of 100 % patterns have the strength they say");
         if (link(app, "no calibration", "Use none")) use_calibration(app, {});
         note_item(app.rects, "link:no calibration");
+        ImGui::SameLine(0.0F, app.theme.padding_px);
+        draw_calibration_links(app);
         return;
     }
     draw_field(app, kFullScale, app.play.full_scale_g);
@@ -157,10 +173,7 @@ void draw_strength(App& app) {
     note_item(app.rects, "uncalibrated");
     ImGui::SameLine(0.0F, app.theme.gap_px);
     dim_text(app, "what is felt in g is not known");
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    if (link(app, "load calibration", "Load calibration...")) load_calibration_dialog(app);
-    note_item(app.rects, "link:load calibration");
-    draw_tooltip(app, "Made by tactspace calibrate from a recording of this actuator");
+    draw_calibration_links(app);
 }
 
 void draw_choice(App& app) {
@@ -186,9 +199,8 @@ void draw_choice(App& app) {
 
 void draw_devices(App& app) {
     if (!begin_dialog(app, "Devices")) return;
-    // A popup has the colour of fields.
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, app.theme.pane);
-    ImGui::PushStyleColor(ImGuiCol_Button, app.theme.pane);
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(app.theme));
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
     draw_list(app);
     draw_choice(app);
     ImGui::Spacing();

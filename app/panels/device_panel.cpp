@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "app/calibrating.h"
 #include "app/editing.h"
 #include "app/map_follow.h"
 #include "app/panels/panels.h"
@@ -23,12 +24,6 @@ std::string percent(double share) {
     std::snprintf(text, sizeof text, share > 0.0 && share < 0.01 ? "< 1 %%" : "%.0f %%",
                   100.0 * share);
     return text;
-}
-
-// Everything predicted is asked for anew: a new revision of what is compared.
-void predictions_changed(App& app) {
-    ++app.revision;
-    request_maps(app);
 }
 
 void draw_kind(App& app) {
@@ -161,11 +156,14 @@ void draw_bands(App& app, const Rendering& rendering) {
 // The sentences under the numbers: what a person would not see in the curves.
 std::vector<std::string> remarks_on(const Rendering& rendering) {
     std::vector<std::string> remarks;
+    for (const std::string& warning : rendering.warnings) {
+        remarks.push_back("The pattern " + warning + ".");
+    }
     const auto of_frames = [&](auto which) {
         return static_cast<std::size_t>(std::ranges::count_if(rendering.frames, which));
     };
     const std::string frames = " of " + std::to_string(rendering.frames.size()) + " packets";
-    if (rendering.clipped) {
+    if (rendering.clipped && rendering.warnings.empty()) {
         remarks.emplace_back("Stronger than full scale: the device plays it weaker than meant.");
     }
     if (const auto folded = of_frames([](const RenderedFrame& f) { return f.folded; })) {
@@ -191,17 +189,14 @@ void draw_summary(App& app, const Rendering& rendering) {
     ImGui::PushFont(app.theme.fonts.small);
     for (const std::string& remark : remarks_on(rendering)) dim_text(app, remark);
     dim_text(app, std::string("This kind keeps ") + traits(rendering.by.kind).keeps +
-                      ". Computed from how it is told, not measured.");
+                      (is_calibrated(rendering.by)
+                           ? ". Computed from its measured response, at a level of 100 %."
+                           : ". Computed from how it is told, not measured."));
     ImGui::PopFont();
     ImGui::PopTextWrapPos();
 }
 
-}  // namespace
-
-void draw_device_panel(App& app) {
-    draw_kind(app);
-    draw_switch(app);
-    draw_full_scale(app);
+void draw_report(App& app) {
     const Vibration* const current = current_vibration(app);
     const std::shared_ptr<const LiveRendering> live = app.rendering.shown;
     if (current == nullptr || !live) {
@@ -225,6 +220,26 @@ void draw_device_panel(App& app) {
     ImGui::Dummy(waves.size());
     draw_waves(app, *live, stale, waves);
     draw_bands(app, live->rendering);
+}
+
+}  // namespace
+
+void draw_device_panel(App& app) {
+    // Longer than a low pane.
+    ImGui::BeginChild("device report", ImGui::GetContentRegionAvail());
+    draw_kind(app);
+    draw_switch(app);
+    if (is_calibrated(app.rendering.by)) {
+        const std::string text = calibration_text(app);
+        ImGui::PushTextWrapPos(0.0F);
+        dim_text(app, text);
+        ImGui::PopTextWrapPos();
+        note_item(app.rects, "rendering:calibrated", text);
+    } else {
+        draw_full_scale(app);
+    }
+    draw_report(app);
+    ImGui::EndChild();
 }
 
 }  // namespace tact

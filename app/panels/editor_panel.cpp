@@ -104,7 +104,9 @@ void draw_measurement(App& app, const Measurement& measurement) {
     std::snprintf(text, sizeof text, "%.4g s, peak %.3g g, %.4g g at full scale",
                   duration_s(*measurement.waveform), peak_g(*measurement.waveform),
                   measurement.scale_g);
+    ImGui::PushTextWrapPos(0.0F);
     dim_text(app, text);
+    ImGui::PopTextWrapPos();
     if (!measurement.measures.empty()) {
         ImGui::TextWrapped("Measures %s", measurement.measures.c_str());
     }

@@ -56,6 +56,7 @@ float sound_controls_width(const App& app, SoundParts parts);
 
 // The dialog of devices.
 void draw_devices(App& app);
+void draw_calibrate(App& app);
 
 // Mark and colour of the pattern at a position: its own colour, else by position.
 PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index);

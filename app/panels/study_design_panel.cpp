@@ -12,6 +12,7 @@
 #include "app/editing.h"
 #include "app/panels/panels.h"
 #include "app/study_follow.h"
+#include "app/study_masking.h"
 #include "app/widgets.h"
 
 namespace tact {
@@ -115,6 +116,49 @@ void draw_number(App& app, const NumberRow& row) {
     const FieldEdit edit = draw_field(app, row.field, value);
     if (edit.changed) change(app, [&](StudyDesign& design) { row.set(design, value); });
     if (edit.finished) commit_step(app, std::string("study: ") + row.field.label);
+}
+
+// The output that is an actuator's or gone is told below the choice.
+void draw_headphones(App& app) {
+    const StudyDesign& design = app.document.set.study;
+    if (design.masking <= 0.0) return;
+    const auto listed = app.play.listed;
+    const auto name_of = [&](const std::string& id) {
+        for (std::size_t k = 0; listed && k < listed->size(); ++k) {
+            if ((*listed)[k].id == id) return (*listed)[k].name;
+        }
+        return id.substr(id.rfind('/') + 1);
+    };
+    draw_label(app, "Headphones", 200.0F * app.theme.scale);
+    ImGui::SetNextItemWidth(-1.0F);
+    const std::string shown =
+        design.headphones.empty() ? "choose an output" : name_of(design.headphones);
+    const bool is_open = ImGui::BeginCombo("##headphones", shown.c_str());
+    note_item(app.rects, "study:headphones", design.headphones);
+    draw_tooltip(app, "The sound output that the participant's headphones are on");
+    for (std::size_t k = 0; is_open && listed && k < listed->size(); ++k) {
+        const DeviceInfo& device = (*listed)[k];
+        if (device.kind != DeviceKind::audio) continue;
+        const bool is_actuator = device.id == app.play.choice.id;
+        const std::string label =
+            device.name + (is_actuator ? " (the actuator's)" : "") + "##" + device.id;
+        if (ImGui::Selectable(label.c_str(), device.id == design.headphones,
+                              is_actuator ? ImGuiSelectableFlags_Disabled : 0)) {
+            change_at_once(app, "study: headphones",
+                           [id = device.id](StudyDesign& d) { d.headphones = id; });
+        }
+        note_item(app.rects, "study headphones:" + device.id);
+    }
+    if (is_open) ImGui::EndCombo();
+    const Expected<DeviceInfo> output = masking_output(app.play, app.document.set.study.headphones);
+    if (output) return;
+    const std::string why = "No masking noise: " + output.error().message + ".";
+    ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(why.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    note_item(app.rects, "study:no masking", why);
 }
 
 void draw_kind(App& app) {
@@ -290,6 +334,7 @@ void draw_study_design(App& app) {
     for (const NumberRow& row : kTrials) {
         if (rates || !row.of_pairs) draw_number(app, row);
     }
+    draw_headphones(app);
     ImGui::Spacing();
     draw_patterns(app);
     const StudyDesign& design = app.document.set.study;

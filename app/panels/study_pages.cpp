@@ -112,7 +112,9 @@ void draw_foot(App& app, const Rect& area) {
             warning = "Rehearsal: no actuator is connected, nothing can be felt.";
         }
     }
-    if (warning.empty()) warning = state.masking_fault;
+    if (!state.masking_fault.empty() && state.run->trouble.empty()) {
+        warning += (warning.empty() ? "" : " ") + state.masking_fault;
+    }
     if (warning.empty()) return;
     centred_text(app, theme.fonts.regular, state.run->trouble.empty() ? theme.warning : theme.error,
                  area, area.max.y - 52.0F * theme.scale, warning);

@@ -72,7 +72,7 @@ bool icon_button(App& app, const char* id, Icon icon, bool lit, const char* tip)
     }
     draw_icon(list, icon, corner + ImVec2{side * 0.575F, side * 0.5F}, side * 0.46F,
               lit ? theme.accent : theme.text);
-    note_item(app.rects, std::string("transport:") + id);
+    note_item(app.rects, std::string("transport:") + id, lit ? "on" : "off");
     draw_tooltip(app, tip);
     ImGui::SameLine(0.0F, app.theme.gap_px * 0.5F);
     return pressed;

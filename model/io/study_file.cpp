@@ -33,6 +33,7 @@ Json json_of_head(const StudyHeader& header) {
     fields["begun"] = header.begun;
     fields["set"] = {{"name", header.set_name}, {"fingerprint", header.set_fingerprint}};
     fields["device"] = {{"name", header.device.name}, {"calibration", header.device.calibration}};
+    if (!header.device.masking.empty()) fields["device"]["masking"] = header.device.masking;
     // As text: JSON's numbers are doubles to many readers.
     fields["seed"] = std::to_string(header.seed);
     fields["patterns"] = header.patterns;
@@ -98,7 +99,8 @@ StudyHeader header_of(JsonObject& object) {
     header.set_name = text_field(set, "name", "");
     header.set_fingerprint = text_field(set, "fingerprint", "");
     JsonObject device = object_field(object, "device");
-    header.device = {text_field(device, "name", ""), text_field(device, "calibration", "")};
+    header.device = {text_field(device, "name", ""), text_field(device, "calibration", ""),
+                     text_field(device, "masking", "")};
     header.seed = seed_field(object);
     header.patterns = patterns_of(object);
     JsonObject design = object_field(object, "design");

@@ -67,6 +67,7 @@ StudyDesign study_design_of(JsonObject& object, Json& unknown) {
     design.break_every =
         whole_field(object, "break_every", design.break_every, limits::kBreakEvery);
     design.masking = number_field(object, "masking", design.masking, {0.0, 1.0});
+    design.headphones = text_field(object, "headphones", "");
     design.attention = attention_of(object, unknown);
     design.instructions = long_text_field(object, "instructions");
     design.consent = long_text_field(object, "consent");
@@ -92,6 +93,7 @@ Json json_of(const StudyDesign& design) {
     note("rest_s", design.rest_s, standard.rest_s);
     note("break_every", design.break_every, standard.break_every);
     note("masking", design.masking, standard.masking);
+    note("headphones", design.headphones, standard.headphones);
     if (design.attention != standard.attention) {
         fields["attention"] = {{"above", design.attention.above},
                                {"failures_allowed", design.attention.failures_allowed}};

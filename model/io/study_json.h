@@ -2,6 +2,7 @@
 //
 //     {"patterns": ["a", "b"], "repetitions": 4, "attention_pairs": 1, "seed": 1, "order": "full",
 //      "gap_s": 1, "rest_s": 1, "break_every": 66, "masking": 0,
+//      "headphones": "audio/ALSA/pulse",
 //      "attention": {"above": 80, "failures_allowed": 0}, "instructions": "..", "consent": "..",
 //      "groups": [0, 3, 6]}
 #pragma once
