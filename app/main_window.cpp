@@ -1,6 +1,7 @@
 #include "app/main_window.h"
 
 #include "app/bench_follow.h"
+#include "app/emergency_stop.h"
 #include "app/exports.h"
 #include "app/files.h"
 #include "app/frame.h"
@@ -21,14 +22,19 @@ WindowOptions options_of(const App& app) {
     return options;
 }
 
-FrameRequest draw_window_frame(App& app, const FrameContext& context) {
+FrameRequest draw_window_frame(App& app, EmergencyStop& stop, const FrameContext& context) {
+    app.play.halted |= stop.take();
     app.content_scale = context.content_scale;
     if (!is_study_running(app)) {  // which fills the screen
         app.session.window_width = context.width;
         app.session.window_height = context.height;
         app.session.window_maximised = context.maximised;
     }
+    follow_focus(app, context.focused);
     draw_frame(app, context.pressed, context.time_s);
+    stop.watch(is_study_running(app) ? app.study->device
+               : is_sounding(app)    ? app.play.device
+                                     : nullptr);
     FrameRequest request;
     request.animate = wants_another_frame(app);
     request.wake_after_s = next_wake_s(app);
@@ -62,8 +68,12 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     make_sound(app);
     request_maps(app);
 
+    EmergencyStop stop;
     WindowClient client;
-    client.frame = [&app](const FrameContext& context) { return draw_window_frame(app, context); };
+    client.frame = [&app, &stop](const FrameContext& context) {
+        return draw_window_frame(app, stop, context);
+    };
+    client.escape = [&stop] { stop.stop(); };
     client.drop = [&app](const std::vector<std::filesystem::path>& paths) {
         drop_paths(app, paths);
     };
@@ -73,6 +83,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     };
     client.after_frame = [&app] { continue_exports(app); };
     const Expected<Done> answer = run_window(options_of(app), client);
+    stop.watch(nullptr);
     // The jobs end before what they wake does.
     stop_sound(app);
     stop_jobs(app);

@@ -8,12 +8,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <mutex>
 
+#include "app/escape_watch.h"
 #include "app/full_screen.h"
 #include "app/kept_frame.h"
+#include "app/key_sign.h"
 
 namespace tact {
 namespace {
@@ -31,6 +34,8 @@ constexpr double kShortestFrameS = 1.0 / 125.0;
 // GLFW is one per process, and so is this: whether it may be called from another thread.
 std::mutex glfw_mutex;
 bool glfw_is_ready = false;
+// Since the last frame, by wake_window(): its event may be taken while frames are drawn anyway.
+std::atomic<bool> was_woken = false;
 
 std::string glfw_reason() {
     const char* text = nullptr;
@@ -104,27 +109,6 @@ float content_scale(GLFWwindow* glfw) {
     return std::max(x, y);
 }
 
-// The ASCII sign a key writes in the current layout. The row of digits counts as digits in every
-// layout, and one without Latin letters keeps the letters' places of the US one.
-char32_t sign_of(int code, int scancode) {
-    if (code == GLFW_KEY_SPACE) return U' ';
-    const char* name = glfwGetKeyName(code, scancode);
-    if (name == nullptr) return 0;
-    const bool is_ascii = name[0] > ' ' && name[0] < 127 && name[1] == '\0';
-    const bool is_digit_key = code >= GLFW_KEY_0 && code <= GLFW_KEY_9;
-    const bool is_letter_key = code >= GLFW_KEY_A && code <= GLFW_KEY_Z;
-    char32_t sign = is_ascii ? static_cast<char32_t>(name[0]) : 0;
-    if (is_digit_key || (is_letter_key && !is_ascii)) sign = static_cast<char32_t>(code);
-    return sign >= U'A' && sign <= U'Z' ? sign - U'A' + U'a' : sign;
-}
-
-// Keys that write are named by what they write, in capitals; keypad and the others keep their code.
-int code_of(int code, char32_t sign) {
-    const bool writes = code == GLFW_KEY_UNKNOWN || code < GLFW_KEY_ESCAPE;
-    if (!writes || sign == 0) return code;
-    return static_cast<int>(sign >= U'a' && sign <= U'z' ? sign - U'a' + U'A' : sign);
-}
-
 void on_key(GLFWwindow* glfw, int code, int scancode, int action, int) {
     KeyChange change;
     change.sign = sign_of(code, scancode);
@@ -139,6 +123,8 @@ void on_key(GLFWwindow* glfw, int code, int scancode, int action, int) {
         if (action == GLFW_RELEASE) held = 0;
     }
     push_now(glfw, change);
+    const WindowClient& client = *window_of(glfw).client;
+    if (code == GLFW_KEY_ESCAPE && action == GLFW_PRESS && client.escape) client.escape();
 }
 
 // GLFW reports screen coordinates; where those are not pixels, the two sizes tell.
@@ -250,6 +236,7 @@ FrameContext context_of(const Window& window, double time_s) {
     context.width = size.width;
     context.height = size.height;
     context.maximised = window.maximised;
+    context.focused = glfwGetWindowAttrib(window.glfw, GLFW_FOCUSED) == GLFW_TRUE;
     return context;
 }
 
@@ -292,7 +279,7 @@ void draw_frame(Window& window, Size pixels) {
 }
 
 // Lets GLFW deliver events: at once while frames are due, else as long as nothing happens.
-void wait_for_events(Window& window, double frame_start_s) {
+void deliver_events(Window& window, double frame_start_s) {
     if (pending(window.input)) return glfwPollEvents();
     const double now_s = glfwGetTime();
     if (window.frames_due > 0) {
@@ -306,6 +293,12 @@ void wait_for_events(Window& window, double frame_start_s) {
         glfwWaitEventsTimeout(sleep_s);
     }
     window.frames_due = glfwGetTime() < window.next_wake_s ? kSettlingFrames : 1;
+}
+
+// What somebody woke the window for is laid out in as many frames as what a person did.
+void wait_for_events(Window& window, double frame_start_s) {
+    deliver_events(window, frame_start_s);
+    if (was_woken.exchange(false)) window.frames_due = kSettlingFrames;
 }
 
 void run_loop(Window& window) {
@@ -374,6 +367,7 @@ Expected<Done> run_window(const WindowOptions& options, const WindowClient& clie
     glfwSwapInterval(1);
     install_callbacks(window.glfw);
     make_cursors(window);
+    const EscapeWatch escape_watch(window.glfw, client.escape);
 
     ImGuiContext* context = ImGui::CreateContext();
     connect_imgui(window);
@@ -387,6 +381,7 @@ Expected<Done> run_window(const WindowOptions& options, const WindowClient& clie
 
 void wake_window() {
     const std::lock_guard lock(glfw_mutex);
+    was_woken = true;
     if (glfw_is_ready) glfwPostEmptyEvent();
 }
 

@@ -37,6 +37,7 @@ struct FrameContext {
     int width = 0;  // screen coordinates, as in WindowOptions
     int height = 0;
     bool maximised = false;
+    bool focused = true;  // keys come here
 };
 
 // What a frame asks of the window.
@@ -55,6 +56,9 @@ struct WindowClient {
     std::function<FrameRequest(const FrameContext&)> frame;
     // Files dropped on the window.
     std::function<void(std::vector<std::filesystem::path>)> drop;
+    // As soon as Esc goes down, on another thread where the screen is X11's (app/escape_watch.h)
+    // and between two frames; perhaps both. Its own frame follows.
+    std::function<void()> escape;
     // The user wants to close the window: may it? Without this, yes.
     std::function<bool()> close;
     // Fills the empty atlas of ImGui::GetIO(); also the place to set the style. Called before the

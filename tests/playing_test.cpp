@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "app/emergency_stop.h"
 #include "devices/memory_device.h"
 #include "program.h"
 
@@ -284,4 +285,82 @@ TEST_CASE("playing: in the map a double click plays, and so does resting on a po
     program.window.click(point);
     program.settle();
     CHECK(program.plays(1));
+}
+
+TEST_CASE("playing: Esc that comes before its frame stops the device, and no sequence goes on") {
+    Felt program;
+    program.app.play.gap_s = 0.0;
+    play_all(program.app);
+    program.frame();
+    REQUIRE(program.plays(0));
+    EmergencyStop stop;
+    stop.watch(program.app.play.device);
+    stop.stop();  // as the window does it when the key goes down
+    CHECK_FALSE(program.device->playing());
+    program.app.play.halted = stop.take();
+    CHECK(program.app.play.halted);
+    CHECK_FALSE(stop.take());
+    for (int k = 0; k < 5; ++k) program.frame();
+    CHECK_FALSE(program.device->playing());
+    program.app.selection.others = {1};
+    program.press_key(key::kEscape);
+    CHECK_FALSE(is_sounding(program.app));
+    CHECK(program.app.selection.others.size() == 1);  // it has done enough
+    program.space();
+    CHECK(program.device->playing());
+}
+
+TEST_CASE("playing: a calibrated drive is computed beside the frames, and then played") {
+    Felt program;
+    Calibration flat;
+    flat.points = {{20.0, 2.0}, {500.0, 2.0}};
+    program.app.play.calibration = std::make_shared<const Calibration>(flat);
+    const Vibration& first = program.app.document.set.vibrations[0];
+    const Drive wanted = calibrated_drive(waveform_of(first), flat).drive;
+    program.window.press(key::kSpace, U' ');
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (!program.device->playing()) {
+        REQUIRE(std::chrono::steady_clock::now() < until);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        program.frame();
+    }
+    CHECK(*program.device->playing() == wanted);
+    CHECK(is_sounding(program.app));
+    program.settle();
+    program.space();
+    CHECK_FALSE(program.device->playing());
+    CHECK_FALSE(is_sounding(program.app));
+}
+
+TEST_CASE("playing: what was being computed when it was silenced is not played") {
+    Felt program;
+    Calibration flat;
+    flat.points = {{20.0, 2.0}, {500.0, 2.0}};
+    program.app.play.calibration = std::make_shared<const Calibration>(flat);
+    play_once(program.app, 0);
+    silence(program.app);
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (!program.app.play.drive_job->latest()) {
+        REQUIRE(std::chrono::steady_clock::now() < until);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    program.settle();
+    CHECK_FALSE(program.device->playing());
+}
+
+TEST_CASE("playing: a controller is still when another window has the keys, sound plays on") {
+    Felt program;
+    program.space();
+    follow_focus(program.app, true);
+    follow_focus(program.app, false);
+    CHECK(program.device->playing());
+    Listing listed = *program.app.play.listed;
+    listed[0].kind = DeviceKind::hid;
+    program.app.play.listed = std::make_shared<const Listing>(listed);
+    follow_focus(program.app, false);  // it was lost before
+    CHECK(program.device->playing());
+    follow_focus(program.app, true);
+    follow_focus(program.app, false);
+    CHECK_FALSE(program.device->playing());
+    CHECK_FALSE(is_sounding(program.app));
 }
