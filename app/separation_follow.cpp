@@ -6,6 +6,7 @@
 #include "app/editing.h"
 #include "app/map_follow.h"
 #include "app/subset_follow.h"
+#include "model/quantile.h"
 #include "model/set_ratings.h"
 
 namespace tact {
@@ -37,9 +38,9 @@ bool is_same_question(const TooClosePairs& a, const TooClosePairs& b) {
 }
 
 void keep_closest(TooClosePairs& pairs, const Dissimilarity& dissimilarity) {
-    pairs.pairs = confusable_pairs(dissimilarity, pairs.threshold);
-    pairs.count = pairs.pairs.size();
-    if (pairs.count > kMostPairs) pairs.pairs.resize(kMostPairs);
+    pairs.pairs = confusable_pairs(dissimilarity, pairs.threshold, kMostPairs);
+    pairs.count = static_cast<std::size_t>(std::ranges::count_if(
+        dissimilarity.condensed, [&](double value) { return value <= pairs.threshold; }));
 }
 
 void find_pairs(TooClosePairs& pairs, const SubsetState& state) {
@@ -60,7 +61,7 @@ void find_pairs(TooClosePairs& pairs, const SubsetState& state) {
         return keep_closest(pairs, pm);
     }
     if (pairs.by == TooClose::share) {
-        pairs.threshold = threshold_at(pm, pairs.share);
+        pairs.threshold = quantile(*pairs.values, pairs.share);
         return keep_closest(pairs, pm);
     }
     if (pairs.picked.size() < 2) return;
@@ -79,8 +80,15 @@ const TooClosePairs& too_close_pairs(App& app) {
     TooClosePairs& pairs = app.subset->pairs;
     TooClosePairs asked = question_of(app);
     if (is_same_question(pairs, asked)) return pairs;
+    // Sorted once for a map: of half a million pairs a slider could not wait for it.
+    if (pairs.of == asked.of) asked.values = pairs.values;
     pairs = std::move(asked);
-    if (pairs.of) find_pairs(pairs, *app.subset);
+    if (!pairs.of) return pairs;
+    if (!pairs.values) {
+        pairs.values =
+            std::make_shared<const std::vector<double>>(sorted_values(pairs.of->prediction.pm));
+    }
+    find_pairs(pairs, *app.subset);
     return pairs;
 }
 
@@ -132,18 +140,17 @@ SeparationRequest separation_request(App& app, std::size_t row) {
 
 std::string separation_obstacle(const App& app, std::size_t row) {
     const std::string why = fixed_because(app, row);
-    if (why == "locked") return "Both are locked: unlock one of them to change it (Ctrl+L).";
+    if (why == "locked") return "Neither may be changed: unlock one of them (Ctrl+L).";
     if (why == "measured") return "Only a pattern made of parameters can be changed.";
     if (!why.empty()) return "The pattern was removed.";
     if (app.subset->too_close == TooClose::ratings) {
         return "People have not rated a changed pattern: choose Closest, which goes by PM.";
     }
-    if (map_state(app) != MapState::exact) return "It can be asked once the map is exact.";
-    return app.subset->separation_job ? "" : "Not in a picture.";
+    return map_state(app) == MapState::exact ? "" : "It can be asked once the map is exact.";
 }
 
 void ask_for_separation(App& app, std::size_t row) {
-    if (!separation_obstacle(app, row).empty()) return;
+    if (!app.subset->separation_job || !separation_obstacle(app, row).empty()) return;
     app.subset->separation_job->submit(separation_request(app, row));
 }
 

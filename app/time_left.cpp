@@ -18,6 +18,7 @@ std::string rounded_up(double value, double step, const char* unit) {
 std::string coarse(double seconds) {
     if (seconds <= 10.0) return rounded_up(seconds, 1.0, "s");
     if (seconds <= 60.0) return rounded_up(seconds, 5.0, "s");
+    if (seconds <= 120.0) return rounded_up(seconds, 10.0, "s");
     if (seconds <= 3600.0) return rounded_up(seconds / 60.0, 1.0, "min");
     return rounded_up(seconds / 3600.0, 1.0, "h");
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "model/quantile.h"
 
@@ -140,7 +141,8 @@ double with_three_digits(double value) {
 
 }  // namespace
 
-std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold) {
+std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold,
+                                             std::size_t most) {
     std::vector<ConfusablePair> pairs;
     std::size_t k = 0;
     for (std::size_t i = 0; i < dissimilarity.size; ++i) {
@@ -149,17 +151,26 @@ std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity,
             if (value <= threshold) pairs.push_back({i, j, value});
         }
     }
-    std::ranges::stable_sort(pairs, {}, &ConfusablePair::dissimilarity);
+    // Of half a million pairs a few hundred are wanted.
+    const auto end = pairs.begin() + static_cast<std::ptrdiff_t>(std::min(most, pairs.size()));
+    std::ranges::partial_sort(pairs, end, {}, [](const ConfusablePair& pair) {
+        return std::tuple(pair.dissimilarity, pair.a, pair.b);
+    });
+    pairs.erase(end, pairs.end());
     return pairs;
 }
 
-double threshold_at(const Dissimilarity& dissimilarity, double share) {
+std::vector<double> sorted_values(const Dissimilarity& dissimilarity) {
     std::vector<double> values;
     for (const double value : dissimilarity.condensed) {
         if (std::isfinite(value)) values.push_back(value);
     }
     std::ranges::sort(values);
-    return quantile(values, share);
+    return values;
+}
+
+double threshold_at(const Dissimilarity& dissimilarity, double share) {
+    return quantile(sorted_values(dissimilarity), share);
 }
 
 Dissimilarity among(const Dissimilarity& dissimilarity, std::span<const std::size_t> objects) {

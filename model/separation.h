@@ -35,11 +35,15 @@ struct ConfusablePair {
     bool operator==(const ConfusablePair&) const = default;
 };
 
-// The pairs not above the threshold, the closest first.
-std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold);
+// The pairs not above the threshold, the closest first, at most so many.
+std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold,
+                                             std::size_t most);
 
 // The dissimilarity below which a share of the pairs lies; NaN of none.
 double threshold_at(const Dissimilarity& dissimilarity, double share);
+
+// What quantiles are taken of: dissimilarities that are known, ascending.
+std::vector<double> sorted_values(const Dissimilarity& dissimilarity);
 
 // Those of some of the objects alone (ascending), in their order.
 Dissimilarity among(const Dissimilarity& dissimilarity, std::span<const std::size_t> objects);

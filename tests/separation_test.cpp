@@ -62,11 +62,12 @@ double nearest(const Dissimilarity& pm, std::size_t place) {
 
 TEST_CASE("confusable: pairs up to the threshold, the closest first, no more than asked for") {
     const Dissimilarity line = on_a_line({0.0, 1.0, 3.0, 7.0});
-    const auto pairs = confusable_pairs(line, 3.0);
+    const auto pairs = confusable_pairs(line, 3.0, 10);
     REQUIRE(pairs.size() == 3);
     CHECK(pairs[0] == ConfusablePair{0, 1, 1.0});
     CHECK(pairs[1] == ConfusablePair{1, 2, 2.0});
     CHECK(pairs[2] == ConfusablePair{0, 2, 3.0});
+    CHECK(confusable_pairs(line, 3.0, 1) == std::vector{ConfusablePair{0, 1, 1.0}});
     CHECK(among(line, std::vector<std::size_t>{0, 2, 3}).condensed ==
           std::vector<double>{3.0, 7.0, 4.0});
     CHECK(threshold_at(line, 0.0) == 1.0);

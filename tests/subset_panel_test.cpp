@@ -199,7 +199,7 @@ TEST_CASE("subset panel: whatever cannot be asked says why") {
     app.document.set.vibrations[pair.b].locked = true;
     bench.program.settle();
     CHECK(bench.program.at("separation obstacle").value ==
-          "Both are locked: unlock one of them to change it (Ctrl+L).");
+          "Neither may be changed: unlock one of them (Ctrl+L).");
 
     bench.program.click("subset:How sure");
     CHECK_FALSE(bench.program.shows("stability obstacle"));

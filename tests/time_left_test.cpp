@@ -14,7 +14,8 @@ TEST_CASE("time left: work goes on as fast as it went") {
 TEST_CASE("time left: it is rounded up, to what is worth telling") {
     CHECK(time_left_text(10.0, 0.6) == "about 7 s left");
     CHECK(time_left_text(31.0, 0.5) == "about 35 s left");
-    CHECK(time_left_text(61.0, 0.5) == "about 2 min left");
+    CHECK(time_left_text(61.0, 0.5) == "about 70 s left");
+    CHECK(time_left_text(121.0, 0.5) == "about 3 min left");
 }
 
 TEST_CASE("time left: nothing is told too early, too late, or of what does not move") {
