@@ -4,6 +4,7 @@
 
 #include "app/check_findings.h"
 #include "app/editing.h"
+#include "app/file_question.h"
 #include "app/files.h"
 #include "app/import_follow.h"
 #include "app/map_follow.h"
@@ -165,12 +166,13 @@ std::optional<Eigen::MatrixXd> people_over_map(const App& app) {
 }
 
 void load_ratings_dialog(App& app) {
-    app.chooser_purpose = ChooserPurpose::load_ratings;
-    app.chooser.use = ChooserUse::open;
-    app.chooser.title = "Load ratings: a table, or a folder with one for each participant";
-    app.chooser.extensions = {".csv", ".txt"};
-    app.chooser.folders_too = true;
-    show(app.chooser, app.document.path.parent_path());
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::load_ratings,
+                  .use = ChooserUse::open,
+                  .title = "Load ratings: a table, or a folder with one for each participant",
+                  .extensions = {".csv", ".txt"},
+                  .folders_too = true},
+                 app.document.path.parent_path());
 }
 
 void load_ratings(App& app, const std::vector<std::filesystem::path>& paths) {

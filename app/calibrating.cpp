@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/editing.h"
+#include "app/file_question.h"
 #include "app/map_follow.h"
 #include "app/playing.h"
 #include "app/widgets.h"
@@ -53,14 +54,14 @@ void follow_calibration(App& app) {
 }
 
 void load_calibration_dialog(App& app) {
-    app.chooser_purpose = ChooserPurpose::load_calibration;
-    app.chooser.use = ChooserUse::open;
-    app.chooser.title = "Load the calibration of this device";
-    app.chooser.extensions = {".json"};
-    app.chooser.folders_too = false;
     app.dialog = Dialog::none;  // its list would lie over the files
     const std::filesystem::path last = app.play.choice.calibration;
-    show(app.chooser, last.empty() ? app.document.path.parent_path() : last.parent_path());
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::load_calibration,
+                  .use = ChooserUse::open,
+                  .title = "Load the calibration of this device",
+                  .extensions = {".json"}},
+                 last.empty() ? app.document.path.parent_path() : last.parent_path());
 }
 
 void use_calibration(App& app, const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/editing.h"
+#include "app/file_question.h"
 #include "app/folders.h"
 #include "app/panels/time_rows.h"
 #include "app/stage_csv.h"
@@ -29,16 +30,6 @@ std::string file_word(std::string text) {
 std::string set_word(const App& app) {
     const std::string& name = app.document.set.name;
     return file_word(name.empty() ? "untitled" : name);
-}
-
-// `name` as it is offered; `written`: names of the files in a folder, empty for a single file.
-void ask_where(App& app, ChooserPurpose purpose, const std::string& name,
-               std::vector<std::string> written) {
-    app.chooser_purpose = purpose;
-    app.chooser.folders_too = !written.empty();
-    app.chooser.use = written.empty() ? ChooserUse::save : ChooserUse::save_folder;
-    app.chooser.file_names = std::move(written);
-    show(app.chooser, app.document.path.parent_path(), name);
 }
 
 std::vector<Stage> stages_to_export(const App& app) {
@@ -100,29 +91,40 @@ void export_stages_dialog(App& app) {
         for (std::string& name : stage_csv_names(stage)) written.push_back(std::move(name));
     }
     const auto open = app.physiology.open;
-    app.chooser.title = open ? std::string("Export \"") + text_of(*open).name +
-                                   "\" as CSV into a "
-                                   "folder"
-                             : "Export all stages as CSV into a folder";
-    app.chooser.extensions = {".csv"};
-    ask_where(app, ChooserPurpose::export_stages,
-              file_word(current_vibration(app)->name) + " stages" + as_played(app),
-              std::move(written));
+    ask_for_file(
+        app,
+        {.purpose = ChooserPurpose::export_stages,
+         .use = ChooserUse::save_folder,
+         .title = open ? std::string("Export \"") + text_of(*open).name + "\" as CSV into a folder"
+                       : "Export all stages as CSV into a folder",
+         .extensions = {".csv"},
+         .folders_too = true,
+         .file_names = std::move(written)},
+        app.document.path.parent_path(),
+        file_word(current_vibration(app)->name) + " stages" + as_played(app));
 }
 
 void choose_picture(App& app) {
-    app.chooser.title = "Export the view as a picture, .png or .svg";
-    app.chooser.extensions = {".png", ".svg"};
-    ask_where(app, ChooserPurpose::export_view,
-              set_word(app) + " " + name_of(app.exports.view) + ".png", {});
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::export_view,
+                  .use = ChooserUse::save,
+                  .title = "Export the view as a picture, .png or .svg",
+                  .extensions = {".png", ".svg"}},
+                 app.document.path.parent_path(),
+                 set_word(app) + " " + name_of(app.exports.view) + ".png");
 }
 
 void choose_frames(App& app) {
     if (current_vibration(app) == nullptr) return;
-    app.chooser.title = "Export the animation as pictures into a folder";
-    app.chooser.extensions = {".png"};
-    ask_where(app, ChooserPurpose::export_animation,
-              file_word(current_vibration(app)->name) + " frames", {path_of_frame({}, 0).string()});
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::export_animation,
+                  .use = ChooserUse::save_folder,
+                  .title = "Export the animation as pictures into a folder",
+                  .extensions = {".png"},
+                  .folders_too = true,
+                  .file_names = {path_of_frame({}, 0).string()}},
+                 app.document.path.parent_path(),
+                 file_word(current_vibration(app)->name) + " frames");
 }
 
 void export_view(App& app, const fs::path& file) { app.exports.picture = file; }

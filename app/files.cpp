@@ -4,6 +4,7 @@
 
 #include "app/autosave.h"
 #include "app/editing.h"
+#include "app/file_question.h"
 #include "app/import_follow.h"
 #include "app/map_follow.h"
 #include "app/playing.h"
@@ -135,32 +136,33 @@ void save(App& app) {
 }
 
 void open_dialog(App& app) {
-    app.chooser_purpose = ChooserPurpose::open_document;
-    app.chooser.use = ChooserUse::open;
-    app.chooser.title = "Open a set, a folder of recordings, or a recording";
-    app.chooser.extensions = {".json", ".wav", ".txt"};
-    app.chooser.folders_too = true;
-    show(app.chooser, folder_of(app.document));
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::open_document,
+                  .use = ChooserUse::open,
+                  .title = "Open a set, a folder of recordings, or a recording",
+                  .extensions = {".json", ".wav", ".txt"},
+                  .folders_too = true},
+                 folder_of(app.document));
 }
 
 void save_dialog(App& app) {
-    app.chooser_purpose = ChooserPurpose::save_document;
-    app.chooser.use = ChooserUse::save;
-    app.chooser.title = "Save the set";
-    app.chooser.extensions = {kSetEnding};
-    app.chooser.folders_too = false;
     std::string name = app.document.set.name.empty() ? "untitled" : app.document.set.name;
     std::ranges::replace(name, '/', '-');
-    show(app.chooser, folder_of(app.document), name + kSetEnding);
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::save_document,
+                  .use = ChooserUse::save,
+                  .title = "Save the set",
+                  .extensions = {kSetEnding}},
+                 folder_of(app.document), name + kSetEnding);
 }
 
 void load_tables_dialog(App& app) {
-    app.chooser_purpose = ChooserPurpose::load_tables;
-    app.chooser.use = ChooserUse::open;
-    app.chooser.title = "Load a table of slopes or of thresholds";
-    app.chooser.extensions = {".csv"};
-    app.chooser.folders_too = false;
-    show(app.chooser, folder_of(app.document));
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::load_tables,
+                  .use = ChooserUse::open,
+                  .title = "Load a table of slopes or of thresholds",
+                  .extensions = {".csv"}},
+                 folder_of(app.document));
 }
 
 void load_tables(App& app, const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/editing.h"
+#include "app/file_question.h"
 #include "model/io/atomic_file.h"
 #include "model/io/measured_files.h"
 #include "model/io/natural_order.h"
@@ -191,12 +192,13 @@ void follow_import(App& app) {
 }
 
 void import_recordings_dialog(App& app) {
-    app.chooser_purpose = ChooserPurpose::import_recordings;
-    app.chooser.use = ChooserUse::open;
-    app.chooser.title = "Import a recording, or a folder of them";
-    app.chooser.extensions = {".csv", ".txt", ".wav"};
-    app.chooser.folders_too = true;
-    show(app.chooser, app.document.path.parent_path());
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::import_recordings,
+                  .use = ChooserUse::open,
+                  .title = "Import a recording, or a folder of them",
+                  .extensions = {".csv", ".txt", ".wav"},
+                  .folders_too = true},
+                 app.document.path.parent_path());
 }
 
 void import_recordings(App& app, const std::vector<fs::path>& paths) {

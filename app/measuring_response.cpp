@@ -6,6 +6,7 @@
 
 #include "app/calibrating.h"
 #include "app/editing.h"
+#include "app/file_question.h"
 #include "app/folders.h"
 #include "app/playing.h"
 #include "devices/calibration_file.h"
@@ -79,13 +80,13 @@ void play_calibration_signal(App& app) {
 }
 
 void save_calibration_signal_dialog(App& app) {
-    app.chooser_purpose = ChooserPurpose::save_calibration_signal;
-    app.chooser.use = ChooserUse::save;
-    app.chooser.title = "Save the measuring signal";
-    app.chooser.extensions = {".wav"};
-    app.chooser.folders_too = false;
     leave_for_files(app);
-    show(app.chooser, app.document.path.parent_path(), "calibration signal.wav");
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::save_calibration_signal,
+                  .use = ChooserUse::save,
+                  .title = "Save the measuring signal",
+                  .extensions = {".wav"}},
+                 app.document.path.parent_path(), "calibration signal.wav");
 }
 
 void save_calibration_signal(App& app, const fs::path& file) {
@@ -96,14 +97,14 @@ void save_calibration_signal(App& app, const fs::path& file) {
 }
 
 void open_calibration_recording_dialog(App& app) {
-    app.chooser_purpose = ChooserPurpose::open_calibration_recording;
-    app.chooser.use = ChooserUse::open;
-    app.chooser.title = "Open what the accelerometer recorded";
-    app.chooser.extensions = {".csv", ".txt", ".wav"};
-    app.chooser.folders_too = false;
     leave_for_files(app);
     const fs::path last = app.calibrate->recording;
-    show(app.chooser, last.empty() ? app.document.path.parent_path() : last.parent_path());
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::open_calibration_recording,
+                  .use = ChooserUse::open,
+                  .title = "Open what the accelerometer recorded",
+                  .extensions = {".csv", ".txt", ".wav"}},
+                 last.empty() ? app.document.path.parent_path() : last.parent_path());
 }
 
 void read_calibration_recording(App& app, const fs::path& file) {

@@ -8,6 +8,7 @@
 
 #include "app/calibrating.h"
 #include "app/editing.h"
+#include "app/file_question.h"
 #include "app/folders.h"
 #include "app/program_version.h"
 #include "app/study_answers.h"
@@ -84,13 +85,12 @@ fs::path study_folder(const App& app) {
 }
 
 void choose_study_folder(App& app) {
-    app.chooser_purpose = ChooserPurpose::study_folder;
-    app.chooser.use = ChooserUse::save_folder;
-    app.chooser.title = "Folder for participants";
-    app.chooser.extensions.clear();
-    app.chooser.file_names.clear();
-    app.chooser.folders_too = true;
-    show(app.chooser, study_folder(app).parent_path(), study_folder(app).filename().string());
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::study_folder,
+                  .use = ChooserUse::save_folder,
+                  .title = "Folder for participants",
+                  .folders_too = true},
+                 study_folder(app).parent_path(), study_folder(app).filename().string());
 }
 
 void set_study_folder(App& app, const fs::path& folder) {
@@ -192,12 +192,12 @@ void use_as_ratings(App& app) {
 }
 
 void export_study_dialog(App& app) {
-    app.chooser_purpose = ChooserPurpose::export_study;
-    app.chooser.use = ChooserUse::save;
-    app.chooser.title = "Export answers as CSV";
-    app.chooser.extensions = {".csv"};
-    app.chooser.folders_too = false;
-    show(app.chooser, study_folder(app).parent_path(), "answers.csv");
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::export_study,
+                  .use = ChooserUse::save,
+                  .title = "Export answers as CSV",
+                  .extensions = {".csv"}},
+                 study_folder(app).parent_path(), "answers.csv");
 }
 
 void export_study(App& app, const fs::path& file) {

@@ -6,6 +6,7 @@
 
 #include "app/editing.h"
 #include "app/exports.h"
+#include "app/file_question.h"
 #include "app/folders.h"
 #include "app/map_follow.h"
 #include "app/pictures.h"
@@ -158,13 +159,14 @@ Expected<Done> write_subset(const fs::path& folder, const SubsetReport& report) 
 
 void export_subset_dialog(App& app) {
     if (shown_pick(app) == nullptr) return;
-    app.chooser.title = "Export the picked subset into a folder";
-    app.chooser.extensions = {".json", ".md", ".png", ".svg"};
-    app.chooser_purpose = ChooserPurpose::export_subset;
-    app.chooser.folders_too = true;
-    app.chooser.use = ChooserUse::save_folder;
-    app.chooser.file_names = {kFiles.begin(), kFiles.end()};
-    show(app.chooser, app.document.path.parent_path(), "subset");
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::export_subset,
+                  .use = ChooserUse::save_folder,
+                  .title = "Export the picked subset into a folder",
+                  .extensions = {".json", ".md", ".png", ".svg"},
+                  .folders_too = true,
+                  .file_names = {kFiles.begin(), kFiles.end()}},
+                 app.document.path.parent_path(), "subset");
 }
 
 void export_subset(App& app, const fs::path& folder) {

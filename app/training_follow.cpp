@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editing.h"
+#include "app/file_question.h"
 #include "app/folders.h"
 #include "app/program_version.h"
 #include "model/io/atomic_file.h"
@@ -218,12 +219,12 @@ bool is_training_stale(App& app) {
 }
 
 void add_training_set_dialog(App& app) {
-    app.chooser_purpose = ChooserPurpose::add_training_set;
-    app.chooser.use = ChooserUse::open;
-    app.chooser.title = "Add a set that has ratings";
-    app.chooser.extensions = {".json"};
-    app.chooser.folders_too = false;
-    show(app.chooser, app.document.path.parent_path());
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::add_training_set,
+                  .use = ChooserUse::open,
+                  .title = "Add a set that has ratings",
+                  .extensions = {".json"}},
+                 app.document.path.parent_path());
 }
 
 void add_training_set(App& app, const fs::path& path) {
@@ -255,13 +256,13 @@ void use_trained(App& app) {
 
 void save_trained_dialog(App& app) {
     if (!app.training->found) return;
-    app.chooser_purpose = ChooserPurpose::save_model;
-    app.chooser.use = ChooserUse::save;
-    app.chooser.title = "Save the trained parameters";
-    app.chooser.extensions = {".json"};
-    app.chooser.folders_too = false;
-    show(app.chooser, app.document.path.parent_path(),
-         proposed_name(*app.training->found) + kModelEnding);
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::save_model,
+                  .use = ChooserUse::save,
+                  .title = "Save the trained parameters",
+                  .extensions = {".json"}},
+                 app.document.path.parent_path(),
+                 proposed_name(*app.training->found) + kModelEnding);
 }
 
 void save_trained(App& app, const fs::path& path) {
@@ -300,12 +301,12 @@ void use_model(App& app, const PerceptualModelParams& model, const std::string& 
 }
 
 void load_model_dialog(App& app) {
-    app.chooser_purpose = ChooserPurpose::load_model;
-    app.chooser.use = ChooserUse::open;
-    app.chooser.title = "Load parameters of the model";
-    app.chooser.extensions = {".json"};
-    app.chooser.folders_too = false;
-    show(app.chooser, app.document.path.parent_path());
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::load_model,
+                  .use = ChooserUse::open,
+                  .title = "Load parameters of the model",
+                  .extensions = {".json"}},
+                 app.document.path.parent_path());
 }
 
 void load_model(App& app, const fs::path& path) {
