@@ -8,6 +8,7 @@
 #include "app/exports.h"
 #include "app/files.h"
 #include "app/import_follow.h"
+#include "app/kept_models.h"
 #include "app/measuring_response.h"
 #include "app/panels/panels.h"
 #include "app/study_follow.h"

@@ -4,7 +4,7 @@
 
 #include "app/editing.h"
 #include "app/file_question.h"
-#include "app/folders.h"
+#include "app/kept_models.h"
 #include "app/program_version.h"
 #include "model/io/atomic_file.h"
 #include "model/io/load.h"
@@ -16,8 +16,6 @@ namespace tact {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kModelEnding = ".model.json";
 
 std::vector<TrainingSet> training_sets(const TrainingRequest& request) {
     std::vector<TrainingSet> sets;
@@ -84,50 +82,8 @@ bool differ(const TrainingRequest& asked, const TrainingRequest& now) {
     });
 }
 
-fs::path model_folder(const App& app) {
-    return app.session.folder.empty() ? fs::path{} : app.session.folder / "models";
-}
-
-std::string file_stem_of(std::string name) {
-    std::ranges::replace_if(
-        name, [](char c) { return c == '/' || c == '\\' || c == ':'; }, '-');
-    return name.empty() ? "trained" : name;
-}
-
 std::string proposed_name(const FoundTraining& found) {
     return file_stem_of(found.request.sets.front().name + " " + found.record.date.substr(0, 10));
-}
-
-// Trained on the same, at whatever time.
-bool same_source(const ModelFile& a, const ModelFile& b) {
-    if (!a.training || !b.training) return a.training == b.training;
-    return a.training->sets == b.training->sets && a.training->objective == b.training->objective;
-}
-
-// Under a name that no other parameters have. An Error leaves everything as it was.
-Expected<Done> keep(App& app, const std::string& stem, const ModelFile& content) {
-    const fs::path folder = model_folder(app);
-    if (folder.empty()) return Done{};
-    const auto is_same = [&](const KeptModel& one) {
-        return one.content.model == content.model && same_source(one.content, content);
-    };
-    if (std::ranges::any_of(kept_models(app), is_same)) return Done{};
-    if (const auto made = make_folder(folder); !made) return made;
-    fs::path file = folder / (stem + kModelEnding);
-    for (int k = 2; fs::exists(file); ++k) {
-        file = folder / (stem + " " + std::to_string(k) + kModelEnding);
-    }
-    if (const auto written = write_model_file(file, content); !written) return written;
-    app.training->kept_were_read = false;
-    return Done{};
-}
-
-std::string name_of_kept(const fs::path& file) {
-    std::string name = file.filename().string();
-    for (const std::string ending : {kModelEnding, ".json"}) {
-        if (name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
-    }
-    return name;
 }
 
 }  // namespace
@@ -249,7 +205,7 @@ void use_trained(App& app) {
     const auto found = app.training->found;  // kept while its list is read anew
     if (!found || !found->fault.empty()) return;
     const ModelFile content{found->training.model, found->record};
-    const auto kept = keep(app, proposed_name(*found), content);
+    const auto kept = keep_model(app, proposed_name(*found), content);
     use_model(app, content.model, "the trained parameters");
     if (!kept) complain(app, "In use, but not kept for other sets: " + kept.error().message);
 }
@@ -271,51 +227,6 @@ void save_trained(App& app, const fs::path& path) {
     const auto written = write_model_file(path, {found->training.model, found->record});
     if (!written) return complain(app, written.error().message);
     say(app, "Parameters saved to " + path.string() + ", for --model on the command line too.");
-}
-
-const std::vector<KeptModel>& kept_models(App& app) {
-    TrainingState& state = *app.training;
-    if (state.kept_were_read) return state.kept;
-    state.kept_were_read = true;
-    state.kept.clear();
-    std::error_code none;
-    for (const auto& entry : fs::directory_iterator(model_folder(app), none)) {
-        if (entry.path().extension() != ".json") continue;
-        auto content = read_model_file(entry.path());
-        if (!content) {
-            complain(app, content.error().message);
-            continue;
-        }
-        state.kept.push_back({name_of_kept(entry.path()), entry.path(), *std::move(content)});
-    }
-    std::ranges::sort(state.kept, {}, &KeptModel::name);
-    return state.kept;
-}
-
-void use_model(App& app, const PerceptualModelParams& model, const std::string& what) {
-    if (app.document.set.model == model) return say(app, "These parameters are in use already.");
-    app.document.set.model = model;
-    document_changed(app);
-    commit_step(app, "Use " + what);
-    say(app, "In use: " + what + ". Undo brings the others back.");
-}
-
-void load_model_dialog(App& app) {
-    ask_for_file(app,
-                 {.purpose = ChooserPurpose::load_model,
-                  .use = ChooserUse::open,
-                  .title = "Load parameters of the model",
-                  .extensions = {".json"}},
-                 app.document.path.parent_path());
-}
-
-void load_model(App& app, const fs::path& path) {
-    const auto content = read_model_file(path);
-    if (!content) return complain(app, content.error().message);
-    const std::string name = name_of_kept(path);
-    const auto kept = keep(app, file_stem_of(name), *content);
-    use_model(app, content->model, "the parameters " + name);
-    if (!kept) complain(app, "In use, but not kept for other sets: " + kept.error().message);
 }
 
 }  // namespace tact

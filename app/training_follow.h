@@ -1,8 +1,6 @@
-// Fitting the model's parameters to ratings from the window, and models that are kept for choosing.
+// Fitting the model's parameters to ratings from the window.
 //
-// A model that is used is kept in the folder "models" beside the session, with its provenance.
-//
-// Left out  drawing: app/panels/training_*.cpp, model_choice.cpp.
+// Left out  drawing: app/panels/training_*.cpp.
 #pragma once
 
 #include "app/app.h"
@@ -35,16 +33,9 @@ bool is_training_stale(App& app);
 void add_training_set_dialog(App& app);
 void add_training_set(App& app, const std::filesystem::path& path);
 
-// What was found becomes the document's model, as one step, and is kept for other documents.
+// What was found becomes the document's model, as one step, and is kept (app/kept_models.h).
 void use_trained(App& app);
 void save_trained_dialog(App& app);
 void save_trained(App& app, const std::filesystem::path& path);
-
-// Models to choose from, read once; empty without a folder to keep them in.
-const std::vector<KeptModel>& kept_models(App& app);
-// `what`: "the paper's parameters".
-void use_model(App& app, const PerceptualModelParams& model, const std::string& what);
-void load_model_dialog(App& app);
-void load_model(App& app, const std::filesystem::path& path);
 
 }  // namespace tact

@@ -1,6 +1,7 @@
 // Training in the model bench, in the program's real frames: from ratings to parameters in use.
 #include <doctest/doctest.h>
 
+#include "app/kept_models.h"
 #include "app/training_follow.h"
 #include "model/io/set_file.h"
 #include "model/perceptual_model.h"

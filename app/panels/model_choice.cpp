@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "app/kept_models.h"
 #include "app/panels/panels.h"
 #include "app/trained_text.h"
-#include "app/training_follow.h"
 #include "app/widgets.h"
 
 namespace tact {
