@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 std::vector<TrainingSet> training_sets(const TrainingRequest& request) {
     std::vector<TrainingSet> sets;
     for (const SetToFit& rated : request.sets) {
-        sets.push_back({rated.name, model_waveforms(*rated.set), rated.study});
+        sets.push_back({rated.name, model_waveforms(*rated.set), *rated.study});
     }
     return sets;
 }
@@ -49,7 +49,7 @@ std::optional<FoundTraining> find_parameters(const TrainingRequest& request, std
 
 // People rate intended patterns: what measures them is left aside where it has no ratings.
 Expected<SetToFit> rated_set(const PatternSet& set, const std::string& name) {
-    SetToFit rated{name, std::make_shared<const PatternSet>(set), {}, {}};
+    SetToFit rated{name, std::make_shared<const PatternSet>(set), {}, 0, {}};
     Expected<RatingStudy> study = study_of(set);
     if (!study) {
         PatternSet intended = one_side(set, Side::intended);
@@ -59,7 +59,8 @@ Expected<SetToFit> rated_set(const PatternSet& set, const std::string& name) {
         }
     }
     if (!study) return study.error();
-    rated.study = *std::move(study);
+    rated.people = participant_means(*study).size();
+    rated.study = std::make_shared<const RatingStudy>(*std::move(study));
     if (std::ranges::any_of(set.ratings, is_synthetic)) rated.name += ", synthetic ratings";
     return rated;
 }

@@ -18,9 +18,10 @@ namespace tact {
 // A set with ratings that takes part, or could.
 struct SetToFit {
     std::string name;
-    std::shared_ptr<const PatternSet> set;  // only patterns that were rated
-    RatingStudy study;                      // in their order
-    std::filesystem::path file;             // empty: the document
+    std::shared_ptr<const PatternSet> set;     // only patterns that were rated
+    std::shared_ptr<const RatingStudy> study;  // in their order
+    std::size_t people = 0;
+    std::filesystem::path file;  // empty: the document
     bool takes_part = true;
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/mean.h"
 #include "model/parallel.h"
 #include "model/smacof.h"
 
@@ -95,17 +96,6 @@ std::string remark_of_failure(const PerceptualSpace& space) {
         return "no K: different patterns fell onto one point of the map";
     }
     return "no K: equal dissimilarities make no map";
-}
-
-double mean_known(const std::vector<double>& values) {
-    double sum = 0.0;
-    std::size_t known = 0;
-    for (const double value : values) {
-        if (std::isnan(value)) continue;
-        sum += value;
-        ++known;
-    }
-    return known == 0 ? kNone : sum / static_cast<double>(known);
 }
 
 }  // namespace

@@ -135,6 +135,17 @@ PerceptualModelParams drawn_params(const PerceptualModelParams& params,
     return drawn;
 }
 
+std::vector<std::size_t> ever_picked(const Stability& stability) {
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < stability.share_picked.size(); ++k) {
+        const bool is_member = std::ranges::binary_search(stability.subset.members, k);
+        if (is_member || stability.share_picked[k] > 0.0) order.push_back(k);
+    }
+    std::ranges::stable_sort(order, std::greater<>{},
+                             [&](std::size_t k) { return stability.share_picked[k]; });
+    return order;
+}
+
 std::optional<Stability> subset_stability(const PatternSet& set, const SubsetProblem& problem,
                                           const Subset& subset, const Eigen::MatrixXd& points,
                                           const StabilityParams& params) {

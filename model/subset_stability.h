@@ -47,6 +47,9 @@ struct Stability {
     std::vector<Eigen::Matrix3d> spread;  // covariance of each point about its mean
 };
 
+// Members, and who else was picked in some draw; the oftenest first.
+std::vector<std::size_t> ever_picked(const Stability& stability);
+
 // `points`: the map of the set, n x 2 or n x 3. Envelopes are compared at 1 kHz. None when stopped.
 std::optional<Stability> subset_stability(const PatternSet& set, const SubsetProblem& problem,
                                           const Subset& subset, const Eigen::MatrixXd& points,

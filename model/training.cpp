@@ -6,14 +6,13 @@
 #include <limits>
 
 #include "model/correlation.h"
+#include "model/mean.h"
 #include "model/parallel.h"
 #include "model/perceptual_model.h"
 
 namespace tact {
 
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Seconds of one core, roughly: a mixture of two pairs, a pattern's code, a pair's time warping.
 constexpr double kMixtureS = 1.8e-11;
@@ -142,18 +141,6 @@ std::optional<Prepared> prepared(std::span<const TrainingSet> sets, const Traini
     add_objectives_of_sets(result);
     if (params.leave_out_participants) add_objectives_of_participants(result, sets);
     return result;
-}
-
-// The mean of those that are known; NaN of none.
-double mean_known(std::span<const double> values) {
-    double sum = 0.0;
-    std::size_t known = 0;
-    for (const double value : values) {
-        if (std::isnan(value)) continue;
-        sum += value;
-        ++known;
-    }
-    return known == 0 ? kNone : sum / static_cast<double>(known);
 }
 
 // Of the listed classes the nearest to the model before, then the first.
@@ -340,6 +327,17 @@ std::optional<Training> train(std::span<const TrainingSet> sets, const TrainingP
     add_participants(training, *ready, *found, sets);
     add_marginals(training, *found);
     return training;
+}
+
+LeftOutMean mean_of(std::span<const LeftOut> left_out) {
+    std::vector<double> before;
+    std::vector<double> after;
+    for (const LeftOut& one : left_out) {
+        if (std::isnan(one.rho_before) || std::isnan(one.rho_after)) continue;
+        before.push_back(one.rho_before);
+        after.push_back(one.rho_after);
+    }
+    return {mean_known(before), mean_known(after)};
 }
 
 TrainingCost training_cost(std::span<const std::size_t> patterns_of_sets, int units) {

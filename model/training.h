@@ -72,6 +72,13 @@ struct LeftOut {
     double rho_after = 0.0;
 };
 
+// Means over those of which both rhos are known; NaN of none.
+struct LeftOutMean {
+    double rho_before = 0.0;
+    double rho_after = 0.0;
+};
+LeftOutMean mean_of(std::span<const LeftOut> left_out);
+
 struct Training {
     TrainingObjective objective = TrainingObjective::mean_rho;
     PerceptualModelParams before;

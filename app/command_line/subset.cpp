@@ -201,17 +201,9 @@ std::string exchange_text(const Subset& best, const Subset& other, const Names& 
     return text;
 }
 
-// Members, and who else was picked in some draw.
 std::string stability_text(const Stability& stability, const Names& names) {
-    std::vector<std::size_t> order;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        const bool is_member = std::ranges::binary_search(stability.subset.members, k);
-        if (is_member || stability.share_picked[k] > 0.0) order.push_back(k);
-    }
-    std::ranges::stable_sort(order, std::greater<>{},
-                             [&](std::size_t k) { return stability.share_picked[k]; });
     std::vector<TextRow> rows{{"picked in", "draws"}};
-    for (const std::size_t k : order) {
+    for (const std::size_t k : ever_picked(stability)) {
         rows.push_back({names[k], fixed_digits(100.0 * stability.share_picked[k], 0) + " %"});
     }
     return "\n" + std::to_string(stability.draws) + " draws of the model: the same subset in " +

@@ -110,23 +110,16 @@ std::string left_out_text(const Training& training, const std::vector<LeftOut>& 
     TextRow head = names_row(std::string("without ") + what);
     head.insert(head.end(), {"of the rest", "rho before", "rho of it"});
     std::vector<TextRow> rows{head};
-    double before = 0.0;
-    double after = 0.0;
-    std::size_t known = 0;
     for (const LeftOut& one : left_out) {
         TextRow row = parameters_row(one.name, one.model, 1.0 / training.grid.units);
         row.insert(row.end(), {fixed_digits(one.value, 3), fixed_digits(one.rho_before, 3),
                                fixed_digits(one.rho_after, 3)});
         rows.push_back(row);
-        if (std::isnan(one.rho_before) || std::isnan(one.rho_after)) continue;
-        before += one.rho_before;
-        after += one.rho_after;
-        ++known;
     }
-    if (known == 0) return "\n" + aligned(rows);
-    const auto count = static_cast<double>(known);
+    const LeftOutMean mean = mean_of(left_out);
+    if (std::isnan(mean.rho_after)) return "\n" + aligned(rows);
     return "\n" + aligned(rows) + "mean of what was left out: rho " +
-           fixed_digits(after / count, 3) + ", before " + fixed_digits(before / count, 3) + "\n";
+           fixed_digits(mean.rho_after, 3) + ", before " + fixed_digits(mean.rho_before, 3) + "\n";
 }
 
 nlohmann::json json_of(const PerceptualModelParams& model) {

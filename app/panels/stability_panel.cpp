@@ -75,16 +75,9 @@ void draw_share(App& app, const std::string& name, double share, bool is_member)
 
 void draw_shares(App& app, const Stability& stability) {
     const auto names = names_of(*app.subset->stability->request.pick->request.map->request.set);
-    std::vector<std::size_t> order;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        const bool is_member = std::ranges::binary_search(stability.subset.members, k);
-        if (is_member || stability.share_picked[k] > 0.0) order.push_back(k);
-    }
-    std::ranges::stable_sort(order, std::greater<>{},
-                             [&](std::size_t k) { return stability.share_picked[k]; });
     ImGui::BeginChild("shares", {0.0F, rest_or_lines(4.0F).height()});
     if (ImGui::BeginTable("shares", 2, ImGuiTableFlags_NoSavedSettings)) {
-        for (const std::size_t k : order) {
+        for (const std::size_t k : ever_picked(stability)) {
             draw_share(app, names[k], stability.share_picked[k],
                        std::ranges::binary_search(stability.subset.members, k));
         }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <set>
 
 #include "app/bench_follow.h"
 #include "app/panels/panels.h"
@@ -21,11 +20,9 @@ namespace tact {
 namespace {
 
 std::string size_text(const SetToFit& set) {
-    std::set<std::string> people;
-    for (const Judgement& judgement : set.study.judgements) people.insert(judgement.participant);
     const std::size_t patterns = set.set->vibrations.size();
-    return std::to_string(patterns) + " patterns, " + std::to_string(people.size()) +
-           (people.size() == 1 ? " person" : " people");
+    return std::to_string(patterns) + " patterns, " + std::to_string(set.people) +
+           (set.people == 1 ? " person" : " people");
 }
 
 void draw_set(App& app, const SetToFit& set, bool& takes_part, bool* removed) {

@@ -201,18 +201,10 @@ void draw_sets(App& app, const Training& training) {
 void draw_people(App& app, const Training& training) {
     if (training.without_participant.empty()) return;
     draw_heading(app, "Person by person");
-    double before = 0.0;
-    double after = 0.0;
-    double known = 0.0;
-    for (const LeftOut& one : training.without_participant) {
-        if (std::isnan(one.rho_before) || std::isnan(one.rho_after)) continue;
-        before += one.rho_before;
-        after += one.rho_after;
-        known += 1.0;
-    }
-    if (known > 0.0) {
-        small_text(app, "On average rho " + digits(after / known) +
-                            " with a person that the fit had not seen; " + digits(before / known) +
+    const LeftOutMean mean = mean_of(training.without_participant);
+    if (!std::isnan(mean.rho_after)) {
+        small_text(app, "On average rho " + digits(mean.rho_after) +
+                            " with a person that the fit had not seen; " + digits(mean.rho_before) +
                             " with the parameters before.");
     }
     if (!ImGui::BeginTable("people", 3, kTable)) return;

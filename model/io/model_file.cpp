@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "model/fingerprint.h"
 #include "model/io/atomic_file.h"
@@ -16,12 +15,6 @@ namespace {
 
 constexpr const char* kFormatKey = "tactspace_model";
 constexpr Range kCount{0, 1e15};
-
-std::size_t participant_count(const RatingStudy& study) {
-    std::set<std::string> names;
-    for (const Judgement& judgement : study.judgements) names.insert(judgement.participant);
-    return names.size();
-}
 
 // JSON has no NaN: a rho that is undefined is null, and comes back as NaN.
 double rho_field(JsonObject& object, std::string_view key) {
@@ -115,7 +108,7 @@ TrainingRecord record_of(const Training& training, std::span<const TrainingSet> 
     for (std::size_t s = 0; s < sets.size(); ++s) {
         const TrainedSet& trained = training.sets[s];
         record.sets.push_back({trained.name, fingerprint_of(sets[s]), trained.patterns,
-                               trained.rated_pairs, participant_count(sets[s].study),
+                               trained.rated_pairs, participant_means(sets[s].study).size(),
                                trained.rho_before, trained.rho_after});
     }
     return record;
