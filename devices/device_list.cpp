@@ -4,8 +4,8 @@
 #include <cctype>
 #include <charconv>
 
-#include "devices/audio_device.h"
-#include "devices/hid_device.h"
+#include "devices/audio/audio_device.h"
+#include "devices/hid/hid_device.h"
 
 namespace tact {
 

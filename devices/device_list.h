@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "devices/audio_host.h"
-#include "devices/device.h"
-#include "devices/device_info.h"
+#include "devices/audio/audio_host.h"
+#include "devices/device/device.h"
+#include "devices/device/device_info.h"
 
 namespace tact {
 

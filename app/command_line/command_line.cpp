@@ -4,7 +4,7 @@
 
 #include "app/command_line/interrupt.h"
 #include "app/command_line/options.h"
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 
 namespace tact {
 

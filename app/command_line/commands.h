@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "devices/calibration.h"
-#include "model/expected.h"
-#include "model/io/acceleration_file.h"
-#include "model/measured_twin.h"
+#include "devices/calibration/calibration.h"
+#include "model/common/expected.h"
+#include "model/io/recordings/acceleration_file.h"
+#include "model/set/measured_twin.h"
 
 namespace tact {
 
@@ -20,8 +20,9 @@ struct CommonOptions {
     std::vector<std::filesystem::path> sets;  // merged in order
     int threads = 0;                          // 0: all cores
     bool json = false;
-    std::string rendered_by{};  // a key of devices/actuator_kind.h: patterns as it plays them
-    double full_scale_g = 1.0;  // that its full scale stands for
+    std::string
+        rendered_by{};  // a key of devices/rumble/actuator_kind.h: patterns as it plays them
+    double full_scale_g = 1.0;                     // that its full scale stands for
     std::filesystem::path rendered_calibration{};  // in its place, of a voice coil; empty: none
     Side only = Side::both;                        // of the merged set
     std::filesystem::path model;  // a file of parameters (model_file.h) instead of the set's own
@@ -35,7 +36,7 @@ struct RatingFiles {
 
 struct PredictCommand {
     CommonOptions common;
-    std::string metric = "pm";  // a key of model/metric.h
+    std::string metric = "pm";  // a key of model/evaluation/metric.h
     std::filesystem::path out;  // empty: standard output
     std::filesystem::path image;
     bool resume = false;  // with the tiles that a stopped run left in OUT.tiles
@@ -72,7 +73,7 @@ struct SnapshotCommand {
     std::string view = "window";  // window, physiology, wave, spectrum, matrix, space
     std::string pattern;          // but for matrix and space; empty: the first
     std::string with;             // for window and physiology: compared with this one ...
-    std::string stage;            // ... at this stage, large; a key of app/stages.h
+    std::string stage;            // ... at this stage, large; a key of app/physiology/stages.h
     std::optional<double> at_s;   // ... with the playhead there
     bool tilted = false;          // ... and the receptors
     int frames = 0;               // of a sequence in the folder `out`; 0: a single picture

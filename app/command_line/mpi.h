@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/expected.h"
-#include "model/tiles.h"
+#include "model/common/expected.h"
+#include "model/perceptual_model/tiles.h"
 
 namespace tact {
 

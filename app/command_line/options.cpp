@@ -1,7 +1,7 @@
 #include "app/command_line/options.h"
 
-#include "devices/rendering.h"
-#include "model/metric.h"
+#include "devices/calibration/rendering.h"
+#include "model/evaluation/metric.h"
 
 namespace tact {
 

@@ -11,12 +11,12 @@
 #include <mutex>
 #include <streambuf>
 
-#include "app/rendered_set.h"
-#include "devices/calibration_file.h"
-#include "model/io/atomic_file.h"
-#include "model/io/load.h"
-#include "model/io/model_file.h"
-#include "model/io/recording.h"
+#include "app/rendering/rendered_set.h"
+#include "devices/calibration/calibration_file.h"
+#include "model/io/recordings/recording.h"
+#include "model/io/set/load.h"
+#include "model/io/set/model_file.h"
+#include "model/text/atomic_file.h"
 
 namespace tact {
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "app/command_line/commands.h"
-#include "app/pictures.h"
-#include "devices/rendering.h"
-#include "model/pattern_set.h"
+#include "app/pictures/pictures.h"
+#include "devices/calibration/rendering.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 

@@ -1,8 +1,8 @@
 // Patterns: their stages, waveforms, pictures, and candidates for more of them.
 #include "app/command_line/options.h"
 
-#include "app/frame_sequence.h"
-#include "app/stages.h"
+#include "app/physiology/stages.h"
+#include "app/pictures/frame_sequence.h"
 
 namespace tact {
 

@@ -1,7 +1,7 @@
 // People: comparing with what they said, asking them, and fitting the model to them.
 #include "app/command_line/options.h"
 
-#include "model/study_design.h"
+#include "model/study/study_design.h"
 
 namespace tact {
 

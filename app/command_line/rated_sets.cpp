@@ -5,9 +5,9 @@
 #include <span>
 
 #include "app/command_line/output.h"
-#include "model/io/ratings_file.h"
-#include "model/measured_twin.h"
-#include "model/set_ratings.h"
+#include "model/io/people/ratings_file.h"
+#include "model/set/measured_twin.h"
+#include "model/set/set_ratings.h"
 
 namespace tact {
 

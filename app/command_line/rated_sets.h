@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/command_line/commands.h"
-#include "model/pattern_set.h"
-#include "model/ratings.h"
+#include "model/set/pattern_set.h"
+#include "model/study/ratings.h"
 
 namespace tact {
 

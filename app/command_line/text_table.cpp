@@ -1,4 +1,5 @@
 #include "app/command_line/text_table.h"
+#include "model/text/numbers.h"
 
 #include <algorithm>
 #include <cassert>
@@ -31,6 +32,8 @@ std::string fixed_digits(double value, int digits) {
     std::snprintf(text, sizeof text, "%.*f", digits, value);
     return text;
 }
+
+std::string six_digits(double value) { return significant_digits(value, 6); }
 
 std::string range_text(double low, double high, int digits) {
     if (std::isnan(low) || std::isnan(high)) return "-";

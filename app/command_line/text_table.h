@@ -15,6 +15,9 @@ std::string aligned(const std::vector<TextRow>& rows);
 // With so many digits after the point; "-" for NaN.
 std::string fixed_digits(double value, int digits);
 
+// Six digits that count.
+std::string six_digits(double value);
+
 // "-0.11 to 0.78"; "-" for NaN.
 std::string range_text(double low, double high, int digits);
 

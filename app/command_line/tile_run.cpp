@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "app/command_line/output.h"
-#include "model/io/numbers.h"
-#include "model/parallel.h"
+#include "model/common/parallel.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 

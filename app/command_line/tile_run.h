@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "app/command_line/mpi.h"
-#include "model/io/checkpoint.h"
-#include "model/pattern_set.h"
-#include "model/tiles.h"
+#include "model/io/tables/checkpoint.h"
+#include "model/perceptual_model/tiles.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 

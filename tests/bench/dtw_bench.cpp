@@ -11,10 +11,10 @@
 #include <thread>
 #include <vector>
 
-#include "model/dtw.h"
-#include "model/dtw_strips.h"
+#include "model/dtw/dtw.h"
+#include "model/dtw/dtw_strips.h"
 #include "tests/bench/owed.h"
-#include "tests/dtw_textbook.h"
+#include "tests/support/dtw_textbook.h"
 
 using namespace tact;
 using namespace tact::bench;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "model/mds.h"
+#include "model/map/mds.h"
 #include "tests/bench/owed.h"
 
 using namespace tact;

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <memory>
 
-#include "model/nc_matrix.h"
-#include "model/pattern.h"
-#include "model/perceptual_model.h"
+#include "model/pattern/pattern.h"
+#include "model/perceptual_model/perceptual_model.h"
+#include "model/physiology/nc_matrix.h"
 #include "tests/bench/owed.h"
 
 using namespace tact;

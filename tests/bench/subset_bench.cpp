@@ -1,9 +1,9 @@
 // The most distinct subset of many patterns, proven.
-#include "model/subset.h"
+#include "model/subset/subset.h"
 
 #include <cmath>
 
-#include "model/random.h"
+#include "model/common/random.h"
 #include "tests/bench/owed.h"
 
 using namespace tact;

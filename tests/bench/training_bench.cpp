@@ -9,7 +9,7 @@
 #include <string>
 
 #include "tests/bench/owed.h"
-#include "tests/training_problem.h"
+#include "tests/support/training_problem.h"
 
 using namespace tact;
 using namespace tact::bench;

@@ -2,7 +2,7 @@
 
 Source   DFT321 (Landin et al. 2010) with numpy.fft; s^2 / (s^2 + s w0 / Q + w0^2) by
          scipy.signal.bilinear at the pre-warped w0 = 2 fs tan(pi f0 / fs), run by lfilter.
-What     dft321: noise of three seeds (the generator of tests/golden.h), without its mean; one signal.
+What     dft321: noise of three seeds (the generator of tests/support/golden.h), without its mean; one signal.
          resonance: noise through the filter, at 10 kHz.
          lag: numpy.correlate's largest magnitude, of a noisy piece of noise within a longer one.
 Run      python3 tests/golden/make_measured.py

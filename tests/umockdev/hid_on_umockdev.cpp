@@ -8,11 +8,11 @@
 #include <csignal>
 #include <numbers>
 
-#include "devices/haptic_page.h"
-#include "devices/hid_device.h"
-#include "devices/last_words.h"
-#include "haptic_descriptor.h"
-#include "mock_bench.h"
+#include "devices/hid/haptic_page.h"
+#include "devices/hid/hid_device.h"
+#include "devices/hid/last_words.h"
+#include "tests/support/haptic_descriptor.h"
+#include "tests/umockdev/mock_bench.h"
 
 using namespace tact;
 

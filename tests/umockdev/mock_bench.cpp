@@ -1,4 +1,4 @@
-#include "mock_bench.h"
+#include "tests/umockdev/mock_bench.h"
 
 #include <linux/hidraw.h>
 #include <sys/ioctl.h>

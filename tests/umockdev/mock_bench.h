@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "devices/rumble_packets.h"
+#include "devices/rumble/rumble_packets.h"
 
 namespace tact {
 

@@ -1,0 +1,100 @@
+// tactspace calibrate: the signal that an actuator is measured with, and the table that a recording
+// of it gives.
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/command_line/commands.h"
+#include "app/command_line/output.h"
+#include "app/command_line/text_table.h"
+#include "devices/calibration/calibration_file.h"
+#include "devices/calibration/calibration_run.h"
+#include "model/io/recordings/acceleration_file.h"
+#include "model/io/recordings/wave_file.h"
+
+namespace tact {
+
+namespace {
+
+std::string digits(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+std::string table_of(const CalibrationResult& result) {
+    std::vector<TextRow> rows{{"Hz", "g per full scale", "up to", "distortion", "nonlinearity"}};
+    for (const ResponsePoint& point : result.points) {
+        rows.push_back({fixed_digits(point.frequency_hz, 1), digits(point.g_per_full_scale),
+                        fixed_digits(point.largest_drive, 2),
+                        fixed_digits(100.0 * point.thd, 1) + " %",
+                        fixed_digits(100.0 * point.nonlinearity, 1) + " %"});
+    }
+    return aligned(rows);
+}
+
+std::string json_of(const CalibrationResult& result) {
+    nlohmann::json json{{"begins_s", result.begins_s}, {"tones", nlohmann::json::array()}};
+    for (const MeasuredTone& one : result.tones) {
+        json["tones"].push_back({{"frequency_hz", one.tone.frequency_hz},
+                                 {"level", one.tone.level},
+                                 {"amplitude_g", one.amplitude_g},
+                                 {"thd", one.thd},
+                                 {"snr_db", one.snr_db},
+                                 {"accepted", one.accepted}});
+    }
+    return json.dump() + "\n";
+}
+
+Expected<Done> write_signal(const CalibrateCommand& command, const CalibrationPlan& plan) {
+    const Waveform signal{plan.drive.rate_hz, plan.drive.samples};
+    if (auto written = write_wave_file(command.signal, signal); !written) return written;
+    std::cerr
+        << "tactspace: wrote " << command.signal.string() << ", "
+        << fixed_digits(duration_s(signal), 1)
+        << " s: play it with --full-scale 1 --level 1 while the sensor records, then give the "
+           "recording to --recording with the same options\n";
+    return Done{};
+}
+
+}  // namespace
+
+Expected<Done> run(const CalibrateCommand& command) {
+    CalibrationParams params;
+    params.is_sweep = command.sweep;
+    params.low_hz = command.low_hz;
+    params.high_hz = command.high_hz;
+    if (params.high_hz < params.low_hz) {
+        return Error{"--high: expected " + digits(params.low_hz) + " Hz or more, as --low is"};
+    }
+    const CalibrationPlan plan = calibration_plan(params);
+    if (!command.signal.empty()) return write_signal(command, plan);
+
+    const Expected<Recording> recording = read_acceleration_file(command.recording, command.how);
+    if (!recording) return recording.error();
+    for (const std::string& remark : recording->remarks) {
+        std::cerr << "tactspace: " << command.recording.string() << ": " << remark << "\n";
+    }
+    const Expected<CalibrationResult> result = calibration_from(plan, recording->waveform);
+    if (!result) return Error{command.recording.string() + ": " + result.error().message};
+    Calibration calibration = command.about;
+    calibration.points = result->points;
+    if (!command.out.empty()) {
+        if (auto written = write_calibration(command.out, calibration); !written) return written;
+    }
+    const std::size_t refused =
+        result->tones.size() - static_cast<std::size_t>(std::ranges::count_if(
+                                   result->tones, [](const auto& one) { return one.accepted; }));
+    if (refused > 0) {
+        std::cerr
+            << "tactspace: " << refused << " of " << result->tones.size()
+            << " tones were left out: 10 % of harmonic distortion or more, or less than 20 dB "
+               "above the noise\n";
+    }
+    std::cout << (command.json ? json_of(*result) : table_of(*result));
+    return Done{};
+}
+
+}  // namespace tact

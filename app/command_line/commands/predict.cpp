@@ -1,0 +1,248 @@
+// tactspace predict: the dissimilarity of every pair; PM and its parts tile by tile.
+
+#include <unistd.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/command_line/commands.h"
+#include "app/command_line/interrupt.h"
+#include "app/command_line/mpi.h"
+#include "app/command_line/output.h"
+#include "app/command_line/tile_run.h"
+#include "app/pictures/pictures.h"
+#include "model/evaluation/metric_matrix.h"
+#include "model/io/tables/matrix_file.h"
+#include "model/perceptual_model/rank_sum.h"
+#include "model/text/atomic_file.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// What is left of a set when its patterns are coded.
+struct Work {
+    TileRun tiles;
+    std::vector<std::string> labels;
+    double nc_weight = 0.0;
+    double oc_weight = 0.0;
+    PictureSize image;
+};
+
+std::vector<Part> parts_of(const std::string& metric) {
+    if (metric == "nc") return {Part::nc};
+    if (metric == "oc") return {Part::oc};
+    return {Part::nc, Part::oc};
+}
+
+// False of a pipe or a device, which nothing can be kept beside.
+bool can_be_file(const fs::path& out) {
+    std::error_code none;
+    return !out.empty() && (fs::is_regular_file(out, none) || !fs::exists(out, none));
+}
+
+// The file for finished tiles; empty where none can be kept. Refuses now what would fail after
+// hours, and what would lose the hours of an earlier run.
+Expected<fs::path> tiles_file(const PredictCommand& command) {
+    if (!can_be_file(command.out)) {
+        if (!command.resume) return fs::path();
+        return Error{"--resume needs --out FILE: finished tiles are kept in FILE.tiles"};
+    }
+    if (const auto writable = AtomicFile::open(command.out); !writable) return writable.error();
+    const fs::path file = command.out.string() + ".tiles";
+    std::error_code none;
+    if (!command.resume && fs::exists(file, none)) {
+        return Error{file.string() +
+                     ": holds what an earlier run finished; add --resume to go on with it, or "
+                     "remove it to start anew"};
+    }
+    return file;
+}
+
+// With the format that the picture's name says, before any work.
+Expected<PictureSize> picture_asked_for(const PredictCommand& command) {
+    PictureSize image;
+    if (command.image.empty()) return image;
+    const Expected<PictureFormat> format = picture_format(command.image);
+    if (!format) return format.error();
+    image.format = *format;
+    return image;
+}
+
+// Remarks about a set that every rank reads are wanted once.
+Expected<PatternSet> load_on(const RankGroup& ranks, const CommonOptions& options) {
+    if (ranks.rank == 0) return load_for(options);
+    std::streambuf* const console = std::cerr.rdbuf(nullptr);
+    Expected<PatternSet> set = load_for(options);
+    std::cerr.rdbuf(console);
+    return set;
+}
+
+Expected<Work> prepared(const PredictCommand& command, const RankGroup& ranks,
+                        std::stop_token stop) {
+    Work work;
+    if (ranks.rank == 0) {
+        const Expected<fs::path> file = tiles_file(command);
+        if (!file) return file.error();
+        work.tiles.keeping.path = *file;
+        work.tiles.keeping.resume = command.resume;
+        const Expected<PictureSize> image = picture_asked_for(command);
+        if (!image) return image.error();
+        work.image = *image;
+    }
+    const Expected<PatternSet> set = load_on(ranks, command.common);
+    if (!set) return set.error();
+    if (const auto pair = need_a_pair(*set, command.common); !pair) return pair.error();
+    work.labels = names_of(*set);
+    work.nc_weight = set->model.nc_weight;
+    work.oc_weight = set->model.oc_weight;
+    work.tiles.parts = parts_of(command.metric);
+    work.tiles.threads = command.common.threads;
+    work.tiles.stop = stop;
+    auto source = tile_source(
+        *set, command.common.threads, stop,
+        ranks.rank == 0 ? progress_line("coding patterns") : std::function<void(double)>{});
+    if (!source) return source.error();
+    work.tiles.source = std::move(*source);
+    if (ranks.rank > 0) return work;
+    if (const auto begun = begin_tiles(work.tiles); !begun) return begun.error();
+    return work;
+}
+
+// For a person who waits at a terminal: what takes a while and cannot say how far it is. Shown
+// until something else is.
+void show(const std::string& what, std::size_t pairs) {
+    constexpr std::size_t kSlow = 2'000'000;  // half a second
+    if (pairs < kSlow || isatty(STDERR_FILENO) == 0) return;
+    std::cerr << "\r" << what << "\033[K";
+}
+
+// PM in the place of NC: there may be no room for one more matrix.
+Dissimilarity rank_sum(Work& work) {
+    Dissimilarity& pm = work.tiles.made[static_cast<std::size_t>(Part::nc)].matrix;
+    Dissimilarity& oc = work.tiles.made[static_cast<std::size_t>(Part::oc)].matrix;
+    show("ranking " + grouped_digits(pm.condensed.size()) + " pairs", pm.condensed.size());
+    replace_by_ranks(pm.condensed);
+    replace_by_ranks(oc.condensed);
+    for (std::size_t k = 0; k < pm.condensed.size(); ++k) {
+        pm.condensed[k] = pm_of(pm.condensed[k], oc.condensed[k], work.nc_weight, work.oc_weight);
+    }
+    oc = {};
+    return std::move(pm);
+}
+
+Dissimilarity matrix_of(Work& work) {
+    const std::vector<Part>& parts = work.tiles.parts;
+    if (parts.size() > 1) return rank_sum(work);
+    return std::move(work.tiles.made[static_cast<std::size_t>(parts[0])].matrix);
+}
+
+// Number by number: as one value, JSON of a large matrix takes several times its memory.
+void print_json(std::ostream& stream, const std::vector<std::string>& labels,
+                const std::string& metric, const Dissimilarity& matrix) {
+    stream << "{\"condensed\":";
+    char before = '[';
+    for (const double value : matrix.condensed) {
+        stream << before << nlohmann::json(value);
+        before = ',';
+    }
+    stream << "],\"labels\":" << nlohmann::json(labels) << ",\"metric\":" << nlohmann::json(metric)
+           << "}\n";
+}
+
+Expected<Done> write_matrix(const PredictCommand& command, const std::vector<std::string>& labels,
+                            const Dissimilarity& matrix, const PictureSize& image) {
+    show("writing", matrix.condensed.size());
+    const Expected<Done> written = write_result(command.out, [&](std::ostream& stream) {
+        if (command.common.json) {
+            print_json(stream, labels, command.metric, matrix);
+        } else {
+            write_matrix_csv(stream, labels, matrix);
+        }
+    });
+    show("", matrix.condensed.size());
+    if (!written || command.image.empty()) return written;
+    const std::string quantity = traits(*metric_named(command.metric)).name;
+    return write_picture(command.image, matrix_picture(labels, matrix, quantity, image));
+}
+
+bool has_tiles(const std::string& metric) {
+    return metric == "pm" || metric == "nc" || metric == "oc";
+}
+
+// The metric asked for, with options that fit it.
+Expected<Metric> metric_of(const PredictCommand& command) {
+    const Expected<Metric> metric = metric_named(command.metric);
+    if (!metric) return metric;
+    if (command.resume && !has_tiles(command.metric)) {
+        return Error{"--resume is for pm, nc and oc: nothing is kept of a run with --metric " +
+                     command.metric};
+    }
+    if (command.first_as_reference && !traits(*metric).is_directional) {
+        return Error{"--first-as-reference is for st-sim and spqi: " + command.metric +
+                     " is the same both ways"};
+    }
+    return metric;
+}
+
+// A metric without tiles, the whole matrix at once.
+Expected<Done> run_whole(const PredictCommand& command, Metric metric, std::stop_token stop) {
+    if (can_be_file(command.out)) {
+        const auto writable = AtomicFile::open(command.out);
+        if (!writable) return writable.error();
+    }
+    const Expected<PictureSize> image = picture_asked_for(command);
+    if (!image) return image.error();
+    const Expected<PatternSet> set = load_for(command.common);
+    if (!set) return set.error();
+    if (const auto pair = need_a_pair(*set, command.common); !pair) return pair;
+    std::vector<Waveform> waveforms;  // unpadded: DTW takes them so
+    for (const Vibration& vibration : set->vibrations) waveforms.push_back(waveform_of(vibration));
+    MetricOptions options;
+    options.threads = command.common.threads;
+    options.stop = stop;
+    options.progress = progress_line("comparing patterns");
+    if (command.first_as_reference) options.direction = Direction::first_is_reference;
+    const auto matrix = metric_matrix(metric, waveforms, set->model, options);
+    if (!matrix) return Error{"stopped, and nothing is kept of a metric other than pm, nc and oc"};
+    return write_matrix(command, names_of(*set), *matrix, *image);
+}
+
+// The tiles, made by all ranks together.
+Expected<Work> computed(const PredictCommand& command, const RankGroup& ranks,
+                        std::stop_token stop) {
+    Expected<Work> work = prepared(command, ranks, stop);
+    // Before any of them waits for another in vain.
+    if (!ranks.agrees(work ? fingerprint(work->tiles.source) : 0)) {
+        return work ? Error{"the ranks read different sets, or one of them could not"}
+                    : work.error();
+    }
+    if (const auto made = make_all_tiles(work->tiles, ranks); !made) return made.error();
+    work->tiles.source = {};
+    return work;
+}
+
+}  // namespace
+
+Expected<Done> run(const PredictCommand& command) {
+    const Interrupt interrupt;  // first: threads, MPI's too, inherit what it blocks
+    Expected<RankGroup> ranks = RankGroup::join();
+    if (!ranks) return ranks.error();
+    const Expected<Metric> metric = metric_of(command);
+    if (!metric) return metric.error();
+    if (!has_tiles(command.metric)) {
+        return ranks->rank > 0 ? Done{} : run_whole(command, *metric, interrupt.token());
+    }
+    Expected<Work> work = computed(command, *ranks, interrupt.token());
+    if (!work) return work.error();
+    if (ranks->rank > 0) return Done{};
+    const Dissimilarity matrix = matrix_of(*work);
+    const Expected<Done> written = write_matrix(command, work->labels, matrix, work->image);
+    if (written && work->tiles.keeping.file) work->tiles.keeping.file->remove();
+    return written;
+}
+
+}  // namespace tact

@@ -1,0 +1,182 @@
+// tactspace separate: what would separate two patterns that people may confuse.
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/command_line/commands.h"
+#include "app/command_line/interrupt.h"
+#include "app/command_line/output.h"
+#include "app/command_line/text_table.h"
+#include "model/perceptual_model/perceptual_model.h"
+#include "model/subset/separation.h"
+
+namespace tact {
+
+namespace {
+
+struct Pair {
+    std::size_t a = 0;
+    std::size_t b = 0;
+};
+
+struct Change {
+    std::size_t place = 0;  // of the pattern that is changed
+    Separation separation;
+};
+
+struct SeparateResult {
+    Pair pair;
+    double dissimilarity = 0.0;
+    double threshold = 0.0;
+    std::vector<Change> changes;  // the smallest first
+};
+
+// "A,B": at the comma that parts two names, as a name may have one of its own.
+Expected<Pair> pair_of(const PatternSet& set, const std::string& text) {
+    for (std::size_t at = text.find(','); at != std::string::npos; at = text.find(',', at + 1)) {
+        const auto a = place_named(set, text.substr(0, at));
+        const auto b = place_named(set, text.substr(at + 1));
+        if (a && b && *a != *b) return Pair{*a, *b};
+    }
+    const std::size_t comma = text.find(',');
+    if (comma != std::string::npos) {
+        for (const std::string& name : {text.substr(0, comma), text.substr(comma + 1)}) {
+            const Expected<std::size_t> place = place_of(set, name);
+            if (!place) return Error{"--pair: " + place.error().message};
+        }
+    }
+    return Error{"--pair: expected two patterns with a comma between, got \"" + text + "\""};
+}
+
+// Which of the two may be changed: the one asked for, else those that are not locked.
+Expected<std::vector<std::size_t>> changeable(const SeparateCommand& command, const PatternSet& set,
+                                              Pair pair) {
+    std::vector<std::size_t> places;
+    for (const std::size_t place : {pair.a, pair.b}) {
+        const Vibration& vibration = set.vibrations[place];
+        const bool wanted =
+            command.change.empty() ? !vibration.locked : vibration.name == command.change;
+        if (wanted && std::holds_alternative<Pattern>(vibration.source)) places.push_back(place);
+    }
+    if (!places.empty()) return places;
+    if (!command.change.empty()) {
+        return Error{
+            "--change: expected the one of the pair that is to be changed, a pattern made "
+            "of parameters, got \"" +
+            command.change + "\""};
+    }
+    return Error{
+        "--pair: both are locked or measured; --change names a locked one to change all "
+        "the same"};
+}
+
+Expected<std::vector<std::size_t>> others_of(const SeparateCommand& command, const PatternSet& set,
+                                             Pair pair) {
+    std::vector<std::size_t> others;
+    for (const std::string& name : command.among) {
+        const Expected<std::size_t> place = place_of(set, name);
+        if (!place) return Error{"--among: " + place.error().message};
+        others.push_back(*place);
+    }
+    if (others.empty()) return others;
+    others.insert(others.end(), {pair.a, pair.b});
+    std::ranges::sort(others);
+    const auto [first, last] = std::ranges::unique(others);
+    others.erase(first, last);
+    return others;
+}
+
+double threshold_of(const SeparateCommand& command, const Dissimilarity& pm,
+                    const std::vector<std::size_t>& others, Pair pair) {
+    if (command.threshold) return *command.threshold;
+    const double share =
+        threshold_at(others.empty() ? pm : among(pm, others), command.percent / 100.0);
+    return std::max(share, pm(pair.a, pair.b));
+}
+
+Expected<SeparateResult> separated(const SeparateCommand& command, const PatternSet& set,
+                                   std::stop_token stop) {
+    const Error stopped{"stopped before the search had come to its end"};
+    const Expected<Pair> pair = pair_of(set, command.pair);
+    if (!pair) return pair.error();
+    const auto places = changeable(command, set, *pair);
+    if (!places) return places.error();
+    const auto others = others_of(command, set, *pair);
+    if (!others) return others.error();
+    PredictOptions predicting;
+    predicting.threads = command.common.threads;
+    predicting.stop = stop;
+    predicting.progress = progress_line("comparing pairs");
+    const auto prediction = predict(model_waveforms(set), set.model, predicting);
+    if (!prediction) return stopped;
+    SeparateResult result{*pair,
+                          prediction->pm(pair->a, pair->b),
+                          threshold_of(command, prediction->pm, *others, *pair),
+                          {}};
+    SeparationOptions options;
+    options.from = *others;
+    options.threads = command.common.threads;
+    options.stop = stop;
+    for (const std::size_t place : *places) {
+        options.progress = progress_line("changing " + set.vibrations[place].name);
+        const auto found = separations(set, *prediction, place, result.threshold, options);
+        if (!found) return stopped;
+        for (const Separation& one : *found) result.changes.push_back({place, one});
+    }
+    std::ranges::stable_sort(result.changes, {},
+                             [](const Change& change) { return change.separation.steps; });
+    return result;
+}
+
+nlohmann::json json_of(const SeparateResult& result, const std::vector<std::string>& names) {
+    nlohmann::json json{{"pair", {names[result.pair.a], names[result.pair.b]}},
+                        {"dissimilarity", result.dissimilarity},
+                        {"threshold", result.threshold},
+                        {"changes", nlohmann::json::array()}};
+    for (const auto& [place, one] : result.changes) {
+        json["changes"].push_back(
+            {{"pattern", names[place]},
+             {"parameter", traits(one.parameter).key},
+             {"from", one.from},
+             {"to", one.to},
+             {"nearest", {{"pattern", names[one.nearest_to]}, {"dissimilarity", one.nearest}}}});
+    }
+    return json;
+}
+
+std::string text_of(const SeparateResult& result, const std::vector<std::string>& names) {
+    std::string text = "PM of " + names[result.pair.a] + " and " + names[result.pair.b] + "  " +
+                       six_digits(result.dissimilarity) + "\nto be exceeded  " +
+                       six_digits(result.threshold) + "\n\n";
+    if (result.changes.empty()) {
+        return text +
+               "no change of a single number is enough: change the rhythm, or add a carrier\n";
+    }
+    std::vector<TextRow> rows{{"pattern", "parameter", "from", "to", "then", "closest"}};
+    for (const auto& [place, one] : result.changes) {
+        const ParameterTraits& about = traits(one.parameter);
+        const std::string unit = *about.unit == '\0' ? "" : std::string(", ") + about.unit;
+        rows.push_back({names[place], about.name + unit, six_digits(one.from), six_digits(one.to),
+                        six_digits(one.nearest), names[one.nearest_to]});
+    }
+    return text + aligned(rows);
+}
+
+}  // namespace
+
+Expected<Done> run(const SeparateCommand& command) {
+    const Interrupt interrupt;
+    const Expected<PatternSet> set = load_for(command.common);
+    if (!set) return set.error();
+    if (const auto pair = need_a_pair(*set, command.common); !pair) return pair.error();
+    const Expected<SeparateResult> result = separated(command, *set, interrupt.token());
+    if (!result) return result.error();
+    const std::vector<std::string> names = names_of(*set);
+    return write_result({}, [&](std::ostream& stream) {
+        stream << (command.common.json ? json_of(*result, names).dump() + "\n"
+                                       : text_of(*result, names));
+    });
+}
+
+}  // namespace tact

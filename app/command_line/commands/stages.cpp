@@ -1,0 +1,37 @@
+// tactspace stages: everything a pattern goes through, as CSV files.
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/command_line/commands.h"
+#include "app/command_line/output.h"
+#include "app/document/folders.h"
+#include "app/physiology/stage_csv.h"
+#include "model/text/atomic_file.h"
+
+namespace tact {
+
+Expected<Done> run(const StagesCommand& command) {
+    const Expected<PatternSet> set = load_for(command.common);
+    if (!set) return set.error();
+    const Expected<std::size_t> place = place_of(*set, command.pattern);
+    if (!place) return place.error();
+    // Padded as in its set: the stages are those behind the set's numbers.
+    const StageValues values = stage_values(model_waveforms(*set)[*place], set->model);
+    if (const Expected<Done> made = make_folder(command.out); !made) return made;
+    nlohmann::json listed = nlohmann::json::array();
+    for (const Stage stage : kStages) {
+        for (const CsvFile& file : stage_csv(values, stage)) {
+            const std::filesystem::path path = command.out / file.name;
+            if (const auto written = write_atomically(path, file.text); !written) return written;
+            listed.push_back(path.string());
+            std::cerr << "tactspace: wrote " << path.string() << "\n";
+        }
+    }
+    if (command.common.json) {
+        std::cout << nlohmann::json{{"pattern", command.pattern}, {"files", listed}}.dump() << "\n";
+    }
+    return Done{};
+}
+
+}  // namespace tact

@@ -1,0 +1,293 @@
+// tactspace study: simulated participants, and what participants said as ratings.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/command_line/commands.h"
+#include "app/command_line/output.h"
+#include "app/command_line/text_table.h"
+#include "app/document/folders.h"
+#include "app/document/program_version.h"
+#include "model/io/people/study_csv.h"
+#include "model/io/people/study_file.h"
+#include "model/io/tables/coordinates_file.h"
+#include "model/io/tables/matrix_file.h"
+#include "model/map/smacof.h"
+#include "model/perceptual_model/perceptual_model.h"
+#include "model/set/set_study.h"
+#include "model/study/study_results.h"
+#include "model/study/synthetic_study.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+StudyDesign design_of(const StudyCommand& command, const PatternSet& set) {
+    StudyDesign design = set.study;
+    design.seed = command.seed.value_or(design.seed);
+    design.repetitions = command.repetitions.value_or(design.repetitions);
+    design.attention_pairs = command.attention_pairs.value_or(design.attention_pairs);
+    if (command.adaptive) design.order = StudyOrder::adaptive;
+    design.attention.above = command.attention_above.value_or(design.attention.above);
+    design.attention.failures_allowed =
+        command.failures_allowed.value_or(design.attention.failures_allowed);
+    return design;
+}
+
+// The matrix of a file in the order of `names`. Errors: a name that is missing.
+Expected<Dissimilarity> in_order(const LabelledMatrix& matrix, const fs::path& file,
+                                 const std::vector<std::string>& names) {
+    std::vector<std::size_t> place;
+    for (const std::string& name : names) {
+        const auto found = std::ranges::find(matrix.labels, name);
+        if (found == matrix.labels.end()) {
+            return Error{file.string() +
+                         ": expected a row of every pattern of the study, got none "
+                         "of " +
+                         in_quotes(name)};
+        }
+        place.push_back(static_cast<std::size_t>(found - matrix.labels.begin()));
+    }
+    Dissimilarity result{names.size(), {}};
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        for (std::size_t j = i + 1; j < place.size(); ++j) {
+            result.condensed.push_back(matrix.dissimilarity(place[i], place[j]));
+        }
+    }
+    return result;
+}
+
+// What the simulated participants feel: a map, a matrix, or PM's prediction of the set.
+Expected<Dissimilarity> truth_for(const StudyCommand& command, const PatternSet& set,
+                                  const std::vector<std::string>& names) {
+    if (!command.from_matrix.empty()) {
+        const Expected<LabelledMatrix> matrix = read_matrix_file(command.from_matrix);
+        if (!matrix) return matrix.error();
+        return in_order(*matrix, command.from_matrix, names);
+    }
+    if (!command.from_map.empty()) {
+        const Expected<LabelledPoints> map = read_coordinates_file(command.from_map);
+        if (!map) return map.error();
+        const LabelledMatrix matrix{map->labels, {map->labels.size(), distances(map->points)}};
+        return in_order(matrix, command.from_map, names);
+    }
+    PredictOptions options;
+    options.threads = command.common.threads;
+    options.progress = progress_line("comparing pairs");
+    return in_order({names_of(set), predict(model_waveforms(set), set.model, options)->pm},
+                    command.common.sets.front(), names);
+}
+
+std::string synthetic_code(std::size_t number) {
+    char code[16];
+    std::snprintf(code, sizeof code, "S%02zu", number);
+    return code;
+}
+
+StudyHeader simulated_header(const StudyCommand& command, const PatternSet& set) {
+    StudyHeader header;
+    header.program = kProgramVersion;
+    header.kind = command.sorting ? StudyKind::sorting : StudyKind::pairwise;
+    header.synthetic = true;
+    header.set_name = set.name;
+    header.patterns = study_patterns(set);
+    header.set_fingerprint = study_fingerprint(set, header.patterns);
+    header.device = {"none: simulated", "none", {}};
+    header.design = set.study;
+    return header;
+}
+
+Expected<Done> simulate(const StudyCommand& command, PatternSet set) {
+    if (command.out.empty()) return Error{"expected --out DIR, a folder for the participants"};
+    set.study = design_of(command, set);
+    StudyHeader header = simulated_header(command, set);
+    if (header.patterns.size() < 2) {
+        return Error{"the study has fewer than two patterns of the set, expected two at least"};
+    }
+    const Expected<Dissimilarity> truth = truth_for(command, set, header.patterns);
+    if (!truth) return truth.error();
+    if (const auto made = make_folder(command.out); !made) return made.error();
+    const auto count = static_cast<std::size_t>(command.simulate);
+    const auto blind =
+        static_cast<std::size_t>(std::lround(command.inattentive * static_cast<double>(count)));
+    for (std::size_t k = 1; k <= count; ++k) {
+        header.participant.code = synthetic_code(k);
+        header.seed = participant_seed(header.design.seed, header.participant.code);
+        SyntheticRater rater{{}, *truth, k};
+        rater.params.noise = command.noise;
+        rater.params.bias = command.bias;
+        rater.params.seed = static_cast<std::uint64_t>(header.design.seed);
+        rater.params.lapses = k + blind > count ? 1.0 : command.lapses;
+        const auto written = write_study_file(
+            command.out / study_file_name(header.participant.code), simulated_study(header, rater));
+        if (!written) return written.error();
+    }
+    std::cerr << "tactspace: " << count << " synthetic participants in " << command.out.string()
+              << "; nobody was asked\n";
+    return Done{};
+}
+
+const char* word_of(StudyKind kind) { return kind == StudyKind::pairwise ? "pairwise" : "sorting"; }
+
+const char* word_of(StudyOrder order) { return order == StudyOrder::full ? "full" : "adaptive"; }
+
+nlohmann::json json_of(const StudyResults& results) {
+    nlohmann::json people = nlohmann::json::array();
+    for (const ParticipantSummary& person : results.people) {
+        people.push_back({{"participant", person.code},
+                          {"synthetic", person.synthetic},
+                          {"answers", person.answers},
+                          {"wanted", person.wanted},
+                          {"identical_pairs", person.attention},
+                          {"excluded", person.excluded.empty() ? nlohmann::json()
+                                                               : nlohmann::json(person.excluded)},
+                          {"rho_with_others", person.rho_with_others},  // NaN becomes null
+                          {"outlier", person.is_outlier},
+                          {"minutes", person.minutes}});
+    }
+    const Reliability& agreement = results.agreement;
+    return {{"kind", word_of(results.kind)},
+            {"order", word_of(results.order)},
+            {"synthetic", results.synthetic},
+            {"labels", results.study.labels},
+            {"condensed", results.mean.condensed},
+            {"counted", agreement.is_of_one_person ? 1 : agreement.voices},
+            {"reliability", agreement.spearman_brown},
+            {"split_half", agreement.half_rho},
+            {"ceiling", agreement.one_with_others},
+            {"participants", people}};
+}
+
+std::size_t counted_in(const StudyResults& results) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        results.people, [](const ParticipantSummary& person) { return person.excluded.empty(); }));
+}
+
+std::string head_of(const StudyResults& results) {
+    std::string text = results.kind == StudyKind::pairwise ? "pairs rated" : "patterns sorted";
+    text += " by " + std::to_string(counted_in(results)) + " of " +
+            std::to_string(results.people.size()) + " participants";
+    if (results.order == StudyOrder::adaptive) text += ", in adaptive order";
+    if (results.synthetic) text += "; SYNTHETIC: nobody was asked";
+    const Reliability& agreement = results.agreement;
+    if (agreement.voices < 2) return text + "\nagreement     not known of a single voice\n";
+    text += std::string("\nagreement     ") +
+            (agreement.is_of_one_person ? "of one person's repetitions: " : "") +
+            "reliability of their mean " + fixed_digits(agreement.spearman_brown, 3) +
+            " (split halves, Spearman-Brown)";
+    return text + "\nnoise ceiling rho " + fixed_digits(agreement.one_with_others, 3) +
+           ", one with the mean of the others\n";
+}
+
+std::vector<TextRow> people_table(const StudyResults& results) {
+    std::vector<TextRow> rows{
+        {"participant", "answers", "identical", "rho with others", "minutes", ""}};
+    for (const ParticipantSummary& person : results.people) {
+        std::string identical;
+        for (const double similarity : person.attention) {
+            identical += (identical.empty() ? "" : " ") + fixed_digits(similarity, 0);
+        }
+        std::string note = person.excluded.empty() ? "" : "not counted";
+        if (person.is_outlier) note = "outlier";
+        rows.push_back(
+            {person.code, std::to_string(person.answers) + "/" + std::to_string(person.wanted),
+             identical.empty() ? "-" : identical, fixed_digits(person.rho_with_others, 3),
+             fixed_digits(person.minutes, 1), note});
+    }
+    return rows;
+}
+
+std::vector<TextRow> matrix_table(const StudyResults& results) {
+    const auto& labels = results.study.labels;
+    std::vector<TextRow> rows{{""}};
+    rows[0].insert(rows[0].end(), labels.begin(), labels.end());
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        TextRow row{labels[i]};
+        for (std::size_t j = 0; j < labels.size(); ++j) {
+            row.push_back(fixed_digits(results.mean(i, j), 1));
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+std::string text_of(const StudyResults& results) {
+    std::string text = head_of(results) + "\n" + aligned(people_table(results));
+    for (const std::string& remark : results.remarks) text += remark + "\n";
+    return text + "\nmean dissimilarity, 100 - similarity\n" + aligned(matrix_table(results));
+}
+
+RatingScaling scaling_of(const std::string& word) {
+    if (word == "min-max") return RatingScaling::min_max;
+    return word == "standard" ? RatingScaling::standard : RatingScaling::none;
+}
+
+// Records of one kind, felt from this set.
+Expected<std::vector<StudyRecord>> records_for(const StudyCommand& command, const PatternSet& set) {
+    Expected<std::vector<StudyRecord>> records = read_study_folder(command.collect);
+    if (!records) return records;
+    const StudyKind kind = command.sorting ? StudyKind::sorting : StudyKind::pairwise;
+    std::erase_if(*records, [kind](const StudyRecord& one) { return one.header.kind != kind; });
+    if (records->empty()) {
+        return Error{command.collect.string() + ": expected participants who " +
+                     (command.sorting ? "sorted patterns, got others; leave out --sorting"
+                                      : "rated pairs, got others; for those who sorted --sorting")};
+    }
+    const StudyHeader& header = records->front().header;
+    for (const std::string& name : header.patterns) {
+        if (!place_named(set, name)) {
+            return Error{command.collect.string() + ": has answers about " + in_quotes(name) +
+                         ", expected patterns of the set"};
+        }
+    }
+    if (study_fingerprint(set, header.patterns) != header.set_fingerprint) {
+        std::cerr << "tactspace: the patterns have changed since they were felt\n";
+    }
+    return records;
+}
+
+Expected<Done> collect(const StudyCommand& command, const PatternSet& set) {
+    const Expected<std::vector<StudyRecord>> records = records_for(command, set);
+    if (!records) return records.error();
+    CollectRule rule = rule_of(*records);
+    rule.attention.above = command.attention_above.value_or(rule.attention.above);
+    rule.attention.failures_allowed =
+        command.failures_allowed.value_or(rule.attention.failures_allowed);
+    rule.unfinished_too = command.unfinished;
+    rule.scaling = scaling_of(command.scaling);
+    const Expected<StudyResults> results = study_results(*records, rule);
+    if (!results) return results.error();
+    if (!command.out.empty()) {
+        const StudyRows rows = command.everyone ? StudyRows::everyone : StudyRows::counted;
+        const auto written = write_result(command.out, [&](std::ostream& stream) {
+            write_study_csv(stream, *records, *results, rows);
+        });
+        if (!written) return written.error();
+    }
+    if (!command.matrix.empty()) {
+        const auto written = write_result(command.matrix, [&](std::ostream& stream) {
+            write_matrix_csv(stream, results->study.labels, results->mean);
+        });
+        if (!written) return written.error();
+    }
+    return write_result({}, [&](std::ostream& stream) {
+        stream << (command.common.json ? json_of(*results).dump() + "\n" : text_of(*results));
+    });
+}
+
+}  // namespace
+
+Expected<Done> run(const StudyCommand& command) {
+    Expected<PatternSet> set = load_for(command.common);
+    if (!set) return set.error();
+    if (const auto pair = need_a_pair(*set, command.common); !pair) return pair.error();
+    return command.collect.empty() ? simulate(command, *std::move(set)) : collect(command, *set);
+}
+
+}  // namespace tact

@@ -1,0 +1,322 @@
+// tactspace subset: which k patterns nobody confuses.
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/command_line/commands.h"
+#include "app/command_line/interrupt.h"
+#include "app/command_line/output.h"
+#include "app/command_line/text_table.h"
+#include "app/subset/subset_export.h"
+#include "model/evaluation/metric_matrix.h"
+#include "model/io/people/ratings_file.h"
+#include "model/io/set/set_file.h"
+#include "model/io/tables/matrix_file.h"
+#include "model/map/mds.h"
+#include "model/subset/set_subset.h"
+#include "model/subset/subset.h"
+#include "model/subset/subset_stability.h"
+
+namespace tact {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+bool is_by_pm(const SubsetCommand& command) {
+    return command.matrix.empty() && command.ratings.empty() && command.metric == "pm";
+}
+
+// What is picked from.
+struct Source {
+    PatternSet set;
+    Dissimilarity dissimilarity;
+};
+
+// How far apart the set's patterns are in a matrix that may have others and another order.
+Expected<Dissimilarity> of_matrix(const fs::path& file, const Names& names) {
+    const Expected<LabelledMatrix> matrix = read_matrix_file(file);
+    if (!matrix) return matrix.error();
+    std::vector<std::size_t> places;
+    for (const std::string& name : names) {
+        const auto found = std::ranges::find(matrix->labels, name);
+        if (found == matrix->labels.end()) {
+            return Error{file.string() + ": expected a row \"" + name +
+                         "\" as the set has such a pattern"};
+        }
+        places.push_back(static_cast<std::size_t>(found - matrix->labels.begin()));
+    }
+    Dissimilarity result{names.size(), {}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::size_t j = i + 1; j < places.size(); ++j) {
+            result.condensed.push_back(matrix->dissimilarity(places[i], places[j]));
+        }
+    }
+    return result;
+}
+
+Expected<Dissimilarity> of_ratings(const std::vector<fs::path>& files, const Names& names) {
+    const Expected<LoadedRatings> loaded = read_ratings(files, RatingScale::guess);
+    if (!loaded) return loaded.error();
+    for (const std::string& remark : loaded->remarks) {
+        std::fprintf(stderr, "tactspace: %s\n", remark.c_str());
+    }
+    const Expected<RatingStudy> study = matched(loaded->study, names);
+    if (!study) return Error{files.front().string() + ": " + study.error().message};
+    Dissimilarity mean = mean_ratings(*study);
+    const auto unrated =
+        std::ranges::count_if(mean.condensed, [](double value) { return !std::isfinite(value); });
+    if (unrated > 0) {
+        std::fprintf(stderr, "tactspace: %td pairs were not rated and count as alike\n", unrated);
+    }
+    return mean;
+}
+
+Expected<Dissimilarity> of_metric(const SubsetCommand& command, const PatternSet& set,
+                                  std::stop_token stop) {
+    std::vector<Waveform> waveforms;  // unpadded: DTW takes them so
+    for (const Vibration& vibration : set.vibrations) waveforms.push_back(waveform_of(vibration));
+    MetricOptions options;
+    options.threads = command.common.threads;
+    options.stop = stop;
+    options.progress = progress_line("comparing patterns");
+    auto matrix = metric_matrix(*metric_named(command.metric), waveforms, set.model, options);
+    if (!matrix) return Error{"stopped before all patterns were compared"};
+    return *std::move(matrix);
+}
+
+Expected<Source> source_of(const SubsetCommand& command, std::stop_token stop) {
+    Expected<PatternSet> set = load_for(command.common);
+    if (!set) return set.error();
+    if (const auto pair = need_a_pair(*set, command.common); !pair) return pair.error();
+    Expected<Dissimilarity> matrix =
+        !command.matrix.empty()    ? of_matrix(command.matrix, names_of(*set))
+        : !command.ratings.empty() ? of_ratings(command.ratings, names_of(*set))
+                                   : of_metric(command, *set, stop);
+    if (!matrix) return matrix.error();
+    return Source{*std::move(set), *std::move(matrix)};
+}
+
+// With the locks of the set. A pattern that is asked for is not dropped by them, nor the reverse.
+Expected<Done> apply_locks(const SubsetCommand& command, PatternSet& set) {
+    for (const auto& [names, keep] : {std::pair(&command.keep, true), {&command.drop, false}}) {
+        for (const std::string& name : *names) {
+            const Expected<std::size_t> place = place_of(set, name);
+            if (!place) return Error{(keep ? "--keep: " : "--drop: ") + place.error().message};
+            Vibration& vibration = set.vibrations[*place];
+            if (!keep && std::ranges::find(command.keep, name) != command.keep.end()) {
+                return Error{"--drop: \"" + name + "\" is to be kept as well"};
+            }
+            vibration.locked = keep;
+            vibration.dropped = !keep;
+        }
+    }
+    return Done{};
+}
+
+const char* objective_name(SubsetObjective objective) {
+    return objective == SubsetObjective::max_min ? "max-min" : "max-sum";
+}
+
+nlohmann::json json_of(const Subset& subset, const Names& names) {
+    nlohmann::json patterns = nlohmann::json::array();
+    for (const std::size_t member : subset.members) patterns.push_back(names[member]);
+    return {{"patterns", patterns},
+            {"weakest",
+             {{"a", names[subset.weakest.first]},
+              {"b", names[subset.weakest.second]},
+              {"dissimilarity", subset.weakest_dissimilarity}}},
+            {"sum", subset.sum}};
+}
+
+struct SubsetResult {
+    SubsetObjective objective = SubsetObjective::max_min;
+    SubsetAnswer answer;
+    std::vector<CurvePoint> curve;
+    std::optional<Stability> stability;
+};
+
+nlohmann::json json_of(const SubsetResult& result, const SubsetCommand& command,
+                       const Names& names) {
+    const SubsetAnswer& answer = result.answer;
+    nlohmann::json json = json_of(answer.best, names);
+    json["objective"] = objective_name(result.objective);
+    json["optimal"] = answer.proof == SubsetProof::optimal;
+    json["bound"] = answer.bound;
+    if (command.alternatives > 0) {
+        json["alternatives"] = nlohmann::json::array();
+        for (const Subset& other : answer.alternatives) {
+            json["alternatives"].push_back(json_of(other, names));
+        }
+        json["alternatives_proven"] = answer.are_alternatives_proven;
+    }
+    for (const CurvePoint& point : result.curve) {
+        json["curve"].push_back(
+            {{"k", point.count}, {"weakest", point.weakest}, {"bound", point.bound}});
+    }
+    if (result.stability) {
+        json["sensitivity"] = {{"draws", result.stability->draws},
+                               {"same", result.stability->share_same},
+                               {"same_weakest", result.stability->share_weakest}};
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            json["sensitivity"]["picked"][names[k]] = result.stability->share_picked[k];
+        }
+    }
+    return json;
+}
+
+std::string proof_text(const SubsetResult& result) {
+    const SubsetAnswer& answer = result.answer;
+    const bool by_sum = result.objective == SubsetObjective::max_sum;
+    switch (answer.proof) {
+        case SubsetProof::optimal:
+            return "optimal: no other has a larger " +
+                   std::string(by_sum ? "sum" : "distance of its weakest pair");
+        case SubsetProof::ties_open:
+            return "no weakest pair can be farther apart; time ran out before the sum was settled";
+        case SubsetProof::open:
+            break;
+    }
+    return "time ran out: the best found so far; no " +
+           std::string(by_sum ? "sum" : "weakest pair") + " is above " + six_digits(answer.bound);
+}
+
+// What an alternative has that the best has not: "- a + b".
+std::string exchange_text(const Subset& best, const Subset& other, const Names& names) {
+    std::string text;
+    for (const std::size_t member : best.members) {
+        if (!std::ranges::binary_search(other.members, member)) text += "- " + names[member] + " ";
+    }
+    for (const std::size_t member : other.members) {
+        if (!std::ranges::binary_search(best.members, member)) text += "+ " + names[member] + " ";
+    }
+    return text;
+}
+
+std::string stability_text(const Stability& stability, const Names& names) {
+    std::vector<TextRow> rows{{"picked in", "draws"}};
+    for (const std::size_t k : ever_picked(stability)) {
+        rows.push_back({names[k], fixed_digits(100.0 * stability.share_picked[k], 0) + " %"});
+    }
+    return "\n" + std::to_string(stability.draws) + " draws of the model: the same subset in " +
+           fixed_digits(100.0 * stability.share_same, 0) + " %, the same weakest pair in " +
+           fixed_digits(100.0 * stability.share_weakest, 0) + " %\n" + aligned(rows);
+}
+
+std::string text_of(const SubsetResult& result, const Names& names) {
+    const SubsetAnswer& answer = result.answer;
+    const Subset& best = answer.best;
+    std::string text;
+    for (const std::size_t member : best.members) text += names[member] + "\n";
+    text += "\nweakest pair  " + six_digits(best.weakest_dissimilarity) + "  " +
+            names[best.weakest.first] + " and " + names[best.weakest.second] + "\nsum           " +
+            six_digits(best.sum) + "\n" + proof_text(result) + "\n";
+    if (!answer.alternatives.empty()) {
+        std::vector<TextRow> rows{{"alternatives", "weakest", "sum"}};
+        for (const Subset& other : answer.alternatives) {
+            rows.push_back({exchange_text(best, other, names),
+                            six_digits(other.weakest_dissimilarity), six_digits(other.sum)});
+        }
+        text += "\n" + aligned(rows);
+        if (!answer.are_alternatives_proven) text += "time ran out: others may lie between\n";
+    }
+    if (!result.curve.empty()) {
+        std::vector<TextRow> rows{{"k", "weakest", "at most"}};
+        for (const CurvePoint& point : result.curve) {
+            rows.push_back(
+                {std::to_string(point.count), six_digits(point.weakest), six_digits(point.bound)});
+        }
+        text += "\n" + aligned(rows);
+    }
+    return result.stability ? text + stability_text(*result.stability, names) : text;
+}
+
+// Twice the count, and some more, tell whether another one would do better.
+std::size_t last_of_curve(const SubsetCommand& command) {
+    return static_cast<std::size_t>(2 * command.count + 4);
+}
+
+// The map of the set as the window has it.
+PerceptualSpace map_of(const SubsetCommand& command, const Source& source, std::stop_token stop) {
+    MdsParams params = standard_mds_params(source.dissimilarity.size, 3);
+    params.threads = command.common.threads;
+    return nonmetric_mds(source.dissimilarity, params, stop);
+}
+
+std::optional<Stability> stability_of(const SubsetCommand& command, const Source& source,
+                                      const SubsetProblem& problem, const Subset& subset,
+                                      std::stop_token stop) {
+    StabilityParams params;
+    params.draws = static_cast<std::size_t>(command.draws);
+    params.time_limit_s = command.time_limit_s;
+    params.threads = command.common.threads;
+    params.stop = stop;
+    params.progress = progress_line("drawing models");
+    const PerceptualSpace space = map_of(command, source, stop);
+    return subset_stability(source.set, problem, subset, space.points, params);
+}
+
+Expected<SubsetResult> picked(const SubsetCommand& command, const Source& source,
+                              std::stop_token stop) {
+    SubsetResult result;
+    if (command.objective == "max-sum") result.objective = SubsetObjective::max_sum;
+    const SubsetProblem problem =
+        subset_problem(source.set, static_cast<std::size_t>(command.count), result.objective);
+    SubsetOptions options;
+    options.time_limit_s = command.time_limit_s;
+    options.alternatives = static_cast<std::size_t>(command.alternatives);
+    options.threads = command.common.threads;
+    options.stop = stop;
+    options.progress = progress_line("picking");
+    Expected<SubsetAnswer> answer = most_distinct_subset(source.dissimilarity, problem, options);
+    if (!answer) return answer.error();
+    result.answer = *std::move(answer);
+    if (command.curve) {
+        options.progress = progress_line("trying other counts");
+        result.curve =
+            weakest_by_count(source.dissimilarity, problem, last_of_curve(command), options);
+    }
+    if (command.draws > 0) {
+        result.stability = stability_of(command, source, problem, result.answer.best, stop);
+    }
+    return result;
+}
+
+}  // namespace
+
+Expected<Done> run(const SubsetCommand& command) {
+    if (command.draws > 0 && !is_by_pm(command)) {
+        return Error{"--sensitivity is for pm: nothing else has the model's parameters"};
+    }
+    const Interrupt interrupt;
+    Expected<Source> source = source_of(command, interrupt.token());
+    if (!source) return source.error();
+    if (const auto locked = apply_locks(command, source->set); !locked) return locked;
+    const Expected<SubsetResult> result = picked(command, *source, interrupt.token());
+    if (!result) return result.error();
+    if (!command.out.empty()) {
+        const PatternSet part = part_of(source->set, result->answer.best.members);
+        if (const auto written = write_set_file(command.out, part); !written) return written;
+    }
+    if (!command.report.empty()) {
+        const PerceptualSpace space = map_of(command, *source, interrupt.token());
+        const std::string quantity = !command.matrix.empty() ? "Dissimilarity"
+                                     : !command.ratings.empty()
+                                         ? "Rating"
+                                         : traits(*metric_named(command.metric)).name;
+        const auto written =
+            write_subset(command.report, {source->set, source->dissimilarity, quantity,
+                                          result->objective, result->answer, space, quantity});
+        if (!written) return written;
+    }
+    const Names names = names_of(source->set);
+    return write_result({}, [&](std::ostream& stream) {
+        stream << (command.common.json ? json_of(*result, command, names).dump() + "\n"
+                                       : text_of(*result, names));
+    });
+}
+
+}  // namespace tact

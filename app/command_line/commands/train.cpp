@@ -1,0 +1,255 @@
+// tactspace train: the parameters of the model that agree best with what people said.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/command_line/commands.h"
+#include "app/command_line/interrupt.h"
+#include "app/command_line/output.h"
+#include "app/command_line/rated_sets.h"
+#include "app/command_line/text_table.h"
+#include "app/model_bench/trained_text.h"
+#include "model/io/set/model_file.h"
+#include "model/text/atomic_file.h"
+#include "model/text/numbers.h"
+#include "model/training/training.h"
+
+namespace tact {
+
+namespace {
+
+constexpr std::size_t kListedTies = 20;
+
+TextRow row_of(const std::string& name, const std::vector<std::string>& parameters) {
+    TextRow row{name};
+    row.insert(row.end(), parameters.begin(), parameters.end());
+    return row;
+}
+
+TextRow parameters_row(const std::string& name, const PerceptualModelParams& model, double step) {
+    return row_of(name, parameter_texts(model, step));
+}
+
+TextRow names_row(const std::string& first) {
+    TextRow row{first};
+    row.insert(row.end(), kTrainedNames.begin(), kTrainedNames.end());
+    return row;
+}
+
+std::string head_of(const Training& training) {
+    const bool absolute = training.objective == TrainingObjective::mean_absolute_rho;
+    const auto different =
+        kTrainedLayers * training.grid.channels.size() * training.grid.mixes.size();
+    std::string text =
+        std::string(absolute ? "mean |rho| " : "mean rho ") + fixed_digits(training.best.value, 3) +
+        ", before " + fixed_digits(training.value_before, 3) + ", over " +
+        std::to_string(training.sets.size()) + (training.sets.size() == 1 ? " set\n" : " sets\n");
+    text += "searched " + grouped_digits(combination_count(training.grid.units)) +
+            " combinations, " + grouped_digits(different) + " that differ\n";
+    text += grouped_digits(training.best.combinations) + " of them are the best, " +
+            fixed_digits(100.0 * training.share_near_best, 3) + " % at most " +
+            fixed_digits(kNearBest, 2) + " below\n";
+    return text;
+}
+
+std::string parameters_text(const Training& training) {
+    const double step = 1.0 / training.grid.units;
+    return aligned({names_row("parameters"), parameters_row("before", training.before, step),
+                    parameters_row("trained", training.model, step)});
+}
+
+// The smallest of each proportion; the layers where OC alone decides are any.
+std::string ties_text(const Training& training) {
+    if (training.best.classes < 2) return {};
+    std::vector<TextRow> rows{names_row("equally good")};
+    for (const GridPoint& point : training.best.points) {
+        if (rows.size() > kListedTies) break;
+        rows.push_back(row_of("x " + std::to_string(combinations_of(training.grid, point)),
+                              parameter_texts(training.grid, point)));
+    }
+    std::string text = aligned(rows);
+    const std::uint64_t more = training.best.classes - (rows.size() - 1);
+    if (more > 0) text += "and " + grouped_digits(more) + " more; --json lists them\n";
+    return "\nin proportion, and how many combinations each stands for\n" + text;
+}
+
+std::string marginals_text(const Training& training) {
+    const std::size_t weights = training.best_of[7].size();
+    const std::size_t steps = std::max(weights, training.best_of[0].size());
+    std::vector<TextRow> rows{names_row("best with layers / weight")};
+    for (std::size_t k = 0; k < steps; ++k) {
+        const double step = 1.0 / training.grid.units;
+        const std::string weight =
+            k < weights ? weight_text(static_cast<double>(k) * step, step) : "-";
+        TextRow row{(k <= kMostTrainedLayers ? std::to_string(k) : "-") + " / " + weight};
+        for (const auto& best : training.best_of) {
+            row.push_back(k < best.size() && std::isfinite(best[k]) ? fixed_digits(best[k], 3)
+                                                                    : "");
+        }
+        rows.push_back(row);
+    }
+    return "\n" + aligned(rows);
+}
+
+std::string sets_text(const Training& training) {
+    std::vector<TextRow> rows{{"set", "patterns", "rated pairs", "rho before", "rho trained"}};
+    for (const TrainedSet& set : training.sets) {
+        rows.push_back({set.name, std::to_string(set.patterns), std::to_string(set.rated_pairs),
+                        fixed_digits(set.rho_before, 3), fixed_digits(set.rho_after, 3)});
+    }
+    return "\n" + aligned(rows);
+}
+
+// On what was left out: what to expect of sets and people that nothing was fitted to.
+std::string left_out_text(const Training& training, const std::vector<LeftOut>& left_out,
+                          const char* what) {
+    if (left_out.empty()) return {};
+    TextRow head = names_row(std::string("without ") + what);
+    head.insert(head.end(), {"of the rest", "rho before", "rho of it"});
+    std::vector<TextRow> rows{head};
+    for (const LeftOut& one : left_out) {
+        TextRow row = parameters_row(one.name, one.model, 1.0 / training.grid.units);
+        row.insert(row.end(), {fixed_digits(one.value, 3), fixed_digits(one.rho_before, 3),
+                               fixed_digits(one.rho_after, 3)});
+        rows.push_back(row);
+    }
+    const LeftOutMean mean = mean_of(left_out);
+    if (std::isnan(mean.rho_after)) return "\n" + aligned(rows);
+    return "\n" + aligned(rows) + "mean of what was left out: rho " +
+           fixed_digits(mean.rho_after, 3) + ", before " + fixed_digits(mean.rho_before, 3) + "\n";
+}
+
+nlohmann::json json_of(const PerceptualModelParams& model) {
+    nlohmann::json json = nlohmann::json::object();
+    const auto values = trained_values(model);
+    for (std::size_t p = 0; p < values.size(); ++p) json[kTrainedNames[p]] = values[p];
+    return json;
+}
+
+nlohmann::json json_of(const std::vector<LeftOut>& left_out) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const LeftOut& one : left_out) {
+        all.push_back({{"name", one.name},
+                       {"parameters", json_of(one.model)},
+                       {"value", one.value},
+                       {"combinations", one.combinations},
+                       {"rho_before", one.rho_before},
+                       {"rho_after", one.rho_after}});
+    }
+    return all;
+}
+
+// The parameters of a class: the smallest of its proportion. null: any.
+nlohmann::json json_of(const Training& training, const GridPoint& point) {
+    PerceptualModelParams none;
+    none.channel_weight = {};
+    none.nc_weight = none.oc_weight = 0.0;
+    nlohmann::json json = json_of(nearest_model(training.grid, point, none));
+    for (std::size_t p = 0; point.channel == kAny && p < 6; ++p) json[kTrainedNames[p]] = nullptr;
+    return {{"parameters", json}, {"combinations", combinations_of(training.grid, point)}};
+}
+
+std::string json_text(const Training& training, const TrainCommand& command) {
+    nlohmann::json best_of = nlohmann::json::object();
+    for (std::size_t p = 0; p < kTrainedParameters; ++p) {
+        best_of[kTrainedNames[p]] = training.best_of[p];
+    }
+    nlohmann::json sets = nlohmann::json::array();
+    for (const TrainedSet& set : training.sets) {
+        sets.push_back({{"name", set.name},
+                        {"patterns", set.patterns},
+                        {"rated_pairs", set.rated_pairs},
+                        {"rho_before", set.rho_before},
+                        {"rho_after", set.rho_after}});
+    }
+    nlohmann::json ties = nlohmann::json::array();
+    for (const GridPoint& point : training.best.points) ties.push_back(json_of(training, point));
+    nlohmann::json all = {{"objective", command.objective},
+                          {"step", 1.0 / training.grid.units},
+                          {"value", training.best.value},
+                          {"value_before", training.value_before},
+                          {"parameters", json_of(training.model)},
+                          {"parameters_before", json_of(training.before)},
+                          {"combinations", combination_count(training.grid.units)},
+                          {"equally_good", training.best.combinations},
+                          {"equally_good_classes", training.best.classes},
+                          {"ties", ties},
+                          {"share_near_best", training.share_near_best},
+                          {"near_best", kNearBest},
+                          {"best_of", best_of},
+                          {"sets", sets}};
+    if (command.leave_out == "sets") all["without_set"] = json_of(training.without_set);
+    if (command.leave_out == "participants") {
+        all["without_participant"] = json_of(training.without_participant);
+    }
+    return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string text_of(const Training& training, const TrainCommand& command) {
+    std::string text = head_of(training) + "\n" + parameters_text(training) + ties_text(training) +
+                       sets_text(training) + marginals_text(training);
+    if (command.leave_out == "sets") text += left_out_text(training, training.without_set, "set");
+    if (command.leave_out == "participants") {
+        text += left_out_text(training, training.without_participant, "participant");
+    }
+    return text;
+}
+
+Expected<Done> fit_to_leave_out(const TrainCommand& command, std::size_t sets) {
+    if (command.leave_out != "sets" || sets > 1) return Done{};
+    return Error{"--leave-out sets needs several sets with ratings, got one"};
+}
+
+}  // namespace
+
+std::string fault_of_step(const std::string& text) {
+    for (int units = 1; units <= kMostTrainingUnits; ++units) {
+        if (std::abs(std::strtod(text.c_str(), nullptr) * units - 1.0) < 1e-9) return {};
+    }
+    return "expected 1 divided by a whole number up to " + std::to_string(kMostTrainingUnits) +
+           ", such as 0.1, got " + text;
+}
+
+Expected<Done> run(const TrainCommand& command) {
+    const Interrupt interrupt;  // first: threads inherit what it blocks
+    const Expected<std::vector<RatedPatterns>> rated = load_rated(command.common, command.ratings);
+    if (!rated) return rated.error();
+    if (const auto fits = fit_to_leave_out(command, rated->size()); !fits) return fits;
+    std::vector<TrainingSet> sets;
+    for (const RatedPatterns& one : *rated) {
+        sets.push_back({one.name, model_waveforms(one.set), one.study});
+        if (!(one.set.model == rated->front().set.model)) {
+            std::cerr << "tactspace: " << one.name << ": has another model than "
+                      << rated->front().name << ", whose choices are taken for all\n";
+        }
+    }
+    TrainingParams params;
+    params.model = rated->front().set.model;
+    params.units = static_cast<int>(std::lround(1.0 / command.step));
+    params.objective = command.objective == "mean-rho" ? TrainingObjective::mean_rho
+                                                       : TrainingObjective::mean_absolute_rho;
+    params.leave_out_participants = command.leave_out == "participants";
+    params.threads = command.common.threads;
+    params.stop = interrupt.token();
+    params.progress = progress_line("searching");
+    if (const auto fits = can_train(sets, params); !fits) return fits;
+    if (!command.out.empty()) {
+        // Better known before the work than after it.
+        if (const auto file = AtomicFile::open(command.out); !file) return file.error();
+    }
+    const std::optional<Training> training = train(sets, params);
+    if (!training) return Error{"stopped before the search was done; nothing was written"};
+    if (!command.out.empty()) {
+        const ModelFile file{training->model,
+                             record_of(*training, sets, "tactspace " TACT_VERSION)};
+        if (const auto written = write_model_file(command.out, file); !written) return written;
+    }
+    const std::string text =
+        command.common.json ? json_text(*training, command) : text_of(*training, command);
+    return write_result({}, [&text](std::ostream& stream) { stream << text; });
+}
+
+}  // namespace tact

@@ -1,0 +1,147 @@
+#include "app/compare/live_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/set/set_ratings.h"
+
+namespace tact {
+
+namespace {
+
+// Of the progress bar, when matrices and when maps are done.
+constexpr float kMatrixShare = 0.5F;
+constexpr float kMapShare = 0.6F;
+
+constexpr std::size_t kFarthest = 10;
+
+// When the metric at this place is done.
+float part_done(std::size_t k) {
+    return static_cast<float>(k + 1) / static_cast<float>(kMetricCount);
+}
+
+bool same_patterns(const PatternSet& a, const PatternSet& b) {
+    return a.model == b.model && a.vibrations == b.vibrations;
+}
+
+PerceptualSpace space_of(const Dissimilarity& matrix, int dimensions, int threads,
+                         std::stop_token stop) {
+    MdsParams params = standard_mds_params(matrix.size, dimensions);
+    params.threads = threads;
+    return nonmetric_mds(matrix, params, stop);
+}
+
+// Who said something of this set; empty with a fault where nobody can be compared with.
+std::optional<ComparedPeople> people_of(const LiveMap& map, const EvaluationParams& params,
+                                        std::stop_token stop, std::string& fault) {
+    const PatternSet& set = *map.request.set;
+    if (set.ratings.empty()) return std::nullopt;
+    const Expected<RatingStudy> study = study_of(set);
+    if (!study) {
+        fault = study.error().message;
+        return std::nullopt;
+    }
+    Expected<RatedPeople> said = rated_people(*study, params);
+    if (!said) {
+        fault = said.error().message;
+        return std::nullopt;
+    }
+    ComparedPeople people{*std::move(said), {}};
+    const Mapped& mean = people.said.rated.people;
+    const int dimensions = map.request.dimensions;
+    people.shown = dimensions == params.dimensions
+                       ? mean.space
+                       : space_of(mean.dissimilarity, dimensions, params.threads, stop);
+    return people;
+}
+
+}  // namespace
+
+// The matrices and maps of the patterns as they are; false when stopped.
+bool ComparisonWork::follow_matrices(const ComparisonRequest& request, std::stop_token stop,
+                                     std::atomic<float>& progress) {
+    const PatternSet& set = *request.map->played;
+    if (of_ && same_patterns(*of_->played, set)) return true;
+    of_.reset();
+    metrics_.clear();
+    const Prediction& prediction = request.map->prediction;
+    MetricOptions options;
+    options.threads = threads_;
+    options.stop = stop;
+    options.progress = [&progress](double share) {
+        progress = kMatrixShare * static_cast<float>(share);
+    };
+    auto matrices = compared_matrices(set, kMetrics, &prediction, options);
+    if (!matrices) return false;
+    for (std::size_t k = 0; k < kMetricCount; ++k) {
+        ComparedMetric compared;
+        compared.metric = kMetrics[k];
+        compared.matrix = std::move((*matrices)[k]);
+        compared.ranks = average_ranks(compared.matrix.condensed);
+        compared.space = space_of(compared.matrix, 3, threads_, stop);
+        compared.rho_with_pm = spearman(compared.matrix.condensed, prediction.pm.condensed);
+        if (stop.stop_requested()) return false;
+        metrics_.push_back(std::move(compared));
+        progress = kMatrixShare + (kMapShare - kMatrixShare) * part_done(k);
+    }
+    of_ = request.map;
+    return true;
+}
+
+std::optional<Comparison> ComparisonWork::operator()(const ComparisonRequest& request,
+                                                     std::stop_token stop,
+                                                     std::atomic<float>& progress) {
+    if (!follow_matrices(request, stop, progress)) return std::nullopt;
+    progress = kMapShare;
+    EvaluationParams params;
+    params.threads = threads_;
+    Comparison comparison{request, {}, {}, metrics_};
+    comparison.people = people_of(*request.map, params, stop, comparison.fault);
+    if (!comparison.people) return comparison;
+    for (std::size_t k = 0; k < kMetricCount; ++k) {
+        if (stop.stop_requested()) return std::nullopt;
+        ComparedMetric& metric = comparison.metrics[k];
+        const RatedSet& rated = comparison.people->said.rated;
+        metric.evaluation = evaluate(metric.matrix, rated, params);
+        metric.farthest = disagreements(metric.matrix, rated.people.dissimilarity);
+        metric.farthest.resize(std::min(metric.farthest.size(), kFarthest));
+        progress = kMapShare + (1.0F - kMapShare) * part_done(k);
+    }
+    return comparison;
+}
+
+std::string verdict_on_pm(const Comparison& comparison) {
+    std::vector<MetricRho> agreements;
+    for (const ComparedMetric& row : comparison.metrics) {
+        if (!row.evaluation) return {};
+        agreements.push_back({row.metric, row.evaluation->rho});
+    }
+    const std::optional<Metric> best = unbeaten_by_pm(agreements);
+    if (!best) return {};
+    return std::string("PM does not beat ") + traits(*best).name +
+           " on this set, which takes no model of the nerves.";
+}
+
+std::vector<Disagreement> disagreements(const Dissimilarity& metric, const Dissimilarity& ratings) {
+    std::vector<std::size_t> pairs;
+    std::vector<double> predicted;
+    std::vector<double> said;
+    for (std::size_t k = 0; k < ratings.condensed.size(); ++k) {
+        if (!std::isfinite(ratings.condensed[k]) || !std::isfinite(metric.condensed[k])) continue;
+        pairs.push_back(k);
+        predicted.push_back(metric.condensed[k]);
+        said.push_back(ratings.condensed[k]);
+    }
+    const std::vector<double> metric_rank = average_ranks(predicted);
+    const std::vector<double> ratings_rank = average_ranks(said);
+    std::vector<Disagreement> all;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        all.push_back({pairs[k], metric_rank[k], ratings_rank[k]});
+    }
+    std::ranges::stable_sort(all, std::ranges::greater{}, [](const Disagreement& d) {
+        return std::abs(d.metric_rank - d.ratings_rank);
+    });
+    return all;
+}
+
+}  // namespace tact

@@ -1,0 +1,50 @@
+#include "app/compare/live_difference.h"
+
+#include "model/perceptual_model/rhythm_envelope.h"
+#include "model/physiology/spike_train.h"
+
+namespace tact {
+
+namespace {
+
+// A byte a cell: some megabytes, and a path of which a line a pixel can be drawn.
+constexpr std::size_t kMostPathSamples = 1500;
+
+std::vector<double> squared_by_step(const PatternCode& a, const PatternCode& b,
+                                    const PerReceptor<double>& channel_weight) {
+    const std::vector<double> left = predicted_brain_waveform(a.neural, channel_weight);
+    const std::vector<double> right = predicted_brain_waveform(b.neural, channel_weight);
+    const std::size_t length = std::min(left.size(), right.size());
+    std::vector<double> apart((length + kStepSamples - 1) / kStepSamples, 0.0);
+    for (std::size_t n = 0; n < length; ++n) {
+        const double difference = left[n] - right[n];
+        apart[n / kStepSamples] += difference * difference / static_cast<double>(kStepSamples);
+    }
+    return apart;
+}
+
+}  // namespace
+
+std::optional<LiveDifference> compute_live_difference(const DifferenceRequest& request,
+                                                      std::stop_token stop,
+                                                      std::atomic<float>& progress) {
+    const Prediction& prediction = request.map->prediction;
+    const PatternCode& a = *prediction.codes[request.a];
+    const PatternCode& b = *prediction.codes[request.b];
+    const PerReceptor<double>& weight = prediction.params.channel_weight;
+    LiveDifference live;
+    live.request = request;
+    live.shares = nc_shares(spike_form(a.neural, b.neural), weight);
+    live.apart = squared_by_step(a, b, weight);
+    progress = 0.3F;
+    if (stop.stop_requested()) return std::nullopt;
+    const std::size_t longest = std::max(a.envelope.size(), b.envelope.size());
+    live.decimation = std::max<std::size_t>(1, (longest + kMostPathSamples - 1) / kMostPathSamples);
+    live.envelope_a = decimated(a.envelope, live.decimation);
+    live.envelope_b = decimated(b.envelope, live.decimation);
+    live.path = dtw_path(live.envelope_a, live.envelope_b);
+    progress = 1.0F;
+    return live;
+}
+
+}  // namespace tact

@@ -1,0 +1,176 @@
+// How well a map keeps the order of the dissimilarities: the Shepard diagram.
+
+#include <cmath>
+#include <cstdio>
+
+#include "app/compare/bench_follow.h"
+#include "app/compare/metric_choice.h"
+#include "app/map/map_follow.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "model/map/smacof.h"
+#include "viz/charts/scatter_view.h"
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+// A matrix with the map that was made of it.
+struct ShownFit {
+    const Dissimilarity* matrix = nullptr;
+    const PerceptualSpace* space = nullptr;
+    std::string name;
+    bool stale = false;
+    std::shared_ptr<const void> owner;  // of both
+};
+
+// PM is the map on screen, the others are of the comparison.
+std::optional<ShownFit> shown_fit(const App& app,
+                                  const std::shared_ptr<const Comparison>& comparison) {
+    const bool is_pm = app.compare.metric == Metric::pm && !app.compare.shepard_of_people;
+    if (is_pm) {
+        return ShownFit{&app.map.shown->prediction.pm, &app.map.shown->space, "PM",
+                        map_state(app) == MapState::stale, app.map.shown};
+    }
+    if (comparison == nullptr) return std::nullopt;
+    const bool stale = shown_comparison(app).is_stale;
+    if (!app.compare.shepard_of_people) {
+        const ComparedMetric& row =
+            comparison->metrics[static_cast<std::size_t>(app.compare.metric)];
+        return ShownFit{&row.matrix, &row.space, traits(row.metric).name, stale, comparison};
+    }
+    if (!comparison->people) return std::nullopt;
+    const Mapped& people = comparison->people->said.rated.people;
+    return ShownFit{&people.dissimilarity, &people.space, "ratings", stale, comparison};
+}
+
+std::string corner_text(const ShownFit& fit) {
+    char text[96];
+    std::snprintf(text, sizeof text, "stress-1 %.3f, %s, %d-D", fit.space->stress1,
+                  stress_label(fit.space->stress1).c_str(),
+                  static_cast<int>(fit.space->points.cols()));
+    return text;
+}
+
+// Sorting the pairs of a large set takes longer than a frame may: only for another map.
+const ShepardFit& followed_fit(ShepardFit& kept, const ShownFit& fit) {
+    if (kept.owner == fit.owner && kept.of == fit.space) return kept;
+    kept.owner = fit.owner;
+    kept.of = fit.space;
+    kept.distances = distances(fit.space->points);
+    kept.disparities = disparities(fit.matrix->condensed, kept.distances);
+    return kept;
+}
+
+void draw_fit(App& app, const ShownFit& fit, const std::vector<Vibration>& vibrations,
+              const Rect& area) {
+    const ShepardFit& kept = followed_fit(app.compare.fit, fit);
+    const std::vector<double>& apart = kept.distances;
+    const std::vector<double>& fitted = kept.disparities;
+    const std::string corner = corner_text(fit);
+    const std::string x_title = "dissimilarity by " + fit.name;
+    ScatterScene scene;
+    scene.x = fit.matrix->condensed;
+    scene.y = apart;
+    scene.fitted = fitted;
+    scene.x_title = x_title;
+    scene.y_title = "distance in the map";
+    scene.corner = corner;
+    scene.stale = fit.stale;
+    scene.selected = scatter_selection(app, vibrations);
+    scene.readout = [&](std::size_t k) {
+        const auto [i, j] = pair_at(vibrations.size(), k);
+        return std::vector<std::string>{
+            vibrations[i].name + " \u2013 " + vibrations[j].name,
+            fit.name + " " + significant(scene.x[k]) + ", distance " + significant(apart[k]),
+            "where the order wants it " + significant(fitted[k])};
+    };
+    const ScatterAction action = draw_scatter("shepard", app.theme, area, scene);
+    note_rect(app.rects, "view:Shepard", area.min, area.max, corner);
+    choose_clicked(app, vibrations, action.clicked);
+}
+
+// Whether both have as many patterns: pairs are then at the same places.
+bool is_open_set(const App& app, const std::vector<Vibration>& vibrations) {
+    return vibrations.size() == app.document.set.vibrations.size();
+}
+
+}  // namespace
+
+std::optional<std::size_t> scatter_selection(const App& app,
+                                             const std::vector<Vibration>& vibrations) {
+    const auto pair = chosen_pair(app);
+    if (!pair || !is_open_set(app, vibrations)) return std::nullopt;
+    return pair_index(vibrations.size(), std::min(pair->current, pair->partner),
+                      std::max(pair->current, pair->partner));
+}
+
+void choose_clicked(App& app, const std::vector<Vibration>& vibrations,
+                    std::optional<std::size_t> clicked) {
+    if (!clicked || !is_open_set(app, vibrations)) return;
+    const auto [i, j] = pair_at(vibrations.size(), *clicked);
+    choose_pair(app, i, j);
+}
+
+void draw_metric_choice(App& app, bool with_people) {
+    const bool people = with_people && app.compare.shepard_of_people;
+    ImGui::SetNextItemWidth(170.0F * app.theme.scale);
+    const char* shown = people ? "Ratings" : traits(app.compare.metric).name;
+    if (ImGui::BeginCombo("##metric", shown, ImGuiComboFlags_HeightLargest)) {
+        for (const Metric metric : kMetrics) {
+            const bool chosen = !people && app.compare.metric == metric;
+            if (ImGui::Selectable(traits(metric).name, chosen)) {
+                app.compare.metric = metric;
+                app.compare.shepard_of_people = false;
+            }
+            note_item(app.rects, std::string("choose:") + traits(metric).key);
+        }
+        if (with_people && !app.document.set.ratings.empty()) {
+            if (ImGui::Selectable("Ratings", people)) app.compare.shepard_of_people = true;
+            note_item(app.rects, "choose:ratings");
+        }
+        ImGui::EndCombo();
+    }
+    note_item(app.rects, "combo:metric", shown);
+}
+
+void draw_shepard_panel(App& app) {
+    draw_metric_choice(app, true);
+    const bool has_map =
+        app.map.shown && app.map.to.rows() >= 2 && app.document.set.vibrations.size() >= 2;
+    if (!has_map) {
+        const Rect area = rest_of_pane();
+        if (area.empty()) return;
+        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "No map yet",
+                   "Each pair will be a point here: how far apart it is predicted to feel, and "
+                   "how far apart the map puts it.");
+        return;
+    }
+    // Both are kept while they are drawn.
+    const std::shared_ptr<const Comparison> comparison = app.comparison;
+    const std::shared_ptr<const LiveMap> map = app.map.shown;
+    const auto fit = shown_fit(app, comparison);
+    if (!fit) {
+        (void)draw_comparison_state(app);
+        return;
+    }
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::AlignTextToFramePadding();
+    dim_text(app, "points on the line are in perfect order");
+    ImGui::PopFont();
+    const Rect area = rest_of_pane();
+    if (area.width() < 40.0F || area.height() < 40.0F) return;
+    if (fit->space->points.rows() != static_cast<Eigen::Index>(fit->matrix->size)) {
+        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "No map of this metric",
+                   "All pairs are equally alike by it: any map fits, so none is made.");
+        return;
+    }
+    const bool is_pm = fit->matrix == &map->prediction.pm;
+    const LiveMap& of = is_pm ? *map : *comparison->request.map;
+    draw_fit(app, *fit, of.request.set->vibrations, area);
+}
+
+}  // namespace tact

@@ -1,0 +1,302 @@
+// Why the model tells two patterns apart: the parts of their distance, the channels that make it,
+// when in time they differ, and which moments of their rhythms are taken for one another.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/compare/bench_follow.h"
+#include "app/document/editing.h"
+#include "app/map/map_follow.h"
+#include "app/timeline/time_rows.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+constexpr const char* kMinus = "\u2212";
+
+std::string percent(double share) {
+    const double rounded = std::round(100.0 * share);
+    char text[24];
+    std::snprintf(text, sizeof text, "%s%.0f %%", rounded < 0.0 ? kMinus : "", std::abs(rounded));
+    return text;
+}
+
+// The next `height_px` of the pane, over its whole width.
+Rect take_row(float height_px) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const Rect row = rect_at(corner, {ImGui::GetContentRegionAvail().x, height_px});
+    ImGui::Dummy(row.size());
+    return row;
+}
+
+void draw_heading(const App& app, const char* text, const std::string& detail) {
+    ImGui::PushFont(app.theme.fonts.semibold);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    ImGui::PushFont(app.theme.fonts.small);
+    const float lower = 0.5F * (app.theme.fonts.regular->FontSize - ImGui::GetFontSize());
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
+    dim_text(app, detail);
+    ImGui::PopFont();
+}
+
+void draw_names(App& app, const ChosenPair& pair) {
+    const auto& all = app.document.set.vibrations;
+    const std::string a = all[pair.current].name;
+    const std::string b = all[pair.partner].name;
+    const char* how = "";
+    if (pair.kind == PartnerKind::closest) how = "its closest by PM";
+    if (pair.kind == PartnerKind::pinned) how = "pinned";
+    draw_heading(app, (a + " and " + b).c_str(), how);
+    note_item(app.rects, "why:pair", a + "|" + b);
+    ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
+    const bool pinned = app.pinned == b;
+    if (link(app, "both", pinned ? "Both pipelines are shown" : "Show both pipelines")) {
+        app.pinned = b;
+        if (app.layout.maximised) app.layout.maximised.reset();
+    }
+    note_item(app.rects, "link:both pipelines");
+    draw_tooltip(app, "Pins the second pattern: every stage of both appears in the middle.");
+}
+
+// PM as its two parts, weighted ranks both.
+void draw_parts(App& app, const Prediction& prediction, std::size_t k) {
+    const Theme& theme = app.theme;
+    const double nc = prediction.params.nc_weight * prediction.nc_rank[k];
+    const double oc = prediction.params.oc_weight * prediction.oc_rank[k];
+    const double share = nc + oc > 0.0 ? nc / (nc + oc) : 0.0;
+    const std::string pm = "PM " + significant(prediction.pm.condensed[k]) + " of " +
+                           std::to_string(prediction.pm.condensed.size());
+    draw_heading(app, pm.c_str(),
+                 "NC " + significant(prediction.nc.condensed[k]) + ", rank " +
+                     significant(prediction.nc_rank[k]) + "    OC " +
+                     significant(prediction.oc.condensed[k]) + ", rank " +
+                     significant(prediction.oc_rank[k]));
+    const Rect row = take_row(20.0F * theme.scale);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float middle = row.min.x + row.width() * static_cast<float>(share);
+    const ImU32 nc_colour = faded(theme.accent, 0.75F);
+    const ImU32 oc_colour = theme.hover;
+    if (share > 0.0) list.AddRectFilled(row.min, {middle, row.max.y}, nc_colour);
+    if (share < 1.0) list.AddRectFilled({middle, row.min.y}, row.max, oc_colour);
+    const std::string nc_text = "neural coding " + percent(share);
+    const std::string oc_text = "rhythm " + percent(1.0 - share);
+    const float y = row.centre().y - 0.5F * text_size(theme.fonts.small, "N").y;
+    const float pad = 0.75F * theme.gap_px;
+    const ImU32 ink = readable_on(mixed(theme.pane, theme.accent, 0.75F));
+    const ImVec2 oc_size = text_size(theme.fonts.small, oc_text);
+    if (text_size(theme.fonts.small, nc_text).x + 2.0F * pad < middle - row.min.x) {
+        draw_text(list, theme.fonts.small, {row.min.x + pad, y}, ink, nc_text);
+    }
+    if (oc_size.x + 2.0F * pad < row.max.x - middle) {
+        draw_text(list, theme.fonts.small, {row.max.x - oc_size.x - pad, y}, theme.text, oc_text);
+    }
+    note_rect(app.rects, "why:parts", row.min, row.max, nc_text + ", " + oc_text);
+}
+
+// One channel, or two together.
+struct Term {
+    std::string name;
+    ImU32 colour = 0;
+    double share = 0.0;
+};
+
+std::vector<Term> terms_of(const Theme& theme, const ChannelShares& shares) {
+    std::vector<Term> terms;
+    for (std::size_t c = 0; c < kReceptorCount; ++c) {
+        for (std::size_t d = c; d < kReceptorCount; ++d) {
+            if (std::abs(shares[c][d]) < 0.0005) continue;
+            std::string name = traits(kReceptors[c]).name;
+            ImU32 colour = theme.receptor[c];
+            if (c != d) {
+                name += std::string(" with ") + traits(kReceptors[d]).name;
+                colour = mixed(theme.receptor[c], theme.receptor[d], 0.5F);
+            }
+            terms.push_back({name, colour, shares[c][d]});
+        }
+    }
+    return terms;
+}
+
+// A bar a term from one zero line: those of two channels may be negative.
+void draw_channels(App& app, const LiveDifference& live) {
+    const Theme& theme = app.theme;
+    const std::vector<Term> terms = terms_of(theme, live.shares);
+    draw_heading(app, "Channels",
+                 terms.empty() ? "the same brain waveform" : "share of NC squared");
+    draw_tooltip(app,
+                 "What each channel alone, and each two together, have in the squared distance. "
+                 "Two together are negative where they make up for each other.");
+    double most = 0.0;
+    double least = 0.0;
+    float names_px = 0.0F;
+    for (const Term& term : terms) {
+        most = std::max(most, term.share);
+        least = std::min(least, term.share);
+        names_px = std::max(names_px, text_size(theme.fonts.small, term.name).x);
+    }
+    const float number_px = text_size(theme.fonts.small, "\u2212100 %").x + theme.gap_px;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (const Term& term : terms) {
+        const Rect row = take_row(1.15F * text_size(theme.fonts.small, "N").y);
+        const float left = row.min.x + names_px + theme.gap_px;
+        const float width = std::max(1.0F, row.max.x - number_px - left);
+        const auto x = [&](double share) {
+            return left + width * static_cast<float>((share - least) / (most - least));
+        };
+        draw_text(list, theme.fonts.small, row.min, theme.dim_text, term.name);
+        list.AddRectFilled({std::min(x(0.0), x(term.share)), row.min.y + 2.0F * theme.scale},
+                           {std::max(x(0.0), x(term.share)), row.max.y - 2.0F * theme.scale},
+                           term.colour);
+        const std::string text = percent(term.share);
+        draw_text(list, theme.fonts.small,
+                  {row.max.x - text_size(theme.fonts.small, text).x, row.min.y}, theme.text, text);
+        note_rect(app.rects, "why:channel " + term.name, row.min, row.max, text);
+    }
+}
+
+void draw_when(App& app, const LiveDifference& live) {
+    draw_heading(app, "When", "the brain waveforms differ, squared");
+    TimeRow row{.id = "why apart",
+                .samples = live.apart,
+                .rate_hz = kStepRateHz,
+                .colour = app.theme.warning,
+                .style = TraceStyle::filled};
+    row.signed_values = false;
+    draw_time_row(app, take_row(46.0F * app.theme.scale), row);
+}
+
+// Both envelopes, and lines between the moments that are taken for one another.
+void draw_way(App& app, const LiveDifference& live, const ChosenPair& pair, const Rect& area) {
+    const Theme& theme = app.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float third = area.height() / 3.0F;
+    const double rate_hz = kModelRateHz / static_cast<double>(live.decimation);
+    const std::array<Rect, 2> rooms{Rect{area.min, {area.max.x, area.min.y + third}},
+                                    Rect{{area.min.x, area.max.y - third}, area.max}};
+    const std::array<const std::vector<double>*, 2> envelopes{&live.envelope_a, &live.envelope_b};
+    const std::array<std::size_t, 2> who{pair.current, pair.partner};
+    Axis time{.low = app.time_range.start_s, .high = app.time_range.end_s};
+    time.low_px = area.min.x;
+    time.high_px = area.max.x;
+    list.PushClipRect(area.min, area.max, true);
+    const double per_line = static_cast<double>(live.path.steps.size()) / (area.width() / 5.0F);
+    const auto stride = static_cast<std::size_t>(std::max(1.0, per_line));
+    for (std::size_t k = 0; k < live.path.steps.size(); k += stride) {
+        const auto [i, j] = live.path.steps[k];
+        list.AddLine({to_pixel(time, static_cast<double>(i) / rate_hz), rooms[0].max.y},
+                     {to_pixel(time, static_cast<double>(j) / rate_hz), rooms[1].min.y},
+                     faded(theme.dim_text, 0.6F), theme.hairline_px);
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+        Plot plot{rooms[side], rooms[side], time, {.low = 0.0, .high = 1.05}};
+        plot.y.high = std::max(1.05, *std::ranges::max_element(*envelopes[side]));
+        plot.y.low_px = side == 0 ? rooms[side].max.y : rooms[side].min.y;
+        plot.y.high_px = side == 0 ? rooms[side].min.y : rooms[side].max.y;
+        draw_signal(list, theme, plot, *envelopes[side], rate_hz, look_of(app, who[side]).colour,
+                    TraceStyle::filled);
+        const std::string& name = app.document.set.vibrations[who[side]].name;
+        const float text_px = text_size(theme.fonts.small, name).y;
+        const float top =
+            side == 0 ? rooms[0].max.y + theme.scale : rooms[1].min.y - text_px - theme.scale;
+        draw_text_halo(list, theme.fonts.small, {area.min.x + 4.0F * theme.scale, top}, theme.text,
+                       theme.pane, 2.0F * theme.scale, name);
+    }
+    draw_upright_line(list, to_pixel(time, app.playhead.at_s), area.min.y, area.max.y,
+                      theme.hairline_px, theme.accent);
+    list.PopClipRect();
+    note_rect(app.rects, "plot:why path", area.min, area.max,
+              std::to_string(live.path.steps.size()));
+}
+
+void draw_rhythm(App& app, const LiveDifference& live, const ChosenPair& pair) {
+    std::string detail = "which moments match";
+    if (live.decimation > 1) {
+        const double rate_khz = 1e-3 * kModelRateHz / static_cast<double>(live.decimation);
+        detail += ", at " + significant(rate_khz, 2) + " kHz";
+    }
+    draw_heading(app, "Rhythm", detail);
+    const float height =
+        std::max(72.0F * app.theme.scale, ImGui::GetContentRegionAvail().y - app.theme.gap_px);
+    draw_tooltip(app,
+                 "Time warping lets either rhythm wait for the other. The lines are traced through "
+                 "coarser envelopes where those are long; OC itself is computed at 10 kHz.");
+    const Rect area = take_row(height);
+    if (live.envelope_a.empty()) return;
+    draw_way(app, live, pair, area);
+    ImGui::SetCursorScreenPos(area.min);
+    ImGui::InvisibleButton("way", area.size());
+    TimeGesture gesture;
+    const float mouse = ImGui::GetIO().MousePos.x;
+    const double share = static_cast<double>((mouse - area.min.x) / area.width());
+    const double at_s = app.time_range.start_s + share * app.time_range.length_s();
+    if (ImGui::IsItemHovered()) gesture.hovered_s = at_s;
+    if (ImGui::IsItemActive()) gesture.scrubbed_s = std::max(0.0, at_s);
+    take_time_gesture(app, area, gesture);
+}
+
+// Channels beside what is over time, or above it where the pane is narrow.
+void draw_live(App& app, const LiveDifference& live, const ChosenPair& pair) {
+    constexpr float kLeastSideBySidePx = 440.0F;
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool beside = room.x >= kLeastSideBySidePx * app.theme.scale;
+    if (!beside) {
+        draw_channels(app, live);
+    } else {
+        ImGui::BeginChild("channels", {0.42F * room.x, room.y});
+        draw_channels(app, live);
+        ImGui::EndChild();
+        ImGui::SameLine(0.0F, 1.5F * app.theme.gap_px);
+        ImGui::BeginChild("times", {0.0F, room.y});
+    }
+    draw_when(app, live);
+    draw_rhythm(app, live, pair);
+    if (beside) ImGui::EndChild();
+}
+
+void draw_none(App& app, const char* title, const char* reason) {
+    const Rect area = rest_of_pane();
+    if (!area.empty()) draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, title, reason);
+}
+
+}  // namespace
+
+void draw_why_panel(App& app) {
+    const std::optional<ChosenPair> pair = chosen_pair(app);
+    if (!pair) return draw_none(app, "No pair", "It takes two patterns to differ.");
+    draw_names(app, *pair);
+    const std::shared_ptr<const LiveMap> map = app.map.shown;
+    const auto rows = map ? rows_in_map(app, *pair) : std::nullopt;
+    if (!rows) {
+        const bool left_out = map && map_state(app) == MapState::exact;
+        return draw_none(app, left_out ? "Not in the map" : "No distance yet",
+                         left_out ? "One of the two is of the side that is not shown."
+                                  : "It is computed together with the space above.");
+    }
+    const std::size_t count = map->prediction.pm.size;
+    ImGui::BeginChild("why", ImGui::GetContentRegionAvail());
+    const auto [a, b] = *rows;
+    const std::size_t k = pair_index(count, std::min(a, b), std::max(a, b));
+    draw_parts(app, map->prediction, k);
+    const std::shared_ptr<const LiveDifference> live = app.difference;
+    const bool fits = live && live->request.a == a && live->request.b == b &&
+                      live->request.map->prediction.pm.size == count;
+    if (fits) {
+        app.time_range = fitted(app.time_range, shown_duration_s(app));
+        draw_live(app, *live, *pair);
+    } else {
+        dim_text(app, map_state(app) == MapState::exact ? "looking closer\u2026"
+                                                        : "waiting for the exact map\u2026");
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace tact

@@ -1,0 +1,160 @@
+#include "app/document/autosave.h"
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "app/document/folders.h"
+#include "model/io/set/load.h"
+#include "model/io/set/set_file.h"
+#include "model/text/atomic_file.h"
+
+namespace tact {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// What an autosave file holds.
+struct Kept {
+    std::string set_text;  // a set file; recordings by absolute path, as in memory
+    fs::path path;         // of the document; empty: it has none
+};
+
+void erase_file(const fs::path& path) {
+    std::error_code none;
+    fs::remove(path, none);
+}
+
+std::string text_of(const Kept& kept) {
+    const json all = {{"format", 1}, {"path", kept.path.string()}, {"set", kept.set_text}};
+    return all.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::optional<Kept> read_kept(const fs::path& file) {
+    const Expected<std::string> text = read_text_file(file);
+    if (!text) return std::nullopt;
+    const json all = json::parse(*text, nullptr, false);
+    if (!all.is_object() || all.value("format", json()) != 1) return std::nullopt;
+    const json set = all.value("set", json());
+    const json path = all.value("path", json());
+    if (!set.is_string() || !path.is_string()) return std::nullopt;
+    return Kept{set.get<std::string>(), path.get<std::string>()};
+}
+
+// As the document had it; `saved` is what is on the disk now.
+Expected<Document> document_of(const Kept& kept, const fs::path& file) {
+    Expected<PatternSet> set = parse_set(kept.set_text, file.string(), file.parent_path());
+    if (!set) return set.error();
+    Document document{*std::move(set), kept.path, {}};
+    if (document.path.empty()) return document;
+    if (Expected<Loaded> saved = load_set(document.path)) document.saved = std::move(saved->set);
+    return document;
+}
+
+// recovered-20260131-235959.tactspace.json, or with -2, -3 ...: never one that is there.
+fs::path unused_file(const fs::path& folder) {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    std::array<char, 32> stamp{};
+    std::strftime(stamp.data(), stamp.size(), "recovered-%Y%m%d-%H%M%S", &local);
+    const std::string name = stamp.data();
+    fs::path file = folder / (name + ".tactspace.json");
+    for (int n = 2; is_there(file); ++n) {
+        file = folder / (name + "-" + std::to_string(n) + ".tactspace.json");
+    }
+    return file;
+}
+
+// Turns an autosave into a set file. One that is no autosave keeps its bytes under the new name.
+Expected<fs::path> move_aside(Session& session, const fs::path& autosave_file) {
+    const fs::path file = unused_file(session.folder);
+    if (const std::optional<Kept> kept = read_kept(autosave_file)) {
+        if (const auto written = write_atomically(file, kept->set_text); !written) {
+            return written.error();
+        }
+        erase_file(autosave_file);
+    } else {
+        std::error_code failure;
+        fs::rename(autosave_file, file, failure);
+        if (failure) return Error{file.string() + ": cannot be written: " + failure.message()};
+    }
+    remember_file(session, file);
+    return file;
+}
+
+std::string name_of(const Document& document) {
+    return document.path.empty() ? "a set that has no file yet" : document.path.filename().string();
+}
+
+Restored restore_changes(Session& session) {
+    const std::optional<Kept> kept = read_kept(session.autosave);
+    Expected<Document> document =
+        kept ? document_of(*kept, session.autosave) : Error{"no autosave of this program"};
+    if (!document) {
+        const std::string reason = document.error().message;
+        const Expected<fs::path> file = move_aside(session, session.autosave);
+        return {{},
+                "Unsaved changes could not be read; they are kept in " +
+                    (file ? *file : session.autosave).string() + ". " + reason,
+                true};
+    }
+    const std::string remark = "Recovered unsaved changes of " + name_of(*document) +
+                               (session.ended_in_crash ? " after a crash." : ".");
+    return {*std::move(document), remark, false};
+}
+
+}  // namespace
+
+fs::path lock_of(const fs::path& autosave_file) {
+    constexpr std::string_view kPrefix = "autosave-";
+    const std::string stem = autosave_file.stem().string();
+    if (!stem.starts_with(kPrefix)) return autosave_file.parent_path() / "lock";
+    return autosave_file.parent_path() / (stem.substr(kPrefix.size()) + ".lock");
+}
+
+Expected<Done> autosave(const Session& session, const Document& document) {
+    if (session.folder.empty()) return Done{};
+    if (document.set == document.saved) {
+        erase_file(session.autosave);
+        return Done{};
+    }
+    return write_atomically(session.autosave, text_of({print_set(document.set), document.path}));
+}
+
+Restored restore(Session& session) {
+    if (session.folder.empty()) return {};
+    if (is_there(session.autosave)) return restore_changes(session);
+    if (session.document.empty()) return {};
+    Expected<Loaded> loaded = load_set(session.document);
+    if (!loaded) return {{}, loaded.error().message, true};
+    return {Document{loaded->set, session.document, loaded->set}, {}, false};
+}
+
+Expected<fs::path> set_autosave_aside(Session& session) {
+    if (session.folder.empty() || !is_there(session.autosave)) return fs::path{};
+    return move_aside(session, session.autosave);
+}
+
+void recover_orphans(Session& session) {
+    std::error_code failure;
+    std::vector<fs::path> files;
+    for (fs::directory_iterator at(session.folder, failure), end; !failure && at != end;
+         at.increment(failure)) {
+        const std::string name = at->path().filename().string();
+        if (name.starts_with("autosave-") && name.ends_with(".json")) files.push_back(at->path());
+    }
+    std::ranges::sort(files);
+    for (const fs::path& file : files) {
+        const std::optional<FileLock> lock = try_lock(lock_of(file));
+        if (!lock) continue;  // its instance is still running
+        if (const Expected<fs::path> moved = move_aside(session, file)) {
+            session.recovered.push_back(*moved);
+        }
+        erase_file(lock_of(file));
+    }
+}
+
+}  // namespace tact

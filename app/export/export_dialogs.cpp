@@ -1,0 +1,190 @@
+// The dialogs before an export, and the progress of an animation.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <span>
+#include <string>
+
+#include "app/document/editing.h"
+#include "app/export/exports.h"
+#include "app/ui/widgets.h"
+#include "app/window/dialogs.h"
+#include "app/window/view_pictures.h"
+
+namespace tact {
+
+namespace {
+
+constexpr int kLeastPx = 64;
+constexpr int kMostPx = 8192;
+
+const char* label_of(PictureView view) {
+    switch (view) {
+        case PictureView::window:
+            return "Window";
+        case PictureView::physiology:
+            return "Physiology";
+        case PictureView::space:
+            return "Space";
+        case PictureView::matrix:
+            return "Matrix";
+    }
+    return "";
+}
+
+// A size that suits the view; a person who set another one sets it again for another view.
+void suit(PictureSize& size, PictureView view, bool pair) {
+    const bool upright = view == PictureView::physiology;
+    const bool wide = view == PictureView::window;
+    size.width = wide ? 1600 : 1000;
+    size.height = wide ? 1000 : upright && pair ? 1800 : upright ? 1200 : 900;
+}
+
+void draw_views(App& app, std::span<const PictureView> views, PictureView& chosen,
+                PictureSize& size) {
+    draw_label(app, "View");
+    for (const PictureView view : views) {
+        if (draw_chip(app, name_of(view), label_of(view), chosen == view) && chosen != view) {
+            chosen = view;
+            suit(size, view, !app.pinned.empty());
+        }
+        note_item(app.rects, std::string("export view:") + name_of(view),
+                  chosen == view ? "chosen" : "");
+        ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
+    }
+    ImGui::NewLine();
+}
+
+void draw_size(App& app, PictureSize& size) {
+    const float width = 90.0F * app.theme.scale;
+    draw_label(app, "Size");
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputInt("##width", &size.width, 0);
+    note_item(app.rects, "export:width");
+    ImGui::SameLine();
+    dim_text(app, "\u00d7");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputInt("##height", &size.height, 0);
+    note_item(app.rects, "export:height");
+    ImGui::SameLine();
+    dim_text(app, "pixels");
+    draw_label(app, "Text");
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputFloat("##scale", &size.scale, 0.0F, 0.0F, "%.2f");
+    ImGui::SameLine();
+    dim_text(app, "times as large as usual");
+}
+
+// While typing, numbers may be anything; what is drawn may not.
+void keep_in_range(PictureSize& size) {
+    size.width = std::clamp(size.width, kLeastPx, kMostPx);
+    size.height = std::clamp(size.height, kLeastPx, kMostPx);
+    size.scale = std::isfinite(size.scale) ? std::clamp(size.scale, 0.75F, 4.0F) : 1.0F;
+}
+
+void draw_view_dialog(App& app) {
+    if (!begin_dialog(app, "Export view")) return;
+    draw_views(app, kPictureViews, app.exports.view, app.exports.picture_size);
+    draw_size(app, app.exports.picture_size);
+    dim_text(app, "PNG for pixels, SVG to magnify and to edit: by the ending of the name.");
+    if (!draw_ends(app, "Choose a file...", true)) return;
+    keep_in_range(app.exports.picture_size);
+    choose_picture(app);
+}
+
+void draw_seconds(App& app, const char* id, const char* label, double& value) {
+    draw_label(app, label);
+    ImGui::SetNextItemWidth(90.0F * app.theme.scale);
+    ImGui::InputDouble((std::string("##") + id).c_str(), &value, 0.0, 0.0, "%.3f");
+    note_item(app.rects, std::string("export:") + id);
+    ImGui::SameLine();
+    dim_text(app, "s");
+}
+
+void draw_animation_dialog(App& app) {
+    if (!begin_dialog(app, "Export animation")) return;
+    ExportState& state = app.exports;
+    constexpr std::array<PictureView, 2> kMoving{PictureView::physiology, PictureView::window};
+    draw_views(app, kMoving, state.moving_view, state.frame_size);
+    draw_seconds(app, "from", "From", state.from_s);
+    draw_seconds(app, "to", "To", state.to_s);
+    draw_label(app, "Frames");
+    ImGui::SetNextItemWidth(90.0F * app.theme.scale);
+    ImGui::InputInt("##frames", &state.frames, 0);
+    note_item(app.rects, "export:frames");
+    const double duration_s = shown_duration_s(app);
+    const bool is_good = state.from_s >= 0.0 && state.from_s < state.to_s &&
+                         state.to_s <= duration_s && state.frames >= 1 &&
+                         state.frames <= kMostFrames;
+    char text[128];
+    if (is_good) {
+        const FrameSequence sequence{{}, state.from_s, state.to_s, state.frames};
+        std::snprintf(text, sizeof text, "a film of %.3g s, %s", state.frames / kFilmFramesPerS,
+                      film_speed(sequence).c_str());
+    } else {
+        std::snprintf(text, sizeof text, "times from 0 to %.4g s, frames from 1 to %d", duration_s,
+                      kMostFrames);
+    }
+    ImGui::SameLine();
+    dim_text(app, text);
+    draw_size(app, state.frame_size);
+    if (!draw_ends(app, "Choose a folder...", is_good)) return;
+    keep_in_range(state.frame_size);
+    choose_frames(app);
+}
+
+std::string time_left(const App& app, const RunningAnimation& running) {
+    if (running.done == 0) return "";
+    const double each_s = (app.time_s - running.begun_s) / running.done;
+    const double left_s = each_s * (running.sequence.frames - running.done);
+    char text[48];
+    if (left_s < 90.0) {
+        std::snprintf(text, sizeof text, ", %.0f s left", std::ceil(left_s));
+    } else {
+        std::snprintf(text, sizeof text, ", %.0f min left", std::ceil(left_s / 60.0));
+    }
+    return text;
+}
+
+// At the lower right, over the panes: the window goes on working.
+void draw_progress(App& app) {
+    const RunningAnimation& running = *app.exports.animation;
+    const Theme& theme = app.theme;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x - theme.padding_px, screen.y - 34.0F * theme.scale},
+                            ImGuiCond_Always, {1.0F, 1.0F});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme.field);
+    bool cancelled = false;
+    if (ImGui::Begin("export progress", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_NoFocusOnAppearing)) {
+        char text[96];
+        std::snprintf(text, sizeof text, "Drawing frame %d of %d%s", running.done + 1,
+                      running.sequence.frames, time_left(app, running).c_str());
+        ImGui::TextUnformatted(text);
+        note_item(app.rects, "export progress", text);
+        const float share =
+            static_cast<float>(running.done) / static_cast<float>(running.sequence.frames);
+        ImGui::ProgressBar(share, {240.0F * theme.scale, 6.0F * theme.scale}, "");
+        cancelled = ImGui::Button("Cancel export");
+        note_item(app.rects, "button:cancel export");
+        draw_tooltip(app, "Keeps the frames that are drawn (Esc)");
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+    if (cancelled) cancel_animation(app);
+}
+
+}  // namespace
+
+void draw_exports(App& app) {
+    if (app.dialog == Dialog::export_view) draw_view_dialog(app);
+    if (app.dialog == Dialog::export_animation) draw_animation_dialog(app);
+    if (app.exports.animation) draw_progress(app);
+}
+
+}  // namespace tact

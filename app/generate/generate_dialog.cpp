@@ -1,0 +1,243 @@
+// The dialog for candidates: what may vary, what that makes, and a look at some of it.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/generate/generate_fields.h"
+#include "app/generate/generating.h"
+#include "app/jobs/time_left.h"
+#include "app/ui/widgets.h"
+#include "app/window/dialogs.h"
+#include "app/window/panels.h"
+#include "model/text/numbers.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kDialogWidthPx = 860.0F;
+constexpr float kBelowRowsPx = 430.0F;  // of the dialog, besides the parameters
+constexpr std::size_t kMostPreviews = 8;
+constexpr float kPreviewHeightPx = 34.0F;
+
+std::string patterns(std::size_t count) {
+    return grouped_digits(count) + (count == 1 ? " pattern" : " patterns");
+}
+
+void wrapped(ImU32 colour, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(colour));
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+// Where the combinations went that are no new patterns.
+std::string losses(const GeneratePlan& plan) {
+    const Rejections& rejected = plan.found.rejected;
+    const std::size_t known = plan.found.kept.size() - plan.add.fresh.size();
+    const std::array<std::pair<std::size_t, const char*>, 5> parts{
+        {{plan.found.doubles, "doubles"},
+         {rejected.band, "outside the device band"},
+         {rejected.displacement, "with too much displacement"},
+         {rejected.detectability, "not detectable enough"},
+         {known, "in the set already"}}};
+    std::string text = grouped_digits(plan.found.combinations) + " combinations";
+    for (const auto& [count, what] : parts) {
+        if (count > 0) text += ", " + grouped_digits(count) + " " + what;
+    }
+    return text;
+}
+
+// A stale plan, of the draft as it was a moment ago, is dimmed until the new one is there.
+void draw_counts(App& app, const GeneratePlan* plan, bool stale) {
+    const Theme& theme = app.theme;
+    const bool fault = plan != nullptr && !plan->fault.empty();
+    const std::string head = plan == nullptr ? "Counting..."
+                             : fault         ? "No patterns"
+                                             : patterns(plan->add.fresh.size());
+    ImGui::PushFont(theme.fonts.large);
+    if (stale) dim_text(app, head);
+    if (!stale) ImGui::TextUnformatted(head.c_str());
+    ImGui::PopFont();
+    note_item(app.rects, "generate:count", head);
+    if (plan == nullptr) {
+        dim_text(app, "");
+        return dim_text(app, "");
+    }
+    if (fault) {
+        wrapped(theme.error, plan->fault);
+        note_item(app.rects, "generate:design fault", plan->fault);
+        return;
+    }
+    dim_text(app, losses(*plan));
+    note_item(app.rects, "generate:losses", losses(*plan));
+    const std::string time = "With them the set has " + patterns(plan->add.patterns_after) +
+                             "; its map takes " + estimate_text(plan->add.map_s) +
+                             " at first, by a rough estimate";
+    dim_text(app, time);
+    note_item(app.rects, "generate:time", time);
+}
+
+// Some of them, evenly from the first to the last.
+void draw_previews(App& app, const GeneratePlan* plan) {
+    const Theme& theme = app.theme;
+    const float s = theme.scale;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float name_px = theme.fonts.small != nullptr ? theme.fonts.small->FontSize : 13.0F * s;
+    const float height = kPreviewHeightPx * s + name_px + 4.0F * s;
+    ImGui::Dummy({width, height});
+    if (plan == nullptr || plan->add.fresh.empty()) return;
+    const std::vector<Candidate>& all = plan->add.fresh;
+    const std::size_t count = std::min(all.size(), kMostPreviews);
+    const float each = width / static_cast<float>(kMostPreviews);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t place = count == 1 ? 0 : k * (all.size() - 1) / (count - 1);
+        const ImVec2 low{corner.x + static_cast<float>(k) * each, corner.y};
+        const Rect area = rect_at(low, {each - theme.gap_px, kPreviewHeightPx * s});
+        list.AddRectFilled(area.min, area.max, dialog_field(theme), theme.rounding_px);
+        Vibration vibration;
+        vibration.name = "candidate preview " + std::to_string(k);
+        vibration.source = all[place].pattern;
+        draw_thumbnail(app, inset(area, 3.0F * s), vibration, theme.accent);
+        draw_text(list, theme.fonts.small, {low.x, area.max.y + 3.0F * s}, theme.dim_text,
+                  shortened(theme.fonts.small, all[place].name, area.width()));
+        note_rect(app.rects, "generate:preview " + std::to_string(k), area.min, area.max,
+                  all[place].name);
+        if (ImGui::IsWindowHovered() && area.contains(ImGui::GetIO().MousePos)) {
+            ImGui::SetTooltip("%s", all[place].name.c_str());
+        }
+    }
+}
+
+void close(App& app) {
+    app.dialog = Dialog::none;
+    app.generate.asking.reset();
+    ImGui::CloseCurrentPopup();
+}
+
+void take(App& app, const GeneratePlan& plan, Before before) {
+    const GenerateOutcome& outcome = before == Before::kept ? plan.add : plan.replace;
+    if (outcome.patterns_after > kMostUnasked && !app.generate.asking) {
+        app.generate.asking = before;
+        return;
+    }
+    add_candidates(app, plan, before);
+    close(app);
+}
+
+std::string words_of(const GeneratePlan& plan, Before before) {
+    return before == Before::kept
+               ? "Add " + patterns(plan.add.fresh.size())
+               : "Replace " + grouped_digits(plan.generated_before) + " generated by " +
+                     grouped_digits(plan.replace.fresh.size());
+}
+
+// So many patterns that every edit will wait: a second word is asked for.
+void draw_question(App& app, const GeneratePlan& plan) {
+    const Before before = *app.generate.asking;
+    const GenerateOutcome& outcome = before == Before::kept ? plan.add : plan.replace;
+    wrapped(app.theme.warning,
+            "The set would have " + patterns(outcome.patterns_after) +
+                ". A first map of them takes " + estimate_text(outcome.map_s) +
+                ", and every edit of one waits for its share of it. You can go on working "
+                "meanwhile.");
+    note_item(app.rects, "generate:question");
+    if (ImGui::Button((words_of(plan, before) + " all the same").c_str())) take(app, plan, before);
+    note_item(app.rects, "button:generate all the same");
+    ImGui::SameLine();
+    if (ImGui::Button("Back")) app.generate.asking.reset();
+    note_item(app.rects, "button:back");
+}
+
+void draw_buttons(App& app, const GeneratePlan* plan) {
+    const bool usable = plan != nullptr && plan->fault.empty();
+    ImGui::BeginDisabled(!usable || plan->add.fresh.empty());
+    ImGui::PushStyleColor(ImGuiCol_Button, faded(app.theme.accent, 0.45F));
+    const bool add = ImGui::Button(usable ? words_of(*plan, Before::kept).c_str() : "Add patterns");
+    ImGui::PopStyleColor();
+    ImGui::EndDisabled();
+    note_item(app.rects, "button:add candidates");
+    bool replace = false;
+    if (usable && plan->generated_before > 0) {
+        ImGui::SameLine();
+        ImGui::BeginDisabled(plan->replace.fresh.empty());
+        replace = ImGui::Button(words_of(*plan, Before::replaced).c_str());
+        ImGui::EndDisabled();
+        note_item(app.rects, "button:replace generated");
+        draw_tooltip(app,
+                     "Patterns that were edited, renamed or locked since they were generated "
+                     "stay.");
+    }
+    ImGui::SameLine();
+    const bool leave = ImGui::Button("Cancel");
+    note_item(app.rects, "button:cancel");
+    if (add && usable) take(app, *plan, Before::kept);
+    if (replace && usable) take(app, *plan, Before::replaced);
+    if (leave) close(app);
+}
+
+// The parameters scroll where the window is too low for all of them.
+void draw_parameters(App& app) {
+    const float room = 0.9F * ImGui::GetIO().DisplaySize.y - kBelowRowsPx * app.theme.scale;
+    const float least = 3.0F * ImGui::GetFrameHeightWithSpacing();
+    // How high the rows are is known from the last frame; in the first one, about.
+    const float rows = app.generate.rows_px > 0.0F ? app.generate.rows_px : 3.5F * least;
+    const float height = std::max(std::min(room, rows), least);
+    if (ImGui::BeginChild("parameters", {0.0F, height}, false,
+                          ImGuiWindowFlags_HorizontalScrollbar)) {
+        draw_factor_rows(app);
+        app.generate.rows_px = ImGui::GetCursorPosY() + ImGui::GetStyle().ItemSpacing.y;
+    }
+    ImGui::EndChild();
+}
+
+// On the ground of a dialog, stock fields and buttons could not be told from it.
+void push_dialog_colours(const Theme& theme) {
+    const auto push = [](ImGuiCol what, ImU32 colour) { ImGui::PushStyleColor(what, colour); };
+    push(ImGuiCol_FrameBg, dialog_field(theme));
+    push(ImGuiCol_Button, dialog_field(theme));
+}
+
+}  // namespace
+
+void draw_generate_dialog(App& app) {
+    if (!begin_dialog(app, "Generate candidates", kDialogWidthPx)) return;
+    push_dialog_colours(app.theme);
+    // Esc leaves an entry first, then the dialog.
+    const bool typing = !app.generate.typing.empty();
+    const bool popup = ImGui::IsPopupOpen("rhythms", ImGuiPopupFlags_AnyPopupId);
+    dim_text(app, "Give every parameter a number, several levels, or a range.");
+    draw_parameters(app);
+    ImGui::Separator();
+    draw_design_row(app);
+    draw_constraint_rows(app);
+    ImGui::Separator();
+    if (std::exchange(app.generate.takes_back, false)) {
+        app.generate.draft = app.generate.draft_before_typing;
+    }
+    follow_generate(app);
+    const std::shared_ptr<const GeneratePlan> plan = current_plan(app);
+    std::shared_ptr<const GeneratePlan> shown = plan;
+    if (!shown && app.generate.job) shown = app.generate.job->latest();
+    draw_counts(app, shown.get(), !plan);
+    draw_previews(app, shown.get());
+    if (app.generate.asking && plan && plan->fault.empty()) {
+        draw_question(app, *plan);
+    } else {
+        draw_buttons(app, plan.get());
+    }
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    if (escape && !typing && !popup) close(app);
+    ImGui::PopStyleColor(2);
+    ImGui::EndPopup();
+}
+
+}  // namespace tact

@@ -1,0 +1,144 @@
+#include "app/generate/generate_entries.h"
+
+#include <imgui.h>
+// After imgui.h.
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/ui/widgets.h"
+#include "model/text/numbers.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kNumberWidthPx = 62.0F;
+
+// The next item comes beside the last one, at the top of their row.
+void stay_in_row(float gap_px, float top) {
+    ImGui::SameLine(0.0F, gap_px);
+    ImGui::SetCursorPosY(top);
+}
+
+}  // namespace
+
+Unit unit_of(Parameter parameter) {
+    switch (parameter) {
+        case Parameter::amplitude:
+            return {"g", 1.0};
+        case Parameter::frequency:
+        case Parameter::modulation:
+            return {"Hz", 1.0};
+        case Parameter::unit:
+        case Parameter::attack:
+        case Parameter::release:
+            return {"ms", 1000.0};
+        case Parameter::duration:
+            return {"s", 1.0};
+        default:
+            return {"", 1.0};
+    }
+}
+
+std::string short_digits(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+std::vector<std::string> words_in(const std::string& text) {
+    std::vector<std::string> words;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t begin = std::min(text.find_first_not_of(",; ", at), text.size());
+        const std::size_t end = std::min(text.find_first_of(",; ", begin), text.size());
+        if (end > begin) words.push_back(text.substr(begin, end - begin));
+        at = end;
+    }
+    return words;
+}
+
+std::optional<std::string> draw_entry(App& app, const std::string& id, const std::string& shown,
+                                      float width) {
+    GenerateState& state = app.generate;
+    const bool typing = state.typing == id;
+    std::string text = typing ? state.text : shown;
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputText(("##" + id).c_str(), &text);
+    note_item(app.rects, "generate:" + id, text);
+    if (ImGui::IsItemActivated()) state.draft_before_typing = state.draft;
+    if (!ImGui::IsItemActive()) {
+        const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+        if (typing && ImGui::IsItemDeactivated() && escaped) state.takes_back = true;
+        if (typing) state.typing.clear();
+        return std::nullopt;
+    }
+    state.typing = id;
+    state.text = text;
+    return text == shown ? std::nullopt : std::optional(text);
+}
+
+void draw_number(App& app, const std::string& id, double& value, Range allowed, double times) {
+    const float width = kNumberWidthPx * app.theme.scale;
+    const auto typed = draw_entry(app, id, short_digits(times * value), width);
+    // The decimal comma of half of the world is a point here; in a list it is not.
+    if (app.generate.typing == id) app.editor.typing_number = true;
+    const auto number = typed ? finite_number_in(*typed) : std::nullopt;
+    if (number && allowed.contains(*number / times)) {
+        value = *number / times;
+    } else if (typed) {
+        app.generate.takes_back = true;
+    }
+}
+
+void draw_whole(App& app, const std::string& id, int& value, Range allowed) {
+    double number = value;
+    draw_number(app, id, number, allowed);
+    if (number == std::floor(number)) {
+        value = static_cast<int>(number);
+    } else {
+        app.generate.takes_back = true;
+    }
+}
+
+bool option_chip(App& app, const std::string& id, const char* text, bool lit, const char* help) {
+    const float top = ImGui::GetCursorPosY();
+    const float chip_px = text_size(app.theme.fonts.small, text).y + 6.0F * app.theme.scale;
+    ImGui::SetCursorPosY(top + (ImGui::GetFrameHeight() - chip_px) / 2.0F);
+    const bool pressed = draw_chip(app, id.c_str(), text, lit);
+    note_item(app.rects, "generate:" + id, lit ? "chosen" : "");
+    draw_tooltip(app, help);
+    stay_in_row(2.0F * app.theme.scale, top);
+    return pressed;
+}
+
+bool row_link(App& app, const char* id, const char* text) {
+    const float top = ImGui::GetCursorPosY();
+    ImGui::SetCursorPosY(top + ImGui::GetStyle().FramePadding.y);
+    const bool pressed = link(app, id, text);
+    note_item(app.rects, std::string("generate:") + id);
+    stay_in_row(2.0F * app.theme.gap_px, top);
+    return pressed;
+}
+
+void leave_gap(const App& app) { ImGui::SetCursorPosX(ImGui::GetCursorPosX() + app.theme.gap_px); }
+
+void beside(const App& app, const char* text) {
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    dim_text(app, text);
+}
+
+void draw_remark(App& app, const std::string& remark, const std::string& fault) {
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    if (fault.empty()) return dim_text(app, remark);
+    app.generate.takes_back = true;
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.error));
+    ImGui::TextUnformatted(fault.c_str());
+    ImGui::PopStyleColor();
+    note_item(app.rects, "generate:fault", fault);
+}
+
+}  // namespace tact

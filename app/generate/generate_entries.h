@@ -1,0 +1,48 @@
+// The entries that the rows of the dialog for candidates are made of.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/window/app.h"
+
+namespace tact {
+
+// What is shown is the value times the factor.
+struct Unit {
+    const char* name;
+    double times;
+};
+
+Unit unit_of(Parameter parameter);
+
+// As few digits as a person wants to see of a number, six at most.
+std::string short_digits(double value);
+
+// What stands between blanks, commas and semicolons.
+std::vector<std::string> words_in(const std::string& text);
+
+// An entry shows `shown`, and while it is typed in, that. The text, where it is another one.
+std::optional<std::string> draw_entry(App& app, const std::string& id, const std::string& shown,
+                                      float width);
+
+// A single number, and a whole one. What is typed and cannot be leaves it as it was before.
+void draw_number(App& app, const std::string& id, double& value, Range allowed, double times = 1.0);
+void draw_whole(App& app, const std::string& id, int& value, Range allowed);
+
+// A chip, and a link, in the middle of a row's height; the next item stands beside them.
+bool option_chip(App& app, const std::string& id, const char* text, bool lit, const char* help);
+bool row_link(App& app, const char* id, const char* text);
+
+// A little room before the next item of a row.
+void leave_gap(const App& app);
+
+// Dim text after the last item.
+void beside(const App& app, const char* text);
+
+// What is wrong with the text of an entry, at the end of its row: the draft then stays as it was
+// before; else what the row amounts to.
+void draw_remark(App& app, const std::string& remark, const std::string& fault);
+
+}  // namespace tact

@@ -1,0 +1,326 @@
+#include "app/generate/generate_fields.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/generate/generate_entries.h"
+#include "app/patterns/rhythm_list.h"
+#include "app/ui/widgets.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+constexpr const char* kSteady = "steady";  // one note throughout, among rhythms
+
+// The levels in a text; a fault where there is none, or one is out of range.
+Expected<std::vector<double>> levels_in(const std::string& text, Range allowed, const Unit& unit) {
+    std::vector<double> levels;
+    for (const std::string& word : words_in(text)) {
+        const auto number = finite_number_in(word);
+        if (!number) return Error{"\"" + word + "\" is no number"};
+        if (!allowed.contains(*number / unit.times)) {
+            return Error{short_digits(allowed.low * unit.times) + " to " +
+                         short_digits(allowed.high * unit.times) + " " + unit.name};
+        }
+        levels.push_back(*number / unit.times);
+    }
+    if (levels.empty()) return Error{"at least one number"};
+    if (levels.size() > limits::kMaxLevels) return Error{"too many levels"};
+    return levels;
+}
+
+void draw_levels(App& app, const std::string& id, std::vector<double>& levels, Range allowed,
+                 const Unit& unit) {
+    std::string shown;
+    for (const double level : levels) {
+        shown += (shown.empty() ? "" : ", ") + short_digits(unit.times * level);
+    }
+    const auto typed = draw_entry(app, id, shown, 300.0F * app.theme.scale);
+    draw_tooltip(app, "One number is fixed; several, with commas between them, are levels.");
+    if (*unit.name != '\0') beside(app, unit.name);
+    std::string fault;
+    if (typed) {
+        auto found = levels_in(*typed, allowed, unit);
+        if (found) levels = *std::move(found);
+        if (!found) fault = found.error().message;
+    }
+    const std::size_t count = levels.size();
+    draw_remark(app, count == 1 ? "fixed" : std::to_string(count) + " levels", fault);
+}
+
+// "any" stands for values that are not moved.
+void draw_multiple(App& app, const std::string& id, double& multiple, double times) {
+    constexpr const char* kAny = "any";
+    const std::string shown = multiple == 0.0 ? kAny : short_digits(times * multiple);
+    const auto typed = draw_entry(app, id, shown, 62.0F * app.theme.scale);
+    draw_tooltip(app,
+                 "Values are moved to the nearest multiple of this. Multiples of 1 / duration "
+                 "do not leak.");
+    if (!typed) return;
+    const auto number = *typed == kAny ? std::optional(0.0) : finite_number_in(*typed);
+    const bool good = number && limits::kMultiple.contains(*number / times);
+    if (good) multiple = *number / times;
+    if (!good) app.generate.takes_back = true;
+}
+
+void draw_span(App& app, const std::string& id, Span& span, Range allowed, const Unit& unit) {
+    draw_number(app, id + " from", span.from, allowed, unit.times);
+    beside(app, "to");
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    draw_number(app, id + " to", span.to, allowed, unit.times);
+    if (*unit.name != '\0') beside(app, unit.name);
+    if (app.generate.draft.design == Design::factorial) {
+        beside(app, "in");
+        ImGui::SameLine(0.0F, app.theme.gap_px);
+        draw_whole(app, id + " steps", span.steps, limits::kSpanSteps);
+        beside(app, "steps");
+    }
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    if (option_chip(
+            app, id + " ratio", "equal ratios", span.logarithmic,
+            "Spaced by equal ratios, as frequencies and strengths are felt, instead of equal "
+            "differences. The range must begin above 0.")) {
+        span.logarithmic = !span.logarithmic;
+    }
+    leave_gap(app);
+    ImGui::AlignTextToFramePadding();
+    dim_text(app, "multiples of");
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    draw_multiple(app, id + " multiple", span.multiple_of, unit.times);
+}
+
+// A range around what the levels were.
+Span span_from(const std::vector<double>& levels, Parameter parameter) {
+    const auto [low, high] = std::ranges::minmax(levels);
+    const Range allowed = range_of(parameter);
+    Span span{low, high, 3, false, 0.0};
+    if (low == high) span.from = std::max(low / 2.0, allowed.low);
+    if (low == high) span.to = std::min(low == 0.0 ? 1.0 : 2.0 * low, allowed.high);
+    if (span.from > span.to) std::swap(span.from, span.to);
+    span.logarithmic = parameter == Parameter::frequency && span.from > 0.0;
+    if (parameter == Parameter::frequency) span.multiple_of = 1.0;
+    return span;
+}
+
+void draw_values(App& app, Factor factor) {
+    const std::string id = lower_case(name_of(factor));
+    const Range allowed = range_of(factor.parameter);
+    const Unit unit = unit_of(factor.parameter);
+    Values& values = *values_of(app.generate.draft, factor);
+    auto* levels = std::get_if<std::vector<double>>(&values);
+    if (option_chip(app, id + " values", "Values", levels != nullptr,
+                    "One number, or several levels") &&
+        levels == nullptr) {
+        const Span span = std::get<Span>(values);
+        values = std::vector<double>{span.from, span.to};
+    } else if (option_chip(app, id + " range", "Range", levels == nullptr,
+                           "Anything from one number to another") &&
+               levels != nullptr) {
+        values = span_from(*levels, factor.parameter);
+    }
+    leave_gap(app);
+    if (auto* now = std::get_if<std::vector<double>>(&values)) {
+        draw_levels(app, id, *now, allowed, unit);
+    } else {
+        draw_span(app, id, std::get<Span>(values), allowed, unit);
+    }
+}
+
+void draw_kinds(App& app) {
+    auto& kinds = app.generate.draft.kinds;
+    const auto toggle = [&](const char* text, ModulationKind kind, const char* help) {
+        const bool lit = std::ranges::find(kinds, kind) != kinds.end();
+        if (!option_chip(app, text, text, lit, help)) return;
+        if (!lit) kinds.push_back(kind);
+        if (lit && kinds.size() > 1) std::erase(kinds, kind);
+        std::ranges::sort(kinds);
+    };
+    toggle("product", ModulationKind::product, "sin(2 pi f t): Eq. 7 of the paper");
+    toggle("1 + m sin", ModulationKind::am, "The kind that has a depth");
+    ImGui::AlignTextToFramePadding();
+    dim_text(app, kinds.size() == 1 ? "fixed" : "2 levels");
+}
+
+// Membership of a rhythm in the list, which is never empty.
+void toggle_rhythm(std::vector<std::string>& rhythms, const std::string& text) {
+    if (std::erase(rhythms, text) == 0) rhythms.push_back(text);
+    if (rhythms.empty()) rhythms.emplace_back();
+}
+
+void draw_rhythm_popup(App& app) {
+    const float width = 360.0F * app.theme.scale;
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, 1e4F});
+    if (!ImGui::BeginPopup("rhythms")) return;
+    GenerateState& state = app.generate;
+    auto& rhythms = state.draft.rhythms;
+    const auto has = [&rhythms](const std::string& text) {
+        return std::ranges::find(rhythms, text) != rhythms.end();
+    };
+    Pattern shown;
+    for (const Factor factor : {Factor{Parameter::unit}, Factor{Parameter::duration},
+                                Factor{Parameter::attack}, Factor{Parameter::release}}) {
+        set_value(shown, state.draft, factor, 0.0);
+    }
+    const RhythmListAction action =
+        draw_rhythm_list(app, state.rhythms, shown, has, "Add all of them");
+    if (action.pressed) toggle_rhythm(rhythms, *action.pressed);
+    if (action.all) {
+        for (const std::string& text : state.rhythms.texts) {
+            if (!has(text) && rhythms.size() < limits::kMaxLevels) rhythms.push_back(text);
+        }
+    }
+    ImGui::EndPopup();
+}
+
+void draw_rhythms(App& app) {
+    auto& rhythms = app.generate.draft.rhythms;
+    std::string shown;
+    for (const std::string& text : rhythms) {
+        shown += (shown.empty() ? "" : " ") + (text.empty() ? std::string(kSteady) : text);
+    }
+    const auto typed = draw_entry(app, "rhythm", shown, 420.0F * app.theme.scale);
+    draw_tooltip(app,
+                 "Rhythms with blanks between them: x note, = hold, - rest. \"steady\" is one "
+                 "note throughout.");
+    std::string fault;
+    if (typed) {
+        std::vector<std::string> found;
+        for (const std::string& word : words_in(*typed)) {
+            found.push_back(word == kSteady ? "" : word);
+            if (fault.empty()) fault = rhythm_fault(found.back());
+        }
+        if (found.empty()) fault = "at least one rhythm";
+        if (fault.empty()) rhythms = std::move(found);
+    }
+    const std::size_t count = rhythms.size();
+    draw_remark(app, count == 1 ? "fixed" : std::to_string(count) + " levels", fault);
+    ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
+    if (row_link(app, "choose rhythms", "Choose...")) ImGui::OpenPopup("rhythms");
+    ImGui::NewLine();
+    draw_rhythm_popup(app);
+}
+
+// False where the parameter changes nothing, whatever its value.
+bool matters(const DesignSpace& space, Parameter parameter) {
+    const bool one_carrier = space.carriers.size() == 1;
+    if (parameter == Parameter::weight) return !one_carrier;
+    if (parameter == Parameter::depth) {
+        return std::ranges::find(space.kinds, ModulationKind::am) != space.kinds.end();
+    }
+    const auto is_steady = [](const std::string& text) { return text.empty(); };
+    return parameter != Parameter::unit || !std::ranges::all_of(space.rhythms, is_steady);
+}
+
+void draw_carrier_links(App& app) {
+    DesignSpace& space = app.generate.draft;
+    draw_label(app, "");
+    const std::size_t before = space.carriers.size();
+    if (before < limits::kMaxCarriers && row_link(app, "add carrier", "Add carrier")) {
+        space.carriers.emplace_back();
+    }
+    if (before > 1 && row_link(app, "remove carrier", "Remove")) space.carriers.pop_back();
+    ImGui::NewLine();
+    if (space.carriers.size() == before) return;
+    space.mix.reset();
+    if (space.carriers.size() == 2) space.mix = fixed(0.5);
+}
+
+// A constraint with one number.
+struct LimitRow {
+    const char* label;
+    const char* id;
+    double first;  // when it is put on
+    Range allowed;
+    const char* unit;
+    const char* help;
+};
+
+void draw_limit(App& app, std::optional<double>& limit, const LimitRow& row) {
+    draw_label(app, row.label);
+    if (option_chip(app, row.id, limit ? "on" : "off", limit.has_value(), row.help)) {
+        limit = limit ? std::nullopt : std::optional(row.first);
+    }
+    if (!limit) return ImGui::NewLine();
+    leave_gap(app);
+    draw_number(app, std::string(row.id) + " limit", *limit, row.allowed);
+    beside(app, row.unit);
+}
+
+}  // namespace
+
+void draw_factor_rows(App& app) {
+    for (const Factor factor : factors(app.generate.draft)) {
+        const DesignSpace& space = app.generate.draft;
+        if (!matters(space, factor.parameter)) continue;
+        const std::string name = name_of(factor);
+        if (factor.parameter == Parameter::kind) draw_carrier_links(app);
+        draw_label(app, name.c_str());
+        ImGui::PushID(name.c_str());
+        if (factor.parameter == Parameter::kind) {
+            draw_kinds(app);
+        } else if (factor.parameter == Parameter::rhythm) {
+            draw_rhythms(app);
+        } else {
+            draw_values(app, factor);
+        }
+        ImGui::PopID();
+    }
+}
+
+void draw_design_row(App& app) {
+    DesignSpace& space = app.generate.draft;
+    draw_label(app, "Design");
+    const auto choose = [&](const char* text, Design design, const char* help) {
+        if (option_chip(app, text, text, space.design == design, help)) space.design = design;
+    };
+    choose("Full factorial", Design::factorial,
+           "Every combination of all levels; ranges are cut in steps.");
+    choose("Latin hypercube", Design::latin_hypercube,
+           "So many samples: each range is cut in as many parts, and each part is used once.");
+    choose("Sobol", Design::sobol,
+           "So many samples, spread evenly over all parameters together by Sobol's sequence.");
+    if (space.design == Design::factorial) return ImGui::NewLine();
+    leave_gap(app);
+    draw_whole(app, "samples", space.samples, limits::kSamples);
+    beside(app, "samples");
+    ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
+    dim_text(app, "seed");
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    draw_whole(app, "seed", space.seed, limits::kSeed);
+    draw_tooltip(app,
+                 "The same seed makes the same sample again; with 0, Sobol's sequence is the "
+                 "published one.");
+}
+
+void draw_constraint_rows(App& app) {
+    Constraints& limits_of = app.generate.draft.constraints;
+    draw_label(app, "Device band");
+    if (option_chip(app, "band", limits_of.band_hz ? "on" : "off", limits_of.band_hz.has_value(),
+                    "Carriers and the sidebands of their modulation must lie in it.")) {
+        limits_of.band_hz = limits_of.band_hz ? std::nullopt : std::optional(Range{40.0, 400.0});
+    }
+    if (limits_of.band_hz) {
+        leave_gap(app);
+        draw_number(app, "band low", limits_of.band_hz->low, limits::kBandHz);
+        beside(app, "to");
+        ImGui::SameLine(0.0F, app.theme.gap_px);
+        draw_number(app, "band high", limits_of.band_hz->high, limits::kBandHz);
+        beside(app, "Hz");
+    } else {
+        ImGui::NewLine();
+    }
+    draw_limit(app, limits_of.displacement_um,
+               {"Displacement", "displacement", 100.0, limits::kDisplacementUm, "\u00b5m at most",
+                "Peak displacement if all components meet at their peaks: what the actuator's "
+                "stroke must hold."});
+    draw_limit(
+        app, limits_of.detectable_db,
+        {"Detectable", "detectable", 6.0, limits::kDetectableDb, "dB or more above threshold",
+         "At least one component is so far above the threshold of a receptor type, by the "
+         "model's tables."});
+}
+
+}  // namespace tact

@@ -1,0 +1,137 @@
+#include "app/generate/generating.h"
+
+#include <algorithm>
+
+#include "app/document/editing.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+// A start that shows what a design is: six vibrations around the current pattern.
+DesignSpace first_draft(const App& app) {
+    Pattern around;
+    around.duration_s = app.document.set.duration_s;
+    if (const Vibration* current = current_vibration(app)) {
+        if (const auto* pattern = std::get_if<Pattern>(&current->source)) around = *pattern;
+    }
+    DesignSpace space = space_around(around);
+    space.carriers[0].frequency_hz = Span{60.0, 240.0, 3, true, 1.0};
+    space.modulation_hz = std::vector<double>{0.0, 8.0};
+    return space;
+}
+
+GenerateOutcome outcome_of(const GenerateRequest& request, const Candidates& found, Before before,
+                           std::size_t stay) {
+    GenerateOutcome outcome;
+    outcome.fresh = new_to(*request.set, found.kept, before);
+    outcome.patterns_after = stay + outcome.fresh.size();
+    double longest = longest_s(*request.set);
+    for (const Candidate& candidate : outcome.fresh) {
+        longest = std::max(longest, candidate.pattern.duration_s);
+    }
+    outcome.map_s = expected_map_s(outcome.patterns_after, longest);
+    return outcome;
+}
+
+}  // namespace
+
+DesignSpace space_around(const Pattern& pattern) {
+    DesignSpace space;
+    space.amplitude_g = fixed(pattern.amplitude_g);
+    space.carriers.clear();
+    for (const Carrier& carrier : pattern.carriers) {
+        space.carriers.push_back({fixed(carrier.frequency_hz), fixed(carrier.weight)});
+    }
+    if (pattern.carriers.size() == 2) {
+        const double sum = pattern.carriers[0].weight + pattern.carriers[1].weight;
+        const double share = sum != 0.0 ? pattern.carriers[1].weight / sum : 0.5;
+        space.mix = fixed(std::clamp(share, limits::kMix.low, limits::kMix.high));
+    }
+    space.kinds = {pattern.modulation.kind};
+    space.modulation_hz = fixed(pattern.modulation.frequency_hz);
+    space.depth = fixed(pattern.modulation.depth);
+    space.rhythms = {pattern.rhythm.text};
+    space.unit_s = fixed(pattern.rhythm.unit_s);
+    space.attack_s = fixed(pattern.attack_s);
+    space.release_s = fixed(pattern.release_s);
+    space.duration_s = fixed(pattern.duration_s);
+    return space;
+}
+
+void open_generate(App& app) {
+    GenerateState& state = app.generate;
+    const auto& own = app.document.set.generator;
+    // What was tried out without adding anything is not lost.
+    if (!state.begun || state.draft_of != own) {
+        state.draft = own ? *own : first_draft(app);
+        state.draft_of = own;
+        state.begun = true;
+    }
+    state.asking.reset();
+    state.typing.clear();
+    if (!state.job) {
+        state.job = std::make_unique<LatestJob<GenerateRequest, GeneratePlan>>(
+            JobPolicy::supersede,
+            [](const GenerateRequest& request, std::stop_token stop, std::atomic<float>&) {
+                return plan_of(request, std::move(stop));
+            },
+            app.wake);
+    }
+    app.dialog = Dialog::generate;
+}
+
+std::optional<GeneratePlan> plan_of(const GenerateRequest& request, std::stop_token stop) {
+    GeneratePlan plan;
+    plan.request = request;
+    const PatternSet& set = *request.set;
+    auto found = candidates(request.space, set.model.coding.tables, stop);
+    if (stop.stop_requested()) return std::nullopt;
+    if (!found) {
+        plan.fault = found.error().message;
+        return plan;
+    }
+    plan.found = *std::move(found);
+    const std::size_t all = set.vibrations.size();
+    plan.generated_before = static_cast<std::size_t>(std::ranges::count_if(
+        set.vibrations, [](const Vibration& v) { return is_replaced(v, Before::replaced); }));
+    plan.add = outcome_of(request, plan.found, Before::kept, all);
+    plan.replace = outcome_of(request, plan.found, Before::replaced, all - plan.generated_before);
+    return plan;
+}
+
+void follow_generate(App& app) {
+    GenerateState& state = app.generate;
+    if (app.dialog != Dialog::generate || !state.job) return;
+    GenerateRequest wanted{state.draft, app.committed};
+    if (wanted == state.asked) return;
+    state.asked = wanted;
+    state.job->submit(std::move(wanted));
+}
+
+std::shared_ptr<const GeneratePlan> current_plan(const App& app) {
+    const GenerateState& state = app.generate;
+    auto plan = state.job ? state.job->latest() : nullptr;
+    const bool current =
+        plan && plan->request.space == state.draft && plan->request.set == app.committed;
+    return current ? plan : nullptr;
+}
+
+void add_candidates(App& app, const GeneratePlan& plan, Before before) {
+    const GenerateOutcome& outcome = before == Before::kept ? plan.add : plan.replace;
+    auto set = with_candidates(app.document.set, plan.request.space, outcome.fresh, before);
+    if (!set) return complain(app, "Nothing was generated: " + set.error().message);
+    const std::size_t count = outcome.fresh.size();
+    app.document.set = *std::move(set);
+    const std::size_t size = app.document.set.vibrations.size();
+    app.generate.draft_of = app.document.set.generator;
+    select_only(app, size == 0 ? 0 : std::min(size - count, size - 1));
+    app.set_panel.scroll_to_current = true;
+    document_changed(app);
+    const std::string what = grouped_digits(count) + (count == 1 ? " candidate" : " candidates");
+    commit_step(app, (before == Before::kept ? "Generate " : "Replace generated by ") + what);
+    say(app, "Generated " + what + ". Ctrl+Z takes them back.");
+}
+
+}  // namespace tact

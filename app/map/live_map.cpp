@@ -1,0 +1,137 @@
+#include "app/map/live_map.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string_view>
+
+#include "model/common/parallel.h"
+#include "model/dtw/dtw_kernel.h"
+
+namespace tact {
+
+namespace {
+
+constexpr std::size_t kPreviewDecimation = 10;  // envelopes at 1 kHz
+constexpr float kPredictionShare = 0.9F;        // of the progress bar; the rest is the map
+
+// From where the points were, when the set has kept its size; else from Torgerson's map.
+PerceptualSpace preview_space(const Dissimilarity& pm, int dimensions, const LiveMap* last,
+                              std::stop_token stop) {
+    MdsParams params;
+    params.dimensions = dimensions;
+    params.random_starts = 0;
+    params.tolerance = 1e-6;
+    params.max_steps = 300;
+    params.threads = 1;
+    const bool same_shape = last != nullptr && last->space.verdict == MdsVerdict::fine &&
+                            last->space.points.rows() == static_cast<Eigen::Index>(pm.size) &&
+                            last->space.points.cols() == dimensions;
+    if (!same_shape) return nonmetric_mds(pm, params, stop);
+    return smacof(pm, last->space.points, params, stop);
+}
+
+// Cells of dynamic time warping a second and core: of the processors with each instruction set,
+// between old and new.
+double cells_per_s() {
+    const std::string_view kernel = dtw_kernel().name;
+    if (kernel == "avx512") return 1.8e10;
+    return kernel == "avx2" ? 6.5e9 : 2.5e9;
+}
+
+}  // namespace
+
+bool is_same_work(const LiveMapRequest& a, const LiveMapRequest& b) {
+    return a.dimensions == b.dimensions && a.preview == b.preview &&
+           a.rendered_by == b.rendered_by && a.set->model == b.set->model &&
+           std::ranges::equal(a.set->vibrations, b.set->vibrations, {}, &Vibration::source,
+                              &Vibration::source);
+}
+
+double expected_map_s(const PatternSet& set) {
+    return expected_map_s(set.vibrations.size(), longest_s(set));
+}
+
+double expected_map_s(std::size_t patterns, double longest_s) {
+    const double samples = longest_s * kModelRateHz;
+    const auto pairs = static_cast<double>(pair_count(patterns));
+    return pairs * samples * samples / (cells_per_s() * thread_count(0));
+}
+
+bool needs_asking(const PatternSet& set) {
+    return set.vibrations.size() > kMostLivePatterns || expected_map_s(set) > kLongestUnaskedS;
+}
+
+// The answer to the same question asked before; it becomes the one used last.
+std::optional<LiveMap> LiveMapWork::kept(const LiveMapRequest& request) {
+    if (request.preview) return std::nullopt;
+    const auto found = std::ranges::find_if(
+        all_, [&request](const auto& map) { return is_same_work(map->request, request); });
+    if (found == all_.end()) return std::nullopt;
+    std::rotate(found, found + 1, all_.end());
+    last_ = all_.back();
+    LiveMap map = *last_;
+    map.request = request;
+    return map;
+}
+
+void LiveMapWork::keep(const LiveMap& map) {
+    last_ = std::make_shared<const LiveMap>(map);
+    if (map.request.preview) return;
+    all_.push_back(last_);
+    std::size_t pairs = 0;
+    auto oldest = all_.end();
+    while (oldest != all_.begin()) {
+        pairs += (*(oldest - 1))->prediction.pm.condensed.size();
+        if (pairs > kKeptPairs) break;
+        --oldest;
+    }
+    all_.erase(all_.begin(), oldest);
+}
+
+// The set itself, or what a device makes of it; null when stopped.
+std::shared_ptr<const PatternSet> LiveMapWork::played(const LiveMapRequest& request,
+                                                      std::stop_token stop) {
+    if (!request.rendered_by) return request.set;
+    auto made = rendered_set(*request.set, *request.rendered_by, rendered_ ? &*rendered_ : nullptr,
+                             {threads_, stop});
+    if (!made) return nullptr;
+    rendered_ = std::move(made);
+    return std::make_shared<const PatternSet>(rendered_->played);
+}
+
+std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, std::stop_token stop,
+                                               std::atomic<float>& progress) {
+    if (std::optional<LiveMap> map = kept(request)) return map;
+    const auto begin = std::chrono::steady_clock::now();
+    const std::shared_ptr<const PatternSet> set = played(request, stop);
+    if (!set) return std::nullopt;
+    const std::vector<Waveform> waveforms = model_waveforms(*set);
+    PredictOptions options;
+    options.envelope_decimation = request.preview ? kPreviewDecimation : 1;
+    options.previous = last_ ? &last_->prediction : nullptr;
+    options.threads = threads_;
+    options.stop = stop;
+    options.progress = [&progress](double share) {
+        progress = kPredictionShare * static_cast<float>(share);
+    };
+    auto prediction = predict(waveforms, request.set->model, options);
+    if (!prediction) return std::nullopt;
+    progress = kPredictionShare;
+
+    LiveMap map{request, std::move(*prediction), {}, 0.0, set};
+    const Dissimilarity& pm = map.prediction.pm;
+    if (request.preview) {
+        map.space = preview_space(pm, request.dimensions, last_.get(), stop);
+    } else {
+        MdsParams params = standard_mds_params(pm.size, request.dimensions);
+        params.threads = threads_;
+        map.space = nonmetric_mds(pm, params, stop);
+    }
+    if (stop.stop_requested()) return std::nullopt;
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    map.seconds = took.count();
+    keep(map);
+    return map;
+}
+
+}  // namespace tact

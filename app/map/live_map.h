@@ -1,0 +1,78 @@
+// The predicted space of a set, computed beside the window: from the document to the map.
+//
+// Two runs answer each edit: a preview with coarse envelopes and one start, which always finishes
+// and follows a drag, and the full run, whose numbers are those of the command line.
+//
+// Exact     the full run depends on the set alone, not on what was shown before.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "app/rendering/rendered_set.h"
+#include "model/map/mds.h"
+#include "model/perceptual_model/perceptual_model.h"
+#include "model/set/pattern_set.h"
+
+namespace tact {
+
+// Above this many patterns, or this long by estimate, a map is made only when asked for.
+inline constexpr std::size_t kMostLivePatterns = 1000;
+inline constexpr double kLongestUnaskedS = 120.0;
+
+// Rough time of a first exact map on this machine: its comparison of envelopes, which is nearly all
+// of it for patterns of usual length.
+double expected_map_s(const PatternSet& set);
+double expected_map_s(std::size_t patterns, double longest_s);
+
+bool needs_asking(const PatternSet& set);
+
+struct LiveMapRequest {
+    std::uint64_t revision = 0;  // of the document
+    std::shared_ptr<const PatternSet> set;
+    int dimensions = 3;
+    bool preview = false;
+    std::optional<RenderedBy> rendered_by{};  // the patterns as a device plays them
+};
+
+// Whether both have one answer: names, notes and locks make no difference to the model.
+bool is_same_work(const LiveMapRequest& a, const LiveMapRequest& b);
+
+// One answer: a snapshot that panels draw as long as they like.
+struct LiveMap {
+    LiveMapRequest request;
+    Prediction prediction;
+    PerceptualSpace space;
+    double seconds = 0.0;                      // it took; 0: not to be told
+    std::shared_ptr<const PatternSet> played;  // what was compared: the set, or what a device plays
+};
+
+// Pairs of all maps that are kept for undo: 32 bytes each, besides their patterns' codes.
+inline constexpr std::size_t kKeptPairs = 500'000;
+
+// The work of one job. It keeps its answers: an edit of one pattern costs one row of the last, a
+// preview starts from where the points were, and a set as it was before, by undo, costs nothing.
+class LiveMapWork {
+  public:
+    explicit LiveMapWork(int threads = 0) : threads_(threads) {}
+
+    // Nothing when stopped. `progress` runs 0..1.
+    std::optional<LiveMap> operator()(const LiveMapRequest& request, std::stop_token stop,
+                                      std::atomic<float>& progress);
+
+  private:
+    std::optional<LiveMap> kept(const LiveMapRequest& request);
+    void keep(const LiveMap& map);
+    std::shared_ptr<const PatternSet> played(const LiveMapRequest& request, std::stop_token stop);
+
+    int threads_;                                      // 0: all cores
+    std::vector<std::shared_ptr<const LiveMap>> all_;  // exact ones; used last, last
+    std::shared_ptr<const LiveMap> last_;
+    std::optional<RenderedSet> rendered_;  // the last one
+};
+
+}  // namespace tact

@@ -1,0 +1,35 @@
+// What the map shows of the patterns' parameters and of the picked subset.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/window/app.h"
+#include "viz/space/space_view.h"
+
+namespace tact {
+
+// What a scene borrows while it is drawn.
+struct MapDecor {
+    std::vector<std::vector<std::size_t>> paths;
+    std::vector<std::size_t> chosen;
+    std::vector<std::size_t> faint;
+    std::vector<SpaceLink> links;
+};
+
+// Rows of the shown map; looks are coloured anew where the person asked for that.
+MapDecor map_decor(App& app, std::vector<PatternLook>& looks);
+void decorate(const App& app, const MapDecor& decor, SpaceScene& scene);
+
+// The link that opens the choices, for the row of the map's controls.
+void draw_map_look(App& app);
+
+// What the colours mean, in the upper right corner of the map.
+void draw_map_legend(const App& app, const Rect& area);
+
+// The menu of a point: lock, drop.
+void draw_point_menu(App& app, const SpaceAction& action,
+                     const std::vector<std::optional<std::size_t>>& places);
+
+}  // namespace tact

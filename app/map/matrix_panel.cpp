@@ -1,0 +1,132 @@
+// PM, NC or OC of every pair as a heat map, and the pair under the mouse in numbers.
+
+#include <cstdio>
+
+#include "app/compare/bench_follow.h"
+#include "app/document/editing.h"
+#include "app/map/map_follow.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "viz/charts/matrix_view.h"
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+const Dissimilarity& shown_matrix(const App& app) {
+    const Prediction& prediction = app.map.shown->prediction;
+    if (app.matrix_quantity == MatrixQuantity::nc) return prediction.nc;
+    if (app.matrix_quantity == MatrixQuantity::oc) return prediction.oc;
+    return prediction.pm;
+}
+
+const char* quantity_name(MatrixQuantity quantity) {
+    if (quantity == MatrixQuantity::nc) return "NC";
+    if (quantity == MatrixQuantity::oc) return "OC";
+    return "PM";
+}
+
+void draw_choice(App& app) {
+    const float gap = 1.5F * app.theme.gap_px;
+    float all = 2.0F * gap;
+    for (const auto q : {MatrixQuantity::pm, MatrixQuantity::nc, MatrixQuantity::oc}) {
+        all += radio_width(app, quantity_name(q));
+    }
+    // Beside the tabs, on the line of their words, or all of them below.
+    const float lower = 0.5F * (ImGui::GetFrameHeight() - ImGui::GetItemRectSize().y);
+    const bool beside = flow_on(all, 2.0F * gap);
+    if (beside) ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lower);
+    const auto choose = [&app, gap](MatrixQuantity quantity, const char* help) {
+        const char* name = quantity_name(quantity);
+        if (quantity != MatrixQuantity::pm) flow_on(radio_width(app, name), gap);
+        if (draw_radio(app, name, app.matrix_quantity == quantity)) app.matrix_quantity = quantity;
+        note_item(app.rects, std::string("radio:") + name);
+        draw_tooltip(app, help);
+    };
+    choose(MatrixQuantity::pm,
+           "Predicted dissimilarity: the weighted ranks of NC and OC. It depends on the set: a "
+           "pattern more or less changes every number.");
+    choose(MatrixQuantity::nc, "Neural coding: difference of the predicted brain waveforms.");
+    choose(MatrixQuantity::oc, "Rhythm: dynamic time warping of the two envelopes.");
+}
+
+// The pair's numbers beneath the map: all three, so that PM explains itself.
+void draw_pair(App& app, const Rect& area, std::optional<Pair> pair,
+               const std::vector<std::string>& labels) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Theme& theme = app.theme;
+    if (!pair) {
+        const char* hint = "Point at a cell for its numbers; click one to select its row.";
+        draw_text(list, theme.fonts.small, area.min, theme.dim_text,
+                  shortened(theme.fonts.small, hint, area.width()));
+        return;
+    }
+    const auto [i, j] = *pair;
+    const Prediction& prediction = app.map.shown->prediction;
+    const std::size_t m = prediction.pm.condensed.size();
+    const std::size_t k = pair_index(prediction.pm.size, std::min(i, j), std::max(i, j));
+    const std::string names = labels[i] + "   " + labels[j];
+    draw_text(list, theme.fonts.semibold, area.min, theme.text,
+              shortened(theme.fonts.semibold, names, area.width()));
+    char numbers[160];
+    std::snprintf(numbers, sizeof numbers, "PM %s of %s    NC %.3g, rank %s    OC %.4g, rank %s",
+                  grouped(prediction.pm.condensed[k], 4).c_str(),
+                  grouped(static_cast<double>(m), 4).c_str(), prediction.nc.condensed[k],
+                  grouped(prediction.nc_rank[k], 4).c_str(), prediction.oc.condensed[k],
+                  grouped(prediction.oc_rank[k], 4).c_str());
+    draw_text(list, theme.fonts.small,
+              {area.min.x, area.min.y + ImGui::GetTextLineHeightWithSpacing()}, theme.dim_text,
+              shortened(theme.fonts.small, numbers, area.width()));
+    note_rect(app.rects, "pair", area.min, area.max, names + "\t" + numbers);
+}
+
+}  // namespace
+
+void draw_matrix_panel(App& app) {
+    if (!app.as_picture) draw_choice(app);
+    Rect area = rest_of_pane();
+    if (area.empty()) return;
+    const bool has_pairs = app.map.shown && !app.map.shown->prediction.pm.condensed.empty();
+    if (!has_pairs || map_state(app) == MapState::too_large) {
+        const bool few = app.document.set.vibrations.size() < 2;
+        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area,
+                   few ? "No pairs to compare" : "No matrix yet",
+                   few ? "It takes two patterns to be alike or far apart."
+                       : "It is computed together with the space above.");
+        return;
+    }
+    const PatternSet& mapped = *app.map.shown->request.set;
+    const std::vector<std::string> labels = names_of(mapped);
+    // Low panes need it for the map; the pair under the mouse is told there, too.
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const bool has_foot = !app.as_picture && area.height() > 9.0F * line;
+    const float foot = has_foot ? 2.2F * line : 0.0F;
+    Rect foot_area = area;
+    foot_area.min.y = area.max.y - foot;
+    area.max.y = foot_area.min.y - app.theme.gap_px * 0.5F;
+
+    MatrixScene scene;
+    scene.condensed = shown_matrix(app).condensed;
+    scene.labels = labels;
+    scene.quantity = quantity_name(app.matrix_quantity);
+    const PatternSet& set = app.document.set;
+    const Vibration* current = current_vibration(app);
+    if (current != nullptr) scene.selected = place_named(mapped, current->name);
+    note_rect(app.rects, "view:Matrix", area.min, area.max);
+    const MatrixAction action = draw_matrix("matrix", app.theme, area, scene);
+    const auto place = [&](std::size_t row) { return place_named(set, labels[row]); };
+    if (action.clicked) {
+        const auto a = place(action.clicked->first);
+        const auto b = place(action.clicked->second);
+        if (a && b) choose_pair(app, *a, *b);
+    }
+    if (action.clicked_row) {
+        if (const auto row = place(*action.clicked_row)) select_only(app, *row);
+    }
+    if (action.hovered) app.selection.hovered = place(action.hovered->second);
+    if (has_foot) draw_pair(app, foot_area, action.hovered, labels);
+}
+
+}  // namespace tact

@@ -1,0 +1,292 @@
+#include "app/measured/import_follow.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/document/editing.h"
+#include "app/ui/file_question.h"
+#include "model/io/set/measured_files.h"
+#include "model/text/atomic_file.h"
+#include "model/text/natural_order.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_measured_kind(const fs::path& path) {
+    const std::string extension = extension_of(path);
+    return extension == ".csv" || extension == ".txt" || extension == ".wav";
+}
+
+// A folder stands for the recordings in it.
+std::vector<fs::path> files_of(const std::vector<fs::path>& paths) {
+    std::vector<fs::path> files;
+    for (const fs::path& path : paths) {
+        std::error_code fault;
+        if (!fs::is_directory(path, fault)) {
+            files.push_back(path);
+            continue;
+        }
+        const std::size_t first = files.size();
+        for (fs::directory_iterator entry(path, fault), end; !fault && entry != end;
+             entry.increment(fault)) {
+            if (is_measured_kind(entry->path())) files.push_back(entry->path());
+        }
+        std::sort(files.begin() + static_cast<std::ptrdiff_t>(first), files.end(),
+                  [](const fs::path& a, const fs::path& b) {
+                      return naturally_before(a.filename().string(), b.filename().string());
+                  });
+    }
+    return files;
+}
+
+// Keeps the waveform of a twin in a folder; what is wrong, or empty.
+std::string keep(Twin& twin, const fs::path& folder) {
+    if (folder.empty()) return {};
+    auto& measurement = std::get<Measurement>(twin.vibration.source);
+    const auto file = store_waveform(*measurement.waveform, twin.vibration.name, folder);
+    if (!file) return file.error().message;
+    measurement.path = file->string();
+    return {};
+}
+
+ImportedFile imported(const ImportRequest& request, std::size_t k) {
+    const auto recording = read_acceleration_file(request.files[k], request.options);
+    if (!recording) return {recording.error().message, {}, {}};
+    ImportedFile file{{}, recording->remarks, {}};
+    const auto place = place_named(*request.set, request.patterns[k]);
+    if (!place) return file;
+    file.twin = measured_twin(request.set->vibrations[*place], recording->waveform);
+    for (const std::string& remark : remarks_on(file.twin->alignment)) {
+        file.remarks.push_back(remark);
+    }
+    file.fault = keep(*file.twin, request.keep_in);
+    return file;
+}
+
+std::optional<ImportAnswer> import_all(const ImportRequest& request, std::stop_token stop,
+                                       std::atomic<float>& progress) {
+    ImportAnswer answer{request, {}};
+    for (std::size_t k = 0; k < request.files.size(); ++k) {
+        if (stop.stop_requested()) return std::nullopt;
+        answer.files.push_back(imported(request, k));
+        progress = static_cast<float>(k + 1) / static_cast<float>(request.files.size());
+    }
+    return answer;
+}
+
+std::optional<SimulationAnswer> simulate_all(const SimulationRequest& request, std::stop_token stop,
+                                             std::atomic<float>&) {
+    if (stop.stop_requested()) return std::nullopt;
+    SimulationAnswer answer{
+        request, synthetic_twins(*request.set, request.places, request.actuator), {}};
+    for (Twin& twin : answer.twins) {
+        if (answer.fault.empty()) answer.fault = keep(twin, request.keep_in);
+    }
+    return answer;
+}
+
+// Puts twins into the set as one step and selects the first.
+void take(App& app, const std::vector<const Twin*>& twins, const std::string& label) {
+    PatternSet& set = app.document.set;
+    std::size_t count = 0;
+    for (const Twin* twin : twins) {
+        const std::string& name = std::get<Measurement>(twin->vibration.source).measures;
+        if (!place_named(set, name) || set.vibrations.size() >= limits::kMaxPatterns) continue;
+        const std::size_t at = insert_twin(set, twin->vibration);
+        if (count++ == 0) select_only(app, at);
+    }
+    if (count == 0) return complain(app, "Nothing was added: its patterns are gone.");
+    app.set_panel.scroll_to_current = true;
+    app.fonts_outdated = true;  // names may need other glyphs
+    document_changed(app);
+    commit_step(app, label);
+    say(app, label + ": " + std::to_string(count) + (count == 1 ? " twin" : " twins") +
+                 " beside the intended patterns. View > Intended only or Measured only shows one "
+                 "side.");
+}
+
+ImportRequest import_request(App& app, const fs::path& keep_in) {
+    ImportState& state = *app.import;
+    return {++state.asked,
+            state.files,
+            state.patterns,
+            options_of(state.fields),
+            std::make_shared<const PatternSet>(app.document.set),
+            keep_in};
+}
+
+SimulationRequest simulation_request(App& app, std::vector<std::size_t> places,
+                                     const fs::path& keep_in) {
+    ImportState& state = *app.import;
+    return {++state.asked, std::move(places), state.actuator,
+            std::make_shared<const PatternSet>(app.document.set), keep_in};
+}
+
+void ask_for_simulation(App& app, SimulationRequest request) {
+    ImportState& state = *app.import;
+    using Job = LatestJob<SimulationRequest, SimulationAnswer>;
+    if (!state.simulation_job) {
+        state.simulation_job = std::make_unique<Job>(JobPolicy::supersede, simulate_all, app.wake);
+    }
+    state.simulation_job->submit(std::move(request));
+}
+
+void take_import(App& app, const ImportAnswer& answer) {
+    std::vector<const Twin*> twins;
+    for (const ImportedFile& file : answer.files) {
+        if (!file.fault.empty()) return complain(app, "Not imported: " + file.fault);
+        if (file.twin) twins.push_back(&*file.twin);
+    }
+    take(app, twins, twins.size() == 1 ? "Import recording" : "Import recordings");
+}
+
+void take_simulated(App& app, const SimulationAnswer& answer) {
+    if (!answer.fault.empty()) return complain(app, "Not simulated: " + answer.fault);
+    std::vector<const Twin*> twins;
+    for (const Twin& twin : answer.twins) twins.push_back(&twin);
+    take(app, twins, "Simulate measurement");
+}
+
+}  // namespace
+
+std::shared_ptr<ImportState> make_import() { return std::make_shared<ImportState>(); }
+
+void stop_import(App& app) {
+    if (!app.import) return;
+    app.import->import_job.reset();
+    app.import->simulation_job.reset();
+}
+
+fs::path measured_folder(const App& app) {
+    if (app.session.folder.empty()) return {};
+    std::error_code none;
+    return fs::weakly_canonical(app.session.folder / "measured", none);
+}
+
+void follow_import(App& app) {
+    if (!app.import) return;  // of a picture
+    ImportState& state = *app.import;
+    if (state.import_job) {
+        if (auto answer = state.import_job->latest()) state.answer = std::move(answer);
+    }
+    if (state.simulation_job) {
+        if (auto answer = state.simulation_job->latest()) state.simulated = std::move(answer);
+    }
+    // The chooser was left without a file.
+    if (state.adding && !app.chooser.is_open && app.dialog == Dialog::none) {
+        state.adding = false;
+        app.dialog = Dialog::import_recordings;
+    }
+    if (state.taking == 0) return;
+    if (state.answer && state.answer->request.number == state.taking) {
+        state.taking = 0;
+        take_import(app, *state.answer);
+    } else if (state.simulated && state.simulated->request.number == state.taking) {
+        state.taking = 0;
+        take_simulated(app, *state.simulated);
+    }
+}
+
+void import_recordings_dialog(App& app) {
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::import_recordings,
+                  .use = ChooserUse::open,
+                  .title = "Import a recording, or a folder of them",
+                  .extensions = {".csv", ".txt", ".wav"},
+                  .folders_too = true},
+                 app.document.path.parent_path());
+}
+
+void import_recordings(App& app, const std::vector<fs::path>& paths) {
+    const std::vector<fs::path> files = files_of(paths);
+    if (files.empty()) {
+        return complain(app, "No recording there: expected .csv, .txt or .wav files");
+    }
+    if (app.document.set.vibrations.empty()) {
+        return complain(app,
+                        "A recording is imported as a measurement of a pattern: there is none");
+    }
+    ImportState& state = *app.import;
+    if (!std::exchange(state.adding, false)) {
+        state.files.clear();
+        state.patterns.clear();
+        state.answer.reset();
+    }
+    state.shown = state.files.size();
+    for (const fs::path& file : files) {
+        const auto place = guessed_intended(app.document.set, valid_utf8(file.stem().string()));
+        state.files.push_back(file);
+        state.patterns.push_back(place ? app.document.set.vibrations[*place].name : "");
+    }
+    app.dialog = Dialog::import_recordings;
+    look_at_recordings(app);
+}
+
+bool are_accelerations(const std::vector<fs::path>& paths) {
+    if (paths.empty() || extension_of(paths.front()) != ".csv") return false;
+    const auto text = read_text_file(paths.front());
+    return text && parse_acceleration_table(*text, "", true);
+}
+
+void simulate_measurement_dialog(App& app) {
+    app.dialog = Dialog::simulate_measurement;
+    app.import->simulated.reset();
+    look_at_simulation(app);
+}
+
+void look_at_recordings(App& app) {
+    ImportState& state = *app.import;
+    using Job = LatestJob<ImportRequest, ImportAnswer>;
+    if (!state.import_job) {
+        state.import_job = std::make_unique<Job>(JobPolicy::supersede, import_all, app.wake);
+    }
+    state.import_job->submit(import_request(app, {}));
+}
+
+void take_recordings(App& app) {
+    const fs::path folder = measured_folder(app);
+    if (folder.empty()) return complain(app, "Not imported: there is no folder to keep it in");
+    app.import->import_job->submit(import_request(app, folder));
+    app.import->taking = app.import->asked;
+}
+
+void look_at_simulation(App& app) {
+    ask_for_simulation(app, simulation_request(app, {app.selection.current}, {}));
+}
+
+void take_simulation(App& app) {
+    const fs::path folder = measured_folder(app);
+    if (folder.empty()) return complain(app, "Not simulated: there is no folder to keep it in");
+    std::vector<std::size_t> places;
+    if (!app.import->simulate_all) places = selected_indices(app);
+    ask_for_simulation(app, simulation_request(app, places, folder));
+    app.import->taking = app.import->asked;
+}
+
+Side shown_side(const App& app) { return app.import ? app.import->side : Side::both; }
+
+void show_side(App& app, Side side) {
+    if (shown_side(app) == side) return;
+    app.import->side = side;
+    document_changed(app);
+}
+
+PatternSet shown_set(const App& app) { return one_side(app.document.set, shown_side(app)); }
+
+std::string shown_patterns_text(const App& app) {
+    const std::size_t all = app.document.set.vibrations.size();
+    const Side side = shown_side(app);
+    if (side == Side::both) return std::to_string(all);
+    const auto count =
+        std::ranges::count_if(app.document.set.vibrations, [side](const Vibration& vibration) {
+            return measures_another(vibration) == (side == Side::measured);
+        });
+    return std::to_string(count) + " " + kSideNames[static_cast<std::size_t>(side)] + " of " +
+           std::to_string(all);
+}
+
+}  // namespace tact

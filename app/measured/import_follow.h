@@ -1,0 +1,50 @@
+// Measurements in the window: recordings and simulations become twins of the set's patterns.
+//
+// Left out  drawing: app/measured/import_dialogs.cpp.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/measured/import_state.h"
+#include "app/window/app.h"
+
+namespace tact {
+
+std::shared_ptr<ImportState> make_import();
+void stop_import(App& app);
+
+// Takes what was read or simulated; what was to go into the set does, as one step.
+void follow_import(App& app);
+
+// Choosing recordings, then the dialog on them.
+void import_recordings_dialog(App& app);
+void import_recordings(App& app, const std::vector<std::filesystem::path>& paths);
+
+// Whether these are tables of accelerations rather than of ratings.
+bool are_accelerations(const std::vector<std::filesystem::path>& paths);
+
+void simulate_measurement_dialog(App& app);
+
+// What the dialogs ask for: a look, or twins in the set.
+void look_at_recordings(App& app);
+void take_recordings(App& app);
+void look_at_simulation(App& app);
+void take_simulation(App& app);
+
+// Where waveforms are until their set is saved; empty where nothing can be kept.
+std::filesystem::path measured_folder(const App& app);
+
+// The side of the set that is shown; changing it makes the maps anew.
+Side shown_side(const App& app);
+void show_side(App& app, Side side);
+
+// The part of the document that maps are made of.
+PatternSet shown_set(const App& app);
+
+// "24 patterns", "12 measured of 24".
+std::string shown_patterns_text(const App& app);
+
+void draw_import_dialogs(App& app);
+
+}  // namespace tact

@@ -1,0 +1,35 @@
+// Models that were used are kept with their provenance in the folder "models" beside the session,
+// for choosing in any set.
+//
+// Left out  removing one: its file is the person's to delete.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/model_bench/training_state.h"
+#include "app/window/app.h"
+#include "model/io/set/model_file.h"
+
+namespace tact {
+
+inline constexpr const char* kModelEnding = ".model.json";
+
+// A name without what a file's cannot have.
+std::string file_stem_of(std::string name);
+
+// Read once, by name; empty without a folder to keep them in.
+const std::vector<KeptModel>& kept_models(App& app);
+
+// Under a name that no other has; one that is there already stays. An Error changes nothing.
+Expected<Done> keep_model(App& app, const std::string& name, const ModelFile& content);
+
+// The document's model, as one step. `what`: "the paper's parameters".
+void use_model(App& app, const PerceptualModelParams& model, const std::string& what);
+
+// From a file, to be kept and used.
+void load_model_dialog(App& app);
+void load_model(App& app, const std::filesystem::path& path);
+
+}  // namespace tact

@@ -1,0 +1,365 @@
+// The model bench: every parameter of PM, what the paper gives, what is ours, and what was changed.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "app/document/editing.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+using Model = PerceptualModelParams;
+
+// A number of the model.
+struct NumberRow {
+    Field field;
+    double (*get)(const Model&);
+    void (*set)(Model&, double);
+};
+
+// One of a few ways to do something.
+struct ChoiceRow {
+    const char* id;
+    const char* label;
+    const char* help;
+    std::array<const char*, 2> options;
+    int (*get)(const Model&);
+    void (*set)(Model&, int);
+};
+
+constexpr Field layers(const char* id, const char* label, const char* help) {
+    return {.id = id,
+            .label = label,
+            .format = "%.0f",
+            .slider = {0, 4},
+            .typed = limits::kLayers,
+            .step = 1,
+            .snap = 1,
+            .help = help};
+}
+
+constexpr Field weight(const char* id, const char* label, const char* help) {
+    return {.id = id,
+            .label = label,
+            .format = "%.4g",
+            .slider = {0.0, 1.0},
+            .typed = limits::kWeight,
+            .step = 0.1,
+            .snap = 0.1,
+            .help = help};
+}
+
+constexpr Field kernel(const char* id, const char* label, const char* help) {
+    return {.id = id,
+            .label = label,
+            .format = "%.4g",
+            .slider = {-8.0, 8.0},
+            .typed = limits::kKernel,
+            .step = 1.0,
+            .snap = 0.5,
+            .help = help};
+}
+
+constexpr Field order(const char* id, const char* label, const char* help) {
+    return {.id = id,
+            .label = label,
+            .format = "%.0f",
+            .slider = {1, 12},
+            .typed = limits::kFilterOrder,
+            .step = 1,
+            .snap = 1,
+            .help = help};
+}
+
+int whole(double value) { return static_cast<int>(std::lround(value)); }
+
+const std::array<NumberRow, 8> kTrained{{
+    {layers("excitatory_layers", "L_E", "Excitatory layers of each relay network"),
+     [](const Model& m) { return double(m.coding.excitatory_layers); },
+     [](Model& m, double v) { m.coding.excitatory_layers = whole(v); }},
+    {layers("inhibitory_layers", "L_I", "Inhibitory layers of each relay network"),
+     [](const Model& m) { return double(m.coding.inhibitory_layers); },
+     [](Model& m, double v) { m.coding.inhibitory_layers = whole(v); }},
+    {weight("weight_FA1", "w Meissner", "Weight of FA1 in the brain waveform"),
+     [](const Model& m) { return m.channel_weight[0]; },
+     [](Model& m, double v) { m.channel_weight[0] = v; }},
+    {weight("weight_FA2", "w Pacinian", "Weight of FA2 in the brain waveform"),
+     [](const Model& m) { return m.channel_weight[1]; },
+     [](Model& m, double v) { m.channel_weight[1] = v; }},
+    {weight("weight_SA1", "w Merkel", "Weight of SA1 in the brain waveform"),
+     [](const Model& m) { return m.channel_weight[2]; },
+     [](Model& m, double v) { m.channel_weight[2] = v; }},
+    {weight("weight_SA2", "w Ruffini", "Weight of SA2 in the brain waveform"),
+     [](const Model& m) { return m.channel_weight[3]; },
+     [](Model& m, double v) { m.channel_weight[3] = v; }},
+    {weight("weight_NC", "w NC", "Weight of neural coding's ranks in PM"),
+     [](const Model& m) { return m.nc_weight; }, [](Model& m, double v) { m.nc_weight = v; }},
+    {weight("weight_OC", "w OC", "Weight of the rhythm's ranks in PM"),
+     [](const Model& m) { return m.oc_weight; }, [](Model& m, double v) { m.oc_weight = v; }},
+}};
+
+const std::array<ChoiceRow, 8> kChoices{{
+    {"remove_mean",
+     "Mean",
+     "1/f\u00b2 would turn 1 mg of drift at 1 Hz into 248 \u00b5m.",
+     {"kept", "removed"},
+     [](const Model& m) { return m.coding.remove_mean ? 1 : 0; },
+     [](Model& m, int v) { m.coding.remove_mean = v == 1; }},
+    {"skin_input",
+     "Skin input",
+     "What Eq. 2 takes the logarithm of: peak displacement in \u00b5m, or the number of g as if it "
+     "were \u00b5m.",
+     {"displacement", "acceleration"},
+     [](const Model& m) { return int(m.coding.skin_input); },
+     [](Model& m, int v) { m.coding.skin_input = SkinInput(v); }},
+    {"components",
+     "Components",
+     "Every bin of the spectrum above threshold, as the paper; or local maxima only, immune to "
+     "leakage.",
+     {"all", "peaks"},
+     [](const Model& m) { return int(m.coding.components); },
+     [](Model& m, int v) { m.coding.components = Components(v); }},
+    {"subthreshold",
+     "Below threshold",
+     "Components below threshold count nothing, or take impulses away.",
+     {"ignored", "subtracted"},
+     [](const Model& m) { return int(m.coding.subthreshold); },
+     [](Model& m, int v) { m.coding.subthreshold = Subthreshold(v); }},
+    {"share",
+     "Impulses",
+     "The population's total is shared out by rate, as the paper's sentence; or every receptor "
+     "fires at its own rate.",
+     {"total", "own"},
+     [](const Model& m) { return int(m.coding.share); },
+     [](Model& m, int v) { m.coding.share = FireSharing(v); }},
+    {"split",
+     "10 ms window",
+     "Its spikes fall into both halves of 5 ms, or all into the first.",
+     {"halves", "first"},
+     [](const Model& m) { return int(m.coding.split); },
+     [](Model& m, int v) { m.coding.split = WindowSplit(v); }},
+    {"envelope_scale",
+     "Envelope",
+     "Scaled to its own maximum: rhythm, not strength. Or left in g.",
+     {"normalised", "raw"},
+     [](const Model& m) { return int(m.envelope.scale); },
+     [](Model& m, int v) { m.envelope.scale = EnvelopeScale(v); }},
+    {"envelope_alignment",
+     "Average",
+     "Over the last 10 ms, or over 10 ms around each moment.",
+     {"causal", "centred"},
+     [](const Model& m) { return int(m.envelope.alignment); },
+     [](Model& m, int v) { m.envelope.alignment = EnvelopeAlignment(v); }},
+}};
+
+const std::array<NumberRow, 9> kNumbers{{
+    {{.id = "peak_fraction",
+      .label = "Peaks from",
+      .format = "%.3g",
+      .slider = {0.0, 0.5},
+      .typed = limits::kShare,
+      .step = 0.01,
+      .help =
+          "Share of the largest amplitude from which a local maximum counts (components: peaks)"},
+     [](const Model& m) { return m.coding.peak_fraction; },
+     [](Model& m, double v) { m.coding.peak_fraction = v; }},
+    {order("band_pass_order", "Band-pass", "Butterworth order of each edge; twice that in total"),
+     [](const Model& m) { return double(m.coding.band_pass_order_per_edge); },
+     [](Model& m, double v) { m.coding.band_pass_order_per_edge = whole(v); }},
+    {order("low_pass_order", "Low-pass", "Butterworth order of the Merkel filter"),
+     [](const Model& m) { return double(m.coding.low_pass_order); },
+     [](Model& m, double v) { m.coding.low_pass_order = whole(v); }},
+    {kernel("excitatory_centre", "E centre", "Eq. 5: weight of a neuron's own place"),
+     [](const Model& m) { return m.coding.excitatory.centre; },
+     [](Model& m, double v) { m.coding.excitatory.centre = v; }},
+    {kernel("excitatory_arm", "E arms", "Eq. 5: weight of its four neighbours"),
+     [](const Model& m) { return m.coding.excitatory.arm; },
+     [](Model& m, double v) { m.coding.excitatory.arm = v; }},
+    {kernel("inhibitory_centre", "I centre", "The numbers of Eq. 6 are lost: ours"),
+     [](const Model& m) { return m.coding.inhibitory.centre; },
+     [](Model& m, double v) { m.coding.inhibitory.centre = v; }},
+    {kernel("inhibitory_arm", "I arms", "The numbers of Eq. 6 are lost: ours"),
+     [](const Model& m) { return m.coding.inhibitory.arm; },
+     [](Model& m, double v) { m.coding.inhibitory.arm = v; }},
+    {{.id = "spike_cap",
+      .label = "Cap",
+      .format = "%.0f",
+      .slider = limits::kSpikeCap,
+      .typed = limits::kSpikeCap,
+      .step = 1,
+      .snap = 1,
+      .help = "Most impulses of a cell in 5 ms; 50 samples at 10 kHz"},
+     [](const Model& m) { return double(m.coding.spike_cap); },
+     [](Model& m, double v) { m.coding.spike_cap = whole(v); }},
+    {{.id = "silent_energy_fraction",
+      .label = "Silence below",
+      .format = "%.3g",
+      .slider = {1e-15, 1e-3},
+      .typed = limits::kShare,
+      .step = 1e-12,
+      .logarithmic = true,
+      .help = "Share of the vibration's energy in a channel's band below which it is silent"},
+     [](const Model& m) { return m.coding.silent_energy_fraction; },
+     [](Model& m, double v) { m.coding.silent_energy_fraction = v; }},
+}};
+
+void change_model(App& app, const std::function<void(Model&)>& change) {
+    change(app.document.set.model);
+    document_changed(app);
+}
+
+void commit_model(App& app, const std::string& what) { commit_step(app, "Change " + what); }
+
+// After a row that was changed: what it was, and the way back. True when pressed.
+bool draw_way_back(App& app, const char* id, bool changed, const std::string& original) {
+    if (!changed) return false;
+    flow_on(ImGui::CalcTextSize(original.c_str()).x, app.theme.gap_px * 0.5F);
+    ImGui::PushID(id);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
+    const bool pressed = link(app, "back", original);
+    note_item(app.rects, std::string("reset:") + id, original);
+    draw_tooltip(app, "Changed. Click to go back to this value.");
+    ImGui::PopID();
+    return pressed;
+}
+
+void draw_number(App& app, const NumberRow& row, const Model& original) {
+    const double before = row.get(app.document.set.model);
+    const double known = row.get(original);
+    double value = before;
+    const float room = 56.0F * app.theme.scale;
+    ImGui::BeginGroup();
+    Field field = row.field;
+    field.right_room_px = room;
+    const FieldEdit edit = draw_field(app, field, value);
+    ImGui::EndGroup();
+    if (edit.changed) change_model(app, [&](Model& m) { row.set(m, value); });
+    if (edit.finished) commit_model(app, row.field.label);
+    char text[32];
+    std::snprintf(text, sizeof text, row.field.format, known);
+    if (draw_way_back(app, row.field.id, before != known, text)) {
+        change_model(app, [&](Model& m) { row.set(m, known); });
+        commit_model(app, row.field.label);
+    }
+}
+
+void draw_choice(App& app, const ChoiceRow& row, const Model& original) {
+    const int before = row.get(app.document.set.model);
+    const int known = row.get(original);
+    ImGui::PushID(row.id);
+    const float gap = 1.5F * app.theme.gap_px;
+    draw_label(app, row.label,
+               radio_width(app, row.options[0]) + gap + radio_width(app, row.options[1]));
+    draw_tooltip(app, row.help);
+    for (int k = 0; k < 2; ++k) {
+        const char* option = row.options[static_cast<std::size_t>(k)];
+        if (k > 0) flow_on(radio_width(app, option), gap);
+        if (draw_radio(app, option, before == k) && before != k) {
+            change_model(app, [&](Model& m) { row.set(m, k); });
+            commit_model(app, row.label);
+        }
+        note_item(app.rects, std::string("choice:") + row.id + " " + option,
+                  before == k ? "chosen" : "");
+        draw_tooltip(app, row.help);
+    }
+    if (draw_way_back(app, row.id, before != known, row.options[static_cast<std::size_t>(known)])) {
+        change_model(app, [&](Model& m) { row.set(m, known); });
+        commit_model(app, row.label);
+    }
+    ImGui::PopID();
+}
+
+void draw_heading(App& app, const char* text, const char* detail) {
+    ImGui::Dummy({1.0F, app.theme.gap_px * 0.5F});
+    ImGui::PushFont(app.theme.fonts.semibold);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::PushTextWrapPos(0.0F);
+    dim_text(app, detail);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
+// How many parameters are not as they come.
+int count_changed(const Model& model, const Model& original) {
+    int count = 0;
+    for (const NumberRow& row : kTrained) count += row.get(model) != row.get(original);
+    for (const NumberRow& row : kNumbers) count += row.get(model) != row.get(original);
+    for (const ChoiceRow& row : kChoices) count += row.get(model) != row.get(original);
+    for (std::size_t c = 0; c < kReceptorCount; ++c) {
+        count += model.coding.tables.slope[c] != original.coding.tables.slope[c];
+        count += model.coding.tables.threshold[c] != original.coding.tables.threshold[c];
+    }
+    return count;
+}
+
+void draw_summary(App& app, const Model& original) {
+    const int changed = count_changed(app.document.set.model, original);
+    if (changed == 0) {
+        ImGui::PushTextWrapPos(0.0F);
+        dim_text(app,
+                 "As published: trained parameters of the paper, choices of ours where it "
+                 "leaves one open.");
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    char text[96];
+    std::snprintf(text, sizeof text,
+                  changed == 1 ? "%d parameter changed." : "%d parameters changed.", changed);
+    ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+    note_item(app.rects, "model:changed", std::to_string(changed));
+    constexpr const char* kBack = "Back to the paper's";
+    flow_on(ImGui::CalcTextSize(kBack).x, app.theme.gap_px);
+    if (link(app, "reset model", kBack)) {
+        change_model(app, [&](Model& m) { m = original; });
+        commit_model(app, "the model back to the paper's");
+    }
+    note_item(app.rects, "reset:model");
+}
+
+void draw_views(App& app) {
+    const auto view = [&app](ModelView which, const char* name) {
+        if (draw_chip(app, name, name, app.model_panel.view == which)) app.model_panel.view = which;
+        note_item(app.rects, std::string("model:") + name);
+    };
+    view(ModelView::parameters, "Parameters");
+    flow_on(chip_width(app, "Train on ratings"), 2.0F * app.theme.scale);
+    view(ModelView::training, "Train on ratings");
+    ImGui::Dummy({1.0F, 1.0F});
+}
+
+}  // namespace
+
+void draw_model_panel(App& app) {
+    draw_views(app);
+    if (app.model_panel.view == ModelView::training) return draw_training(app);
+    const Model original;
+    ImGui::BeginChild("parameters", ImGui::GetContentRegionAvail());
+    draw_hint(app, "model",
+              "Every number here changes the prediction at once, for this set only. Changed ones "
+              "show what they were; click it to go back.");
+    draw_model_choice(app);
+    draw_summary(app, original);
+    draw_heading(app, "Trained in the paper",
+                 "With the authors' own tables and kernels; with ours they are a starting point.");
+    for (const NumberRow& row : kTrained) draw_number(app, row, original);
+    draw_heading(app, "Choices of ours", "Where the paper leaves a choice open.");
+    for (const ChoiceRow& row : kChoices) draw_choice(app, row, original);
+    for (const NumberRow& row : kNumbers) draw_number(app, row, original);
+    draw_heading(app, "Physiology tables",
+                 "Rebuilt from published rates and slopes; the original figures were not at hand.");
+    draw_table_fields(app, original.coding.tables);
+    ImGui::EndChild();
+}
+
+}  // namespace tact

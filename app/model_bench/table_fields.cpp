@@ -1,0 +1,111 @@
+// The tables of slopes and thresholds of one receptor type, knot by knot.
+
+#include <cmath>
+#include <cstdio>
+
+#include "app/document/editing.h"
+#include "app/document/files.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+constexpr Range kThresholdLog10Um{-6.0, 6.0};
+constexpr Range kSlope{0.0, 10'000.0};
+
+Curve& curve_of(PhysiologyTables& tables, bool threshold, Receptor type) {
+    return threshold ? tables.threshold[index_of(type)] : tables.slope[index_of(type)];
+}
+
+const Curve& curve_of(const PhysiologyTables& tables, bool threshold, Receptor type) {
+    return threshold ? tables.threshold[index_of(type)] : tables.slope[index_of(type)];
+}
+
+void draw_choices(App& app) {
+    ModelPanelState& state = app.model_panel;
+    const float gap = 1.5F * app.theme.gap_px;
+    for (const Receptor receptor : kReceptors) {
+        const char* name = traits(receptor).name;
+        if (receptor != kReceptors[0]) flow_on(radio_width(app, name), gap);
+        if (draw_radio(app, name, state.type == receptor)) state.type = receptor;
+        note_item(app.rects, std::string("table:") + traits(receptor).afferent);
+    }
+    if (draw_radio(app, "threshold", state.threshold)) state.threshold = true;
+    flow_on(radio_width(app, "slope"), gap);
+    if (draw_radio(app, "slope", !state.threshold)) state.threshold = false;
+    note_item(app.rects, "table:slope");
+}
+
+// One knot: its frequency, its value, and what it was.
+void draw_knot(App& app, std::size_t k, const Curve& original) {
+    const ModelPanelState& state = app.model_panel;
+    const Curve& curve =
+        curve_of(app.document.set.model.coding.tables, state.threshold, state.type);
+    char label[32];
+    std::snprintf(label, sizeof label, "%.4g Hz", curve.frequency_hz[k]);
+    const std::string id = "knot_" + std::to_string(k);
+    const Field field{.id = id.c_str(),
+                      .label = label,
+                      .format = state.threshold ? "%.3f" : "%.4g",
+                      .slider = state.threshold ? Range{-3.0, 4.0} : Range{0.0, 400.0},
+                      .typed = state.threshold ? kThresholdLog10Um : kSlope,
+                      .step = state.threshold ? 0.05 : 1.0,
+                      .help = state.threshold ? "Absolute threshold, log10 of \u00b5m peak"
+                                              : "Slope \u03b1, impulses/s per log10 of \u00b5m",
+                      .right_room_px = 56.0F * app.theme.scale};
+    double value = curve.value[k];
+    const double before = value;
+    ImGui::BeginGroup();
+    const FieldEdit edit = draw_field(app, field, value);
+    ImGui::EndGroup();
+    const auto write = [&](double to) {
+        PhysiologyTables& tables = app.document.set.model.coding.tables;
+        curve_of(tables, state.threshold, state.type).value[k] = to;
+        document_changed(app);
+    };
+    const std::string step = std::string("Change ") + traits(state.type).name +
+                             (state.threshold ? " threshold" : " slope");
+    if (edit.changed) write(value);
+    if (edit.finished) commit_step(app, step);
+    const bool known = k < original.value.size() && curve.frequency_hz == original.frequency_hz;
+    if (!known || before == original.value[k]) return;
+    ImGui::SameLine(0.0F, app.theme.gap_px * 0.5F);
+    char text[32];
+    std::snprintf(text, sizeof text, field.format, original.value[k]);
+    ImGui::PushID(id.c_str());
+    if (link(app, "back", text)) {
+        write(original.value[k]);
+        commit_step(app, step);
+    }
+    note_item(app.rects, "reset:" + id);
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void draw_table_fields(App& app, const PhysiologyTables& original) {
+    draw_choices(app);
+    const ModelPanelState& state = app.model_panel;
+    const Curve curve = curve_of(app.document.set.model.coding.tables, state.threshold, state.type);
+    const Curve& known = curve_of(original, state.threshold, state.type);
+    for (std::size_t k = 0; k < curve.value.size(); ++k) draw_knot(app, k, known);
+    if (link(app, "load tables", "Load tables from CSV\u2026")) load_tables_dialog(app);
+    note_item(app.rects, "load tables");
+    draw_tooltip(app,
+                 "A file with columns receptor, frequency_hz and either "
+                 "slope_imp_per_s_per_log10um or threshold_log10_um_peak");
+    if (curve == known) return;
+    constexpr const char* kReset = "This table as it was";
+    flow_on(ImGui::CalcTextSize(kReset).x, app.theme.padding_px);
+    if (link(app, "reset table", kReset)) {
+        curve_of(app.document.set.model.coding.tables, state.threshold, state.type) = known;
+        document_changed(app);
+        commit_step(app, std::string("Reset ") + traits(state.type).name + " table");
+    }
+    note_item(app.rects, "reset:table");
+}
+
+}  // namespace tact

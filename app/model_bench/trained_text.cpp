@@ -1,0 +1,73 @@
+#include "app/model_bench/trained_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace tact {
+
+namespace {
+
+constexpr std::size_t kLayerParameters = 2;
+constexpr std::size_t kMixParameters = 2;  // the last ones
+constexpr std::size_t kNamedSets = 3;
+
+std::string fixed(double value, int digits) {
+    if (std::isnan(value)) return "-";
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+}  // namespace
+
+std::string weight_text(double weight, double step) {
+    int digits = 1;
+    for (double ten = 10.0; digits < 3; ++digits, ten *= 10.0) {
+        if (std::abs(step * ten - std::round(step * ten)) < 1e-9) break;
+    }
+    return fixed(weight, digits);
+}
+
+std::vector<std::string> parameter_texts(const PerceptualModelParams& model, double step) {
+    std::vector<std::string> texts;
+    for (const double value : trained_values(model)) {
+        texts.push_back(texts.size() < kLayerParameters ? fixed(value, 0)
+                                                        : weight_text(value, step));
+    }
+    return texts;
+}
+
+std::vector<std::string> parameter_texts(const TrainingGrid& grid, const GridPoint& point) {
+    PerceptualModelParams none;
+    none.channel_weight = {};
+    none.nc_weight = none.oc_weight = 0.0;
+    auto texts = parameter_texts(nearest_model(grid, point, none), 1.0 / grid.units);
+    if (point.channel == kAny) std::fill(texts.begin(), texts.end() - kMixParameters, "any");
+    return texts;
+}
+
+std::string provenance_text(const TrainingRecord& record) {
+    std::string sets;
+    for (std::size_t k = 0; k < std::min(record.sets.size(), kNamedSets); ++k) {
+        const TrainedOn& set = record.sets[k];
+        sets += (k == 0 ? "" : "; ") + set.name + " (" +
+                counted(set.patterns, "pattern", "patterns") + ", " +
+                counted(set.rated_pairs, "pair", "pairs") + ", " +
+                counted(set.participants, "person", "people") + ")";
+    }
+    if (record.sets.size() > kNamedSets) {
+        sets += " and " + std::to_string(record.sets.size() - kNamedSets) + " more";
+    }
+    const std::string day = record.date.substr(0, record.date.find('T'));
+    const bool absolute = record.objective == TrainingObjective::mean_absolute_rho;
+    return "Trained on " + sets + (day.empty() ? "" : ", " + day) + ": mean " +
+           (absolute ? "|rho| " : "rho ") + fixed(record.value, 3) + ", was " +
+           fixed(record.value_before, 3) + ".";
+}
+
+}  // namespace tact

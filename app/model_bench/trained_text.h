@@ -1,0 +1,25 @@
+// Trained parameters and where they come from, in words: for the terminal and for the window.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/io/set/model_file.h"
+#include "model/training/training.h"
+
+namespace tact {
+
+// A weight of a grid whose steps are so long, with as many digits as that takes, at most three.
+std::string weight_text(double weight, double step);
+
+// In the order of kTrainedNames.
+std::vector<std::string> parameter_texts(const PerceptualModelParams& model, double step);
+
+// Of a class of equally good combinations: the smallest of its proportion, "any" for what does not
+// matter as OC alone decides.
+std::vector<std::string> parameter_texts(const TrainingGrid& grid, const GridPoint& point);
+
+// "Trained on four (4 patterns, 6 pairs, 20 people), 2026-11-21: mean rho 0.712, was 0.621."
+std::string provenance_text(const TrainingRecord& record);
+
+}  // namespace tact

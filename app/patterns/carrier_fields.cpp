@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/document/editing.h"
+#include "app/patterns/pattern_fields.h"
+
+namespace tact {
+
+namespace {
+
+// The nearest frequency with a whole number of cycles: no energy leaks between bins.
+double snapped_hz(double frequency_hz, double duration_s) {
+    const double bin_hz = 1.0 / duration_s;
+    return std::max(bin_hz, std::round(frequency_hz / bin_hz) * bin_hz);
+}
+
+bool leaks(const Pattern& pattern) {
+    for (const Carrier& carrier : pattern.carriers) {
+        const double cycles = carrier.frequency_hz * pattern.duration_s;
+        if (std::abs(cycles - std::round(cycles)) > 1e-6) return true;
+    }
+    return false;
+}
+
+void draw_leak_warning(App& app, const Pattern& pattern) {
+    if (!leaks(pattern) || !pattern.rhythm.text.empty()) return;
+    char label[64];
+    std::snprintf(label, sizeof label, "Snap to %.4g Hz steps", 1.0 / pattern.duration_s);
+    const float gap = app.theme.gap_px;
+    const float snap = ImGui::CalcTextSize(label).x;
+    const float both = ImGui::CalcTextSize("leaks").x + gap + snap;
+    if (!flow_on(both, 2.0F * gap)) draw_label(app, "", both);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.warning));
+    ImGui::TextUnformatted("leaks");
+    ImGui::PopStyleColor();
+    draw_tooltip(app,
+                 "A carrier does not fit a whole number of cycles into the pattern. Its spectrum "
+                 "leaks into neighbouring bins, and the model counts each of them: rates come out "
+                 "too high. Frequencies that are multiples of 1 / duration do not leak.");
+    flow_on(snap, gap);
+    if (link(app, "snap", label)) {
+        edit_patterns(app, [](Pattern& p) {
+            for (Carrier& carrier : p.carriers) {
+                carrier.frequency_hz = snapped_hz(carrier.frequency_hz, p.duration_s);
+            }
+        });
+        commit_step(app, "Snap " + of_selection(app, "carriers"));
+    }
+}
+
+void draw_carrier(App& app, const Pattern& pattern, std::size_t k) {
+    const Carrier& carrier = pattern.carriers[k];
+    ImGui::PushID(static_cast<int>(k));
+    const std::string label = "Carrier " + std::to_string(k + 1);
+    const std::string id = "carrier_" + std::to_string(k + 1) + "_hz";
+    const double bin_hz = 1.0 / pattern.duration_s;
+    edit_number(
+        app,
+        {.id = id.c_str(),
+         .label = label.c_str(),
+         .format = "%.5g Hz",
+         .slider = {10.0, 500.0},
+         .typed = limits::kCarrierHz,
+         .step = std::max(1.0, bin_hz),
+         .snap = bin_hz,
+         .logarithmic = true,
+         .help = "Frequency of the sine, in steps that do not leak. Typed values are exact and "
+                 "reach from 0.1 to 1000 Hz."},
+        carrier.frequency_hz, "carrier", [k](Pattern& p, double value) {
+            if (k < p.carriers.size()) p.carriers[k].frequency_hz = value;
+        });
+    ImGui::PopID();
+}
+
+// Share of the second of two carriers; with more, each has its own weight.
+void draw_mix(App& app, const Pattern& pattern) {
+    const auto& carriers = pattern.carriers;
+    if (carriers.size() == 2) {
+        const double sum = carriers[0].weight + carriers[1].weight;
+        const double share = sum != 0.0 ? carriers[1].weight / sum : 0.5;
+        edit_number(app,
+                    {.id = "mix",
+                     .label = "Mix",
+                     .format = "%.3g",
+                     .slider = {0.0, 1.0},
+                     .typed = {0.0, 1.0},
+                     .step = 0.05,
+                     .snap = 0.01,
+                     .help = "Share of carrier 2; carrier 1 has the rest."},
+                    share, "mix", [](Pattern& p, double value) {
+                        if (p.carriers.size() != 2) return;
+                        p.carriers[0].weight = 1.0 - value;
+                        p.carriers[1].weight = value;
+                    });
+        return;
+    }
+    if (carriers.size() < 2) return;
+    for (std::size_t k = 0; k < carriers.size(); ++k) {
+        const std::string label = "Weight " + std::to_string(k + 1);
+        const std::string id = "weight_" + std::to_string(k + 1);
+        edit_number(
+            app,
+            {id.c_str(), label.c_str(), "%.3g", {0.0, 1.0}, limits::kCarrierWeight, 0.05, 0.01},
+            carriers[k].weight, "weight", [k](Pattern& p, double value) {
+                if (k < p.carriers.size()) p.carriers[k].weight = value;
+            });
+    }
+}
+
+void add_carrier(App& app) {
+    edit_patterns(app, [](Pattern& p) {
+        if (p.carriers.size() >= limits::kMaxCarriers) return;
+        Carrier fresh = p.carriers.back();
+        fresh.frequency_hz = snapped_hz(std::min(3.0 * fresh.frequency_hz, 500.0), p.duration_s);
+        p.carriers.push_back(fresh);
+        // Equal shares, so that the pattern does not get stronger by it.
+        for (Carrier& carrier : p.carriers) {
+            carrier.weight = 1.0 / static_cast<double>(p.carriers.size());
+        }
+    });
+    commit_step(app, "Add " + of_selection(app, "carrier"));
+}
+
+void remove_carrier(App& app) {
+    edit_patterns(app, [](Pattern& p) {
+        if (p.carriers.size() < 2) return;
+        p.carriers.pop_back();
+        for (Carrier& carrier : p.carriers) {
+            carrier.weight = 1.0 / static_cast<double>(p.carriers.size());
+        }
+    });
+    commit_step(app, "Remove " + of_selection(app, "carrier"));
+}
+
+void draw_carrier_links(App& app, const Pattern& pattern) {
+    constexpr const char* kAdd = "Add carrier";
+    draw_label(app, "", ImGui::CalcTextSize(kAdd).x);
+    const bool can_add = pattern.carriers.size() < limits::kMaxCarriers;
+    if (can_add) {
+        if (link(app, "add carrier", kAdd)) add_carrier(app);
+        note_item(app.rects, "link:add carrier");
+    }
+    if (pattern.carriers.size() > 1) {
+        if (can_add) flow_on(ImGui::CalcTextSize("Remove").x, 2.0F * app.theme.gap_px);
+        if (link(app, "remove carrier", "Remove")) remove_carrier(app);
+        note_item(app.rects, "link:remove carrier");
+    }
+    draw_leak_warning(app, pattern);
+}
+
+}  // namespace
+
+void draw_carrier_fields(App& app, const Pattern& pattern) {
+    for (std::size_t k = 0; k < pattern.carriers.size(); ++k) draw_carrier(app, pattern, k);
+    draw_mix(app, pattern);
+    draw_carrier_links(app, pattern);
+}
+
+}  // namespace tact

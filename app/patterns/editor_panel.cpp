@@ -1,0 +1,193 @@
+// Every parameter of the selected patterns: drag, type or nudge.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/document/editing.h"
+#include "app/patterns/pattern_fields.h"
+#include "app/subset/separation_follow.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+void draw_modulation(App& app, const Pattern& pattern) {
+    const Modulation& modulation = pattern.modulation;
+    edit_number(app,
+                {.id = "modulation_hz",
+                 .label = "Modulation",
+                 .format = "%.4g Hz",
+                 .slider = {0.0, 100.0},
+                 .typed = limits::kModulationHz,
+                 .step = 1.0,
+                 .snap = 1.0 / pattern.duration_s,
+                 .help = "Frequency of the amplitude modulation; 0 is none."},
+                modulation.frequency_hz, "modulation",
+                [](Pattern& p, double value) { p.modulation.frequency_hz = value; });
+    const bool am = modulation.kind == ModulationKind::am;
+    edit_number(app,
+                {.id = "depth",
+                 .label = "Depth",
+                 .format = "%.3g",
+                 .slider = limits::kDepth,
+                 .typed = limits::kDepth,
+                 .step = 0.05,
+                 .snap = 0.01,
+                 .help = am ? "m of 1 + m sin(2 pi f t)."
+                            : "Only for the kind 1 + m sin: the product with a sine has no depth.",
+                 .enabled = am},
+                modulation.depth, "depth",
+                [](Pattern& p, double value) { p.modulation.depth = value; });
+    const float room =
+        radio_width(app, "product") + radio_width(app, "1 + m sin") + 2.0F * app.theme.gap_px;
+    draw_label(app, "Kind", room);
+    const auto choose = [&](const char* label, ModulationKind kind) {
+        if (draw_radio(app, label, modulation.kind == kind) && modulation.kind != kind) {
+            edit_patterns(app, [kind](Pattern& p) { p.modulation.kind = kind; });
+            commit_step(app, "Change " + of_selection(app, "modulation kind"));
+        }
+        note_item(app.rects, std::string("radio:") + label);
+    };
+    choose("product", ModulationKind::product);
+    draw_tooltip(app, "sin(2 pi f t): Eq. 7 of the paper; the envelope has twice the frequency.");
+    flow_on(radio_width(app, "1 + m sin"), 2.0F * app.theme.gap_px);
+    choose("1 + m sin", ModulationKind::am);
+}
+
+void draw_times(App& app, const Pattern& pattern) {
+    edit_number(app,
+                {.id = "attack_ms",
+                 .label = "Attack",
+                 .format = "%.4g ms",
+                 .slider = {0.0, 500.0},
+                 .typed = {0.0, 10'000.0},
+                 .step = 5.0,
+                 .snap = 1.0,
+                 .help = "Linear rise at the beginning of every note."},
+                1000.0 * pattern.attack_s, "attack",
+                [](Pattern& p, double value) { p.attack_s = value / 1000.0; });
+    edit_number(app,
+                {.id = "release_ms",
+                 .label = "Release",
+                 .format = "%.4g ms",
+                 .slider = {0.0, 500.0},
+                 .typed = {0.0, 10'000.0},
+                 .step = 5.0,
+                 .snap = 1.0,
+                 .help = "Linear fall at the end of every note."},
+                1000.0 * pattern.release_s, "release",
+                [](Pattern& p, double value) { p.release_s = value / 1000.0; });
+    edit_number(
+        app,
+        {.id = "duration_s",
+         .label = "Duration",
+         .format = "%.4g s",
+         .slider = {0.05, 10.0},
+         .typed = limits::kDurationS,
+         .step = 0.05,
+         .snap = 0.05,
+         .logarithmic = true,
+         .help = "The model was validated at 1 s. Shorter patterns of a set are padded with "
+                 "silence to its longest. Typed values reach 60 s."},
+        pattern.duration_s, "duration", [](Pattern& p, double value) { p.duration_s = value; });
+}
+
+void draw_measurement(App& app, const Measurement& measurement) {
+    dim_text(app, measurement.synthetic ? "Synthetic measurement: simulated, not recorded"
+                                        : "Measured waveform");
+    ImGui::TextWrapped("%s", measurement.path.c_str());
+    char text[128];
+    std::snprintf(text, sizeof text, "%.4g s, peak %.3g g, %.4g g at full scale",
+                  duration_s(*measurement.waveform), peak_g(*measurement.waveform),
+                  measurement.scale_g);
+    ImGui::PushTextWrapPos(0.0F);
+    dim_text(app, text);
+    ImGui::PopTextWrapPos();
+    if (!measurement.measures.empty()) {
+        ImGui::TextWrapped("Measures %s", measurement.measures.c_str());
+    }
+}
+
+bool is_saved(const PatternSet& saved, const Vibration& vibration) {
+    return std::ranges::any_of(saved.vibrations, [&vibration](const Vibration& v) {
+        return v.name == vibration.name && v.source == vibration.source;
+    });
+}
+
+void draw_note(App& app, const Vibration& vibration) {
+    if (vibration.note.empty()) return;
+    ImGui::Spacing();
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.dim_text));
+    ImGui::PushFont(app.theme.fonts.small);
+    // A note describes what was opened; it does not follow edits.
+    const bool edited = app.unsaved && !is_saved(app.document.saved, vibration);
+    ImGui::TextWrapped("%s%s", edited ? "Note, from before the edit: " : "",
+                       vibration.note.c_str());
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void edit_number(App& app, const Field& field, double value, const std::string& what,
+                 const std::function<void(Pattern&, double)>& write) {
+    double edited = value;
+    const FieldEdit edit = draw_field(app, field, edited);
+    if (edit.changed && edited != value) {
+        edit_patterns(app, [&](Pattern& pattern) { write(pattern, edited); });
+    }
+    if (edit.finished) commit_step(app, "Change " + of_selection(app, what));
+}
+
+void draw_editor_panel(App& app) {
+    const Vibration* vibration = current_vibration(app);
+    if (vibration == nullptr) {
+        draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(), "Nothing to edit",
+                   "Press New above to make a pattern, or open a set.");
+        return;
+    }
+    if (!ImGui::BeginChild("fields")) {
+        ImGui::EndChild();
+        return;
+    }
+    // Inside, so that it scrolls away where the pane is low.
+    draw_hint(app, "editor",
+              "Drag a slider and watch the point move on the right. Type a number for an exact "
+              "value; arrow keys nudge.");
+    if (is_too_close(app, vibration->name)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+        ImGui::TextWrapped("Too close to another pattern: see Subset, Too close.");
+        ImGui::PopStyleColor();
+        note_item(app.rects, "editor:too close");
+    }
+    const Vibration shown = *vibration;  // edits below replace the document's own
+    ImGui::BeginDisabled(shown.locked);
+    if (const auto* pattern = std::get_if<Pattern>(&shown.source)) {
+        edit_number(app,
+                    {.id = "amplitude_g",
+                     .label = "Amplitude",
+                     .format = "%.3g g",
+                     .slider = {0.0, 4.0},
+                     .typed = limits::kAmplitudeG,
+                     .step = 0.05,
+                     .snap = 0.01,
+                     .help = "Peak acceleration of the sum of carriers. Typed values reach 50 g."},
+                    pattern->amplitude_g, "amplitude",
+                    [](Pattern& p, double value) { p.amplitude_g = value; });
+        draw_carrier_fields(app, *pattern);
+        draw_modulation(app, *pattern);
+        draw_rhythm_fields(app, *pattern);
+        draw_times(app, *pattern);
+    } else {
+        draw_measurement(app, std::get<Measurement>(shown.source));
+    }
+    ImGui::EndDisabled();
+    draw_note(app, shown);
+    ImGui::EndChild();
+}
+
+}  // namespace tact

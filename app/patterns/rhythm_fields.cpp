@@ -1,0 +1,176 @@
+#include <imgui.h>
+// After imgui.h.
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "app/document/editing.h"
+#include "app/patterns/pattern_fields.h"
+#include "app/patterns/rhythm_list.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+// One rhythm step: a click turns rest into note, note into hold (where it can), hold into rest.
+std::string stepped(std::string text, std::size_t step) {
+    const bool can_hold = step > 0 && text[step - 1] != '-';
+    if (text[step] == '-') {
+        text[step] = 'x';
+    } else if (text[step] == 'x' && can_hold) {
+        text[step] = '=';
+    } else {
+        text[step] = '-';
+        // A hold needs a note before it.
+        for (std::size_t k = step + 1; k < text.size() && text[k] == '='; ++k) text[k] = '-';
+    }
+    return text;
+}
+
+void set_rhythm(App& app, const std::string& text) {
+    edit_patterns(app, [&text](Pattern& p) { p.rhythm.text = text; });
+    commit_step(app, "Change " + of_selection(app, "rhythm"));
+}
+
+// While the mouse is held, the note from the pressed step reaches to the one under the mouse.
+void follow_note_drag(App& app, std::size_t under) {
+    NoteDrag& drag = *app.editor.note_drag;
+    if (under == drag.from && !drag.moved) return;
+    drag.moved = true;
+    const std::string text = with_note(drag.before, drag.from, std::max(drag.from, under));
+    edit_patterns(app, [&text](Pattern& p) { p.rhythm.text = text; });
+}
+
+// A step as a button: a click changes its mark, a drag draws a note over the steps it passes.
+void draw_step(App& app, const std::string& text, std::size_t k, ImVec2 size, float left) {
+    std::optional<NoteDrag>& drag = app.editor.note_drag;
+    ImGui::PushID(static_cast<int>(k));
+    const bool pressed = ImGui::InvisibleButton("step", size);
+    note_item(app.rects, "step:" + std::to_string(k), std::string(1, text[k]));
+    if (ImGui::IsItemActivated()) drag = NoteDrag{text, k, false};
+    if (drag && drag->from == k && ImGui::IsItemActive() && ImGui::IsMouseDown(0)) {
+        const float steps = (ImGui::GetIO().MousePos.x - left) / size.x;
+        const float last = static_cast<float>(drag->before.size() - 1);
+        follow_note_drag(app, static_cast<std::size_t>(std::clamp(steps, 0.0F, last)));
+    }
+    const bool drawn = drag && drag->from == k && drag->moved;
+    if (drawn && ImGui::IsItemDeactivated()) {
+        commit_step(app, "Change " + of_selection(app, "rhythm"));
+    } else if (pressed && !drawn) {
+        set_rhythm(app, stepped(text, k));
+    }
+    if (drag && drag->from == k && ImGui::IsItemDeactivated()) drag.reset();
+    ImGui::PopID();
+}
+
+void draw_rhythm_grid(App& app, const Rhythm& rhythm) {
+    const Theme& theme = app.theme;
+    const std::size_t steps = rhythm.text.size();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float cell = std::min(20.0F * theme.scale, width / static_cast<float>(steps));
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (std::size_t k = 0; k < steps; ++k) {
+        const char mark = rhythm.text[k];
+        const ImVec2 min{corner.x + static_cast<float>(k) * cell, corner.y};
+        const float gap = 1.5F * theme.scale;
+        // A held step joins the one before it.
+        const float left = mark == '=' ? min.x - gap : min.x + gap;
+        ImGui::SetCursorScreenPos(min);
+        draw_step(app, rhythm.text, k, {cell, cell}, corner.x);
+        ImU32 colour = mark == '-' ? theme.field : theme.accent;
+        if (ImGui::IsItemHovered()) colour = mark == '-' ? theme.hover : theme.text;
+        list.AddRectFilled({left, min.y + gap}, {min.x + cell - gap, min.y + cell - gap}, colour,
+                           2.0F * theme.scale);
+        draw_tooltip(app,
+                     "Click: note, hold, rest. Drag to the right: a note as long as the drag.");
+    }
+    ImGui::SetCursorScreenPos({corner.x, corner.y + cell});
+    ImGui::Dummy({width, 2.0F * theme.scale});
+}
+
+// The list opens beside the field and stays open while one rhythm after the other is tried.
+void draw_rhythm_popup(App& app, const Pattern& pattern) {
+    const float width = 340.0F * app.theme.scale;
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, 1e4F});
+    if (!ImGui::BeginPopup("rhythm list")) return;
+    const auto chosen = [&pattern](const std::string& text) { return text == pattern.rhythm.text; };
+    const RhythmListAction action = draw_rhythm_list(app, app.editor.rhythms, pattern, chosen);
+    if (action.pressed) set_rhythm(app, *action.pressed);
+    ImGui::EndPopup();
+}
+
+void draw_rhythm_links(App& app, const Pattern& pattern) {
+    constexpr const char* kList = "Rhythms...";
+    const bool none = pattern.rhythm.text.empty();
+    draw_label(app, "", ImGui::CalcTextSize(kList).x);
+    if (none) {
+        constexpr const char* kGrid = "Make a rhythm";
+        if (link(app, "make grid", kGrid)) set_rhythm(app, "x=--x=--");
+        note_item(app.rects, "link:make a rhythm");
+        flow_on(ImGui::CalcTextSize(kList).x, 2.0F * app.theme.gap_px);
+    }
+    if (link(app, "rhythm list", kList)) ImGui::OpenPopup("rhythm list");
+    note_item(app.rects, "link:rhythms");
+    draw_tooltip(app, "Rhythms of a length and number of notes to pick from");
+    draw_rhythm_popup(app, pattern);
+    if (none) return;
+    const std::string summary = rhythm_summary(pattern.rhythm.text);
+    flow_on(ImGui::CalcTextSize(summary.c_str()).x, 2.0F * app.theme.gap_px);
+    dim_text(app, shortened(app.theme.fonts.regular, summary, ImGui::GetContentRegionAvail().x));
+    note_item(app.rects, "rhythm summary", summary);
+    draw_tooltip(app,
+                 "Evenness is 1 where all notes are equally far apart, as the rhythm repeats, and "
+                 "less the more they crowd.");
+}
+
+}  // namespace
+
+void draw_rhythm_fields(App& app, const Pattern& pattern) {
+    EditorState& state = app.editor;
+    draw_label(app, "Rhythm", 120.0F * app.theme.scale);
+    if (!state.rhythm_typing) state.rhythm_text = pattern.rhythm.text;
+    ImGui::SetNextItemWidth(-1.0F);
+    const char* long_hint = "one note throughout; x=-x note, hold, rest";
+    const bool has_room = button_width(long_hint) <= ImGui::GetContentRegionAvail().x;
+    ImGui::InputTextWithHint("##rhythm", has_room ? long_hint : "one note", &state.rhythm_text);
+    draw_tooltip(app, "x note, = hold, - rest; the text repeats. Empty: one note throughout.");
+    note_item(app.rects, "rhythm", pattern.rhythm.text);
+    state.rhythm_typing = ImGui::IsItemActive();
+    const std::string fault = rhythm_fault(state.rhythm_text);
+    if (state.rhythm_typing && fault.empty() && state.rhythm_text != pattern.rhythm.text) {
+        edit_patterns(app, [&state](Pattern& p) { p.rhythm.text = state.rhythm_text; });
+    }
+    if (ImGui::IsItemDeactivatedAfterEdit()) {
+        // Up to where the text was a rhythm it was taken.
+        commit_step(app, "Change " + of_selection(app, "rhythm"));
+        if (!fault.empty()) {
+            complain(app, "Rhythm: " + fault + "; the pattern keeps " +
+                              (pattern.rhythm.text.empty() ? "one note throughout"
+                                                           : "\"" + pattern.rhythm.text + "\""));
+        }
+    }
+    if (state.rhythm_typing && !fault.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.error));
+        ImGui::TextWrapped("%s", fault.c_str());
+        ImGui::PopStyleColor();
+    }
+    if (!pattern.rhythm.text.empty()) draw_rhythm_grid(app, pattern.rhythm);
+    draw_rhythm_links(app, pattern);
+    if (pattern.rhythm.text.empty()) return;
+    edit_number(app,
+                {.id = "unit_ms",
+                 .label = "Step",
+                 .format = "%.4g ms",
+                 .slider = {5.0, 500.0},
+                 .typed = {1.0, 10'000.0},
+                 .step = 5.0,
+                 .snap = 1.0,
+                 .logarithmic = true,
+                 .help = "Length of one x, = or -. The text repeats to fill the duration."},
+                1000.0 * pattern.rhythm.unit_s, "rhythm step",
+                [](Pattern& p, double value) { p.rhythm.unit_s = value / 1000.0; });
+}
+
+}  // namespace tact

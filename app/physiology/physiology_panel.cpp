@@ -1,0 +1,282 @@
+// The middle column: what the fingertip and the nerves make of the selected vibration, stage by
+// stage, and where another one parts from it.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/document/editing.h"
+#include "app/physiology/stage_views.h"
+#include "app/timeline/time_rows.h"
+#include "app/tour/tour.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kLabelColumnPx = 96.0F;
+constexpr float kLowestUnitPx = 30.0F;  // below, the column scrolls
+constexpr float kLowestPairUnitPx = 84.0F;
+
+// Height of each stage in the overview, in units.
+constexpr std::array<float, kStages.size()> kUnits{1.0F, 2.1F, 1.8F, 3.2F, 2.1F,
+                                                   2.2F, 1.2F, 0.9F, 1.1F};
+
+// The patterns on screen: the current one, then the pinned one; without those whose stages are on
+// their way.
+std::vector<ShownStages> shown_patterns(const App& app) {
+    std::vector<ShownStages> patterns;
+    const PatternSet& set = app.document.set;
+    const auto add = [&](const std::shared_ptr<const LiveStages>& live, std::size_t index,
+                         bool pinned) {
+        const Vibration& wanted = set.vibrations[index];
+        // Another pattern's signals would be worse than none.
+        if (!live || live->request.vibration.name != wanted.name) return;
+        const bool stale =
+            live->request.vibration.source != wanted.source || live->request.model != set.model;
+        patterns.push_back({live, look_of(app, index), stale, pinned});
+    };
+    add(app.stages, app.selection.current, false);
+    const auto pinned = place_named(set, app.pinned);
+    if (pinned && !patterns.empty()) add(app.pinned_stages, *pinned, true);
+    return patterns;
+}
+
+void follow_difference(App& app, const std::vector<ShownStages>& patterns) {
+    ShownDifference& known = app.physiology.difference;
+    if (patterns.size() < 2) {
+        known = {};
+        return;
+    }
+    const auto& a = patterns[0].live;
+    const auto& b = patterns[1].live;
+    if (known.a == a && known.b == b) return;
+    known = {a, b, stage_differences(*a, *b), {}};
+    for (const Stage stage : kStages) {
+        known.signals[index_of(stage)] = signal_differences(*a, *b, stage);
+    }
+}
+
+// ---- the strip ----
+
+// A stage in the strip; beneath it, how far two patterns are apart there.
+void draw_stage_chip(App& app, const char* key, const char* text, bool lit,
+                     std::optional<double> difference) {
+    const bool pressed = draw_chip(app, key, text, lit);
+    note_item(app.rects, std::string("stage:") + key);
+    if (difference) {
+        const Theme& theme = app.theme;
+        const ImVec2 corner{ImGui::GetItemRectMin().x,
+                            ImGui::GetItemRectMax().y + 1.0F * theme.scale};
+        const ImVec2 end{ImGui::GetItemRectMax().x, corner.y + 3.0F * theme.scale};
+        const float share = static_cast<float>(*difference);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddRectFilled(corner, end, theme.field);
+        list.AddRectFilled(corner, {corner.x + share * (end.x - corner.x), end.y}, theme.warning);
+    }
+    if (!pressed) return;
+    const std::optional<Stage> stage = stage_named(key);
+    app.physiology.open = app.physiology.open == stage ? std::nullopt : stage;
+}
+
+void draw_strip(App& app) {
+    const float gap = 2.0F * app.theme.scale;
+    const ShownDifference& difference = app.physiology.difference;
+    draw_stage_chip(app, "all", "All stages", !app.physiology.open, std::nullopt);
+    for (const Stage stage : kStages) {
+        const StageText& text = text_of(stage);
+        ImGui::SameLine(0.0F, gap);
+        const float wanted =
+            text_size(app.theme.fonts.small, text.short_name).x + 12.0F * app.theme.scale;
+        if (ImGui::GetContentRegionAvail().x < wanted) ImGui::NewLine();
+        draw_stage_chip(app, text.key, text.short_name, app.physiology.open == stage,
+                        difference.a ? difference.stages[index_of(stage)] : std::nullopt);
+        char tip[160];
+        std::snprintf(tip, sizeof tip, "%s: %s", text.name, text.detail);
+        draw_tooltip(app, tip);
+    }
+    if (difference.a) ImGui::Dummy({1.0F, 1.0F * app.theme.scale});
+}
+
+void draw_pin_choice(App& app) {
+    const bool pinned = !app.pinned.empty();
+    const std::string text = pinned ? "compared with " + app.pinned : "Compare with\u2026";
+    if (link(app, "compare", text)) ImGui::OpenPopup("compare with");
+    note_item(app.rects, "compare with");
+    if (pinned) {
+        ImGui::SameLine();
+        if (link(app, "unpin", "\u00d7")) app.pinned.clear();
+        note_item(app.rects, "unpin");
+        draw_tooltip(app, "Show one pattern again");
+    }
+    ImGui::SameLine(0.0F, 2.0F * app.theme.padding_px);
+    if (link(app, "tour", app.tour.left_at > 0 ? "Resume the tour" : "Tour")) start_tour(app);
+    note_item(app.rects, "start tour");
+    if (!ImGui::BeginPopup("compare with")) return;
+    for (const Vibration& vibration : app.document.set.vibrations) {
+        if (&vibration == current_vibration(app)) continue;
+        if (ImGui::Selectable(vibration.name.c_str(), app.pinned == vibration.name)) {
+            app.pinned = vibration.name;
+        }
+        note_item(app.rects, "pin:" + vibration.name);
+    }
+    ImGui::EndPopup();
+}
+
+// ---- one stage's place ----
+
+// Name and what is plotted, left of the plots; the name opens the stage, the "i" explains it.
+void draw_stage_label(App& app, Stage stage, const Rect& area) {
+    const Theme& theme = app.theme;
+    const StageText& text = text_of(stage);
+    ImGui::SetCursorScreenPos(area.min);
+    ImGui::PushID(text.key);
+    ImGui::PushFont(theme.fonts.small);
+    const float line = ImGui::GetTextLineHeight();
+    ImGui::PushTextWrapPos(area.max.x - ImGui::GetWindowPos().x);
+    const float icon = line + 8.0F * theme.scale;
+    const ImVec2 size = ImGui::CalcTextSize(text.name, nullptr, false, area.width() - icon);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool pressed = ImGui::InvisibleButton("open", size);
+    const bool over = !app.as_picture && (ImGui::IsItemHovered() || ImGui::IsItemFocused());
+    if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    list.AddText(nullptr, 0.0F, area.min, over ? theme.accent : theme.text, text.name, nullptr,
+                 area.width() - icon);
+    draw_tooltip(app, "Open this stage large");
+    note_item(app.rects, std::string("label:") + text.key);
+    if (pressed) app.physiology.open = stage;
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+
+    if (app.as_picture) return ImGui::PopID();
+    const ImVec2 centre{area.max.x - icon * 0.6F, area.min.y + line * 0.5F};
+    ImGui::SetCursorScreenPos({centre.x - icon * 0.5F, centre.y - icon * 0.5F});
+    if (ImGui::InvisibleButton("i", {icon, icon})) {
+        const bool open = app.physiology.explained == stage;
+        app.physiology.explained = open ? std::nullopt : std::optional(stage);
+    }
+    draw_info_mark(app, centre, ImGui::IsItemHovered() || ImGui::IsItemFocused());
+    note_item(app.rects, std::string("explain:") + text.key);
+    draw_tooltip(app, "What happens here?");
+    ImGui::PopID();
+}
+
+// One pattern, or two with their difference between them.
+void draw_patterns(App& app, const std::vector<ShownStages>& patterns, Stage stage,
+                   const Rect& area, const StageSize& size) {
+    if (patterns.empty()) return;
+    if (patterns.size() < 2) return draw_stage(app, patterns[0], stage, area, size);
+    const bool has_signals = !signals_of(*patterns[0].live, stage).empty();
+    const float axis = size.time_axis ? time_axis_height(app) : 0.0F;
+    const float text = font_or_current(app.theme.fonts.small).FontSize;
+    const float middle = has_signals ? std::max(text, 0.24F * (area.height() - axis)) : text * 1.2F;
+    const float each = 0.5F * (area.height() - axis - middle);
+    const float y1 = area.min.y + each;
+    const float y2 = y1 + middle;
+    StageSize upper = size;
+    upper.time_axis = false;
+    draw_stage(app, patterns[0], stage, {area.min, {area.max.x, y1}}, upper);
+    draw_stage_difference(app, patterns[0], patterns[1], stage,
+                          {{area.min.x, y1}, {area.max.x, y2}}, upper);
+    draw_stage(app, patterns[1], stage, {{area.min.x, y2}, area.max}, size);
+}
+
+void draw_overview(App& app, const std::vector<ShownStages>& patterns) {
+    const Theme& theme = app.theme;
+    const float gap = 0.75F * theme.gap_px;
+    float units = 0.0F;
+    for (const float unit : kUnits) units += unit;
+    const float free = ImGui::GetContentRegionAvail().y - gap * static_cast<float>(kStages.size());
+    float lowest = patterns.size() > 1 ? kLowestPairUnitPx : kLowestUnitPx;
+    if (app.as_picture) lowest = 1.0F;  // nobody can scroll it
+    const float unit = std::max(free / units, lowest * theme.scale);
+    const float height = unit * units + gap * static_cast<float>(kStages.size());
+    const bool scrolls = height > ImGui::GetContentRegionAvail().y + 1.0F;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    // The wheel moves through time where there is more of it than is shown.
+    const bool zoomed_in = app.time_range.length_s() < shown_duration_s(app) - 1e-9;
+    ImGuiWindowFlags flags = ImGuiWindowFlags_None;
+    if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar;
+    if (!scrolls || zoomed_in || ImGui::GetIO().KeyCtrl)
+        flags |= ImGuiWindowFlags_NoScrollWithMouse;
+    ImGui::BeginChild("overview", ImGui::GetContentRegionAvail(), false, flags);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float label = kLabelColumnPx * theme.scale;
+    float top = corner.y;
+    for (const Stage stage : kStages) {
+        const float bottom = top + unit * kUnits[index_of(stage)];
+        const Rect area{{corner.x + label, top}, {corner.x + width, bottom}};
+        draw_stage_label(app, stage, {{corner.x, top}, {corner.x + label, bottom}});
+        StageSize size;
+        size.time_axis = stage == kStages.back();
+        draw_patterns(app, patterns, stage, area, size);
+        top = bottom + gap;
+    }
+    ImGui::SetCursorScreenPos({corner.x, top - gap});
+    ImGui::Dummy({1.0F, 0.0F});
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+}
+
+void draw_large(App& app, const std::vector<ShownStages>& patterns, Stage stage) {
+    const Rect pane = rest_of_pane();
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const StageText& text = text_of(stage);
+    const float name = text_size(app.theme.fonts.small, text.name).x + 32.0F * app.theme.scale;
+    draw_stage_label(app, stage, {pane.min, {pane.min.x + name, pane.max.y}});
+    const float left = name + app.theme.gap_px;
+    draw_text(*ImGui::GetWindowDrawList(), app.theme.fonts.small, {pane.min.x + left, pane.min.y},
+              app.theme.dim_text,
+              shortened(app.theme.fonts.small, text.detail, pane.width() - left));
+    StageSize size;
+    size.large = true;
+    size.time_axis =
+        stage != Stage::spectrum && stage != Stage::receptors && stage != Stage::networks;
+    draw_patterns(app, patterns, stage, {{pane.min.x, pane.min.y + line}, pane.max}, size);
+}
+
+}  // namespace
+
+void draw_physiology_panel(App& app) {
+    app.physiology.crosshair_last_s = app.physiology.crosshair_s;
+    app.physiology.crosshair_s.reset();
+    app.physiology.hovered_last = app.physiology.hovered;
+    app.physiology.hovered.reset();
+    const Vibration* vibration = current_vibration(app);
+    if (vibration == nullptr) {
+        draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(), "No vibration to show",
+                   "Press New on the left to make one, or open a set.");
+        return;
+    }
+    const double duration_s = shown_duration_s(app);
+    app.time_range = fitted(app.time_range, duration_s);
+    app.playhead.at_s = std::clamp(app.playhead.at_s, 0.0, duration_s);
+    const std::vector<ShownStages> patterns = shown_patterns(app);
+    follow_difference(app, patterns);
+    if (!app.as_picture) {
+        draw_hint(app, "physiology",
+                  "Space plays silently, in slow motion; drag in any plot to move through time; a "
+                  "stage's name opens it large.");
+        draw_strip(app);
+        draw_pin_choice(app);
+    }
+    // The links above may have turned to another range.
+    app.time_range = fitted(app.time_range, duration_s);
+    if (patterns.empty()) {
+        draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(), "Computing",
+                   "The receptors and nerves of " + vibration->name + " are on their way.");
+        return;
+    }
+    if (app.physiology.open) {
+        draw_large(app, patterns, *app.physiology.open);
+    } else {
+        draw_overview(app, patterns);
+    }
+}
+
+}  // namespace tact

@@ -1,0 +1,14 @@
+// The stages that are places rather than signals: receptor grids, raster and relay networks.
+#pragma once
+
+#include "app/physiology/stage_views.h"
+
+namespace tact {
+
+void draw_receptor_stage(App& app, const ShownStages& shown, const Rect& area,
+                         const StageSize& size);
+void draw_spike_stage(App& app, const ShownStages& shown, const Rect& area, const StageSize& size);
+void draw_network_stage(App& app, const ShownStages& shown, const Rect& area,
+                        const StageSize& size);
+
+}  // namespace tact

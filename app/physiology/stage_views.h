@@ -1,0 +1,33 @@
+// One stage of one pattern, small among the others or filling the pane.
+#pragma once
+
+#include "app/window/app.h"
+#include "viz/drawing/geometry.h"
+
+namespace tact {
+
+// A pattern whose stages are shown.
+struct ShownStages {
+    std::shared_ptr<const LiveStages> live;
+    PatternLook look;
+    bool stale = false;   // of an earlier value of the pattern
+    bool pinned = false;  // the one for comparison
+};
+
+struct StageSize {
+    bool large = false;      // fills the pane: values, units, all channels
+    bool time_axis = false;  // ticks below
+};
+
+void draw_stage(App& app, const ShownStages& shown, Stage stage, const Rect& area,
+                const StageSize& size);
+
+// Signals of the first pattern minus those of the second; the relative difference where a stage has
+// no signals.
+void draw_stage_difference(App& app, const ShownStages& a, const ShownStages& b, Stage stage,
+                           const Rect& area, const StageSize& size);
+
+// The channel with the strongest activity at the centre: what the overview shows the networks of.
+Receptor strongest_channel(const LiveStages& live);
+
+}  // namespace tact

@@ -1,0 +1,98 @@
+#include "app/physiology/stages.h"
+
+#include <algorithm>
+
+namespace tact {
+
+namespace {
+
+constexpr std::array<StageText, kStages.size()> kTexts{{
+    {"vibration", "Vibration", "Vibration", "acceleration at the skin, g",
+     "A probe of 1 mm across presses on the fingertip and moves up and down: this is its "
+     "acceleration.",
+     "Every pattern of a set is brought to 10 kHz and padded with silence to the longest of them; "
+     "its mean is taken away, as a constant push is no vibration.",
+     "x(t) = A e(t) r(t) \u03a3 w sin(2\u03c0ft + \u03c6), Eq. 7 and section 3",
+     "Static force, shear, temperature, the mechanics of the finger and of the actuator.",
+     "Removing the mean; e(t) = 1 where the modulation frequency is 0, as Eq. 7 would be silent."},
+    {"spectrum", "Spectrum", "Spectrum", "displacement over the thresholds, 1\u2013500 Hz",
+     "Each receptor type answers to its own range of frequencies, and only above a threshold "
+     "that depends on frequency.",
+     "The Fourier transform gives the peak displacement of each component; what stands above a "
+     "type's threshold drives it, with a rate that grows with the logarithm of the displacement.",
+     "f0 = \u03a3 \u03b1 (log10 v \u2212 \u03b2) over the components above threshold, Eq. 2, "
+     "section "
+     "4.1",
+     "Adaptation, plateaus of the rate, masking of one component by another.",
+     "The conversion from g to \u00b5m; both tables, rebuilt from published rates; components "
+     "below threshold count nothing."},
+    {"filtered", "Filtered waveforms", "Filters", "what each receptor type follows, g",
+     "The capsule around a nerve ending is a mechanical filter: a Pacinian corpuscle hardly "
+     "notices slow bending, a Merkel cell hardly notices fast vibration.",
+     "One Butterworth filter a type: 3\u2013100 Hz Meissner, 10\u2013500 Hz Pacinian, below 5 Hz "
+     "Merkel, 15\u2013400 Hz Ruffini. The two fast-adapting types then perceive the change.",
+     "band-pass or low-pass, then d/dt for FA1 and FA2, section 4.1",
+     "Waves that travel through the skin with delays; the filters are the same at every depth.",
+     "Order 10 in total; forward in time only, so that onsets ring as they do here."},
+    {"receptors", "Receptors in the skin", "Receptors", "mean rate, to scale",
+     "A vibration spreads over the fingertip and fades with distance, so a strong one reaches "
+     "more receptors than a weak one.",
+     "Receptors stand on a square grid of their type's density; within 1.5 mm each fires as at "
+     "the probe, beyond it the rate falls to zero at r_max.",
+     "V(r) = v (1.5/r)\u00b2, r_max = 1.5 \u00b7 10^(f0 / 2A), Eqs. 1, 3, 4, section 4.1",
+     "The irregular mosaic of real skin, the edge of the finger, a second contact.",
+     "One set of components counts for the whole grid; at least the centre receptor always "
+     "counts."},
+    {"spikes", "Spikes", "Spikes", "all receptors, nearest on top",
+     "A nerve fibre answers with impulses that are all alike: the vibration is in how many there "
+     "are and when.",
+     "A receptor fires each time it has gathered its threshold of energy, looked at every 10 ms; "
+     "the population's impulses are shared out by rate.",
+     "E_thr = energy / fires, count = floor(gathered / E_thr), section 4.2",
+     "Refractory time, noise, adaptation: the same vibration gives the same spikes.",
+     "Of the n spikes of a window the first half and one more fall into its first 5 ms."},
+    {"networks", "Relay networks", "Networks", "every layer at the playhead",
+     "On their way to the cortex impulses pass relay stations, where neurons gather from "
+     "neighbours and inhibit each other.",
+     "Three excitatory layers add up a cross of five neighbours, one inhibitory layer sharpens; "
+     "no cell passes more than 50 impulses in 5 ms.",
+     "layer = min(50, layer * E), then * I clipped to 0\u202650, Eqs. 5, 6, section 4.3",
+     "Delays, memory from step to step, the anatomy of cuneate nucleus and thalamus.",
+     "The numbers of Eq. 6 are lost: I is a cross of \u22121 around 5."},
+    {"central", "Central signals", "Centre", "spikes of each network's centre, per 5 ms",
+     "Each population reports to the cortex through its own pathway.",
+     "The centre cell of the last layer speaks for its network: its count is spread evenly over "
+     "the 5 ms.",
+     "unit spikes at start + floor(50 k / n), section 4.3",
+     "Everything that the other cells of the last layer know.",
+     "Where within the 5 ms the spikes fall."},
+    {"brain", "Brain waveform", "Brain", "predicted, weighted sum of four channels",
+     "Somatosensory cortex receives all four and makes one sensation of them.",
+     "The four central signals are added with trained weights. Two patterns are as different as "
+     "the root of the mean squared difference of these waveforms: NC.",
+     "PBW = \u03a3 w s, w = 0.2 FA1, 0.7 FA2, 0 SA1, 0.5 SA2, section 4.3",
+     "Attention, memory, what the vibration means.",
+     "The weights were trained with the authors' own tables: with ours they are a starting "
+     "point."},
+    {"envelope", "Rhythm envelope", "Rhythm", "mean of 10 ms, scaled to its peak",
+     "Rhythm is felt beside strength and quality, and a pattern that is late is still the same "
+     "pattern.",
+     "A moving average of the absolute acceleration; two envelopes are compared by dynamic time "
+     "warping, which forgives shifts: OC.",
+     "y[n] = mean of |x| over the last 10 ms, section 5", "Metre, accents, expectation.",
+     "Scaled to its own maximum, so that OC is about rhythm and not about strength; the average "
+     "looks back, not ahead."},
+}};
+
+}  // namespace
+
+const StageText& text_of(Stage stage) { return kTexts[index_of(stage)]; }
+
+std::optional<Stage> stage_named(std::string_view key) {
+    const auto found =
+        std::ranges::find(kStages, key, [](Stage s) { return std::string_view(text_of(s).key); });
+    if (found == kStages.end()) return std::nullopt;
+    return *found;
+}
+
+}  // namespace tact

@@ -1,0 +1,57 @@
+// Pictures of single views without a window: PNG or SVG.
+//
+// Exact     same input, same bytes.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/dissimilarity/dissimilarity.h"
+#include "model/map/mds.h"
+#include "model/set/pattern_set.h"
+#include "viz/picture/picture.h"
+
+namespace tact {
+
+enum class PictureFormat { png, svg };
+
+struct PictureSize {
+    int width = 1000;
+    int height = 900;
+    float scale = 1.0F;
+    bool dark = true;
+    PictureFormat format = PictureFormat::png;
+};
+
+struct Svg {
+    std::string text;
+};
+
+using Picture = std::variant<Image, Svg>;  // by the format asked for
+
+// What `draw` draws, in the format asked for.
+Picture drawn(const PictureSize& size, const PictureOptions& options,
+              const std::function<void(const Theme&)>& draw);
+
+Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
+                       const std::string& quantity, const PictureSize& size);
+
+// `chosen`: a subset, ringed; `quantity`: what the matrix is.
+Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
+                      const PictureSize& size, std::span<const std::size_t> chosen = {},
+                      const std::string& quantity = "PM");
+
+Picture wave_picture(const Vibration& vibration, const PictureSize& size);
+
+Picture spectrum_picture(const Vibration& vibration, const NeuralCodingParams& params,
+                         const PictureSize& size);
+
+// A failed write leaves an existing file as it was.
+Expected<Done> write_picture(const std::filesystem::path& path, const Picture& picture);
+
+}  // namespace tact

@@ -1,0 +1,105 @@
+#include "app/play/calibrating.h"
+
+#include <utility>
+
+#include "app/document/editing.h"
+#include "app/map/map_follow.h"
+#include "app/play/playing.h"
+#include "app/ui/file_question.h"
+#include "app/ui/widgets.h"
+#include "devices/calibration/calibration_file.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+// What the window takes a voice coil for is the one that is calibrated.
+void follow_rendered_coil(App& app) {
+    std::optional<Calibration>& used = app.rendering.by.calibration;
+    const bool is_coil = traits(app.rendering.by.kind).language == Language::waveform;
+    const Calibration* const wanted = is_coil ? app.play.calibration.get() : nullptr;
+    if (wanted == nullptr ? !used : used == *wanted) return;
+    if (wanted != nullptr) {
+        used = *wanted;
+    } else {
+        used.reset();
+    }
+    if (app.rendering.on) predictions_changed(app);
+}
+
+void read_chosen(App& app) {
+    PlayState& play = app.play;
+    if (play.calibration_read == play.choice.calibration) return;
+    play.calibration_read = play.choice.calibration;
+    play.calibration.reset();
+    if (play.calibration_read.empty()) return;
+    Expected<Calibration> read = read_calibration(play.calibration_read);
+    if (!read) return complain(app, read.error().message + "; the device plays uncalibrated");
+    play.calibration = std::make_shared<const Calibration>(*std::move(read));
+    const Calibration& made = *play.calibration;
+    const bool is_other = !made.device.empty() && made.device != play.choice.id;
+    if (is_other || made.channel != play.choice.channel) {
+        complain(app, "This calibration was made for " +
+                          (made.device.empty() ? "this device" : made.device) + ", channel " +
+                          std::to_string(made.channel) + ": here its strengths may be wrong");
+    }
+}
+
+}  // namespace
+
+void follow_calibration(App& app) {
+    read_chosen(app);
+    follow_rendered_coil(app);
+}
+
+void load_calibration_dialog(App& app) {
+    app.dialog = Dialog::none;  // its list would lie over the files
+    const std::filesystem::path last = app.play.choice.calibration;
+    ask_for_file(app,
+                 {.purpose = ChooserPurpose::load_calibration,
+                  .use = ChooserUse::open,
+                  .title = "Load the calibration of this device",
+                  .extensions = {".json"}},
+                 last.empty() ? app.document.path.parent_path() : last.parent_path());
+}
+
+void use_calibration(App& app, const std::filesystem::path& path) {
+    DeviceChoice choice = app.play.choice;
+    choice.calibration = path.string();
+    choose_device(app, choice);
+    follow_calibration(app);
+    if (app.play.calibration && !app.status.is_error) say(app, calibration_text(app) + ".");
+}
+
+std::string calibration_text(const App& app) {
+    if (!app.play.calibration) return {};
+    const Calibration& made = *app.play.calibration;
+    std::string text = "Calibrated";
+    if (!made.actuator.empty()) text += ": " + made.actuator;
+    if (!made.date.empty()) text += ", " + made.date;
+    return text + ", " + significant(made.points.front().frequency_hz) + "\u2013" +
+           significant(made.points.back().frequency_hz) + " Hz";
+}
+
+DriveRequest drive_request(const App& app, const Vibration& vibration) {
+    return {0, vibration, app.play.calibration, app.play.full_scale_g};
+}
+
+MadeDrive made_drive(const DriveRequest& request) {
+    const Waveform waveform = waveform_of(request.vibration);
+    MadeDrive made{request, {}, {}};
+    if (!request.calibration) {
+        made.drive = drive_of(waveform, request.full_scale_g);
+        return made;
+    }
+    CalibratedDrive driven = calibrated_drive(waveform, *request.calibration);
+    made.drive = std::move(driven.drive);
+    for (const std::string& warning : driven.warnings) {
+        made.remark += (made.remark.empty() ? request.vibration.name + " " : "; it ") + warning;
+    }
+    if (!made.remark.empty()) made.remark += ".";
+    return made;
+}
+
+}  // namespace tact

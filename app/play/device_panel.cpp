@@ -1,0 +1,245 @@
+// What an actuator makes of the current pattern: intended and rendered waveforms, and the energy
+// that gets lost on the way, by band.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "app/document/editing.h"
+#include "app/map/map_follow.h"
+#include "app/play/calibrating.h"
+#include "app/timeline/time_rows.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+std::string percent(double share) {
+    char text[24];
+    std::snprintf(text, sizeof text, share > 0.0 && share < 0.01 ? "< 1 %%" : "%.0f %%",
+                  100.0 * share);
+    return text;
+}
+
+void draw_kind(App& app) {
+    RenderingState& state = app.rendering;
+    const float wide = 190.0F * app.theme.scale;
+    ImGui::SetNextItemWidth(std::min(wide, ImGui::GetContentRegionAvail().x));
+    const char* shown = traits(state.by.kind).name;
+    if (ImGui::BeginCombo("##kind", shown, ImGuiComboFlags_HeightLargest)) {
+        for (const ActuatorKind kind : kActuatorKinds) {
+            const bool chosen = state.by.kind == kind;
+            if (ImGui::Selectable(traits(kind).name, chosen) && !chosen) {
+                state.by.kind = kind;
+                if (state.on) predictions_changed(app);
+            }
+            note_item(app.rects, std::string("choose:") + traits(kind).key);
+            draw_tooltip(app, (std::string("Keeps ") + traits(kind).keeps + ".").c_str());
+        }
+        ImGui::EndCombo();
+    }
+    note_item(app.rects, "combo:device kind", shown);
+}
+
+void draw_switch(App& app) {
+    constexpr const char* kLabel = "Predict from this";
+    flow_on(ImGui::CalcTextSize(kLabel).x + ImGui::GetFrameHeight() + app.theme.gap_px,
+            1.5F * app.theme.gap_px);
+    if (ImGui::Checkbox(kLabel, &app.rendering.on)) predictions_changed(app);
+    note_item(app.rects, "rendered", app.rendering.on ? "on" : "off");
+    draw_tooltip(app,
+                 "Stages, matrix, map and metrics of what the device plays, instead of what was "
+                 "meant. Titles say so; the document stays as it is.");
+}
+
+void draw_full_scale(App& app) {
+    constexpr Field kField{.id = "rendering_full_scale_g",
+                           .label = "Full scale",
+                           .format = "%.2f g",
+                           .slider = {0.1, 10.0},
+                           .typed = kFullScaleRangeG,
+                           .step = 0.1,
+                           .logarithmic = true,
+                           .help =
+                               "The acceleration that the device's strongest is taken for. "
+                               "Uncalibrated: nobody has measured it."};
+    const FieldEdit edit = draw_field(app, kField, app.rendering.by.full_scale_g);
+    if (edit.changed && app.rendering.on) predictions_changed(app);
+}
+
+// The largest of both, so that what is weaker looks weaker.
+void draw_waves(App& app, const LiveRendering& live, bool stale, const Rect& area) {
+    const double largest = std::max(peak_g(live.intended), peak_g(live.rendering.waveform));
+    const ImFont* small = app.theme.fonts.small;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float caption = small == nullptr ? 0.0F : small->FontSize + 2.0F * app.theme.scale;
+    const float each = (area.height() - time_axis_height(app)) / 2.0F;
+    const auto draw = [&](const char* id, const char* words, const Waveform& waveform, ImU32 colour,
+                          Rect place, bool last) {
+        draw_text(list, small, {place.min.x, place.min.y}, app.theme.dim_text, words);
+        place.min.y += caption;
+        TimeRow row;
+        row.id = id;
+        row.samples = waveform.samples_g;
+        row.rate_hz = waveform.rate_hz;
+        row.colour = colour;
+        row.largest = largest;
+        row.unit = "g";
+        row.large = true;
+        row.time_axis = last;
+        row.stale = stale;
+        draw_time_row(app, place, row);
+    };
+    const float split = area.min.y + each;
+    draw("intended", "meant", live.intended, app.theme.dim_text, {area.min, {area.max.x, split}},
+         false);
+    draw("rendered", "played", live.rendering.waveform, app.theme.accent,
+         {{area.min.x, split}, area.max}, true);
+}
+
+std::string band_words(const BandEnergy& band, bool is_last) {
+    char text[48];
+    if (band.low_hz <= 0.0) {
+        std::snprintf(text, sizeof text, "below %.0f Hz", band.high_hz);
+    } else if (is_last) {
+        std::snprintf(text, sizeof text, "above %.0f Hz", band.low_hz);
+    } else {
+        std::snprintf(text, sizeof text, "%.0f\u2013%.0f Hz", band.low_hz, band.high_hz);
+    }
+    return text;
+}
+
+void draw_band(App& app, const BandEnergy& band, double whole_g2, bool is_last) {
+    const auto cell = [](const std::string& text) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(text.c_str());
+    };
+    const std::string lost = band.intended_g2 > 1e-4 * whole_g2 ? percent(band.share_lost) : "-";
+    ImGui::TableNextRow();
+    cell(band_words(band, is_last));
+    note_item(app.rects, "band:" + band_words(band, is_last), lost);
+    cell(percent(band.intended_g2 / whole_g2));
+    cell(percent(band.rendered_g2 / whole_g2));
+    const bool much = band.share_lost > 0.5 && band.intended_g2 > 0.05 * whole_g2;
+    if (much) ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+    cell(lost);
+    if (much) ImGui::PopStyleColor();
+}
+
+void draw_bands(App& app, const Rendering& rendering) {
+    double whole_g2 = 0.0;
+    for (const BandEnergy& band : rendering.bands) whole_g2 += band.intended_g2;
+    if (!(whole_g2 > 0.0)) return dim_text(app, "Silence: there is nothing to lose.");
+    ImGui::PushFont(app.theme.fonts.small);
+    if (ImGui::BeginTable("bands", 4, ImGuiTableFlags_SizingStretchProp)) {
+        ImGui::TableSetupColumn("band", 0, 1.3F);
+        for (const char* name : {"meant", "played", "lost of it"}) ImGui::TableSetupColumn(name);
+        ImGui::PushStyleColor(ImGuiCol_Text, app.theme.dim_text);
+        for (const char* name : {"energy", "meant", "played", "lost of it"}) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(name);
+        }
+        ImGui::PopStyleColor();
+        for (const BandEnergy& band : rendering.bands) {
+            draw_band(app, band, whole_g2, &band == &rendering.bands.back());
+        }
+        ImGui::EndTable();
+    }
+    ImGui::PopFont();
+}
+
+// The sentences under the numbers: what a person would not see in the curves.
+std::vector<std::string> remarks_on(const Rendering& rendering) {
+    std::vector<std::string> remarks;
+    for (const std::string& warning : rendering.warnings) {
+        remarks.push_back("The pattern " + warning + ".");
+    }
+    const auto of_frames = [&](auto which) {
+        return static_cast<std::size_t>(std::ranges::count_if(rendering.frames, which));
+    };
+    const std::string frames = " of " + std::to_string(rendering.frames.size()) + " packets";
+    if (rendering.clipped && rendering.warnings.empty()) {
+        remarks.emplace_back("Stronger than full scale: the device plays it weaker than meant.");
+    }
+    if (const auto folded = of_frames([](const RenderedFrame& f) { return f.folded; })) {
+        remarks.push_back(std::to_string(folded) + frames +
+                          " hold a tone below 41 Hz, played as swells of 160 Hz.");
+    }
+    if (const auto noise = of_frames([](const RenderedFrame& f) { return f.noise; })) {
+        remarks.push_back(std::to_string(noise) + frames +
+                          " hold noise or a click, played as tones of its level.");
+    }
+    return remarks;
+}
+
+void draw_summary(App& app, const Rendering& rendering) {
+    std::string text = percent(rendering.share_lost) + " of its energy is lost";
+    if (rendering.share_added > 0.005) {
+        text += ", and " + percent(rendering.share_added) + " as much appears where less was meant";
+    }
+    text += ".";
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.c_str());
+    note_item(app.rects, "rendering:summary", text);
+    ImGui::PushFont(app.theme.fonts.small);
+    for (const std::string& remark : remarks_on(rendering)) dim_text(app, remark);
+    dim_text(app, std::string("This kind keeps ") + traits(rendering.by.kind).keeps +
+                      (is_calibrated(rendering.by)
+                           ? ". Computed from its measured response, at a level of 100 %."
+                           : ". Computed from how it is told, not measured."));
+    ImGui::PopFont();
+    ImGui::PopTextWrapPos();
+}
+
+void draw_report(App& app) {
+    const Vibration* const current = current_vibration(app);
+    const std::shared_ptr<const LiveRendering> live = app.rendering.shown;
+    if (current == nullptr || !live) {
+        const Rect area = rest_of_pane();
+        if (area.empty()) return;
+        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area,
+                   current == nullptr ? "No pattern" : "Computing",
+                   "What the device plays will stand here, beside what was meant.");
+        return;
+    }
+    const bool stale = live->request != RenderingRequest{*current, app.rendering.by};
+    draw_summary(app, live->rendering);
+    const float rows = static_cast<float>(live->rendering.bands.size()) + 1.0F;
+    const float line = app.theme.fonts.small == nullptr
+                           ? ImGui::GetTextLineHeightWithSpacing()
+                           : app.theme.fonts.small->FontSize + ImGui::GetStyle().ItemSpacing.y;
+    const float least = 130.0F * app.theme.scale;
+    const float room = rest_of_pane().height() - rows * line - app.theme.gap_px;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const Rect waves = rect_at(corner, {ImGui::GetContentRegionAvail().x, std::max(least, room)});
+    ImGui::Dummy(waves.size());
+    draw_waves(app, *live, stale, waves);
+    draw_bands(app, live->rendering);
+}
+
+}  // namespace
+
+void draw_device_panel(App& app) {
+    // Longer than a low pane.
+    ImGui::BeginChild("device report", ImGui::GetContentRegionAvail());
+    draw_kind(app);
+    draw_switch(app);
+    if (is_calibrated(app.rendering.by)) {
+        const std::string text = calibration_text(app);
+        ImGui::PushTextWrapPos(0.0F);
+        dim_text(app, text);
+        ImGui::PopTextWrapPos();
+        note_item(app.rects, "rendering:calibrated", text);
+    } else {
+        draw_full_scale(app);
+    }
+    draw_report(app);
+    ImGui::EndChild();
+}
+
+}  // namespace tact

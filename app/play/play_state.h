@@ -1,0 +1,88 @@
+// What is being felt, on which device, and how the transport bar was left.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/jobs/latest_job.h"
+#include "devices/calibration/calibration.h"
+#include "devices/device/device.h"
+#include "devices/device/device_info.h"
+#include "devices/device/drive.h"
+#include "model/set/pattern_set.h"
+
+namespace tact {
+
+class AudioHost;  // devices/audio/audio_host.h
+
+// Patterns to be felt, one after the other; of the test buzz none.
+struct Sounding {
+    std::vector<std::string> names;
+    std::size_t at = 0;                     // of names: the one that sounds
+    bool repeats = false;                   // from the first after the last
+    bool loops = false;                     // the only one, without a gap
+    bool follows = false;                   // the pattern in the editor, as it is edited
+    bool selects = false;                   // each becomes the current one
+    std::optional<double> rests_until_s{};  // between two of them
+    Vibration as_played{};                  // the one that sounds, as it was when it began
+    double position_s = 0.0;                // in the last frame
+    std::optional<double> level{};          // of its own, in the place of the bar's
+    bool is_prepared = true;                // its drive is there; false: still being computed
+};
+
+using Listing = std::vector<DeviceInfo>;
+
+// A vibration as the chosen device is to be driven for it.
+struct DriveRequest {
+    std::uint64_t number = 0;
+    Vibration vibration;
+    std::shared_ptr<const Calibration> calibration;  // null: none
+    double full_scale_g = kFullScaleG;
+};
+
+struct MadeDrive {
+    DriveRequest request;
+    Drive drive;
+    std::string remark;  // a sentence on what the actuator cannot do of it; empty: it can
+};
+
+inline constexpr double kFirstLevel = 0.1;  // of every start: nobody is startled
+
+struct PlayState {
+    // Remembered from one start to the next (app/document/session.h).
+    DeviceChoice choice;                // no id: silent
+    std::vector<DeviceChoice> choices;  // of other devices, for when they are chosen again
+    double full_scale_g = kFullScaleG;
+    bool on_hover = false;  // a pattern pointed at in the map is felt
+
+    double level = kFirstLevel;
+    bool alternates = false;  // A|B: the current pattern and its partner, in turn
+    double gap_s = 0.5;       // between two patterns
+
+    std::shared_ptr<AudioHost> audio;  // null: no sound in this program, as in tests and pictures
+    std::unique_ptr<LatestJob<int, Listing>> list_job;  // asked for by number
+    int lists_asked = 0;
+    std::shared_ptr<const Listing> listed;  // null: not yet
+
+    std::shared_ptr<Device> device;  // the chosen one, where it is there; studies use it, too
+    DeviceChoice opened;             // as which it was opened
+    std::shared_ptr<const Calibration> calibration;  // null: strengths in g are not known
+    std::string calibration_read;                    // the file it is from, or that was no good
+    std::unique_ptr<LatestJob<DriveRequest, MadeDrive>> drive_job;  // of calibrated ones
+    std::uint64_t drives_asked = 0;
+    DeviceStatus status;       // of this frame
+    std::string told_trouble;  // at the foot of the window
+    std::optional<Sounding> sounding;
+    std::optional<std::size_t> hovered_in_map;  // in this frame
+    std::string felt_on_hover;                  // until another one is pointed at
+    double meter = 0.0;                         // of full scale; falls slowly
+    bool clip_light = false;                    // until it is clicked
+    bool focused = true;                        // the window, in the last frame
+    bool halted = false;   // Esc has stopped the device; the frame that takes it is still to come
+    bool escaped = false;  // Esc has silenced something in this frame
+};
+
+}  // namespace tact

@@ -1,0 +1,165 @@
+// The transport bar's part that is felt: which device, how strong, and whether it was too strong.
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/play/playing.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "devices/device/playback.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kDeviceWidthPx = 132.0F;
+constexpr float kNarrowDeviceWidthPx = 64.0F;
+constexpr float kLevelWidthPx = 136.0F;
+constexpr float kMeterWidthPx = 64.0F;
+constexpr float kLightPx = 10.0F;
+constexpr double kQuietestDb = -48.0;
+
+bool is_device_chosen(const App& app) { return !app.play.choice.id.empty(); }
+
+// Of the meter's width: its left end is -48 dB of full scale.
+float meter_share(double of_full_scale) {
+    if (of_full_scale <= 0.0) return 0.0F;
+    const double db = 20.0 * std::log10(of_full_scale);
+    return static_cast<float>(std::clamp(1.0 - db / kQuietestDb, 0.0, 1.0));
+}
+
+void draw_device_item(App& app, const DeviceInfo& device) {
+    const bool chosen = device.id == app.play.choice.id;
+    if (ImGui::MenuItem(device.name.c_str(), device.interface.c_str(), chosen)) {
+        choose_device(app, remembered_choice(app, device.id));
+    }
+    note_item(app.rects, "device:" + device.id, chosen ? "chosen" : "");
+}
+
+void draw_device_menu(App& app) {
+    if (!ImGui::BeginPopup("device menu")) return;
+    const std::string trouble = device_trouble(app);
+    if (!trouble.empty()) {
+        ImGui::PushTextWrapPos(320.0F * app.theme.scale);
+        dim_text(app, trouble);
+        ImGui::PopTextWrapPos();
+        note_item(app.rects, "device advice", trouble);
+        ImGui::Separator();
+    }
+    if (ImGui::MenuItem("Silent", nullptr, !is_device_chosen(app))) choose_device(app, {});
+    note_item(app.rects, "device:silent");
+    const auto listed = app.play.listed;  // kept: choosing may change it
+    for (std::size_t k = 0; listed && k < listed->size(); ++k) draw_device_item(app, (*listed)[k]);
+    ImGui::Separator();
+    if (ImGui::MenuItem("Refresh devices")) refresh_devices(app);
+    note_item(app.rects, "device:refresh");
+    if (ImGui::MenuItem("Devices...")) app.dialog = Dialog::devices;
+    note_item(app.rects, "device:dialog");
+    ImGui::EndPopup();
+}
+
+float device_width(const App& app, bool wide) {
+    return (wide ? kDeviceWidthPx : kNarrowDeviceWidthPx) * app.theme.scale;
+}
+
+void draw_device_button(App& app, bool wide) {
+    const Theme& theme = app.theme;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size{device_width(app, wide), ImGui::GetFrameHeight()};
+    if (ImGui::Button("##device", size)) ImGui::OpenPopup("device menu");
+    const std::string text = device_text(app);
+    note_item(app.rects, "device", text);
+    const std::string trouble = device_trouble(app);
+    draw_tooltip(app, trouble.empty() ? "What plays: at 1\u00d7 it is felt" : trouble.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float arrow = 4.0F * theme.scale;
+    const float pad = ImGui::GetStyle().FramePadding.x;
+    const ImVec2 tip{corner.x + size.x - pad - arrow, corner.y + size.y * 0.5F};
+    list.AddTriangleFilled({tip.x - arrow, tip.y - arrow * 0.5F}, {tip.x, tip.y + arrow * 0.6F},
+                           {tip.x + arrow, tip.y - arrow * 0.5F}, theme.dim_text);
+    const bool is_lost = is_device_chosen(app) && !trouble.empty();
+    const ImU32 ink = is_lost ? theme.warning : is_device_chosen(app) ? theme.text : theme.dim_text;
+    draw_text(list, theme.fonts.regular,
+              {corner.x + pad, corner.y + ImGui::GetStyle().FramePadding.y}, ink,
+              shortened(theme.fonts.regular, text, size.x - 3.0F * pad - 2.0F * arrow));
+    draw_device_menu(app);
+}
+
+void draw_level(App& app) {
+    auto percent = static_cast<float>(100.0 * app.play.level);
+    ImGui::SetNextItemWidth(kLevelWidthPx * app.theme.scale);
+    if (ImGui::SliderFloat("##level", &percent, 0.0F, 100.0F, "level %.0f %%",
+                           ImGuiSliderFlags_AlwaysClamp)) {
+        app.play.level = 0.01 * static_cast<double>(percent);
+    }
+    note_item(app.rects, "level", std::to_string(app.play.level));
+    draw_tooltip(app,
+                 "How strong everything is felt, also while it plays. Every start begins at 10 %: "
+                 "strengths are uncalibrated.");
+}
+
+void draw_meter(App& app) {
+    const Theme& theme = app.theme;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size{kMeterWidthPx * theme.scale, ImGui::GetFrameHeight()};
+    ImGui::InvisibleButton("##meter", size);
+    note_item(app.rects, "meter", std::to_string(app.play.meter));
+    draw_tooltip(app, "What the device is given, from -48 dB to full scale; the line is the limit");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float y1 = corner.y + size.y * 0.38F;
+    const float y2 = corner.y + size.y * 0.62F;
+    list.AddRectFilled({corner.x, y1}, {corner.x + size.x, y2}, theme.field, 2.0F * theme.scale);
+    const float lit = size.x * meter_share(app.play.meter);
+    if (lit > 0.0F) {
+        list.AddRectFilled({corner.x, y1}, {corner.x + lit, y2}, theme.accent, 2.0F * theme.scale);
+    }
+    const float limit = corner.x + size.x * meter_share(kCeiling);
+    list.AddLine({limit, y1 - 2.0F * theme.scale}, {limit, y2 + 2.0F * theme.scale}, theme.dim_text,
+                 theme.hairline_px);
+}
+
+void draw_clip_light(App& app) {
+    const Theme& theme = app.theme;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size{2.0F * kLightPx * theme.scale, ImGui::GetFrameHeight()};
+    if (ImGui::InvisibleButton("##clip", size)) app.play.clip_light = false;
+    note_item(app.rects, "clip", app.play.clip_light ? "on" : "off");
+    draw_tooltip(app, app.play.clip_light
+                          ? "Too strong for full scale: the whole pattern was turned down, its "
+                            "shape is kept. Lower the level; a click puts the light out."
+                          : "Lights up where a pattern had to be turned down");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 centre = corner + size * 0.5F;
+    const float radius = 0.45F * kLightPx * theme.scale;
+    if (app.play.clip_light) {
+        list.AddCircleFilled(centre, radius, theme.error);
+    } else {
+        list.AddCircle(centre, radius, theme.line, 0, theme.trace_px);
+    }
+}
+
+}  // namespace
+
+float sound_controls_width(const App& app, SoundParts parts) {
+    float width = device_width(app, parts.wide);
+    if (parts.level && is_device_chosen(app)) {
+        width += (kLevelWidthPx + kMeterWidthPx + 2.0F * kLightPx) * app.theme.scale +
+                 2.5F * app.theme.gap_px;
+    }
+    return width;
+}
+
+void draw_sound_controls(App& app, SoundParts parts) {
+    draw_device_button(app, parts.wide);
+    if (!parts.level || !is_device_chosen(app)) return;
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    draw_level(app);
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    draw_meter(app);
+    ImGui::SameLine(0.0F, 0.5F * app.theme.gap_px);
+    draw_clip_light(app);
+}
+
+}  // namespace tact

@@ -1,0 +1,358 @@
+// The bar under the menus: play and step, how fast, where in time, and what is being computed.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "app/document/editing.h"
+#include "app/jobs/time_left.h"
+#include "app/map/map_follow.h"
+#include "app/play/playing.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+enum class Icon { play, pause, stop, to_start, back, forward, loop };
+
+void draw_triangle(ImDrawList& list, ImVec2 centre, float size, float way, ImU32 colour) {
+    const float half = size * 0.5F;
+    list.AddTriangleFilled({centre.x - way * half, centre.y - half},
+                           {centre.x + way * half, centre.y},
+                           {centre.x - way * half, centre.y + half}, colour);
+}
+
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 colour) {
+    const float bar = size * 0.22F;
+    const float half = size * 0.5F;
+    const auto upright = [&](float x) {
+        list.AddRectFilled({x - bar * 0.5F, at.y - half}, {x + bar * 0.5F, at.y + half}, colour);
+    };
+    switch (icon) {
+        case Icon::play:
+            return draw_triangle(list, at, size, 1.0F, colour);
+        case Icon::pause:
+            upright(at.x - size * 0.25F);
+            return upright(at.x + size * 0.25F);
+        case Icon::stop:
+            return list.AddRectFilled({at.x - half * 0.85F, at.y - half * 0.85F},
+                                      {at.x + half * 0.85F, at.y + half * 0.85F}, colour);
+        case Icon::to_start:
+            upright(at.x - half);
+            return draw_triangle(list, {at.x + bar * 0.5F, at.y}, size * 0.9F, -1.0F, colour);
+        case Icon::back:
+            upright(at.x + half);
+            return draw_triangle(list, {at.x - bar, at.y}, size * 0.7F, -1.0F, colour);
+        case Icon::forward:
+            upright(at.x - half);
+            return draw_triangle(list, {at.x + bar, at.y}, size * 0.7F, 1.0F, colour);
+        case Icon::loop:
+            list.PathArcTo(at, half, -0.3F, 4.9F, 18);
+            list.PathStroke(colour, ImDrawFlags_None, std::max(1.0F, size * 0.13F));
+            const ImVec2 tip{at.x + half * std::cos(4.9F), at.y + half * std::sin(4.9F)};
+            return draw_triangle(list, tip, size * 0.5F, 1.0F, colour);
+    }
+}
+
+bool icon_button(App& app, const char* id, Icon icon, bool lit, const char* tip) {
+    const Theme& theme = app.theme;
+    const float side = ImGui::GetFrameHeight();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(id, {side * 1.15F, side});
+    const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (over || lit) {
+        list.AddRectFilled(corner, corner + ImVec2{side * 1.15F, side},
+                           lit ? faded(theme.accent, 0.28F) : theme.hover, theme.rounding_px);
+    }
+    draw_icon(list, icon, corner + ImVec2{side * 0.575F, side * 0.5F}, side * 0.46F,
+              lit ? theme.accent : theme.text);
+    note_item(app.rects, std::string("transport:") + id, lit ? "on" : "off");
+    draw_tooltip(app, tip);
+    ImGui::SameLine(0.0F, app.theme.gap_px * 0.5F);
+    return pressed;
+}
+
+struct Speed {
+    const char* text;
+    double speed;
+    const char* tip;
+};
+constexpr std::array<Speed, 3> kSpeeds{{{"1\u00d7", 1.0, "Real time"},
+                                        {"1/10", 0.1, "Ten times slower"},
+                                        {"1/100", 0.01, "A hundred times slower"}}};
+
+void draw_speeds(App& app) {
+    for (const Speed& speed : kSpeeds) {
+        const bool chosen = app.playhead.speed == speed.speed;
+        if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, faded(app.theme.accent, 0.35F));
+        if (ImGui::Button(speed.text)) set_speed(app, speed.speed);
+        if (chosen) ImGui::PopStyleColor();
+        note_item(app.rects, std::string("speed:") + speed.text, chosen ? "chosen" : "");
+        draw_tooltip(app, speed.tip);
+        ImGui::SameLine(0.0F, app.theme.gap_px * 0.5F);
+    }
+}
+
+struct TimeTexts {
+    std::string at;
+    std::string whole;
+    std::string range;  // empty: all of it is shown
+};
+
+TimeTexts time_texts(const App& app) {
+    char at[32];
+    char whole[48];
+    std::snprintf(at, sizeof at, "%.3f s", app.playhead.at_s);
+    std::snprintf(whole, sizeof whole, "of %.3f s", shown_duration_s(app));
+    const TimeRange& range = app.time_range;
+    const bool zoomed_in =
+        range.length_s() > 0.0 && range.length_s() < shown_duration_s(app) - 1e-9;
+    char shown[64] = "";
+    if (zoomed_in) {
+        std::snprintf(shown, sizeof shown, "%.4g\u2013%.4g s shown", range.start_s, range.end_s);
+    }
+    return {at, whole, shown};
+}
+
+// What is being computed, at length and in short; empty: nothing.
+struct ComputingTexts {
+    std::string full;
+    std::string brief;
+    const char* action = "";
+};
+
+ComputingTexts computing_texts(const App& app) {
+    if (app.map_progress) {
+        char percent[16];
+        std::snprintf(percent, sizeof percent, "%.0f %%",
+                      static_cast<double>(100.0F * app.map_progress->share));
+        const std::string left =
+            time_left_text(app.time_s - app.map_progress->since_s, app.map_progress->share);
+        return {std::string("computing the map, ") + percent + (left.empty() ? "" : ", " + left),
+                percent, "Cancel"};
+    }
+    if (app.map_cancelled) return {"map not computed", "no map", "Compute"};
+    return {};
+}
+
+// What the bar has room for; the parts, from the one that goes first to the one that goes last.
+struct BarParts {
+    bool computing_in_full = true;
+    bool whole = true;
+    bool range = true;
+    bool level = true;
+    bool speeds = true;
+    bool steps = true;
+    bool wide_device = true;
+    bool loop = true;
+    bool computing = true;
+};
+constexpr std::array<bool BarParts::*, 9> kFirstToGo{&BarParts::computing_in_full,
+                                                     &BarParts::whole,
+                                                     &BarParts::range,
+                                                     &BarParts::level,
+                                                     &BarParts::speeds,
+                                                     &BarParts::steps,
+                                                     &BarParts::wide_device,
+                                                     &BarParts::loop,
+                                                     &BarParts::computing};
+
+constexpr const char* kShowAll = "Show all";
+constexpr float kAlternateSides = 1.5F;  // width of A|B, of its height
+
+float bar_width(const App& app, const BarParts& parts) {
+    const float gap = app.theme.gap_px;
+    const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+    const float icon = 1.15F * ImGui::GetFrameHeight() + 0.5F * gap;
+    const TimeTexts time = time_texts(app);
+    const ComputingTexts computing = computing_texts(app);
+    float sum = icon * (1.0F + (parts.steps ? 3.0F : 0.0F) + (parts.loop ? 1.0F : 0.0F));
+    if (parts.loop) sum += kAlternateSides * ImGui::GetFrameHeight() + 0.5F * gap;
+    if (parts.speeds) {
+        sum += app.theme.padding_px;
+        for (const Speed& speed : kSpeeds) sum += button_width(speed.text) + 0.5F * gap;
+    }
+    sum += app.theme.padding_px + sound_controls_width(app, {parts.level, parts.wide_device});
+    sum += app.theme.padding_px + text_size(app.theme.fonts.semibold, time.at).x;
+    if (parts.whole) sum += 0.75F * gap + width(time.whole);
+    if (!time.range.empty()) {
+        sum += app.theme.padding_px + width(kShowAll);
+        if (parts.range) sum += gap + width(time.range);
+    }
+    if (parts.computing && !computing.full.empty()) {
+        sum += 2.0F * gap + width(parts.computing_in_full ? computing.full : computing.brief) +
+               gap + width(computing.action);
+    }
+    return sum;
+}
+
+BarParts fitting_parts(const App& app, float room_px) {
+    BarParts parts;
+    for (const auto part : kFirstToGo) {
+        if (bar_width(app, parts) <= room_px) break;
+        parts.*part = false;
+    }
+    return parts;
+}
+
+// A link has no frame: on a line of buttons it would stand too high.
+void lower_to_text() {
+    ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y + ImGui::GetStyle().FramePadding.y);
+}
+
+// "0.382 s of 1.000 s": digits that do not dance.
+void draw_time(App& app, const BarParts& parts) {
+    const TimeTexts time = time_texts(app);
+    ImGui::PushFont(app.theme.fonts.semibold);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(time.at.c_str());
+    ImGui::PopFont();
+    note_item(app.rects, "playhead", time.at);
+    if (parts.whole) {
+        ImGui::SameLine(0.0F, app.theme.gap_px * 0.75F);
+        dim_text(app, time.whole);
+        note_item(app.rects, "bar:whole");
+    }
+    if (time.range.empty()) return;
+    ImGui::SameLine(0.0F, app.theme.padding_px);
+    if (parts.range) {
+        dim_text(app, time.range);
+        note_item(app.rects, "bar:range");
+        ImGui::SameLine(0.0F, app.theme.gap_px);
+    }
+    lower_to_text();
+    if (link(app, "show all", kShowAll)) app.time_range = {};
+    note_item(app.rects, "show all");
+}
+
+void draw_computing(App& app, const BarParts& parts) {
+    const ComputingTexts texts = computing_texts(app);
+    if (texts.full.empty() || !parts.computing) return;
+    const std::string& text = parts.computing_in_full ? texts.full : texts.brief;
+    const float right = ImGui::GetWindowWidth() - app.theme.padding_px;
+    const float width = ImGui::CalcTextSize(text.c_str()).x + ImGui::CalcTextSize(texts.action).x +
+                        app.theme.gap_px;
+    ImGui::SameLine(right - width);
+    lower_to_text();
+    dim_text(app, text);
+    note_item(app.rects, "bar:computing", text);
+    ImGui::SameLine(0.0F, app.theme.gap_px);
+    lower_to_text();
+    if (link(app, "map action", texts.action)) {
+        if (app.map_progress) {
+            app.full_job->cancel();
+            app.preview_job->cancel();
+            app.map_cancelled = true;
+        } else {
+            request_maps(app);
+        }
+    }
+    note_item(app.rects, std::string("map:") + texts.action);
+}
+
+// "A|B", the one that sounds bright.
+void draw_alternate(App& app) {
+    const Theme& theme = app.theme;
+    const float side = ImGui::GetFrameHeight();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("alternate", {kAlternateSides * side, side})) {
+        toggle_alternating(app);
+    }
+    const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    const bool lit = app.play.alternates;
+    note_item(app.rects, "transport:A|B", lit ? "on" : "off");
+    draw_tooltip(app,
+                 "Plays the current pattern and its partner in turn. The partner is the pattern "
+                 "compared with, else the one chosen in the matrix or map, else the closest one.");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (lit || over) {
+        list.AddRectFilled(corner, corner + ImVec2{kAlternateSides * side, side},
+                           lit ? faded(theme.accent, 0.28F) : theme.hover, theme.rounding_px);
+    }
+    const std::optional<Sounding>& sounding = app.play.sounding;
+    const bool in_turn = sounding && sounding->names.size() == 2;
+    const std::array<const char*, 3> letters{"A", "|", "B"};
+    float x =
+        corner.x + 0.5F * kAlternateSides * side - 0.5F * text_size(theme.fonts.semibold, "A|B").x;
+    for (std::size_t k = 0; k < letters.size(); ++k) {
+        const bool sounds = in_turn && k == 2 * sounding->at && !sounding->rests_until_s;
+        const ImU32 ink = sounds ? theme.accent : lit && !in_turn ? theme.accent : theme.text;
+        draw_text(list, theme.fonts.semibold, {x, corner.y + ImGui::GetStyle().FramePadding.y},
+                  k == 1 || (in_turn && !sounds) ? theme.dim_text : ink, letters[k]);
+        x += text_size(theme.fonts.semibold, letters[k]).x;
+    }
+    ImGui::SameLine(0.0F, theme.gap_px * 0.5F);
+}
+
+const char* play_tip(const App& app) {
+    if (is_sounding(app)) return "Stop (Space; Esc silences everything)";
+    if (app.playhead.playing) return "Pause (Space)";
+    if (!can_sound(app)) return "Play silently (Space)";
+    return app.playhead.speed == 1.0
+               ? "Play (Space)"
+               : "Play silently, in slow motion; at 1\u00d7 it is felt (Space)";
+}
+
+void draw_buttons(App& app, const BarParts& parts) {
+    Playhead& playhead = app.playhead;
+    const double duration_s = shown_duration_s(app);
+    const bool playing = playhead.playing;
+    const Icon halt = is_sounding(app) ? Icon::stop : Icon::pause;
+    if (icon_button(app, "play", playing ? halt : Icon::play, playing, play_tip(app))) {
+        toggle_playing(app);
+    }
+    if (parts.steps) {
+        if (icon_button(app, "to start", Icon::to_start, false, "Back to the start (Home)")) {
+            playhead.at_s = 0.0;
+        }
+        if (icon_button(app, "back", Icon::back, false, "5 ms back ( , )")) {
+            playhead = stepped(playhead, -1, duration_s);
+        }
+        if (icon_button(app, "forward", Icon::forward, false, "5 ms on ( . )")) {
+            playhead = stepped(playhead, 1, duration_s);
+        }
+    }
+    if (parts.loop &&
+        icon_button(app, "loop", Icon::loop, playhead.loop, "Start over at the end")) {
+        playhead.loop = !playhead.loop;
+    }
+    if (parts.loop) draw_alternate(app);
+}
+
+}  // namespace
+
+float transport_height(const App& app) { return ImGui::GetFrameHeight() + 1.5F * app.theme.gap_px; }
+
+void draw_transport_bar(App& app, const Rect& area) {
+    ImGui::SetNextWindowPos(area.min);
+    ImGui::SetNextWindowSize(area.size());
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        ImVec2(app.theme.padding_px, 0.75F * app.theme.gap_px));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, app.theme.pane_rounding_px);
+    if (ImGui::Begin("transport", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
+                         ImGuiWindowFlags_NoBringToFrontOnFocus)) {
+        const BarParts parts = fitting_parts(app, area.width() - 2.0F * app.theme.padding_px);
+        draw_buttons(app, parts);
+        ImGui::SameLine(0.0F, app.theme.padding_px);
+        draw_sound_controls(app, {parts.level, parts.wide_device});
+        if (parts.speeds) {
+            ImGui::SameLine(0.0F, app.theme.padding_px);
+            draw_speeds(app);
+        }
+        ImGui::SameLine(0.0F, app.theme.padding_px);
+        draw_time(app, parts);
+        draw_computing(app, parts);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace tact

@@ -1,0 +1,51 @@
+// What a kind of device makes of the patterns, beside the window: its report on the current one,
+// and whether all that is predicted is of what the device plays.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "app/jobs/latest_job.h"
+#include "devices/calibration/rendering.h"
+#include "model/set/pattern_set.h"
+
+namespace tact {
+
+struct RenderingRequest {
+    Vibration vibration;
+    RenderedBy by;
+
+    bool operator==(const RenderingRequest&) const = default;
+};
+
+struct LiveRendering {
+    RenderingRequest request;
+    Waveform intended;
+    Rendering rendering;
+};
+
+struct RenderingState {
+    bool on = false;  // maps, matrices and stages are of what the device plays
+    RenderedBy by;
+    std::unique_ptr<LatestJob<RenderingRequest, LiveRendering>> job;
+    RenderingRequest asked;
+    std::shared_ptr<const LiveRendering> shown;  // of the current vibration, or of one before it
+};
+
+std::optional<LiveRendering> compute_live_rendering(const RenderingRequest& request,
+                                                    std::stop_token stop,
+                                                    std::atomic<float>& progress);
+
+// Asks for the report on a vibration (null: there is none) where it was not asked for last.
+void follow_rendering(RenderingState& state, const Vibration* vibration);
+
+// None while predictions are of the patterns as they were meant.
+std::optional<RenderedBy> rendered_by(const RenderingState& state);
+
+// "as a Joy-Con plays them, uncalibrated"; empty while it is off.
+std::string rendered_words(const RenderingState& state);
+
+}  // namespace tact

@@ -1,0 +1,99 @@
+// What people said, as a matrix or as a map: of all who count, or of one beside them.
+
+#include <Eigen/Core>
+
+#include "app/study/study_follow.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "model/map/procrustes.h"
+#include "viz/charts/matrix_view.h"
+#include "viz/drawing/marks.h"
+#include "viz/space/space_view.h"
+
+namespace tact {
+
+namespace {
+
+void draw_choice(App& app) {
+    StudyState& state = *app.study;
+    const auto choose = [&](StudyShow which, const char* name) {
+        if (draw_radio(app, name, state.show == which)) state.show = which;
+        note_item(app.rects, std::string("study show:") + name);
+    };
+    choose(StudyShow::matrix, "Matrix");
+    ImGui::SameLine(0.0F, 1.5F * app.theme.gap_px);
+    choose(StudyShow::map, "Map");
+    if (!state.shown) return;
+    flow_on(ImGui::CalcTextSize("Show the mean").x, 2.0F * app.theme.gap_px);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
+    if (link(app, "show mean", "Show the mean")) state.shown.reset();
+    note_item(app.rects, "link:show mean");
+}
+
+bool has_map(const PerceptualSpace& space, std::size_t patterns) {
+    return space.points.rows() == static_cast<Eigen::Index>(patterns) && patterns > 1 &&
+           space.verdict != MdsVerdict::constant;
+}
+
+void draw_map(App& app, const StudyAnswers& answers, const Rect& area) {
+    const std::vector<std::string>& labels = answers.results->study.labels;
+    const auto shown = app.study->shown;
+    const PerceptualSpace& space = shown ? answers.maps[*shown] : answers.mean_map;
+    if (!has_map(space, labels.size())) {
+        return draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "No map of these answers",
+                          "A map needs answers that differ, of more than a few pairs.");
+    }
+    Eigen::MatrixXd points = space.points;
+    SpaceScene scene;
+    // One's own map over that of all, turned and sized to fit it best.
+    if (shown && has_map(answers.mean_map, labels.size())) {
+        points = procrustes(points, answers.mean_map.points).aligned;
+        scene.ghosts = &answers.mean_map.points;
+        scene.ghost_opacity = 0.6;
+    }
+    std::vector<PatternLook> looks;
+    for (const std::string& label : labels) {
+        const auto place = place_named(app.document.set, label);
+        looks.push_back(place ? look_of(app, *place) : PatternLook{app.theme.dim_text, true});
+    }
+    scene.labels = labels;
+    scene.looks = looks;
+    scene.points = &points;
+    draw_space("study map", app.theme, area, scene, app.camera);
+}
+
+void draw_values(App& app, const StudyAnswers& answers, const Rect& area) {
+    const auto shown = app.study->shown;
+    const Dissimilarity& matrix = shown ? answers.matrices[*shown] : answers.results->mean;
+    MatrixScene scene;
+    scene.condensed = matrix.condensed;
+    scene.labels = answers.results->study.labels;
+    scene.quantity = "dissimilarity";
+    scene.largest = app.study->rule.scaling == RatingScaling::none ? 100.0 : 0.0;
+    draw_matrix("study matrix", app.theme, area, scene);
+}
+
+}  // namespace
+
+void draw_study_answers(App& app) {
+    const std::shared_ptr<const StudyAnswers> answers = app.study->answers;
+    if (answers && app.study->shown && *app.study->shown >= answers->records.size()) {
+        app.study->shown.reset();
+    }
+    if (!answers || !answers->results) {
+        const Rect area = rest_of_pane();
+        if (area.empty()) return;
+        return draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "No answers yet",
+                          "What participants say appears here, as a matrix and as a map.");
+    }
+    draw_choice(app);
+    const Rect area = rest_of_pane();
+    if (area.width() < 40.0F || area.height() < 40.0F) return;
+    const bool is_map = app.study->show == StudyShow::map;
+    if (is_map) draw_map(app, *answers, area);
+    if (!is_map) draw_values(app, *answers, area);
+    note_rect(app.rects, is_map ? "study map" : "study matrix", area.min, area.max);
+}
+
+}  // namespace tact

@@ -1,0 +1,348 @@
+// What people are asked: the design of the document's study, every change an undo step.
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "app/document/editing.h"
+#include "app/study/study_follow.h"
+#include "app/study/study_masking.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "model/set/set_study.h"
+
+namespace tact {
+
+namespace {
+
+// A number of the design.
+struct NumberRow {
+    Field field;
+    double (*get)(const StudyDesign&);
+    void (*set)(StudyDesign&, double);
+    bool of_pairs = true;  // sorting has none of it
+};
+
+int whole(double value) { return static_cast<int>(std::lround(value)); }
+
+constexpr Field count(const char* id, const char* label, Range slider, Range typed,
+                      const char* help) {
+    return {.id = id,
+            .label = label,
+            .format = "%.0f",
+            .slider = slider,
+            .typed = typed,
+            .step = 1,
+            .snap = 1,
+            .help = help};
+}
+
+constexpr Field seconds(const char* id, const char* label, const char* help) {
+    return {.id = id,
+            .label = label,
+            .format = "%.2f s",
+            .slider = {0.0, 3.0},
+            .typed = limits::kPauseS,
+            .step = 0.1,
+            .snap = 0.1,
+            .help = help};
+}
+
+const auto kTrials = std::to_array<NumberRow>({
+    {count("study_repetitions", "Repetitions", {1, 8}, limits::kRepetitions,
+           "How often every pair is rated. The publication: 4."),
+     [](const StudyDesign& d) { return double(d.repetitions); },
+     [](StudyDesign& d, double value) { d.repetitions = whole(value); }},
+    {count("study_attention", "Identical pairs", {0, 10}, limits::kAttentionPairs,
+           "Trials with one pattern on both buttons: who does not rate them as the same was not "
+           "attending. The publication: 1."),
+     [](const StudyDesign& d) { return double(d.attention_pairs); },
+     [](StudyDesign& d, double value) { d.attention_pairs = whole(value); }},
+    {count("study_above", "Rated above", {50, 100}, limits::kSimilarity,
+           "Similarity that identical patterns must exceed, or the participant is not counted. "
+           "The publication: 80."),
+     [](const StudyDesign& d) { return d.attention.above; },
+     [](StudyDesign& d, double value) { d.attention.above = value; }},
+    {count("study_failures", "May miss", {0, 5}, limits::kAttentionPairs,
+           "So many identical pairs may be missed before a participant is not counted."),
+     [](const StudyDesign& d) { return double(d.attention.failures_allowed); },
+     [](StudyDesign& d, double value) { d.attention.failures_allowed = whole(value); }},
+    {count("study_break", "Break every", {0, 200}, limits::kBreakEvery,
+           "Trials between two breaks; 0: none."),
+     [](const StudyDesign& d) { return double(d.break_every); },
+     [](StudyDesign& d, double value) { d.break_every = whole(value); }},
+    {count("study_seed", "Seed", {0, 100}, limits::kStudySeed,
+           "The order of trials and sides is drawn from the seed and the participant's code: the "
+           "same again for the same two."),
+     [](const StudyDesign& d) { return double(d.seed); },
+     [](StudyDesign& d, double value) { d.seed = whole(value); }, false},
+    {seconds("study_gap", "Gap", "Silence between two vibrations, at least. The publication: 1 s."),
+     [](const StudyDesign& d) { return d.gap_s; },
+     [](StudyDesign& d, double value) { d.gap_s = value; }, false},
+    {seconds("study_rest", "Rest in training", "Silence after every vibration of the training."),
+     [](const StudyDesign& d) { return d.rest_s; },
+     [](StudyDesign& d, double value) { d.rest_s = value; }},
+    {{.id = "study_masking",
+      .label = "Masking noise",
+      .format = "%.2f",
+      .slider = {0.0, 1.0},
+      .typed = {0.0, 1.0},
+      .step = 0.05,
+      .snap = 0.01,
+      .help = "Level of pink noise on the participant's headphones, so that the actuator is felt "
+              "and not heard; 0: off. It needs a second sound output."},
+     [](const StudyDesign& d) { return d.masking; },
+     [](StudyDesign& d, double value) { d.masking = value; },
+     false},
+});
+
+void change(App& app, const std::function<void(StudyDesign&)>& edit) {
+    edit(app.document.set.study);
+    document_changed(app);
+}
+
+void change_at_once(App& app, const std::string& label,
+                    const std::function<void(StudyDesign&)>& edit) {
+    change(app, edit);
+    commit_step(app, label);
+}
+
+void draw_number(App& app, const NumberRow& row) {
+    double value = row.get(app.document.set.study);
+    const FieldEdit edit = draw_field(app, row.field, value);
+    if (edit.changed) change(app, [&](StudyDesign& design) { row.set(design, value); });
+    if (edit.finished) commit_step(app, std::string("study: ") + row.field.label);
+}
+
+// The output that is an actuator's or gone is told below the choice.
+void draw_headphones(App& app) {
+    const StudyDesign& design = app.document.set.study;
+    if (design.masking <= 0.0) return;
+    const auto listed = app.play.listed;
+    const auto name_of = [&](const std::string& id) {
+        for (std::size_t k = 0; listed && k < listed->size(); ++k) {
+            if ((*listed)[k].id == id) return (*listed)[k].name;
+        }
+        return id.substr(id.rfind('/') + 1);
+    };
+    draw_label(app, "Headphones", 200.0F * app.theme.scale);
+    ImGui::SetNextItemWidth(-1.0F);
+    const std::string shown =
+        design.headphones.empty() ? "choose an output" : name_of(design.headphones);
+    const bool is_open = ImGui::BeginCombo("##headphones", shown.c_str());
+    note_item(app.rects, "study:headphones", design.headphones);
+    draw_tooltip(app, "The sound output that the participant's headphones are on");
+    for (std::size_t k = 0; is_open && listed && k < listed->size(); ++k) {
+        const DeviceInfo& device = (*listed)[k];
+        if (device.kind != DeviceKind::audio) continue;
+        const bool is_actuator = device.id == app.play.choice.id;
+        const std::string label =
+            device.name + (is_actuator ? " (the actuator's)" : "") + "##" + device.id;
+        if (ImGui::Selectable(label.c_str(), device.id == design.headphones,
+                              is_actuator ? ImGuiSelectableFlags_Disabled : 0)) {
+            change_at_once(app, "study: headphones",
+                           [id = device.id](StudyDesign& d) { d.headphones = id; });
+        }
+        note_item(app.rects, "study headphones:" + device.id);
+    }
+    if (is_open) ImGui::EndCombo();
+    const Expected<DeviceInfo> output = masking_output(app.play, app.document.set.study.headphones);
+    if (output) return;
+    const std::string why = "No masking noise: " + output.error().message + ".";
+    ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(why.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    note_item(app.rects, "study:no masking", why);
+}
+
+void draw_kind(App& app) {
+    StudyKind& kind = app.study->kind;
+    const auto choose = [&](StudyKind which, const char* name) {
+        if (draw_radio(app, name, kind == which) && kind != which) {
+            kind = which;
+            app.study->shown.reset();
+        }
+        note_item(app.rects, std::string("study kind:") + name);
+    };
+    choose(StudyKind::pairwise, "Rate pairs");
+    draw_tooltip(app,
+                 "Two patterns at a time, similarity from 0 to 100: every pair several times.");
+    flow_on(radio_width(app, "Sort into groups"), 1.5F * app.theme.gap_px);
+    choose(StudyKind::sorting, "Sort into groups");
+    draw_tooltip(app,
+                 "All patterns at once, put together where they feel alike, several times with "
+                 "given numbers of groups. Quicker, and coarser.");
+}
+
+void draw_order(App& app) {
+    const StudyOrder order = app.document.set.study.order;
+    draw_label(app, "Order");
+    const auto choose = [&](StudyOrder which, const char* name) {
+        if (draw_radio(app, name, order == which) && order != which) {
+            change_at_once(app, "study: order", [which](StudyDesign& d) { d.order = which; });
+        }
+        note_item(app.rects, std::string("study order:") + name);
+    };
+    choose(StudyOrder::full, "Full design");
+    draw_tooltip(app, "The publication's: all pairs in random order, pass by pass.");
+    flow_on(radio_width(app, "Adaptive"), 1.5F * app.theme.gap_px);
+    choose(StudyOrder::adaptive, "Adaptive");
+    draw_tooltip(app,
+                 "Not the publication's: pairs in an order that settles the map early, with a "
+                 "word when more trials would change little. Its answers are kept apart.");
+}
+
+// The line that an experimenter plans by.
+void draw_prediction(App& app) {
+    const StudyDesign& design = app.document.set.study;
+    const std::size_t patterns = study_names(app).size();
+    char text[120];
+    if (app.study->kind == StudyKind::sorting) {
+        const std::size_t rounds = design.groups.empty()
+                                       ? sorting_rounds(patterns, patterns / 2).size()
+                                       : design.groups.size();
+        std::snprintf(text, sizeof text, "%zu rounds, about %.0f min", rounds,
+                      3.0 * static_cast<double>(rounds));
+    } else {
+        std::snprintf(text, sizeof text, "%zu trials, about %.0f min",
+                      trial_count(design, patterns),
+                      std::ceil(predicted_minutes(design, patterns, study_duration_s(app))));
+    }
+    ImGui::PushFont(app.theme.fonts.large);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+    note_item(app.rects, "study:prediction", text);
+    draw_tooltip(app, "18 s a trial, as in the publication; longer for longer patterns.");
+}
+
+// Numbers of groups, as text; taken when the entry is left.
+void draw_rounds(App& app) {
+    const std::size_t patterns = study_names(app).size();
+    std::string& typed = app.study->rounds_text;
+    const std::string hint = rounds_text(sorting_rounds(patterns, patterns / 2));
+    draw_label(app, "Rounds");
+    ImGui::SetNextItemWidth(-1.0F);
+    std::string shown = rounds_text(app.document.set.study.groups);
+    ImGui::InputTextWithHint("##rounds", hint.c_str(), &shown);
+    if (ImGui::IsItemActive()) typed = shown;
+    const bool is_left = ImGui::IsItemDeactivatedAfterEdit();
+    note_item(app.rects, "study:rounds", shown);
+    draw_tooltip(app,
+                 "Numbers of groups, a round each, or free: as many as the participant likes. Left "
+                 "empty: a free round, then 3, 6, 9, 12 and 15 without the one nearest to it.");
+    if (!is_left) return;
+    const auto rounds = rounds_in(typed, patterns);
+    if (!rounds) {
+        return complain(app, "Rounds are numbers of groups from 2 to " + std::to_string(patterns) +
+                                 ", or free: " + hint + ".");
+    }
+    change_at_once(app, "study: rounds", [&](StudyDesign& design) { design.groups = *rounds; });
+}
+
+void toggle_pattern(App& app, const std::string& name, bool takes_part) {
+    change_at_once(app, "study: patterns", [&](StudyDesign& design) {
+        design.patterns = study_patterns(app.document.set);
+        if (takes_part) {
+            design.patterns.push_back(name);
+        } else {
+            std::erase(design.patterns, name);
+        }
+        if (design.patterns.size() == app.document.set.vibrations.size()) design.patterns.clear();
+    });
+}
+
+void draw_patterns(App& app) {
+    const std::vector<std::string> chosen = study_names(app);
+    const std::vector<std::string> all = names_of(app.document.set);
+    const std::string head = std::to_string(chosen.size()) + " of " + std::to_string(all.size()) +
+                             " patterns###study patterns";
+    const bool is_open = ImGui::TreeNodeEx(
+        head.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
+    note_item(app.rects, "study:patterns", std::to_string(chosen.size()));
+    if (!is_open) return;
+    for (const std::string& name : all) {
+        bool takes_part = std::ranges::find(chosen, name) != chosen.end();
+        if (ImGui::Checkbox(name.c_str(), &takes_part)) toggle_pattern(app, name, takes_part);
+        note_item(app.rects, "study pattern:" + name, takes_part ? "on" : "off");
+    }
+}
+
+// Words of the study; while they are edited as a field, whose entry is one undo step.
+struct TextRow {
+    const char* id;
+    const char* title;
+    std::string StudyDesign::*text;
+};
+
+void draw_text_field(App& app, const TextRow& row, const std::string& shown) {
+    constexpr float kLines = 8.0F;
+    std::string typed = shown;
+    if (ImGui::InputTextMultiline((std::string("##") + row.id).c_str(), &typed,
+                                  {-1.0F, kLines * ImGui::GetTextLineHeight()})) {
+        change(app, [&](StudyDesign& design) { design.*row.text = typed; });
+    }
+    if (ImGui::IsItemDeactivatedAfterEdit()) commit_step(app, std::string("study: ") + row.id);
+    note_item(app.rects, std::string("study text:") + row.id);
+}
+
+void draw_text_row(App& app, const TextRow& row, const std::string& shown) {
+    ImGui::Spacing();
+    ImGui::PushID(row.id);
+    dim_text(app, row.title);
+    bool is_edited = app.study->edited_text == row.id;
+    const char* toggle = is_edited ? "Done" : "Edit";
+    ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
+    if (link(app, "edit", toggle)) {
+        is_edited = !is_edited;
+        app.study->edited_text = is_edited ? row.id : "";
+    }
+    note_item(app.rects, std::string("study:edit ") + row.id);
+    if (!(app.document.set.study.*row.text).empty()) {
+        ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
+        if (link(app, "standard", "Standard text")) {
+            change_at_once(app, std::string("study: ") + row.id,
+                           [&](StudyDesign& design) { (design.*row.text).clear(); });
+        }
+        note_item(app.rects, std::string("study:standard ") + row.id);
+    }
+    if (is_edited) {
+        draw_text_field(app, row, shown);
+    } else {
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextUnformatted(shown.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void draw_study_design(App& app) {
+    ImGui::BeginChild("study design", ImGui::GetContentRegionAvail());
+    draw_kind(app);
+    draw_prediction(app);
+    ImGui::Spacing();
+    const bool rates = app.study->kind == StudyKind::pairwise;
+    if (rates) draw_order(app);
+    if (!rates) draw_rounds(app);
+    for (const NumberRow& row : kTrials) {
+        if (rates || !row.of_pairs) draw_number(app, row);
+    }
+    draw_headphones(app);
+    ImGui::Spacing();
+    draw_patterns(app);
+    const StudyDesign& design = app.document.set.study;
+    draw_text_row(app, {"instructions", "Instructions", &StudyDesign::instructions},
+                  instructions_of(design, app.study->kind));
+    draw_text_row(app, {"consent", "Consent", &StudyDesign::consent}, consent_of(design));
+    ImGui::EndChild();
+}
+
+}  // namespace tact

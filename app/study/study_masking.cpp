@@ -1,0 +1,110 @@
+#include "app/study/study_masking.h"
+
+#include <algorithm>
+
+#include "app/play/playing.h"
+#include "app/study/study_follow.h"
+#include "devices/device_list.h"
+#include "model/signal/pink_noise.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kRateHz = 48'000.0;
+constexpr double kLoopS = 20.0;
+constexpr const char* kOff = "Masking noise is off: ";
+
+// Opens the output of the design, where this program has sound.
+Expected<Done> open_masking(App& app, const std::string& headphones) {
+    if (!app.play.audio) {
+        if (app.study->masking) return Done{};
+        return Error{"this program has no sound"};
+    }
+    const Expected<DeviceInfo> output = masking_output(app.play, headphones);
+    if (!output) return output.error();
+    DeviceChoice choice;
+    choice.id = output->id;
+    choice.everywhere = true;
+    auto device = open_device(app.play.audio, *output, choice);
+    if (!device) return device.error();
+    app.study->masking = std::move(*device);
+    return Done{};
+}
+
+}  // namespace
+
+Expected<DeviceInfo> masking_output(const PlayState& play, const std::string& headphones) {
+    if (!play.listed) return Error{"devices are still being looked for"};
+    const DeviceInfo* wanted = nullptr;
+    std::size_t outputs = 0;
+    std::size_t others = 0;
+    for (const DeviceInfo& device : *play.listed) {
+        if (device.kind != DeviceKind::audio) continue;
+        ++outputs;
+        others += device.id != play.choice.id ? 1 : 0;
+        if (device.id == headphones) wanted = &device;
+    }
+    if (outputs == 0) return Error{"there is no sound output"};
+    if (others == 0) {
+        return Error{"the only sound output is the actuator's: headphones need a second one"};
+    }
+    if (headphones.empty()) {
+        return Error{"no output is chosen for the headphones in the study's design"};
+    }
+    if (headphones == play.choice.id) {
+        return Error{"the headphones' output is the actuator's: choose another one"};
+    }
+    if (wanted == nullptr) {
+        return Error{headphones.substr(headphones.rfind('/') + 1) +
+                     ", the headphones' output, is not there: plug it in and refresh the devices"};
+    }
+    return *wanted;
+}
+
+void begin_masking(App& app, const StudyDesign& design) {
+    StudyState& state = *app.study;
+    stop_masking(state);
+    if (design.masking <= 0.0) return;
+    Expected<Done> begun = open_masking(app, design.headphones);
+    if (begun) {
+        state.masking->set_level(design.masking);
+        begun = state.masking->play({kRateHz, pink_noise(kRateHz, kLoopS, 1)}, true);
+    }
+    state.masks = static_cast<bool>(begun);
+    if (!begun) state.masking_fault = kOff + begun.error().message + ".";
+}
+
+void stop_masking(StudyState& state) {
+    if (state.masking) state.masking->stop();
+    state.masks = false;
+    state.masking_fault.clear();
+}
+
+void follow_masking(App& app) {
+    StudyState& state = *app.study;
+    if (!state.run || !state.masks) return;
+    const DeviceStatus status = state.masking->status();
+    if (status.trouble.empty() && status.connected) return;
+    state.masks = false;
+    const std::string why = status.trouble.empty() ? "its output is gone" : status.trouble;
+    state.masking_fault = "The masking noise stopped: " + why + ".";
+    const bool is_at_work =
+        state.run->page != StudyPage::consent && state.run->page != StudyPage::finished;
+    if (is_at_work && !state.run->is_asking) act(app, {StudyEvent::What::ask, 0, 0.0, {}, {}});
+}
+
+std::string masking_words(const App& app, const StudyDesign& design) {
+    const StudyState& state = *app.study;
+    if (design.masking <= 0.0) return {};
+    if (!state.masks) {
+        const std::string& fault = state.masking_fault;
+        const bool is_off = fault.starts_with(kOff);
+        return "none: " + (is_off ? fault.substr(std::string(kOff).size()) : fault);
+    }
+    return "pink noise at " + significant(100.0 * design.masking, 2) + " % of full scale on " +
+           state.masking->status().name;
+}
+
+}  // namespace tact

@@ -1,0 +1,273 @@
+// Who took part: what each one's answers are worth, how far they agree, and what to do next.
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "app/study/study_follow.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+constexpr int kColumns = 7;
+
+void small_text(App& app, ImU32 colour, const std::string& text, const char* noted) {
+    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    note_item(app.rects, noted, text);
+}
+
+void draw_buttons(App& app) {
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          (app.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110));
+    if (ImGui::Button("Run a participant...")) begin_participant(app);
+    ImGui::PopStyleColor();
+    note_item(app.rects, "button:run participant");
+    draw_tooltip(app, "Fills the window: consent, instructions, training, trials.");
+    flow_on(button_width("Simulate one"), app.theme.gap_px);
+    if (ImGui::Button("Simulate one")) simulate_participant(app);
+    note_item(app.rects, "button:simulate");
+    draw_tooltip(app,
+                 "A participant that is none: answers as the model predicts, with noise. Labelled "
+                 "synthetic in its file and everywhere else.");
+    const std::string folder = study_folder(app).filename().string();
+    flow_on(ImGui::CalcTextSize(folder.c_str()).x, 2.0F * app.theme.gap_px);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
+    if (link(app, "study folder", folder.empty() ? "Choose a folder..." : folder)) {
+        choose_study_folder(app);
+    }
+    note_item(app.rects, "link:study folder", study_folder(app).string());
+    draw_tooltip(app, ("Participants' files are in " + study_folder(app).string() +
+                       ". Click to choose another folder.")
+                          .c_str());
+}
+
+// What it would be felt by, if by anything.
+void draw_device(App& app) {
+    const DeviceStatus status = app.study->device->status();
+    if (status.connected) {
+        return small_text(app, app.theme.dim_text,
+                          "Felt on " + status.name + ", " + study_calibration(app) + ".",
+                          "study:device");
+    }
+    small_text(app, app.theme.warning,
+               "No actuator: nothing will be felt. A run is a rehearsal, and its files say so.",
+               "study:device");
+}
+
+std::string agreement_text(const StudyAnswers& answers) {
+    const StudyResults& results = *answers.results;
+    std::size_t counted = 0;
+    for (const ParticipantSummary& person : results.people) counted += person.excluded.empty();
+    std::string text =
+        std::to_string(counted) + " of " + std::to_string(results.people.size()) +
+        (results.people.size() == 1 ? " participant counts." : " participants count.");
+    if (results.synthetic) text += " Synthetic: nobody was asked.";
+    if (results.order == StudyOrder::adaptive) text += " Adaptive order, not the full design.";
+    const Reliability& agreement = results.agreement;
+    if (agreement.voices < 2) return text + " Agreement is known of two and more.";
+    text += agreement.is_of_one_person ? " One person's repetitions: " : " Noise ceiling: ";
+    text += "rho " + significant(agreement.one_with_others, 2) + " of one with the others";
+    return text + "; reliability of the mean " + significant(agreement.spearman_brown, 2) + ".";
+}
+
+void draw_settling(App& app, const StudyAnswers& answers) {
+    if (!answers.settling) return;
+    const MapSettling& settling = *answers.settling;
+    std::string text = "The latest participant's map still moves: more trials tell more.";
+    if (settling.is_settled)
+        text = "The latest participant's map has settled: more would change little.";
+    if (settling.change.empty()) text = "Too few answers to tell whether the map has settled.";
+    if (!settling.change.empty()) {
+        text += " K " + significant(settling.change.front(), 2) +
+                " since so many trials as there "
+                "are patterns.";
+    }
+    small_text(app, settling.is_settled ? app.theme.accent : app.theme.dim_text, text,
+               "study:settling");
+}
+
+std::string state_of(const ParticipantSummary& person) {
+    if (!person.excluded.empty()) return person.excluded;
+    std::string text = person.synthetic ? "synthetic" : "counts";
+    if (person.is_outlier) text += ", outlier";
+    return text;
+}
+
+std::string identical_text(const ParticipantSummary& person) {
+    std::string text;
+    for (const double similarity : person.attention) {
+        text += (text.empty() ? "" : " ") + std::to_string(std::lround(similarity));
+    }
+    return text.empty() ? "\u2013" : text;
+}
+
+void draw_cells(App& app, const ParticipantSummary& person) {
+    const auto cell = [](const std::string& text) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(text.c_str());
+    };
+    cell(std::to_string(person.answers) + " of " + std::to_string(person.wanted));
+    cell(identical_text(person));
+    cell(std::isnan(person.rho_with_others) ? "\u2013" : significant(person.rho_with_others, 2));
+    cell(significant(person.minutes, 2));
+    ImGui::TableNextColumn();
+    const std::string state = state_of(person);
+    const bool is_odd = !person.excluded.empty() || person.is_outlier;
+    ImGui::PushStyleColor(ImGuiCol_Text, is_odd ? app.theme.warning : app.theme.dim_text);
+    ImGui::TextUnformatted(state.c_str());
+    ImGui::PopStyleColor();
+    draw_tooltip(app, person.is_outlier
+                          ? "Agrees with the others far less than they do among themselves "
+                            "(below Tukey's lower fence). Counted all the same."
+                          : state.c_str());
+}
+
+void draw_row(App& app, const StudyAnswers& answers, std::size_t k) {
+    const StudyRecord& record = answers.records[k];
+    const std::string& code = record.header.participant.code;
+    const ParticipantSummary* person = nullptr;
+    for (const ParticipantSummary& one : answers.results->people) {
+        if (one.code == code) person = &one;
+    }
+    if (person == nullptr) return;
+    ImGui::PushID(static_cast<int>(k));
+    ImGui::TableNextRow();
+    // First, so that a click on it is not one on the row, which lies under all columns.
+    ImGui::TableSetColumnIndex(kColumns - 1);
+    if (person->answers < person->wanted && !person->synthetic) {
+        if (link(app, "go on", "Go on")) resume_participant(app, record);
+        note_item(app.rects, "link:go on " + code);
+        draw_tooltip(app, "Takes the study up again at the trial where it was left.");
+    }
+    ImGui::TableSetColumnIndex(0);
+    if (ImGui::Selectable(code.c_str(), app.study->shown == k,
+                          ImGuiSelectableFlags_SpanAllColumns)) {
+        app.study->shown = app.study->shown == k ? std::nullopt : std::optional(k);
+    }
+    note_item(app.rects, "participant:" + code,
+              std::to_string(person->answers) + " of " + std::to_string(person->wanted) + ", " +
+                  state_of(*person));
+    draw_cells(app, *person);
+    ImGui::PopID();
+}
+
+// Widths are set: columns that fit their content would move after the first frame.
+void draw_table(App& app, const StudyAnswers& answers) {
+    struct Column {
+        const char* name;
+        const char* tip;
+        float weight;
+    };
+    constexpr std::array<Column, kColumns> kHeads{
+        {{"participant", "Click one for their own matrix and map.", 2.2F},
+         {"answers", "Given, of those wanted.", 1.4F},
+         {"identical", "Similarities of identical patterns: the test of attention.", 1.5F},
+         {"rho", "Spearman's rho with the mean of the others who count.", 0.8F},
+         {"min", "Minutes spent on answers.", 0.8F},
+         {"", "", 4.0F},
+         {"", "", 1.0F}}};
+    constexpr ImGuiTableFlags kFlags =
+        ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable("participants", kColumns, kFlags)) return;
+    for (const Column& column : kHeads) {
+        ImGui::TableSetupColumn(column.name, ImGuiTableColumnFlags_WidthStretch, column.weight);
+    }
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    ImGui::PushFont(app.theme.fonts.small);
+    for (const Column& column : kHeads) {
+        ImGui::TableNextColumn();
+        dim_text(app, column.name);
+        if (*column.tip != '\0') draw_tooltip(app, column.tip);
+    }
+    ImGui::PopFont();
+    for (std::size_t k = 0; k < answers.records.size(); ++k) draw_row(app, answers, k);
+    ImGui::EndTable();
+}
+
+void draw_rule(App& app) {
+    CollectRule& rule = app.study->rule;
+    ImGui::Checkbox("Count unfinished ones", &rule.unfinished_too);
+    note_item(app.rects, "check:unfinished", rule.unfinished_too ? "on" : "off");
+    struct Choice {
+        RatingScaling scaling;
+        const char* name;
+        const char* tip;
+    };
+    for (const Choice& choice :
+         {Choice{RatingScaling::none, "As rated", "The publication's: no scaling of people."},
+          {RatingScaling::min_max, "Own range", "Each one's lowest and highest to 0 and 100."},
+          {RatingScaling::standard, "Standardised", "Each one to mean 50, deviation 10."}}) {
+        flow_on(radio_width(app, choice.name), 1.5F * app.theme.gap_px);
+        if (draw_radio(app, choice.name, rule.scaling == choice.scaling)) {
+            rule.scaling = choice.scaling;
+        }
+        note_item(app.rects, std::string("study scaling:") + choice.name);
+        draw_tooltip(app, choice.tip);
+    }
+}
+
+void draw_results(App& app, const StudyAnswers& answers) {
+    small_text(app, app.theme.dim_text, agreement_text(answers), "study:agreement");
+    draw_settling(app, answers);
+    if (answers.is_of_other_patterns) {
+        small_text(app, app.theme.warning,
+                   "These answers are about other patterns than the set now has.",
+                   "study:other patterns");
+    }
+    const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing();
+    const float height = std::max(ImGui::GetContentRegionAvail().y - foot, 60.0F * app.theme.scale);
+    ImGui::BeginChild("participants", {0.0F, height});
+    draw_table(app, answers);
+    ImGui::EndChild();
+    draw_rule(app);
+    const bool counts = !answers.results->study.judgements.empty();
+    ImGui::BeginDisabled(!counts);
+    if (ImGui::Button("Use as the set's ratings")) use_as_ratings(app);
+    note_item(app.rects, "button:use as ratings");
+    ImGui::EndDisabled();
+    draw_tooltip(app, "Compare then shows which metric agrees with them best. One undo step.");
+    flow_on(button_width("Export CSV..."), app.theme.gap_px);
+    if (ImGui::Button("Export CSV...")) export_study_dialog(app);
+    note_item(app.rects, "button:export study");
+    draw_tooltip(app, "A line an answer, those who are not counted marked: for R and Python.");
+}
+
+void draw_people(App& app) {
+    draw_buttons(app);
+    draw_device(app);
+    const std::shared_ptr<const StudyAnswers> answers = app.study->answers;
+    if (!answers) return;
+    if (!answers->fault.empty()) {
+        return small_text(app, app.theme.error, answers->fault, "study:fault");
+    }
+    if (answers->results) return draw_results(app, *answers);
+    const Rect area = rest_of_pane();
+    if (area.empty()) return;
+    draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "Nobody took part yet",
+               answers->others.empty()
+                   ? "Run a participant: each becomes a file in the folder above."
+                   : "There are participants of the other kind of study in this folder.");
+}
+
+}  // namespace
+
+// Scrolls where the pane is too low for its buttons.
+void draw_study_people(App& app) {
+    ImGui::BeginChild("study people", ImGui::GetContentRegionAvail());
+    draw_people(app);
+    ImGui::EndChild();
+}
+
+}  // namespace tact

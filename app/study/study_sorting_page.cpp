@@ -1,0 +1,206 @@
+// Sorting: patterns as numbered tokens, dragged or put by key into boxes that are groups.
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/study/study_pages.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+using What = StudyEvent::What;
+
+constexpr float kTokenPx = 56.0F;
+constexpr std::size_t kMostKeys = 9;
+
+// Boxes on the screen: as many as asked for; of free ones always an empty one more.
+std::size_t box_count(const StudyRun& run) {
+    if (run.asked_groups > 0) return static_cast<std::size_t>(run.asked_groups);
+    std::size_t used = 0;
+    for (const std::size_t group : run.groups) {
+        if (group != kUnsorted) used = std::max(used, group + 1);
+    }
+    return std::clamp<std::size_t>(used + 1, 2, run.groups.size());
+}
+
+struct SortingLayout {
+    Rect tray;
+    std::vector<Rect> boxes;
+};
+
+SortingLayout layout_of(const App& app, const Rect& area, std::size_t boxes) {
+    const float gap = app.theme.padding_px;
+    SortingLayout layout;
+    layout.tray = {area.min, {area.max.x, area.min.y + 0.24F * area.height()}};
+    const std::size_t columns = boxes <= 3 ? boxes : (boxes <= 8 ? 4 : 5);
+    const std::size_t rows = (boxes + columns - 1) / columns;
+    const Rect field{{area.min.x, layout.tray.max.y + gap}, area.max};
+    const float width = (field.width() + gap) / static_cast<float>(columns);
+    const float height = (field.height() + gap) / static_cast<float>(rows);
+    for (std::size_t k = 0; k < boxes; ++k) {
+        const ImVec2 corner{field.min.x + static_cast<float>(k % columns) * width,
+                            field.min.y + static_cast<float>(k / columns) * height};
+        layout.boxes.push_back(rect_at(corner, {width - gap, height - gap}));
+    }
+    return layout;
+}
+
+// The number that a participant knows a pattern by: names would tell what was designed.
+std::string token_name(const StudyRun& run, std::size_t pattern) {
+    const auto place = std::ranges::find(run.training, pattern) - run.training.begin();
+    return std::to_string(place + 1);
+}
+
+// Patterns in the order of their numbers.
+std::vector<std::size_t> in_group(const StudyRun& run, std::size_t group) {
+    std::vector<std::size_t> members;
+    for (const std::size_t pattern : run.training) {
+        if (run.groups[pattern] == group) members.push_back(pattern);
+    }
+    return members;
+}
+
+Rect token_rect(const App& app, const Rect& box, std::size_t k, std::size_t count) {
+    const float gap = app.theme.gap_px;
+    const Rect inner = inset(box, app.theme.padding_px);
+    float side = kTokenPx * app.theme.scale;
+    // Smaller where they would not fit.
+    for (; side > 20.0F * app.theme.scale; side *= 0.85F) {
+        const auto columns = std::max(1.0F, std::floor((inner.width() + gap) / (side + gap)));
+        if (std::ceil(static_cast<float>(count) / columns) * (side + gap) <= inner.height() + gap) {
+            break;
+        }
+    }
+    const auto columns =
+        static_cast<std::size_t>(std::max(1.0F, std::floor((inner.width() + gap) / (side + gap))));
+    const ImVec2 corner{inner.min.x + static_cast<float>(k % columns) * (side + gap),
+                        inner.min.y + static_cast<float>(k / columns) * (side + gap)};
+    return rect_at(corner, {side, side});
+}
+
+void draw_box(App& app, const Rect& box, const std::string& label, bool is_target) {
+    const Theme& theme = app.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(box.min, box.max, is_target ? theme.hover : theme.pane,
+                       theme.pane_rounding_px);
+    list.AddRect(box.min, box.max, is_target ? theme.accent : theme.line, theme.pane_rounding_px, 0,
+                 theme.hairline_px);
+    const ImVec2 size = text_size(theme.fonts.small, label);
+    draw_text(list, theme.fonts.small, box.max - size - ImVec2{8.0F, 6.0F} * theme.scale,
+              theme.dim_text, label);
+}
+
+// What a token's release means: a click plays, a drag puts it where it was let go.
+void release(App& app, const SortingLayout& layout, std::size_t pattern) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const ImVec2 way = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0F);
+    if (std::hypot(way.x, way.y) < 6.0F * app.theme.scale) {
+        return act(app, {What::play, pattern, 0.0, {}, {}});
+    }
+    if (layout.tray.contains(mouse)) return act(app, {What::put, pattern, -1.0, {}, {}});
+    for (std::size_t k = 0; k < layout.boxes.size(); ++k) {
+        if (layout.boxes[k].contains(mouse)) {
+            return act(app, {What::put, pattern, static_cast<double>(k), {}, {}});
+        }
+    }
+}
+
+void draw_token(App& app, const SortingLayout& layout, std::size_t pattern, const Rect& place) {
+    StudyState& state = *app.study;
+    const Theme& theme = app.theme;
+    const std::string name = token_name(*state.run, pattern);
+    ImGui::SetCursorScreenPos(place.min);
+    ImGui::InvisibleButton(("token " + name).c_str(), place.size());
+    const bool is_held = ImGui::IsItemActive();
+    const bool is_lit = is_held || ImGui::IsItemHovered();
+    const bool is_released = ImGui::IsItemDeactivated();
+    if (ImGui::IsItemActivated()) state.held = pattern;
+    note_rect(app.rects, "study:token " + name, place.min, place.max,
+              state.run->groups[pattern] == kUnsorted
+                  ? "unsorted"
+                  : std::to_string(state.run->groups[pattern] + 1));
+    const ImVec2 shift =
+        is_held ? ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0F) : ImVec2{0, 0};
+    const Rect at{place.min + shift, place.max + shift};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at.min, at.max, is_lit ? theme.hover : theme.field, theme.pane_rounding_px);
+    if (state.run->playing == pattern) {
+        list.AddRectFilled(at.min, {at.min.x + played_share(app) * at.width(), at.max.y},
+                           faded(theme.accent, 0.45F), theme.pane_rounding_px);
+    }
+    const bool is_chosen = state.held == pattern;
+    list.AddRect(at.min, at.max, is_chosen ? theme.accent : theme.line, theme.pane_rounding_px, 0,
+                 (is_chosen ? 2.0F : 1.0F) * theme.scale);
+    centred_text(app, theme.fonts.large, theme.text, at,
+                 at.centre().y - 0.5F * text_size(theme.fonts.large, name).y, name);
+    if (is_released) release(app, layout, pattern);
+}
+
+void take_keys(App& app, std::span<const KeyPress> pressed, std::size_t boxes) {
+    StudyState& state = *app.study;
+    const std::vector<std::size_t>& order = state.run->training;
+    const auto place = state.held ? std::ranges::find(order, *state.held) : order.end();
+    const auto at = static_cast<std::size_t>(place - order.begin());
+    if (was_pressed(pressed, key::kRight)) state.held = order[(at + 1) % order.size()];
+    if (place == order.end() && was_pressed(pressed, key::kRight)) state.held = order.front();
+    if (was_pressed(pressed, key::kLeft)) {
+        state.held = order[(at + order.size() - 1) % order.size()];
+    }
+    if (!state.held) return;
+    if (was_pressed(pressed, key::kSpace)) act(app, {What::play, *state.held, 0.0, {}, {}});
+    if (was_typed(pressed, U'0')) act(app, {What::put, *state.held, -1.0, {}, {}});
+    for (std::size_t k = 0; k < std::min(boxes, kMostKeys); ++k) {
+        if (was_typed(pressed, static_cast<char32_t>(U'1' + k))) {
+            act(app, {What::put, *state.held, static_cast<double>(k), {}, {}});
+        }
+    }
+}
+
+std::string task_text(const StudyRun& run) {
+    if (run.asked_groups > 0) {
+        return "Sort them into " + std::to_string(run.asked_groups) +
+               " groups: what feels alike goes together";
+    }
+    return "Sort them into as many groups as you like: what feels alike goes together";
+}
+
+}  // namespace
+
+void draw_sorting_page(App& app, const Rect& area, std::span<const KeyPress> pressed) {
+    take_keys(app, pressed, box_count(*app.study->run));
+    const StudyRun& run = *app.study->run;
+    const Theme& theme = app.theme;
+    // Higher than on other pages, but below the progress.
+    const float top = std::max(area.min.y - 0.06F * area.height(), 72.0F * theme.scale);
+    centred_text(app, theme.fonts.large, theme.text, area, top, task_text(run));
+    const float foot = 64.0F * theme.scale;
+    const std::size_t boxes = box_count(run);
+    const SortingLayout layout = layout_of(
+        app, {{area.min.x, top + 48.0F * theme.scale}, {area.max.x, area.max.y - foot}}, boxes);
+    const bool drags = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    draw_box(app, layout.tray, "still to sort", drags && layout.tray.contains(mouse));
+    note_rect(app.rects, "study:tray", layout.tray.min, layout.tray.max);
+    for (std::size_t k = 0; k < boxes; ++k) {
+        const Rect& box = layout.boxes[k];
+        draw_box(app, box, "group " + std::to_string(k + 1), drags && box.contains(mouse));
+        note_rect(app.rects, "study:group " + std::to_string(k + 1), box.min, box.max);
+    }
+    // Places first: a token that is let go changes them.
+    std::vector<std::pair<std::size_t, Rect>> tokens;
+    for (std::size_t k = 0; k <= boxes; ++k) {
+        const std::vector<std::size_t> members = in_group(run, k < boxes ? k : kUnsorted);
+        const Rect& box = k < boxes ? layout.boxes[k] : layout.tray;
+        for (std::size_t m = 0; m < members.size(); ++m) {
+            tokens.emplace_back(members[m], token_rect(app, box, m, members.size()));
+        }
+    }
+    for (const auto& [pattern, place] : tokens) draw_token(app, layout, pattern, place);
+    const ImVec2 corner{area.centre().x - 80.0F * theme.scale, area.max.y - 48.0F * theme.scale};
+    draw_go_on(app, {corner, area.max}, "Done");
+}
+
+}  // namespace tact

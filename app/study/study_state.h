@@ -1,0 +1,84 @@
+// What the window knows of studies: the experimenter's view, who took part, and who is at it now.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/jobs/latest_job.h"
+#include "app/study/study_runner.h"
+#include "devices/device/device.h"
+#include "model/io/people/study_file.h"
+#include "model/map/mds.h"
+#include "model/set/pattern_set.h"
+#include "model/study/study_results.h"
+
+namespace tact {
+
+// What is to be made of the participants' files; asked for by number, as the disk has no revision.
+struct StudyQuestion {
+    std::uint64_t number = 0;
+    std::filesystem::path folder;
+    StudyKind kind = StudyKind::pairwise;
+    CollectRule rule;
+    std::string set_fingerprint;
+
+    bool operator==(const StudyQuestion&) const = default;
+};
+
+// Everything the experimenter's view shows of them.
+struct StudyAnswers {
+    StudyQuestion question;
+    std::vector<StudyRecord> records;  // of the kind asked for
+    std::vector<StudyRecord> others;   // of the other kind
+    std::optional<StudyResults> results;
+    std::string fault;  // why there are no results
+    bool is_of_other_patterns = false;
+    std::vector<Dissimilarity> matrices;  // of every record
+    PerceptualSpace mean_map;             // three dimensions
+    std::vector<PerceptualSpace> maps;    // of every record
+    std::optional<MapSettling> settling;  // of the latest one, in adaptive order
+};
+
+enum class StudyShow { matrix, map };
+
+struct StudyState {
+    bool is_open = false;  // the view, in place of the panes
+    StudyKind kind = StudyKind::pairwise;
+    std::filesystem::path folder;           // chosen; empty: study_folder()
+    std::optional<StudyRun> run;            // fills the window
+    std::optional<StudyLog> log;            // its file
+    std::shared_ptr<const PatternSet> set;  // as it was when the run began
+    std::unique_ptr<LatestJob<StudyQuestion, StudyAnswers>> job;
+    std::shared_ptr<const StudyAnswers> answers;
+    StudyQuestion asked;
+    std::uint64_t folder_revision = 1;  // raised when a file was written, or may have been
+    std::string fingerprint;            // of the patterns that take part ...
+    std::uint64_t fingerprint_of = 0;   // ... at this revision
+    std::optional<std::size_t> shown;   // a participant; none: the mean
+    StudyShow show = StudyShow::matrix;
+    CollectRule rule;  // but for the attention, which is the design's
+
+    std::string rounds_text;  // of sorting, while being typed
+    std::string edited_text;  // id of the words being edited; empty: none
+
+    // On the consent page.
+    std::string code;
+    std::string age;
+    std::string gender;
+    std::string hand;
+    bool agrees = false;
+
+    std::optional<std::size_t> held;      // pattern, in sorting: by the mouse or the keyboard
+    std::optional<MapSettling> settling;  // of the run, in adaptive order, as of its last pause
+    std::size_t pressed_button = 0;       // last: 0 left, 1 right
+    std::shared_ptr<Device> device;       // never null
+    std::shared_ptr<Device> masking;      // on the participant's headphones; null: nothing is
+    std::string masking_fault;            // a sentence; empty: it sounds, or is not asked for
+    bool masks = false;
+};
+
+}  // namespace tact

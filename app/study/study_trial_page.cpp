@@ -1,0 +1,186 @@
+// Training and trials: buttons to feel by, and the slider between totally different and the same.
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/study/study_pages.h"
+#include "app/ui/widgets.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+using What = StudyEvent::What;
+
+constexpr float kFeelPx = 200.0F;
+constexpr float kSliderPx = 560.0F;
+
+void feel(App& app, std::size_t button) { act(app, {What::play, button, 0.0, {}, {}}); }
+
+void rate(App& app, double similarity) { act(app, {What::rate, 0, similarity, {}, {}}); }
+
+std::string waiting_text(const StudyRun& run, double now_s) {
+    if (may_rate(run, now_s)) {
+        return run.similarity ? "How similar do they feel?" : "How similar? Move the slider.";
+    }
+    if (run.playing) return "Feel ...";
+    if (run.plays_left == 0 && run.plays_right == 0) return "Feel both, A and B";
+    return run.plays_left == 0 ? "Now feel A" : "Now feel B";
+}
+
+void draw_slider_track(App& app, const Rect& track, bool is_open) {
+    const StudyRun& run = *app.study->run;
+    const Theme& theme = app.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float y = track.centre().y;
+    const float half = 3.0F * theme.scale;
+    list.AddRectFilled({track.min.x, y - half}, {track.max.x, y + half}, theme.field, half);
+    const ImU32 ink = is_open ? theme.dim_text : theme.line;
+    for (int k = 0; k <= 4; ++k) {
+        const float x = track.min.x + 0.25F * static_cast<float>(k) * track.width();
+        draw_upright_line(list, x, y + 10.0F * theme.scale, y + 16.0F * theme.scale,
+                          theme.hairline_px, ink);
+    }
+    const float words = y + 22.0F * theme.scale;
+    draw_text(list, theme.fonts.regular, {track.min.x, words},
+              is_open ? theme.text : theme.dim_text, "totally different");
+    const float right = text_size(theme.fonts.regular, "the same").x;
+    draw_text(list, theme.fonts.regular, {track.max.x - right, words},
+              is_open ? theme.text : theme.dim_text, "the same");
+    if (!run.similarity) return;
+    const float x = track.min.x + static_cast<float>(*run.similarity / 100.0) * track.width();
+    list.AddRectFilled({track.min.x, y - half}, {x, y + half}, theme.accent, half);
+    draw_disc(list, theme, {x, y}, 10.0F * theme.scale, theme.accent);
+    const std::string number = std::to_string(std::lround(*run.similarity));
+    draw_text(list, theme.fonts.large,
+              {x - 0.5F * text_size(theme.fonts.large, number).x, y - 40.0F * theme.scale},
+              theme.text, number);
+}
+
+void draw_slider(App& app, const Rect& area) {
+    const bool is_open = may_rate(*app.study->run, app.time_s);
+    ImGui::SetCursorScreenPos(area.min);
+    ImGui::BeginDisabled(!is_open);
+    ImGui::InvisibleButton("slider", area.size());
+    const bool is_held = ImGui::IsItemActive();
+    ImGui::EndDisabled();
+    if (is_held && is_open) {
+        const float share = (ImGui::GetIO().MousePos.x - area.min.x) / area.width();
+        rate(app, std::round(100.0 * static_cast<double>(std::clamp(share, 0.0F, 1.0F))));
+    }
+    const auto& similarity = app.study->run->similarity;
+    note_rect(
+        app.rects, "study:slider", area.min, area.max,
+        similarity ? std::to_string(std::lround(*similarity)) : (is_open ? "open" : "closed"));
+    draw_slider_track(app, area, is_open);
+}
+
+// The slider by keyboard: from the middle, by 1, or by 10 with Shift; to the ends.
+void take_slider_keys(App& app, std::span<const KeyPress> pressed) {
+    for (const KeyPress& press : pressed) {
+        const double now = app.study->run->similarity.value_or(50.0);
+        const double step = press.shift ? 10.0 : 1.0;
+        if (press.code == key::kRight) rate(app, now + step);
+        if (press.code == key::kLeft) rate(app, now - step);
+        if (press.code == key::kHome) rate(app, 0.0);
+        if (press.code == key::kEnd) rate(app, 100.0);
+    }
+}
+
+// Positions on a page of so many pixels; smaller where the window is too low for it.
+float page_scale(const App& app, const Rect& area, float height_px) {
+    return std::min(app.theme.scale, area.height() / height_px);
+}
+
+// Rows of at most six.
+Rect training_cell(const App& app, const Rect& area, std::size_t k, std::size_t count) {
+    const std::size_t columns = std::min<std::size_t>(count, count <= 8 ? 4 : 6);
+    const float gap = app.theme.padding_px;
+    const auto rows = static_cast<float>((count + columns - 1) / columns);
+    const float room = area.height() - 90.0F * app.theme.scale;
+    const auto across = static_cast<float>(columns);
+    const float side = std::min({120.0F * app.theme.scale, (room / rows - gap) / 0.75F,
+                                 (area.width() - gap * (across - 1.0F)) / across});
+    const float width = static_cast<float>(columns) * (side + gap) - gap;
+    const ImVec2 corner{
+        area.centre().x - 0.5F * width + static_cast<float>(k % columns) * (side + gap),
+        area.min.y + static_cast<float>(k / columns) * (0.75F * side + gap)};
+    return rect_at(corner, {side, 0.75F * side});
+}
+
+void take_training_keys(App& app, std::span<const KeyPress> pressed) {
+    StudyState& state = *app.study;
+    const std::size_t count = state.run->training.size();
+    const std::size_t at = state.held.value_or(0);
+    if (was_pressed(pressed, key::kRight)) state.held = state.held ? (at + 1) % count : 0;
+    if (was_pressed(pressed, key::kLeft)) state.held = (at + count - 1) % count;
+    if (was_pressed(pressed, key::kSpace)) {
+        if (!state.held) state.held = 0;
+        feel(app, *state.held);
+    }
+}
+
+}  // namespace
+
+void draw_training_page(App& app, const Rect& area, std::span<const KeyPress> pressed) {
+    take_training_keys(app, pressed);
+    const StudyRun& run = *app.study->run;
+    const Theme& theme = app.theme;
+    centred_text(app, theme.fonts.large, theme.text, area, area.min.y,
+                 "Get to know them: feel each at least once");
+    const Rect buttons{{area.min.x, area.min.y + 56.0F * theme.scale}, area.max};
+    const std::size_t count = run.training.size();
+    std::optional<std::size_t> chosen;
+    for (std::size_t k = 0; k < count; ++k) {
+        const Rect cell = training_cell(app, buttons, k, count);
+        const std::string id = "study:train " + std::to_string(k + 1);
+        const FeelButton button{id.c_str(),  std::to_string(k + 1),
+                                "",          run.playing == run.training[k],
+                                run.felt[k], may_play(run, app.time_s)};
+        if (draw_feel_button(app, cell, button)) chosen = k;
+        if (app.study->held == k) {
+            ImGui::GetWindowDrawList()->AddRect(cell.min, cell.max, theme.text,
+                                                theme.pane_rounding_px, 0, 2.0F * theme.scale);
+        }
+    }
+    if (chosen) feel(app, *chosen);
+    const Rect last = training_cell(app, buttons, count - 1, count);
+    const float left = area.centre().x - 80.0F * theme.scale;
+    const float y = last.max.y + 40.0F * theme.scale;
+    draw_go_on(app, {{left, y}, {area.max.x, y}}, "Start rating");
+}
+
+void draw_trial_page(App& app, const Rect& area, std::span<const KeyPress> pressed) {
+    if (was_typed(pressed, U'a')) feel(app, 0);
+    if (was_typed(pressed, U'b')) feel(app, 1);
+    take_slider_keys(app, pressed);
+    const StudyRun& run = *app.study->run;
+    const Theme& theme = app.theme;
+    centred_text(app, theme.fonts.large, theme.text, area, area.min.y,
+                 waiting_text(run, app.time_s));
+    const float s = page_scale(app, area, 440.0F);
+    const float side = std::min(kFeelPx * s, 0.3F * area.width());
+    const float gap = 0.4F * side;
+    const float top = area.min.y + 64.0F * s;
+    const bool is_ready = may_play(run, app.time_s);
+    // Of identical patterns only the button that was pressed fills.
+    const bool is_left = run.playing && app.study->pressed_button == 0;
+    const bool is_right = run.playing && app.study->pressed_button == 1;
+    const Rect left = rect_at({area.centre().x - side - 0.5F * gap, top}, {side, 0.7F * side});
+    const Rect right = rect_at({area.centre().x + 0.5F * gap, top}, {side, 0.7F * side});
+    const bool feels_left =
+        draw_feel_button(app, left, {"study:A", "A", "", is_left, run.plays_left, is_ready});
+    const bool feels_right =
+        draw_feel_button(app, right, {"study:B", "B", "", is_right, run.plays_right, is_ready});
+    const float width = std::min(kSliderPx * theme.scale, area.width());
+    const float y = left.max.y + 96.0F * s;
+    draw_slider(app, rect_at({area.centre().x - 0.5F * width, y - 16.0F * s}, {width, 32.0F * s}));
+    const ImVec2 foot{area.centre().x - 80.0F * theme.scale, y + 84.0F * s};
+    draw_go_on(app, {foot, {area.max.x, foot.y}}, "Next");
+    if (feels_left) feel(app, 0);
+    if (feels_right) feel(app, 1);
+}
+
+}  // namespace tact

@@ -1,0 +1,177 @@
+#include "app/subset/separation_follow.h"
+
+#include <algorithm>
+
+#include "app/compare/bench_follow.h"
+#include "app/document/editing.h"
+#include "app/map/map_follow.h"
+#include "app/subset/subset_follow.h"
+#include "model/common/quantile.h"
+#include "model/set/set_ratings.h"
+
+namespace tact {
+
+namespace {
+
+constexpr std::size_t kMostPairs = 200;
+
+const std::vector<Vibration>& mapped(const App& app) {
+    return app.map.shown->request.set->vibrations;
+}
+
+// What is asked for now, without the pairs themselves.
+TooClosePairs question_of(const App& app) {
+    const SubsetState& state = *app.subset;
+    TooClosePairs asked;
+    asked.of = app.map.shown;
+    asked.by = state.too_close;
+    asked.share = state.share;
+    asked.reference = state.reference_a + "\n" + state.reference_b;
+    const Subset* subset = state.too_close == TooClose::picked ? shown_subset(app) : nullptr;
+    if (subset != nullptr) asked.picked = subset->members;
+    return asked;
+}
+
+bool is_same_question(const TooClosePairs& a, const TooClosePairs& b) {
+    return a.of == b.of && a.by == b.by && a.share == b.share && a.reference == b.reference &&
+           a.picked == b.picked;
+}
+
+void keep_closest(TooClosePairs& pairs, const Dissimilarity& dissimilarity) {
+    pairs.pairs = confusable_pairs(dissimilarity, pairs.threshold, kMostPairs);
+    pairs.count = static_cast<std::size_t>(std::ranges::count_if(
+        dissimilarity.condensed, [&](double value) { return value <= pairs.threshold; }));
+}
+
+void find_pairs(TooClosePairs& pairs, const SubsetState& state) {
+    const PatternSet& set = *pairs.of->request.set;
+    const Dissimilarity& pm = pairs.of->prediction.pm;
+    if (pairs.by == TooClose::ratings) {
+        const Expected<RatingStudy> study = study_of(set);
+        if (!study) return;
+        const Dissimilarity people = mean_ratings(*study);
+        pairs.threshold = threshold_at(people, pairs.share);
+        return keep_closest(pairs, people);
+    }
+    if (pairs.by == TooClose::reference) {
+        const auto a = place_named(set, state.reference_a);
+        const auto b = place_named(set, state.reference_b);
+        if (!a || !b || *a == *b) return;
+        pairs.threshold = pm(*a, *b);
+        return keep_closest(pairs, pm);
+    }
+    if (pairs.by == TooClose::share) {
+        pairs.threshold = quantile(*pairs.values, pairs.share);
+        return keep_closest(pairs, pm);
+    }
+    if (pairs.picked.size() < 2) return;
+    const Dissimilarity picked = among(pm, pairs.picked);
+    pairs.threshold = threshold_at(picked, pairs.share);
+    keep_closest(pairs, picked);
+    for (ConfusablePair& pair : pairs.pairs) {
+        pair.a = pairs.picked[pair.a];
+        pair.b = pairs.picked[pair.b];
+    }
+}
+
+}  // namespace
+
+const TooClosePairs& too_close_pairs(App& app) {
+    TooClosePairs& pairs = app.subset->pairs;
+    TooClosePairs asked = question_of(app);
+    if (is_same_question(pairs, asked)) return pairs;
+    // Sorted once for a map: of half a million pairs a slider could not wait for it.
+    if (pairs.of == asked.of) asked.values = pairs.values;
+    pairs = std::move(asked);
+    if (!pairs.of) return pairs;
+    if (!pairs.values) {
+        pairs.values =
+            std::make_shared<const std::vector<double>>(sorted_values(pairs.of->prediction.pm));
+    }
+    find_pairs(pairs, *app.subset);
+    return pairs;
+}
+
+bool is_too_close(const App& app, const std::string& name) {
+    const SubsetState& state = *app.subset;
+    if (app.bench != BenchTab::subset || state.view != SubsetView::confusable) return false;
+    if (!state.pairs.of) return false;
+    const auto& all = state.pairs.of->request.set->vibrations;
+    return std::ranges::any_of(state.pairs.pairs, [&](const ConfusablePair& pair) {
+        return all[pair.a].name == name || all[pair.b].name == name;
+    });
+}
+
+void open_pair(App& app, const std::string& a, const std::string& b) {
+    app.subset->opened = {a, b};
+    const auto first = place_named(app.document.set, a);
+    const auto second = place_named(app.document.set, b);
+    if (first && second) choose_pair(app, *first, *second);
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> opened_rows(const App& app) {
+    const auto& opened = app.subset->opened;
+    if (!opened || !app.map.shown) return std::nullopt;
+    const auto a = place_named(*app.map.shown->request.set, opened->first);
+    const auto b = place_named(*app.map.shown->request.set, opened->second);
+    if (!a || !b || *a == *b) return std::nullopt;
+    return std::minmax(*a, *b);
+}
+
+std::string fixed_because(const App& app, std::size_t row) {
+    const auto place = place_named(app.document.set, mapped(app)[row].name);
+    if (!place) return "removed";
+    const Vibration& vibration = app.document.set.vibrations[*place];
+    if (!std::holds_alternative<Pattern>(vibration.source)) return "measured";
+    return vibration.locked ? "locked" : "";
+}
+
+std::size_t row_to_change(const App& app, std::pair<std::size_t, std::size_t> rows) {
+    const bool first = fixed_because(app, rows.first).empty();
+    const bool second = fixed_because(app, rows.second).empty();
+    const bool is_second = first == second ? app.subset->change_second : second;
+    return is_second ? rows.second : rows.first;
+}
+
+SeparationRequest separation_request(App& app, std::size_t row) {
+    const TooClosePairs& pairs = too_close_pairs(app);
+    return {pairs.of, row, pairs.threshold, pairs.picked};
+}
+
+std::string separation_obstacle(const App& app, std::size_t row) {
+    const std::string why = fixed_because(app, row);
+    if (why == "locked") return "Neither may be changed: unlock one of them (Ctrl+L).";
+    if (why == "measured") return "Only a pattern made of parameters can be changed.";
+    if (!why.empty()) return "The pattern was removed.";
+    if (app.subset->too_close == TooClose::ratings) {
+        return "People have not rated a changed pattern: choose Closest, which goes by PM.";
+    }
+    return map_state(app) == MapState::exact ? "" : "It can be asked once the map is exact.";
+}
+
+void ask_for_separation(App& app, std::size_t row) {
+    if (!app.subset->separation_job || !separation_obstacle(app, row).empty()) return;
+    app.subset->separation_job->submit(separation_request(app, row));
+}
+
+void ask_about_picked(App& app, const std::string& a, const std::string& b) {
+    app.subset->view = SubsetView::confusable;
+    app.subset->too_close = TooClose::picked;
+    open_pair(app, a, b);
+    if (const auto rows = opened_rows(app)) ask_for_separation(app, row_to_change(app, *rows));
+}
+
+void apply_separation(App& app, std::size_t place, const Separation& separation) {
+    Vibration& vibration = app.document.set.vibrations[place];
+    auto* pattern = std::get_if<Pattern>(&vibration.source);
+    if (pattern == nullptr || vibration.locked) return;
+    *pattern = with_value(*pattern, separation.parameter, separation.to);
+    document_changed(app);
+    const std::string what =
+        std::string(traits(separation.parameter).name) + " of " + vibration.name;
+    commit_step(app, "Change " + what);
+    select_only(app, place);
+    say(app, "Changed " + what + ". Ctrl+Z takes it back.");
+}
+
+}  // namespace tact

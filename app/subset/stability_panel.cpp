@@ -1,0 +1,116 @@
+// How sure the picked subset is, when what is uncertain in the model is drawn at random.
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/document/editing.h"
+#include "app/subset/subset_follow.h"
+#include "app/subset/subset_views.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+std::string percent(double share) {
+    char text[16];
+    std::snprintf(text, sizeof text, "%.0f %%", 100.0 * share);
+    return text;
+}
+
+void draw_ask(App& app) {
+    SubsetState& state = *app.subset;
+    const bool busy = state.stability_job && state.stability_job->busy();
+    const Pick* pick = shown_pick(app);
+    const bool possible = pick != nullptr && !pick->request.by_ratings &&
+                          pick->request.metric == Metric::pm && state.stability_job;
+    ImGui::BeginDisabled(busy || !possible);
+    if (ImGui::Button("Draw 100 models")) state.stability_job->submit({state.pick, 100});
+    note_item(app.rects, "button:draw models");
+    ImGui::EndDisabled();
+    draw_tooltip(app,
+                 "Thresholds of each receptor type within 6 dB, choices the paper leaves open, "
+                 "weights near the trained ones: 100 models, and what each would pick.");
+    if (busy) {
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        char text[32];
+        std::snprintf(text, sizeof text, "drawing, %d %%",
+                      static_cast<int>(100.0F * state.stability_job->progress()));
+        dim_text(app, text);
+        ImGui::SameLine();
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y);
+        if (link(app, "cancel stability", "Cancel")) state.stability_job->cancel();
+        note_item(app.rects, "link:cancel stability");
+    } else if (!possible) {
+        const std::string why = pick == nullptr
+                                    ? "Nothing is picked yet: see Pick."
+                                    : "Only a subset picked by PM hangs on the model's numbers.";
+        coloured_note(app.theme.dim_text, why);
+        note_item(app.rects, "stability obstacle", why);
+    }
+}
+
+void draw_share(App& app, const std::string& name, double share, bool is_member) {
+    const Theme& theme = app.theme;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::TableNextColumn();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x - 48.0F * theme.scale;
+    const float height = ImGui::GetTextLineHeight();
+    const Rect bar = rect_at({corner.x, corner.y + 0.25F * height}, {width, 0.5F * height});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(bar.min, bar.max, theme.field, 2.0F * theme.scale);
+    list.AddRectFilled(bar.min, {bar.min.x + width * static_cast<float>(share), bar.max.y},
+                       is_member ? theme.accent : theme.dim_text, 2.0F * theme.scale);
+    draw_text(list, theme.fonts.small, {bar.max.x + theme.gap_px, corner.y}, theme.dim_text,
+              percent(share));
+    ImGui::Dummy({width, height});
+    note_rect(app.rects, "stability:" + name, bar.min, bar.max, std::to_string(share));
+}
+
+void draw_shares(App& app, const Stability& stability) {
+    const auto names = names_of(*app.subset->stability->request.pick->request.map->request.set);
+    ImGui::BeginChild("shares", {0.0F, rest_or_lines(4.0F).height()});
+    if (ImGui::BeginTable("shares", 2, ImGuiTableFlags_NoSavedSettings)) {
+        for (const std::size_t k : ever_picked(stability)) {
+            draw_share(app, names[k], stability.share_picked[k],
+                       std::ranges::binary_search(stability.subset.members, k));
+        }
+        ImGui::EndTable();
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace
+
+void draw_stability_view(App& app) {
+    draw_ask(app);
+    const Stability* stability = shown_stability(app);
+    if (stability == nullptr) {
+        const Rect area = rest_of_pane();
+        if (area.empty()) return;
+        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "How sure is this subset?",
+                   "The model has numbers nobody knows exactly. Draw them at random, and see who "
+                   "stays picked and how far each point moves.");
+        return;
+    }
+    const std::string text = "The same subset in " + percent(stability->share_same) +
+                             " of the draws, the same weakest pair in " +
+                             percent(stability->share_weakest) +
+                             ". In the map, half of the draws lie within each ellipse.";
+    ImGui::PushFont(app.theme.fonts.small);
+    coloured_note(app.theme.dim_text, text);
+    if (is_pick_stale(app)) {
+        coloured_note(app.theme.warning, "Of the subset before the last change.");
+    }
+    ImGui::PopFont();
+    note_item(app.rects, "subset:stability", text);
+    draw_shares(app, *stability);
+}
+
+}  // namespace tact

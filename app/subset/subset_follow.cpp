@@ -1,0 +1,246 @@
+#include "app/subset/subset_follow.h"
+
+#include <algorithm>
+
+#include "app/map/map_follow.h"
+#include "model/evaluation/metric_matrix.h"
+#include "model/set/set_ratings.h"
+#include "model/subset/set_subset.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kPickLimitS = 20.0;
+constexpr double kCurveLimitS = 20.0;
+constexpr std::size_t kAlternatives = 6;
+constexpr std::size_t kMostOfCurve = 30;
+
+const PatternSet& set_of(const PickRequest& request) { return *request.map->request.set; }
+
+// How far apart the patterns are by what was asked for.
+Expected<Dissimilarity> asked_dissimilarity(const PickRequest& request, std::stop_token stop) {
+    const Prediction& prediction = request.map->prediction;
+    if (request.by_ratings) {
+        const Expected<RatingStudy> study = study_of(set_of(request));
+        if (!study) return study.error();
+        return mean_ratings(*study);
+    }
+    if (request.metric == Metric::pm) return prediction.pm;
+    if (request.metric == Metric::nc) return prediction.nc;
+    if (request.metric == Metric::oc) return prediction.oc;
+    std::vector<Waveform> waveforms;  // unpadded: DTW takes them so
+    for (const Vibration& one : set_of(request).vibrations) waveforms.push_back(waveform_of(one));
+    MetricOptions options;
+    options.stop = stop;
+    auto matrix = metric_matrix(request.metric, waveforms, set_of(request).model, options);
+    if (!matrix) return Error{"stopped"};
+    return *std::move(matrix);
+}
+
+std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop,
+                                std::atomic<float>& progress) {
+    Pick pick{request, nullptr, {}, {}};
+    Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop);
+    if (stop.stop_requested()) return std::nullopt;
+    if (!matrix) {
+        pick.fault = matrix.error().message;
+        return pick;
+    }
+    pick.dissimilarity = std::make_shared<const Dissimilarity>(*std::move(matrix));
+    SubsetOptions options;
+    options.time_limit_s = kPickLimitS;
+    options.alternatives = kAlternatives;
+    options.stop = stop;
+    options.progress = [&progress](double share) { progress = static_cast<float>(share); };
+    auto answer = most_distinct_subset(*pick.dissimilarity, request.problem, options);
+    if (stop.stop_requested()) return std::nullopt;
+    if (answer) {
+        pick.answer = *std::move(answer);
+    } else {
+        pick.fault = answer.error().message;
+    }
+    return pick;
+}
+
+std::optional<PickCurve> follow_curve(const PickRequest& request, std::stop_token stop,
+                                      std::atomic<float>& progress) {
+    const Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop);
+    if (!matrix) return std::nullopt;
+    SubsetOptions options;
+    options.time_limit_s = kCurveLimitS;
+    options.stop = stop;
+    options.progress = [&progress](double share) { progress = static_cast<float>(share); };
+    PickCurve curve{request, weakest_by_count(*matrix, request.problem, kMostOfCurve, options)};
+    if (stop.stop_requested()) return std::nullopt;
+    return curve;
+}
+
+std::optional<FoundSeparations> find_separations(const SeparationRequest& request,
+                                                 std::stop_token stop,
+                                                 std::atomic<float>& progress) {
+    SeparationOptions options;
+    options.from = request.from;
+    options.stop = stop;
+    options.progress = [&progress](double share) { progress = static_cast<float>(share); };
+    auto all = separations(*request.map->request.set, request.map->prediction, request.changed,
+                           request.threshold, options);
+    if (!all) return std::nullopt;
+    return FoundSeparations{request, *std::move(all)};
+}
+
+std::optional<FoundStability> find_stability(const StabilityRequest& request, std::stop_token stop,
+                                             std::atomic<float>& progress) {
+    const Pick& pick = *request.pick;
+    StabilityParams params;
+    params.draws = request.draws;
+    params.stop = stop;
+    params.progress = [&progress](double share) { progress = static_cast<float>(share); };
+    auto stability = subset_stability(set_of(pick.request), pick.request.problem, pick.answer.best,
+                                      pick.request.map->space.points, params);
+    if (!stability) return std::nullopt;
+    return FoundStability{request, *std::move(stability)};
+}
+
+// As many as can be picked at all.
+std::size_t possible_count(const SubsetProblem& problem, std::size_t objects, int wanted) {
+    const std::size_t most = objects - std::min(objects, problem.drop.size());
+    const std::size_t least = std::max<std::size_t>(2, problem.keep.size());
+    return std::clamp(static_cast<std::size_t>(std::max(wanted, 2)), std::min(least, most), most);
+}
+
+PickRequest request_of(const App& app) {
+    const SubsetState& state = *app.subset;
+    PickRequest request{app.map.shown, {}, state.by_ratings, state.metric};
+    if (app.document.set.ratings.empty()) request.by_ratings = false;
+    const PatternSet& set = *app.map.shown->request.set;
+    request.problem = subset_problem(set, 2, state.objective);
+    request.problem.count = possible_count(request.problem, set.vibrations.size(), state.count);
+    return request;
+}
+
+// The curve is the same for every count and objective.
+PickRequest curve_request(PickRequest request) {
+    request.problem.count = 2;
+    request.problem.objective = SubsetObjective::max_min;
+    return request;
+}
+
+template <class Job, class Answer>
+void take(const std::unique_ptr<Job>& job, std::shared_ptr<const Answer>& answer) {
+    if (auto latest = job->latest()) answer = std::move(latest);
+}
+
+}  // namespace
+
+void make_subset_jobs(App& app) {
+    SubsetState& state = *app.subset;
+    state.pick_job =
+        std::make_unique<LatestJob<PickRequest, Pick>>(JobPolicy::supersede, pick_subset, app.wake);
+    state.curve_job = std::make_unique<LatestJob<PickRequest, PickCurve>>(JobPolicy::supersede,
+                                                                          follow_curve, app.wake);
+    state.separation_job = std::make_unique<LatestJob<SeparationRequest, FoundSeparations>>(
+        JobPolicy::supersede, find_separations, app.wake);
+    state.stability_job = std::make_unique<LatestJob<StabilityRequest, FoundStability>>(
+        JobPolicy::supersede, find_stability, app.wake);
+}
+
+std::shared_ptr<SubsetState> still_subset(const SubsetState& state) {
+    auto still = std::make_shared<SubsetState>();
+    still->view = state.view;
+    still->count = state.count;
+    still->objective = state.objective;
+    still->by_ratings = state.by_ratings;
+    still->metric = state.metric;
+    still->alternative = state.alternative;
+    still->too_close = state.too_close;
+    still->share = state.share;
+    still->reference_a = state.reference_a;
+    still->reference_b = state.reference_b;
+    still->opened = state.opened;
+    still->change_second = state.change_second;
+    still->look = state.look;
+    still->asked = state.asked;
+    still->curve_asked = state.curve_asked;
+    still->cancelled = state.cancelled;
+    still->pick = state.pick;
+    still->curve = state.curve;
+    still->separations = state.separations;
+    still->stability = state.stability;
+    return still;
+}
+
+void stop_subset_jobs(App& app) {
+    app.subset->pick_job.reset();
+    app.subset->curve_job.reset();
+    app.subset->separation_job.reset();
+    app.subset->stability_job.reset();
+}
+
+void follow_subset(App& app) {
+    SubsetState& state = *app.subset;
+    if (!state.pick_job) return;
+    take(state.pick_job, state.pick);
+    take(state.curve_job, state.curve);
+    take(state.separation_job, state.separations);
+    take(state.stability_job, state.stability);
+    const bool has_pairs =
+        map_state(app) == MapState::exact && app.map.shown->prediction.pm.size > 1;
+    if (app.bench != BenchTab::subset || !has_pairs) return;
+    PickRequest request = request_of(app);
+    if (request == state.asked) return;
+    state.asked = request;
+    state.cancelled = false;
+    state.alternative.reset();
+    state.pick_job->submit(request);
+    request = curve_request(std::move(request));
+    if (request == state.curve_asked) return;
+    state.curve_asked = request;
+    state.curve_job->submit(std::move(request));
+}
+
+const Pick* shown_pick(const App& app) {
+    const Pick* pick = app.subset->pick.get();
+    if (pick == nullptr || !app.map.shown || !pick->fault.empty()) return nullptr;
+    const auto& picked = set_of(pick->request).vibrations;
+    const auto& shown = app.map.shown->request.set->vibrations;
+    const bool is_of_shown =
+        std::ranges::equal(picked, shown, {}, &Vibration::name, &Vibration::name);
+    return is_of_shown ? pick : nullptr;
+}
+
+bool is_pick_stale(const App& app) {
+    const SubsetState& state = *app.subset;
+    if (map_state(app) != MapState::exact || !state.pick) return true;
+    // A map that has just come is asked about at the end of its frame.
+    return state.pick->request != state.asked || state.pick->request.map != app.map.shown;
+}
+
+const Subset* shown_subset(const App& app) {
+    const Pick* pick = shown_pick(app);
+    if (pick == nullptr) return nullptr;
+    const auto& alternative = app.subset->alternative;
+    if (!alternative || *alternative >= pick->answer.alternatives.size()) return &pick->answer.best;
+    return &pick->answer.alternatives[*alternative];
+}
+
+bool is_picking(const App& app) { return app.subset->pick_job && app.subset->pick_job->busy(); }
+
+bool is_subset_busy(const App& app) {
+    const SubsetState& state = *app.subset;
+    return state.pick_job && (state.pick_job->busy() || state.curve_job->busy() ||
+                              state.separation_job->busy() || state.stability_job->busy());
+}
+
+void cancel_picking(App& app) {
+    app.subset->pick_job->cancel();
+    app.subset->curve_job->cancel();
+    app.subset->cancelled = true;
+}
+
+const Stability* shown_stability(const App& app) {
+    const auto& found = app.subset->stability;
+    return found && found->request.pick == app.subset->pick ? &found->stability : nullptr;
+}
+
+}  // namespace tact

@@ -1,0 +1,155 @@
+// What the Subset tab asks for, and what its jobs have found.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/jobs/latest_job.h"
+#include "app/map/live_map.h"
+#include "model/evaluation/metric.h"
+#include "model/pattern/pattern_parameter.h"
+#include "model/subset/separation.h"
+#include "model/subset/subset.h"
+#include "model/subset/subset_stability.h"
+
+namespace tact {
+
+// Whom to pick, and by what.
+struct PickRequest {
+    std::shared_ptr<const LiveMap> map;  // of the patterns; PM is its own
+    SubsetProblem problem;
+    bool by_ratings = false;  // else by the metric
+    Metric metric = Metric::pm;
+
+    bool operator==(const PickRequest&) const = default;
+};
+
+struct Pick {
+    PickRequest request;
+    std::shared_ptr<const Dissimilarity> dissimilarity;
+    std::string fault;  // why there is none
+    SubsetAnswer answer;
+};
+
+struct PickCurve {
+    PickRequest request;
+    std::vector<CurvePoint> points;
+};
+
+struct SeparationRequest {
+    std::shared_ptr<const LiveMap> map;
+    std::size_t changed = 0;
+    double threshold = 0.0;
+    std::vector<std::size_t> from{};  // rows that count; empty: all
+
+    bool operator==(const SeparationRequest&) const = default;
+};
+
+struct FoundSeparations {
+    SeparationRequest request;
+    std::vector<Separation> all;
+};
+
+struct StabilityRequest {
+    std::shared_ptr<const Pick> pick;
+    std::size_t draws = 100;
+
+    bool operator==(const StabilityRequest&) const = default;
+};
+
+struct FoundStability {
+    StabilityRequest request;
+    Stability stability;
+};
+
+enum class SubsetView { pick, confusable, stability };
+
+// What is too close for comfort.
+enum class TooClose {
+    share,      // the closest pairs of the set, so many of them
+    picked,     // the same share of the pairs within the picked subset
+    reference,  // all that are no farther apart than a pair the person knows
+    ratings     // the same share of the pairs as people rated them
+};
+
+// The pairs that are too close, kept while nothing they depend on changes.
+struct TooClosePairs {
+    std::shared_ptr<const LiveMap> of;
+    TooClose by = TooClose::share;
+    double share = 0.0;
+    std::string reference;
+    std::vector<std::size_t> picked;                    // rows; empty unless by them
+    std::shared_ptr<const std::vector<double>> values;  // of the map's pairs, ascending
+    double threshold = 0.0;                             // in the matrix's own unit
+    std::size_t count = 0;                              // of all such pairs ...
+    std::vector<ConfusablePair> pairs;                  // ... of which the closest are kept
+};
+
+// By what the map is coloured, joined and filtered.
+struct MapLook {
+    std::optional<PatternParameter> colour;
+    std::optional<PatternParameter> path;
+    int clusters = 0;  // 0: none
+    std::optional<PatternParameter> filter;
+    Range passes{0.0, 0.0};  // of the filter
+    bool show_pairs = true;
+    bool show_spread = true;
+};
+
+// Groups of the shown map, kept while it stays.
+struct ShownClusters {
+    std::shared_ptr<const LiveMap> of;
+    int count = 0;
+    std::vector<std::size_t> group;
+};
+
+// Patterns that differ in one number alone, in its order, as long as the map stays.
+struct ShownPaths {
+    std::shared_ptr<const LiveMap> of;
+    std::optional<PatternParameter> along;
+    std::vector<std::vector<std::size_t>> paths;
+};
+
+struct SubsetState {
+    SubsetView view = SubsetView::pick;
+    int count = 8;
+    SubsetObjective objective = SubsetObjective::max_min;
+    bool by_ratings = false;
+    Metric metric = Metric::pm;
+    std::optional<std::size_t> alternative;  // looked at in the map instead of the best
+
+    TooClose too_close = TooClose::share;
+    double share = 0.05;
+    std::string reference_a;  // names; empty: none chosen yet
+    std::string reference_b;
+    TooClosePairs pairs;
+    std::optional<std::pair<std::string, std::string>> opened;  // names of a pair
+    bool change_second = false;                                 // of the open pair
+
+    MapLook look;
+    ShownClusters clusters;
+    ShownPaths paths;
+    std::size_t context = 0;          // whose menu is open in the map
+    std::filesystem::path export_to;  // when the frame is done
+
+    // Null until the program has begun; the answers may be of an earlier document.
+    std::unique_ptr<LatestJob<PickRequest, Pick>> pick_job;
+    std::unique_ptr<LatestJob<PickRequest, PickCurve>> curve_job;
+    std::unique_ptr<LatestJob<SeparationRequest, FoundSeparations>> separation_job;
+    std::unique_ptr<LatestJob<StabilityRequest, FoundStability>> stability_job;
+    PickRequest asked;
+    PickRequest curve_asked;
+    bool cancelled = false;  // by the person, until something else is asked for
+    std::shared_ptr<const Pick> pick;
+    std::shared_ptr<const PickCurve> curve;
+    std::shared_ptr<const FoundSeparations> separations;
+    std::shared_ptr<const FoundStability> stability;
+};
+
+}  // namespace tact

@@ -1,0 +1,385 @@
+#include "app/ui/file_chooser.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+#include "model/text/natural_order.h"
+
+namespace tact {
+namespace {
+
+namespace fs = std::filesystem;
+using Chosen = std::optional<fs::path>;
+
+// In heights of the font.
+constexpr float kDialogWidth = 44.0F;
+constexpr float kDialogHeight = 30.0F;
+
+std::string lowered(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return result;
+}
+
+bool has_extension(const std::string& name, const std::vector<std::string>& extensions) {
+    return extensions.empty() || std::ranges::any_of(extensions, [&](const std::string& extension) {
+               return lowered(name).ends_with(lowered(extension));
+           });
+}
+
+// Natural order, case aside.
+bool comes_before(const FolderEntry& a, const FolderEntry& b) {
+    if (a.is_folder != b.is_folder) return a.is_folder;
+    const std::string x = lowered(a.name);
+    const std::string y = lowered(b.name);
+    return x == y ? a.name < b.name : naturally_before(x, y);
+}
+
+fs::path home_folder() {
+    // Nothing changes the environment while the program runs.
+    const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)
+    return home != nullptr && home[0] == '/' ? fs::path(home) : fs::path("/");
+}
+
+bool is_folder(const fs::path& path) {
+    std::error_code none;
+    return fs::is_directory(path, none);
+}
+
+bool is_there(const fs::path& path) {
+    std::error_code none;
+    return fs::exists(path, none);
+}
+
+void go(FileChooser& chooser, const fs::path& folder) {
+    // "a/" and "a" are one folder; the root keeps its slash.
+    fs::path there = folder.lexically_normal();
+    if (!there.has_filename() && there.has_relative_path()) there = there.parent_path();
+    chooser.listing = list_folder(there, chooser.extensions);
+    chooser.cursor.reset();
+    chooser.name = chooser.offered;
+    chooser.remark.clear();
+    chooser.focus_name = true;
+}
+
+fs::path typed_path(const FileChooser& chooser, const std::string& text) {
+    if (text == "~" || text.starts_with("~/")) {
+        return (home_folder() / text.substr(std::min<std::size_t>(2, text.size())))
+            .lexically_normal();
+    }
+    return (chooser.listing.folder / text).lexically_normal();  // an absolute one replaces it
+}
+
+Chosen accept_to_open(FileChooser& chooser, const fs::path& path) {
+    if (is_there(path)) return path;
+    chooser.remark = "There is no file " + path.string() + ".";
+    chooser.focus_name = true;
+    return std::nullopt;
+}
+
+Chosen accept_to_save(FileChooser& chooser, fs::path path) {
+    if (!has_extension(path.filename().string(), chooser.extensions)) {
+        path += chooser.extensions.front();
+    }
+    if (!is_folder(path.parent_path())) {
+        chooser.remark = "There is no folder " + path.parent_path().string() + ".";
+        chooser.focus_name = true;
+        return std::nullopt;
+    }
+    if (!is_there(path)) return path;
+    chooser.replacing = path;
+    return std::nullopt;
+}
+
+// Asks before a file in the folder is replaced.
+Chosen accept_folder(FileChooser& chooser, const fs::path& folder) {
+    for (const std::string& name : chooser.file_names) {
+        if (!is_there(folder / name)) continue;
+        chooser.replacing = folder / name;
+        return std::nullopt;
+    }
+    return folder;
+}
+
+Chosen accept_new_folder(FileChooser& chooser, const fs::path& path) {
+    if (!is_there(path) && is_folder(path.parent_path())) return path;
+    chooser.remark = is_there(path) ? path.string() + " is a file."
+                                    : "There is no folder " + path.parent_path().string() + ".";
+    chooser.focus_name = true;
+    return std::nullopt;
+}
+
+// What Enter does with the name as it stands.
+Chosen accept(FileChooser& chooser) {
+    chooser.remark.clear();
+    if (chooser.name.empty() && chooser.use == ChooserUse::save_folder) {
+        return accept_folder(chooser, chooser.listing.folder);
+    }
+    if (chooser.name.empty()) {
+        chooser.remark = "Type a name, or pick one from the list.";
+        chooser.focus_name = true;
+        return std::nullopt;
+    }
+    const fs::path path = typed_path(chooser, chooser.name);
+    if (is_folder(path)) {
+        go(chooser, path);
+        // Of a folder that was saved into before, and not of one of the same name in it.
+        const bool again = path.filename() == chooser.offered;
+        if (chooser.use == ChooserUse::save_folder && again) chooser.name.clear();
+        return std::nullopt;
+    }
+    switch (chooser.use) {
+        case ChooserUse::open:
+            return accept_to_open(chooser, path);
+        case ChooserUse::save:
+            return accept_to_save(chooser, path);
+        case ChooserUse::save_folder:
+            return accept_new_folder(chooser, path);
+    }
+    return std::nullopt;
+}
+
+void move_cursor(FileChooser& chooser, bool down) {
+    const std::size_t count = chooser.listing.entries.size();
+    if (count == 0) return;
+    if (!chooser.cursor) {
+        chooser.cursor = down ? 0 : count - 1;
+    } else if (down) {
+        chooser.cursor = std::min(*chooser.cursor + 1, count - 1);
+    } else if (*chooser.cursor > 0) {
+        --*chooser.cursor;
+    }
+    chooser.scroll_to_cursor = true;
+}
+
+// Up and down in the name field. ImGui lets an active field be changed only from inside.
+int on_history(ImGuiInputTextCallbackData* field) {
+    FileChooser& chooser = *static_cast<FileChooser*>(field->UserData);
+    move_cursor(chooser, field->EventKey == ImGuiKey_DownArrow);
+    if (!chooser.cursor) return 0;
+    field->DeleteChars(0, field->BufTextLen);
+    field->InsertChars(0, chooser.listing.entries[*chooser.cursor].name.c_str());
+    return 0;
+}
+
+void draw_places(FileChooser& chooser) {
+    const fs::path here = chooser.listing.folder;
+    if (ImGui::Button("Up")) go(chooser, here.parent_path());
+    ImGui::SameLine();
+    if (ImGui::Button("Home")) go(chooser, home_folder());
+    for (const fs::path& place : chooser.bookmarks) {
+        if (place.empty() || place == home_folder()) continue;
+        ImGui::SameLine();
+        ImGui::PushID(place.c_str());
+        const std::string label = place.has_filename() ? place.filename().string() : place.string();
+        if (ImGui::Button(label.c_str())) go(chooser, place);
+        ImGui::PopID();
+    }
+    ImGui::TextWrapped("%s", chooser.listing.folder.c_str());
+}
+
+// One row; true if it was double-clicked.
+bool draw_entry(FileChooser& chooser, std::size_t row) {
+    const FolderEntry& entry = chooser.listing.entries[row];
+    const bool is_current = chooser.cursor == row;
+    bool opened = false;
+    ImGui::PushID(static_cast<int>(row));
+    // A name may hold ImGui's own mark "##": it is written beside the row, not as its label.
+    if (ImGui::Selectable(
+            "##row", is_current,
+            ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
+        chooser.cursor = row;
+        chooser.name = entry.name;
+        chooser.focus_name = true;
+        opened = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    }
+    if (is_current && std::exchange(chooser.scroll_to_cursor, false)) ImGui::SetScrollHereY();
+    ImGui::SameLine(0.0F, 0.0F);
+    ImGui::TextUnformatted((entry.name + (entry.is_folder ? "/" : "")).c_str());
+    ImGui::PopID();
+    return opened;
+}
+
+Chosen draw_list(FileChooser& chooser) {
+    const float below =
+        2.0F * ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
+    bool opened = false;
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
+    const bool is_visible =
+        ImGui::BeginChild("##list", {0.0F, -below}, false,
+                          ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::PopStyleColor();
+    if (is_visible) {
+        const FolderListing& listing = chooser.listing;
+        if (!listing.fault.empty()) {
+            ImGui::TextWrapped("%s", listing.fault.c_str());
+        } else if (listing.entries.empty()) {
+            ImGui::TextDisabled("Nothing here that can be opened.");
+        }
+        ImGuiListClipper rows;
+        rows.Begin(static_cast<int>(listing.entries.size()));
+        if (chooser.cursor && chooser.scroll_to_cursor) {
+            const int row = static_cast<int>(*chooser.cursor);
+            rows.ForceDisplayRangeByIndices(row, row + 1);
+        }
+        while (rows.Step()) {
+            for (int row = rows.DisplayStart; row < rows.DisplayEnd; ++row) {
+                opened |= draw_entry(chooser, static_cast<std::size_t>(row));
+            }
+        }
+    }
+    ImGui::EndChild();
+    return opened ? accept(chooser) : std::nullopt;
+}
+
+bool is_pressed(ImGuiKey which) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false); }
+
+// The folder itself, where that may be an answer.
+Chosen whole_folder(FileChooser& chooser) {
+    if (!chooser.folders_too || !chooser.listing.fault.empty()) return std::nullopt;
+    if (chooser.use == ChooserUse::save_folder) {
+        return accept_folder(chooser, chooser.listing.folder);
+    }
+    return chooser.listing.folder;
+}
+
+const char* name_hint(ChooserUse use) {
+    switch (use) {
+        case ChooserUse::open:
+            return "File name or path";
+        case ChooserUse::save:
+            return "New file's name or path";
+        case ChooserUse::save_folder:
+            return "New folder's name or path";
+    }
+    return "";
+}
+
+Chosen draw_name(FileChooser& chooser) {
+    const bool was_empty = chooser.name.empty();
+    if (std::exchange(chooser.focus_name, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    const bool entered = ImGui::InputTextWithHint("##name", name_hint(chooser.use), &chooser.name,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue |
+                                                      ImGuiInputTextFlags_CallbackHistory |
+                                                      ImGuiInputTextFlags_AutoSelectAll,
+                                                  on_history, &chooser);
+    if (was_empty && ImGui::IsItemActive() && is_pressed(ImGuiKey_Backspace)) {
+        go(chooser, chooser.listing.folder.parent_path());
+    }
+    if (!entered) return std::nullopt;
+    chooser.focus_name = true;  // Enter takes the focus from the field
+    return ImGui::GetIO().KeyCtrl && chooser.folders_too ? whole_folder(chooser) : accept(chooser);
+}
+
+Chosen draw_buttons(FileChooser& chooser) {
+    Chosen chosen;
+    if (ImGui::Button(chooser.use == ChooserUse::open ? "Open" : "Save")) chosen = accept(chooser);
+    if (chooser.folders_too) {
+        ImGui::SameLine();
+        const bool saves = chooser.use == ChooserUse::save_folder;
+        if (ImGui::Button(saves ? "Save into this folder" : "Open this folder")) {
+            chosen = whole_folder(chooser);
+        }
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s (Ctrl-Enter)",
+                              saves ? "Makes no new folder in it" : "All files of the folder");
+        }
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel") || is_pressed(ImGuiKey_Escape)) chooser.is_open = false;
+    return chosen;
+}
+
+Chosen draw_replace_question(FileChooser& chooser) {
+    const fs::path path = chooser.replacing;
+    const bool of_folder = chooser.use == ChooserUse::save_folder;
+    ImGui::TextWrapped(of_folder ? "%s exists there. Replace it, and others of this export?"
+                                 : "%s exists. Replace it?",
+                       path.filename().c_str());
+    const bool yes = ImGui::Button("Replace") || is_pressed(ImGuiKey_Enter);
+    ImGui::SameLine();
+    const bool no = ImGui::Button("Keep it") || is_pressed(ImGuiKey_Escape);
+    if (yes || no) {
+        chooser.replacing.clear();
+        chooser.focus_name = true;
+    }
+    if (!yes) return std::nullopt;
+    return of_folder ? path.parent_path() : path;
+}
+
+Chosen draw_content(FileChooser& chooser) {
+    const bool asks = !chooser.replacing.empty();
+    ImGui::BeginDisabled(asks);
+    draw_places(chooser);
+    Chosen chosen = draw_list(chooser);
+    if (!asks && !chosen) chosen = draw_name(chooser);
+    ImGui::EndDisabled();
+    if (asks) return draw_replace_question(chooser);
+    ImGui::TextWrapped("%s", chooser.remark.c_str());
+    if (const Chosen pressed = draw_buttons(chooser)) chosen = pressed;
+    return chosen;
+}
+
+}  // namespace
+
+FolderListing list_folder(const fs::path& folder, const std::vector<std::string>& extensions) {
+    FolderListing listing{folder, {}, {}};
+    std::error_code failure;
+    for (fs::directory_iterator at(folder, failure), end; !failure && at != end;
+         at.increment(failure)) {
+        FolderEntry entry{at->path().filename().string(), is_folder(at->path())};
+        if (entry.name.starts_with('.')) continue;
+        if (entry.is_folder || has_extension(entry.name, extensions)) {
+            listing.entries.push_back(std::move(entry));
+        }
+    }
+    if (failure) {
+        listing.entries.clear();
+        listing.fault = folder.string() + " cannot be read: " + failure.message() + ".";
+    }
+    std::ranges::sort(listing.entries, comes_before);
+    return listing;
+}
+
+void show(FileChooser& chooser, const fs::path& folder, const std::string& name) {
+    std::error_code none;
+    const fs::path absolute = fs::absolute(folder.empty() ? home_folder() : folder, none);
+    chooser.is_open = chooser.appears = true;
+    chooser.replacing.clear();
+    go(chooser, is_folder(absolute) ? absolute : home_folder());
+    chooser.name = chooser.offered = name;
+}
+
+Chosen draw(FileChooser& chooser) {
+    if (!chooser.is_open) return std::nullopt;
+    const std::string label = chooser.title + "###file chooser";
+    if (std::exchange(chooser.appears, false)) ImGui::OpenPopup(label.c_str());
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowSize({std::min(kDialogWidth * em, 0.95F * screen.x),
+                              std::min(kDialogHeight * em, 0.95F * screen.y)});
+    ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
+    Chosen chosen;
+    // A popup has the colour of a field in our themes; this one has fields in it.
+    ImGui::PushStyleColor(ImGuiCol_PopupBg, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
+    const bool is_visible = ImGui::BeginPopupModal(
+        label.c_str(), &chooser.is_open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+    ImGui::PopStyleColor();
+    if (is_visible) {
+        chosen = draw_content(chooser);
+        if (chosen) chooser.is_open = false;
+        if (!chooser.is_open) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    }
+    return chosen;
+}
+
+}  // namespace tact

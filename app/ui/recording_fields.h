@@ -1,0 +1,30 @@
+// How a recording of accelerations is to be read: the fields that every dialog on one shows.
+#pragma once
+
+#include "app/window/app.h"
+#include "model/common/range.h"
+#include "model/io/recordings/acceleration_file.h"
+
+namespace tact {
+
+struct RecordingFields {
+    AccelerationOptions options;
+    double rate_hz = 0.0;     // 0: from the time column
+    double full_scale = 0.0;  // of WAV files; 0: the sidecar's
+};
+
+// The options with what the fields say.
+AccelerationOptions options_of(const RecordingFields& fields);
+
+// True when one of them was changed. `has_wave`: full scale is asked for as well.
+bool draw_recording_fields(App& app, RecordingFields& fields, bool has_wave);
+
+// A row's label, and the cursor where chips beside it stand level with it.
+void draw_chips_label(App& app, const char* label);
+
+// A number that is taken, and clamped, when its entry is left: then true. `id` is also its name for
+// tests.
+bool draw_number_entry(App& app, const char* id, const char* label, double& value, Range range,
+                       const char* unit);
+
+}  // namespace tact

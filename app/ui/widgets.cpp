@@ -1,0 +1,374 @@
+#include "app/ui/widgets.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kLabelColumnPx = 104.0F;
+constexpr float kChipPadPx = 5.0F;
+constexpr float kEntryWidthPx = 86.0F;
+constexpr float kLeastBarPx = 36.0F;
+
+ImVec4 colour4(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
+
+// The longest form that fits, or none: half a number would be a wrong one.
+std::string fitting(const std::vector<std::string>& forms, const ImFont* font, float room_px) {
+    for (const std::string& form : forms) {
+        if (text_size(font, form).x <= room_px) return form;
+    }
+    return {};
+}
+
+// Of a name a part is better than nothing, if it is enough to know it by.
+std::string cut(const std::string& name, const ImFont* font, float room_px) {
+    if (text_size(font, name).x <= room_px) return name;
+    return room_px < 4.0F * font_or_current(font).FontSize ? "" : shortened(font, name, room_px);
+}
+
+void draw_title_part(App& app, const ImFont* font, ImVec2 corner, ImU32 colour,
+                     const std::string& text, const std::string& noted) {
+    if (text.empty()) return;
+    draw_text(*ImGui::GetWindowDrawList(), font, corner, colour, text);
+    note_rect(app.rects, noted, corner, corner + text_size(font, text), text);
+}
+
+// The title goes first; the detail has what it leaves, the right end what both leave.
+void draw_pane_title(App& app, Pane pane, const PaneTitle& title) {
+    const Theme& theme = app.theme;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight()};
+    const Fonts& fonts = theme.fonts;
+    const std::string head = shortened(fonts.semibold, title.title, size.x);
+    float used = text_size(fonts.semibold, head).x + theme.gap_px;
+    draw_title_part(app, fonts.semibold, corner, theme.text, head, "title text:" + title.title);
+    const std::string detail = cut(title.detail, fonts.regular, size.x - used);
+    draw_title_part(app, fonts.regular, corner + ImVec2{used, 0.0F}, theme.dim_text, detail,
+                    "title detail:" + title.title);
+    if (!detail.empty()) used += text_size(fonts.regular, detail).x + 2.0F * theme.gap_px;
+    const std::string right = fitting(title.right, fonts.regular, size.x - used);
+    const float right_px = text_size(fonts.regular, right).x;
+    draw_title_part(app, fonts.regular, corner + ImVec2{size.x - right_px, 0.0F}, theme.dim_text,
+                    right, "title right:" + title.title);
+    ImGui::Dummy(size);
+    const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, corner + size);
+    if (over && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive()) {
+        app.layout.maximised = app.layout.maximised ? std::nullopt : std::optional(pane);
+    }
+    note_rect(app.rects, "title:" + title.title, corner, corner + size,
+              title.right.empty() ? "" : title.right.front());
+}
+
+// The part of the slider up to its value, drawn over the frame.
+void draw_fill(const App& app, float share) {
+    const ImVec2 min = ImGui::GetItemRectMin();
+    const ImVec2 max = ImGui::GetItemRectMax();
+    const float x = min.x + (max.x - min.x) * std::clamp(share, 0.0F, 1.0F);
+    const ImU32 fill = (app.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90);
+    ImGui::GetWindowDrawList()->AddRectFilled(min, {x, max.y}, fill, app.theme.rounding_px);
+}
+
+float share_of(const Field& field, double value) {
+    const auto [low, high] = field.slider;
+    if (field.logarithmic) {
+        return static_cast<float>(std::log(std::max(value, low) / low) / std::log(high / low));
+    }
+    return static_cast<float>((value - low) / (high - low));
+}
+
+double snapped(const Field& field, double value) {
+    if (field.snap > 0.0) value = std::round(value / field.snap) * field.snap;
+    return std::clamp(value, field.slider.low, field.slider.high);
+}
+
+// Left and right nudge the field that was touched last, unless text is being typed.
+bool nudge(const App& app, const Field& field, double& value) {
+    if (app.editor.active_field != field.id || ImGui::GetIO().WantTextInput) return false;
+    if (ImGui::IsAnyItemActive() || app.keyboard_mode) return false;
+    const bool right = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow));
+    const bool left = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow));
+    if (right == left) return false;
+    const double step = std::max(field.step, field.snap) * (ImGui::GetIO().KeyShift ? 5.0 : 1.0);
+    value = snapped(field, value + (right ? step : -step));
+    return true;
+}
+
+bool draw_bar(App& app, const Field& field, double& value) {
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
+                                   (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    double moved = value;
+    const bool changed = ImGui::SliderScalar("##bar", ImGuiDataType_Double, &moved,
+                                             &field.slider.low, &field.slider.high, "", flags);
+    if (changed) value = snapped(field, moved);
+    draw_fill(app, share_of(field, value));
+    note_item(app.rects, std::string("slider:") + field.id, std::to_string(value));
+    return changed;
+}
+
+// True when the entry was left, by whatever way, with a number that differs from the value.
+bool draw_entry(App& app, const Field& field, double& value) {
+    double typed = value;
+    if (ImGui::InputDouble("##entry", &typed, 0.0, 0.0, field.format,
+                           ImGuiInputTextFlags_AutoSelectAll)) {
+        // ImGui tells the number while it is typed, not when the entry is left.
+        app.editor.typed_number = typed;
+    }
+    if (ImGui::IsItemActivated()) app.editor.typed_number = value;
+    app.editor.typing_number |= ImGui::IsItemActive();
+    typed = app.editor.typed_number;
+    const bool entered =
+        ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed) && typed != value;
+    if (entered) value = std::clamp(typed, field.typed.low, field.typed.high);
+    note_item(app.rects, std::string("entry:") + field.id, std::to_string(value));
+    return entered;
+}
+
+float label_column(const App& app) { return kLabelColumnPx * app.theme.scale; }
+
+struct FieldRow {
+    bool stacked = false;  // the label above the rest
+    float bar_px = 0.0F;   // none: no slider
+    float entry_px = 0.0F;
+};
+
+FieldRow field_row(const App& app, const Field& field) {
+    const float s = app.theme.scale;
+    const float width = ImGui::GetContentRegionAvail().x - field.right_room_px;
+    const float entry = kEntryWidthPx * s;
+    const float column =
+        std::max(label_column(app), ImGui::CalcTextSize(field.label).x + app.theme.gap_px);
+    const float bar = width - entry - app.theme.gap_px;
+    if (bar - column >= kLeastBarPx * s) return {false, bar - column, entry};
+    if (bar >= kLeastBarPx * s) return {true, bar, entry};
+    return {true, 0.0F, std::max(width, 1.0F)};
+}
+
+}  // namespace
+
+void draw_pane(App& app, Pane pane, const Rect& area, const PaneTitle& title,
+               const std::function<void()>& content) {
+    ImGui::SetNextWindowPos(area.min);
+    ImGui::SetNextWindowSize(area.size());
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, app.theme.pane_rounding_px);
+    constexpr ImGuiWindowFlags kFlags =
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+        ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
+    const std::string id = "pane " + std::to_string(static_cast<int>(pane));
+    if (ImGui::Begin(id.c_str(), nullptr, kFlags)) {
+        note_rect(app.rects, "pane:" + title.title, area.min, area.max);
+        draw_pane_title(app, pane, title);
+        content();
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+void draw_label(const App& app, const char* label, float room_px) {
+    const float column =
+        std::max(label_column(app), ImGui::CalcTextSize(label).x + app.theme.gap_px);
+    const bool beside = ImGui::GetContentRegionAvail().x - column >= room_px;
+    if (*label == '\0') {
+        if (beside) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + column);
+        return;
+    }
+    if (beside) ImGui::AlignTextToFramePadding();
+    dim_text(app, label);
+    if (beside) ImGui::SameLine(0.0F, column - ImGui::GetItemRectSize().x);
+}
+
+FieldEdit draw_field(App& app, const Field& field, double& value) {
+    FieldEdit edit;
+    ImGui::PushID(field.id);
+    ImGui::BeginDisabled(!field.enabled);
+    const FieldRow row = field_row(app, field);
+    draw_label(app, field.label, row.stacked ? ImGui::GetContentRegionAvail().x : 0.0F);
+    note_item(app.rects, std::string("field label:") + field.id);
+    if (field.help != nullptr) draw_tooltip(app, field.help);
+
+    bool touched = false;
+    if (row.bar_px > 0.0F) {
+        ImGui::SetNextItemWidth(row.bar_px);
+        edit.changed = draw_bar(app, field, value);
+        edit.finished = ImGui::IsItemDeactivatedAfterEdit();
+        touched = ImGui::IsItemActivated();
+        ImGui::SameLine(0.0F, app.theme.gap_px);
+    }
+    ImGui::SetNextItemWidth(row.entry_px);
+    if (draw_entry(app, field, value)) edit.changed = edit.finished = true;
+    touched |= ImGui::IsItemActivated();
+    if (touched) app.editor.active_field = field.id;
+    if (nudge(app, field, value)) edit.changed = edit.finished = true;
+    ImGui::EndDisabled();
+    ImGui::PopID();
+    return edit;
+}
+
+float radio_width(const App& app, const char* label) {
+    return 18.0F * app.theme.scale + ImGui::CalcTextSize(label).x;
+}
+
+bool draw_radio(const App& app, const char* label, bool chosen) {
+    const Theme& theme = app.theme;
+    const float s = theme.scale;
+    const ImVec2 size{radio_width(app, label), ImGui::GetFrameHeight()};
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(label, size);
+    const bool lit = ImGui::IsItemHovered() || (app.keyboard_mode && ImGui::IsItemFocused());
+    // GetColorU32 fades what is disabled.
+    const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 centre{corner.x + 6.0F * s, corner.y + size.y * 0.5F};
+    list.AddCircle(centre, 5.5F * s, ink(chosen || lit ? theme.accent : theme.dim_text), 0,
+                   theme.hairline_px);
+    if (chosen) list.AddCircleFilled(centre, 3.2F * s, ink(theme.accent));
+    list.AddText({corner.x + 18.0F * s, corner.y + ImGui::GetStyle().FramePadding.y},
+                 ink(chosen || lit ? theme.text : theme.dim_text), label);
+    return pressed;
+}
+
+bool flow_on(float width_px, float gap_px) {
+    const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+    const bool beside = ImGui::GetItemRectMax().x + gap_px + width_px <= right;
+    if (beside) ImGui::SameLine(0.0F, gap_px);
+    return beside;
+}
+
+float button_width(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
+void draw_splitter(App& app, const Splitter& splitter, float& share) {
+    const Rect& bar = splitter.bar;
+    ImGui::SetNextWindowPos(bar.min);
+    ImGui::SetNextWindowSize(bar.size());
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoBackground |
+                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+    if (ImGui::Begin(splitter.id, nullptr, kFlags)) {
+        ImGui::InvisibleButton("bar", bar.size());
+        if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+            ImGui::SetMouseCursor(splitter.upright ? ImGuiMouseCursor_ResizeEW
+                                                   : ImGuiMouseCursor_ResizeNS);
+            ImGui::GetWindowDrawList()->AddRectFilled(bar.min, bar.max, app.theme.accent,
+                                                      app.theme.rounding_px);
+        }
+        if (ImGui::IsItemActive()) {
+            const ImVec2 delta = ImGui::GetIO().MouseDelta;
+            const float moved = (splitter.upright ? delta.x : delta.y) / splitter.total_px;
+            share = std::clamp(share + moved, static_cast<float>(splitter.share.low),
+                               static_cast<float>(splitter.share.high));
+        }
+        note_item(app.rects, std::string("splitter:") + splitter.id);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+void draw_hint(App& app, const char* id, const char* text) {
+    if (app.session.dismissed_hints.contains(id)) return;
+    ImGui::PushID(id);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour4(app.theme.dim_text));
+    const float button = ImGui::GetContentRegionMax().x - button_width("\u00d7");
+    ImGui::PushTextWrapPos(button - app.theme.gap_px);
+    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::SameLine(button);
+    if (ImGui::SmallButton("\u00d7")) app.session.dismissed_hints.insert(id);
+    note_item(app.rects, std::string("hint:") + id);
+    draw_tooltip(app, "Dismiss this hint");
+    ImGui::PopID();
+}
+
+void draw_tooltip(const App& app, const char* text) {
+    constexpr float kRestS = 0.4F;
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (ImGui::GetCurrentContext() == nullptr || ImGui::GetIO().MouseDown[0]) return;
+    if (ImGui::IsItemActive()) return;  // who types there knows, and has to see what is beside
+    if (app.time_s - app.hover_since_s < static_cast<double>(kRestS)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(320.0F * app.theme.scale);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+std::string lower_case(std::string text) {
+    std::ranges::transform(text, text.begin(), [](char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    });
+    return text;
+}
+
+void dim_text(const App& app, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour4(app.theme.dim_text));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+}
+
+float chip_width(const App& app, const char* text) {
+    return text_size(app.theme.fonts.small, text).x + 2.0F * kChipPadPx * app.theme.scale;
+}
+
+bool draw_chip(App& app, const char* id, const char* text, bool lit) {
+    const Theme& theme = app.theme;
+    const ImVec2 pad{kChipPadPx * theme.scale, 3.0F * theme.scale};
+    const ImVec2 size = text_size(theme.fonts.small, text) + pad * 2.0F;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(id, size);
+    const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (lit || over) {
+        list.AddRectFilled(corner, corner + size, lit ? faded(theme.accent, 0.28F) : theme.hover,
+                           theme.rounding_px);
+    }
+    draw_text(list, theme.fonts.small, corner + pad, lit || over ? theme.text : theme.dim_text,
+              text);
+    if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    return pressed;
+}
+
+void coloured_text(ImU32 colour, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void draw_info_mark(const App& app, ImVec2 centre, bool lit) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float radius = 6.5F * app.theme.scale;
+    const ImU32 colour = lit ? app.theme.accent : app.theme.dim_text;
+    list.AddCircle(centre, radius, colour, 0, app.theme.hairline_px);
+    const ImVec2 size = text_size(app.theme.fonts.small, "i");
+    draw_text(list, app.theme.fonts.small, {centre.x - size.x / 2.0F, centre.y - size.y / 2.0F},
+              colour, "i");
+}
+
+bool link(const App& app, const char* id, const std::string& text) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(id, size);
+    const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    ImGui::GetWindowDrawList()->AddText(corner, app.theme.accent, text.c_str());
+    if (lit) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        ImGui::GetWindowDrawList()->AddLine({corner.x, corner.y + size.y},
+                                            {corner.x + size.x, corner.y + size.y},
+                                            app.theme.accent);
+    }
+    return pressed;
+}
+
+}  // namespace tact

@@ -1,0 +1,96 @@
+// The few widgets the panels are made of: panes, parameter fields, splitters, hints.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/window/app.h"
+#include "model/pattern/pattern.h"
+#include "viz/drawing/geometry.h"
+
+namespace tact {
+
+// A pane of the window with its title; double-clicking the title maximises it or puts it back.
+// Draws `content` inside, with the cursor at its top left.
+struct PaneTitle {
+    std::string title;
+    std::string detail;              // dim, after the title
+    std::vector<std::string> right;  // dim, at the right end: the longest form that has room
+};
+void draw_pane(App& app, Pane pane, const Rect& area, const PaneTitle& title,
+               const std::function<void()>& content);
+
+// A number with a slider and typed entry. Typing reaches further than the slider and is exact; the
+// slider and the arrow keys keep to multiples of `snap`. Where the row is too narrow for all three
+// the label stands above, and where even that is too narrow the slider goes.
+struct Field {
+    const char* id;      // "amplitude_g": also its name for tests
+    const char* label;   // "Amplitude"
+    const char* format;  // of printf, with the unit: "%.2f g"
+    Range slider;
+    Range typed;
+    double step;  // of an arrow key; 5 steps with Shift
+    double snap = 0.0;
+    bool logarithmic = false;
+    const char* help = nullptr;  // a tooltip
+    bool enabled = true;
+    float right_room_px = 0.0F;  // left free after the entry
+};
+
+struct FieldEdit {
+    bool changed = false;   // the value moved in this frame
+    bool finished = false;  // the gesture ended: an undo step
+};
+
+FieldEdit draw_field(App& app, const Field& field, double& value);
+
+// A row's label column, for rows that are no Field. The label stands above where less than
+// `room_px` would be left beside it. An empty one only moves the cursor to what follows.
+void draw_label(const App& app, const char* label, float room_px = 0.0F);
+
+// One of a few: a ring and its word. True when pressed.
+bool draw_radio(const App& app, const char* label, bool chosen);
+float radio_width(const App& app, const char* label);
+
+// The next item comes beside the last one where its width has room, else below: false.
+bool flow_on(float width_px, float gap_px);
+float button_width(const char* label);
+
+// A 6 px bar between two panes that moves a share of `total` pixels while it is dragged. Upright
+// bars part columns.
+struct Splitter {
+    const char* id;
+    Rect bar;
+    bool upright;
+    float total_px;
+    Range share;
+};
+void draw_splitter(App& app, const Splitter& splitter, float& share);
+
+// One line of advice that stays away once dismissed.
+void draw_hint(App& app, const char* id, const char* text);
+
+// A tooltip on the last item after a moment's rest.
+void draw_tooltip(const App& app, const char* text);
+
+// ASCII letters in lower case: for searches.
+std::string lower_case(std::string text);
+
+// A word to choose a view by: tabs and strips are made of them. True when pressed.
+bool draw_chip(App& app, const char* id, const char* text, bool lit);
+float chip_width(const App& app, const char* text);
+
+// Text in the theme's dim colour.
+void dim_text(const App& app, const std::string& text);
+
+// Text in a colour, wrapped at the pane's edge.
+void coloured_text(ImU32 colour, const std::string& text);
+
+// The "i" in a circle.
+void draw_info_mark(const App& app, ImVec2 centre, bool lit);
+
+// Clickable text in the accent colour.
+bool link(const App& app, const char* id, const std::string& text);
+
+}  // namespace tact

@@ -1,0 +1,123 @@
+#include "app/window/columns.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/ui/widgets.h"
+
+namespace tact {
+
+namespace {
+
+// What a column or a row of panes needs for its content at this size of text, as a share of the
+// window; in a small window the others need room, too.
+double least_share(const App& app, float wanted_px, float total_px, float most) {
+    return static_cast<double>(std::min(wanted_px * app.theme.scale / total_px, most));
+}
+
+struct LayoutLimits {
+    Range left{0.14, 0.40};
+    Range right{0.18, 0.58};
+    Range left_split{0.15, 0.80};
+    Range right_split{0.20, 0.85};
+};
+
+LayoutLimits layout_limits(const App& app, const Rect& area) {
+    LayoutLimits limits;
+    limits.left.low = std::max(0.14, least_share(app, 276.0F, area.width(), 0.28F));
+    limits.right.low = std::max(0.18, least_share(app, 300.0F, area.width(), 0.34F));
+    limits.left_split.low = std::max(0.15, least_share(app, 150.0F, area.height(), 0.40F));
+    limits.right_split.high = 1.0 - std::max(0.15, least_share(app, 240.0F, area.height(), 0.46F));
+    return limits;
+}
+
+// The shares as they are on screen; the person's own stay as they were for a larger window.
+Layout within(const LayoutLimits& limits, Layout layout) {
+    const auto keep = [](float& share, const Range& range) {
+        share = std::clamp(share, static_cast<float>(range.low), static_cast<float>(range.high));
+    };
+    keep(layout.left, limits.left);
+    keep(layout.right, limits.right);
+    keep(layout.left_split, limits.left_split);
+    keep(layout.right_split, limits.right_split);
+    return layout;
+}
+
+// A bar that starts from the share on screen.
+void move_splitter(App& app, const Splitter& splitter, float shown, float& share) {
+    const float before = shown;
+    draw_splitter(app, splitter, shown);
+    if (shown != before) share = shown;
+}
+
+void draw_splitters(App& app, const Rect& area, const LayoutLimits& limits, const Layout& shown) {
+    const float bar = app.theme.splitter_px;
+    const float width = area.width();
+    const float height = area.height();
+    const float x1 = area.min.x + std::round(shown.left * width);
+    const float x2 = area.max.x - std::round(shown.right * width);
+    const float y1 = area.min.y + std::round(shown.left_split * height);
+    const float y2 = area.min.y + std::round(shown.right_split * height);
+    Layout& layout = app.layout;
+    move_splitter(app,
+                  {"left", {{x1, area.min.y}, {x1 + bar, area.max.y}}, true, width, limits.left},
+                  shown.left, layout.left);
+    move_splitter(
+        app, {"left split", {{area.min.x, y1}, {x1, y1 + bar}}, false, height, limits.left_split},
+        shown.left_split, layout.left_split);
+    // The right share grows when its bar moves left.
+    float from_left = 1.0F - layout.right;
+    move_splitter(app,
+                  {"right",
+                   {{x2 - bar, area.min.y}, {x2, area.max.y}},
+                   true,
+                   width,
+                   {1.0 - limits.right.high, 1.0 - limits.right.low}},
+                  1.0F - shown.right, from_left);
+    if (from_left != 1.0F - layout.right) layout.right = 1.0F - from_left;
+    move_splitter(
+        app, {"right split", {{x2, y2}, {area.max.x, y2 + bar}}, false, height, limits.right_split},
+        shown.right_split, layout.right_split);
+}
+
+}  // namespace
+
+Rect physiology_area(const App& app, const Rect& columns) {
+    if (app.layout.maximised) return columns;
+    const Layout shown = within(layout_limits(app, columns), app.layout);
+    return {{columns.min.x + shown.left * columns.width(), columns.min.y},
+            {columns.max.x - shown.right * columns.width(), columns.max.y}};
+}
+
+void draw_columns(App& app, const Rect& area) {
+    if (app.layout.maximised) return draw_pane_of(app, *app.layout.maximised, area);
+    const float bar = app.theme.splitter_px;
+    const LayoutLimits limits = layout_limits(app, area);
+    const Layout layout = within(limits, app.layout);
+    const float x1 = area.min.x + std::round(layout.left * area.width());
+    const float x2 = area.max.x - std::round(layout.right * area.width());
+    const float y1 = area.min.y + std::round(layout.left_split * area.height());
+    const float y2 = area.min.y + std::round(layout.right_split * area.height());
+
+    draw_pane_of(app, Pane::patterns, {area.min, {x1, y1}});
+    draw_pane_of(app, Pane::editor, {{area.min.x, y1 + bar}, {x1, area.max.y}});
+    draw_pane_of(app, Pane::physiology, {{x1 + bar, area.min.y}, {x2 - bar, area.max.y}});
+    draw_pane_of(app, Pane::space, {{x2, area.min.y}, {area.max.x, y2}});
+    draw_pane_of(app, Pane::matrix, {{x2, y2 + bar}, area.max});
+
+    draw_splitters(app, area, limits, layout);
+}
+
+void draw_study_columns(App& app, const Rect& area) {
+    if (app.layout.maximised) return draw_pane_of(app, *app.layout.maximised, area);
+    constexpr float kDesign = 0.36F;
+    constexpr float kPeople = 0.42F;
+    const float bar = app.theme.splitter_px;
+    const float x = area.min.x + std::round(kDesign * area.width());
+    const float y = area.min.y + std::round(kPeople * area.height());
+    draw_pane_of(app, Pane::study_design, {area.min, {x, area.max.y}});
+    draw_pane_of(app, Pane::study_people, {{x + bar, area.min.y}, {area.max.x, y}});
+    draw_pane_of(app, Pane::study_answers, {{x + bar, y + bar}, area.max});
+}
+
+}  // namespace tact

@@ -1,0 +1,21 @@
+// Where the panes are: three columns, two of them split, with bars between that move the shares.
+#pragma once
+
+#include "app/window/app.h"
+#include "viz/drawing/geometry.h"
+
+namespace tact {
+
+// All panes, or the one that fills the window.
+void draw_columns(App& app, const Rect& area);
+
+// The view of studies in their place.
+void draw_study_columns(App& app, const Rect& area);
+
+// Where the middle column is, for what opens beside it.
+Rect physiology_area(const App& app, const Rect& columns);
+
+// One pane with its title and content.
+void draw_pane_of(App& app, Pane pane, const Rect& area);
+
+}  // namespace tact

@@ -1,0 +1,47 @@
+// Everything the program can be told to do, in one table: menus, shortcuts and the command palette
+// are made from it.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "app/screen/input_queue.h"
+#include "app/window/app.h"
+
+namespace tact {
+
+struct Shortcut {
+    char32_t sign = 0;         // what the key writes: layouts differ in where it sits
+    int code = key::kUnknown;  // for keys that write nothing
+    bool ctrl = false;
+    bool shift = false;
+};
+
+struct Command {
+    const char* menu;  // "Edit"
+    const char* name;
+    Shortcut shortcut;
+    bool (*enabled)(const App&);
+    void (*run)(App&);
+    bool (*checked)(const App&) = nullptr;
+    const char* words = "";  // that the palette finds it by, besides its name
+};
+
+std::span<const Command> commands();
+
+// "Ctrl+Shift+Z"; empty without one.
+std::string shortcut_text(const Shortcut& shortcut);
+
+// The name; of undoing and redoing with what they would undo.
+std::string item_text(const App& app, const Command& command);
+
+// Runs the commands of this frame's key presses. While text is being typed only Ctrl combinations
+// count that text fields do not use themselves.
+void run_shortcuts(App& app, std::span<const KeyPress> pressed);
+
+void draw_menus(App& app);
+
+// Every command by a few letters of its name; where it is open.
+void draw_palette(App& app, std::span<const KeyPress> pressed);
+
+}  // namespace tact

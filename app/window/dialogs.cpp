@@ -1,0 +1,185 @@
+#include "app/window/dialogs.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/calibrate/measuring_response.h"
+#include "app/compare/bench_follow.h"
+#include "app/document/files.h"
+#include "app/export/exports.h"
+#include "app/measured/import_follow.h"
+#include "app/model_bench/kept_models.h"
+#include "app/model_bench/training_follow.h"
+#include "app/play/calibrating.h"
+#include "app/study/study_follow.h"
+#include "app/subset/subset_export.h"
+#include "app/ui/widgets.h"
+#include "app/window/panels.h"
+
+namespace tact {
+
+namespace {
+
+constexpr const char* kAboutText =
+    "tactspace predicts which vibrations people will tell apart. It implements the physiology-"
+    "based model PM of Lim & Park, \"Can a Computer Tell Differences between Vibrations?\" (CHI "
+    "2023).\n\n"
+    "Where the paper leaves a choice open, one was made here; the model page in the README lists "
+    "them. The slopes and thresholds of the receptors are rebuilt from published rates, as the "
+    "original figures were not available. The model knows one fingertip, a 0.5 mm probe, no "
+    "adaptation, no noise and no differences between people; it was validated at 1 s.\n\n"
+    "Source under the MIT licence. A binary linked with FFTW falls under the GPL.";
+
+struct Key {
+    const char* keys;
+    const char* what;
+};
+
+constexpr auto kKeys = std::to_array<Key>({
+    {"Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y", "undo, redo"},
+    {"Ctrl+O, Ctrl+S, Ctrl+Shift+S", "open, save, save as"},
+    {"Ctrl+N, Ctrl+D, Del", "new pattern, duplicate, delete"},
+    {"Ctrl+G", "generate candidates from levels and ranges"},
+    {"Ctrl+C, Ctrl+V, Ctrl+A", "copy, paste, select all patterns"},
+    {"Space; comma, full stop", "play or stop; 5 ms back, on"},
+    {"Esc", "silences everything, at once"},
+    {"Double click on a point of the map", "play that pattern"},
+    {"Wheel, Ctrl+wheel in a plot", "move through time, zoom; all plots follow"},
+    {"Up, Down", "previous, next pattern"},
+    {"Left, Right (Shift: five steps)", "nudge the field touched last"},
+    {"F2, double click on a row", "rename a pattern"},
+    {"Tab, Enter", "go through the widgets by keyboard"},
+    {"1, 2, 3", "arrange the columns: design, physiology, space"},
+    {"5", "studies: ask people, see what they said"},
+    {"Double click on a pane's title", "maximise the pane; Esc puts it back"},
+    {"Ctrl+P", "command palette"},
+    {"Drag, wheel, right drag in the space", "turn, zoom, move"},
+    {"Drop files or a folder on the window", "open them"},
+});
+
+void draw_about(App& app) {
+    if (!begin_dialog(app, "About tactspace")) return;
+    ImGui::TextWrapped("%s", kAboutText);
+    end_dialog(app);
+}
+
+void draw_keys(App& app) {
+    if (!begin_dialog(app, "Keys and mouse")) return;
+    for (const Key& line : kKeys) {
+        ImGui::TextUnformatted(line.keys);
+        const float column = 290.0F * app.theme.scale;
+        if (ImGui::GetItemRectSize().x < column) ImGui::SameLine(column);
+        ImGui::PushTextWrapPos(0.0F);
+        dim_text(app, line.what);
+        ImGui::PopTextWrapPos();
+    }
+    end_dialog(app);
+}
+
+void draw_chooser(App& app) {
+    const auto chosen = draw(app.chooser);
+    if (!chosen) return;
+    switch (app.chooser_purpose) {
+        case ChooserPurpose::open_document:
+            return open_paths(app, {*chosen});
+        case ChooserPurpose::save_document:
+            return save_as(app, *chosen);
+        case ChooserPurpose::load_tables:
+            return load_tables(app, *chosen);
+        case ChooserPurpose::load_ratings:
+            return load_ratings(app, {*chosen});
+        case ChooserPurpose::load_calibration:
+            return use_calibration(app, *chosen);
+        case ChooserPurpose::load_model:
+            return load_model(app, *chosen);
+        case ChooserPurpose::save_model:
+            return save_trained(app, *chosen);
+        case ChooserPurpose::add_training_set:
+            return add_training_set(app, *chosen);
+        case ChooserPurpose::save_calibration_signal:
+            return save_calibration_signal(app, *chosen);
+        case ChooserPurpose::open_calibration_recording:
+            return read_calibration_recording(app, *chosen);
+        case ChooserPurpose::import_recordings:
+            return import_recordings(app, {*chosen});
+        case ChooserPurpose::study_folder:
+            return set_study_folder(app, *chosen);
+        case ChooserPurpose::export_study:
+            return export_study(app, *chosen);
+        case ChooserPurpose::export_view:
+            return export_view(app, *chosen);
+        case ChooserPurpose::export_subset:
+            return export_subset(app, *chosen);
+        case ChooserPurpose::export_stages:
+            return export_stages(app, *chosen);
+        case ChooserPurpose::export_animation:
+            return export_animation(app, *chosen);
+    }
+}
+
+}  // namespace
+
+void end_dialog(App& app) {
+    ImGui::Spacing();
+    const bool escape =
+        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !app.play.escaped;
+    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
+    if (ImGui::Button("Close") || escape || enter) {
+        app.dialog = Dialog::none;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::PopStyleColor();
+    note_item(app.rects, "button:close");
+    ImGui::EndPopup();
+}
+
+bool begin_dialog(App& app, const char* title, float width_px) {
+    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(screen * 0.5F, ImGuiCond_Always, {0.5F, 0.5F});
+    const float width = std::min(width_px * app.theme.scale, screen.x * 0.9F);
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y * 0.9F});
+    ImGui::SetNextWindowSize({width, 0.0F});
+    return ImGui::BeginPopupModal(
+        title, nullptr,
+        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
+}
+
+ImU32 dialog_field(const Theme& theme) { return theme.is_dark ? theme.pane : theme.field; }
+
+bool draw_ends(App& app, const char* action, bool enabled) {
+    ImGui::Spacing();
+    const auto pressed = [](ImGuiKey which) {
+        return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false);
+    };
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
+    ImGui::BeginDisabled(!enabled);
+    const bool go = ImGui::Button(action) || (enabled && pressed(ImGuiKey_Enter));
+    ImGui::EndDisabled();
+    note_item(app.rects, "button:choose");
+    ImGui::SameLine();
+    const bool escape = pressed(ImGuiKey_Escape) && !app.play.escaped;
+    const bool leave = ImGui::Button("Cancel") || escape;
+    note_item(app.rects, "button:cancel");
+    ImGui::PopStyleColor();
+    if (go || leave) {
+        app.dialog = Dialog::none;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+    return go;
+}
+
+void draw_dialogs(App& app) {
+    draw_chooser(app);
+    draw_exports(app);
+    draw_import_dialogs(app);
+    if (app.dialog == Dialog::about) draw_about(app);
+    if (app.dialog == Dialog::keys) draw_keys(app);
+    if (app.dialog == Dialog::generate) draw_generate_dialog(app);
+    if (app.dialog == Dialog::devices) draw_devices(app);
+    if (app.dialog == Dialog::calibrate) draw_calibrate(app);
+}
+
+}  // namespace tact

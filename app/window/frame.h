@@ -1,0 +1,38 @@
+// One frame of the program: input, answers of the jobs, menus, panes, dialogs.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "app/screen/input_queue.h"
+#include "app/window/app.h"
+
+namespace tact {
+
+// Draws everything into the current ImGui frame. `time_s` never runs backwards.
+void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s);
+
+// Another frame is needed without input: something moves.
+bool wants_another_frame(const App& app);
+
+// Without input, when the next frame is needed at the latest: for progress, for a line at the foot
+// that fades, for the copy on the disk. Infinite: not at all.
+double next_wake_s(const App& app);
+
+// The full run is under way: its progress is worth a look now and then.
+bool is_computing(const App& app);
+
+// So is a comparison with people, or a check of findings.
+bool is_bench_computing(const App& app);
+
+// An App with theme and layout, ready for start_session(); fonts are made by make_theme().
+App make_app();
+
+// All words of a set that are drawn: what fonts need glyphs for.
+std::string drawn_text(const PatternSet& set);
+
+// Theme, fonts and style for the current ImGui context, at app.content_scale x app.text_scale.
+// The atlas must be empty.
+void make_theme(App& app);
+
+}  // namespace tact

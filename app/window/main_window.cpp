@@ -1,0 +1,94 @@
+#include "app/window/main_window.h"
+
+#include "app/compare/bench_follow.h"
+#include "app/document/files.h"
+#include "app/export/exports.h"
+#include "app/map/map_follow.h"
+#include "app/play/emergency_stop.h"
+#include "app/play/playing.h"
+#include "app/screen/window.h"
+#include "app/study/study_follow.h"
+#include "app/window/frame.h"
+
+namespace tact {
+
+namespace {
+
+WindowOptions options_of(const App& app) {
+    WindowOptions options;
+    options.width = app.session.window_width;
+    options.height = app.session.window_height;
+    options.maximised = app.session.window_maximised;
+    return options;
+}
+
+FrameRequest draw_window_frame(App& app, EmergencyStop& stop, const FrameContext& context) {
+    app.play.halted |= stop.take();
+    app.content_scale = context.content_scale;
+    if (!is_study_running(app)) {  // which fills the screen
+        app.session.window_width = context.width;
+        app.session.window_height = context.height;
+        app.session.window_maximised = context.maximised;
+    }
+    follow_focus(app, context.focused);
+    draw_frame(app, context.pressed, context.time_s);
+    stop.watch(is_study_running(app) ? app.study->device
+               : is_sounding(app)    ? app.play.device
+                                     : nullptr);
+    FrameRequest request;
+    request.animate = wants_another_frame(app);
+    request.wake_after_s = next_wake_s(app);
+    request.rebuild_fonts = app.fonts_outdated;
+    request.close = app.quit;
+    request.full_screen = is_study_running(app);
+    request.title = document_title(app) + " - tactspace";
+    request.background = app.theme.background;
+    return request;
+}
+
+}  // namespace
+
+Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
+    for (const std::filesystem::path& set : sets) {
+        std::error_code fault;
+        if (!std::filesystem::exists(set, fault)) {
+            return Error{set.string() + ": there is no such file, folder or command"};
+        }
+    }
+    if (!display_available()) {
+        return Error{
+            "no display to open a window on; \"tactspace predict SET\" and \"tactspace snapshot "
+            "SET\" work without one (see tactspace --help)"};
+    }
+    App app = make_app();
+    app.wake = wake_window;
+    const Expected<Done> started = start_session(app, sets);
+    if (!started) return started.error();
+    make_jobs(app);
+    make_sound(app);
+    request_maps(app);
+
+    EmergencyStop stop;
+    WindowClient client;
+    client.frame = [&app, &stop](const FrameContext& context) {
+        return draw_window_frame(app, stop, context);
+    };
+    client.escape = [&stop] { stop.stop(); };
+    client.drop = [&app](const std::vector<std::filesystem::path>& paths) {
+        drop_paths(app, paths);
+    };
+    client.build_fonts = [&app](float content_scale) {
+        app.content_scale = content_scale;
+        make_theme(app);
+    };
+    client.after_frame = [&app] { continue_exports(app); };
+    const Expected<Done> answer = run_window(options_of(app), client);
+    stop.watch(nullptr);
+    // The jobs end before what they wake does.
+    stop_sound(app);
+    stop_jobs(app);
+    end_session(app);
+    return answer;
+}
+
+}  // namespace tact

@@ -1,0 +1,217 @@
+// What stands in each pane, and over it.
+
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/document/editing.h"
+#include "app/map/map_follow.h"
+#include "app/measured/import_follow.h"
+#include "app/study/study_state.h"
+#include "app/ui/widgets.h"
+#include "app/window/columns.h"
+#include "app/window/frame.h"
+#include "app/window/panels.h"
+#include "model/map/mds.h"
+
+namespace tact {
+
+namespace {
+
+// "0.8 s", "4.7 min".
+std::string time_taken(double seconds) {
+    char text[32];
+    const bool minutes = seconds >= 99.5;
+    const double value = minutes ? seconds / 60.0 : seconds;
+    std::snprintf(text, sizeof text, minutes ? "%.2g min" : "%.2g s", value);
+    return text;
+}
+
+// "exact in 0.8 s", "preview", "computing 40 %": what the numbers on screen are.
+std::string map_state_text(const App& app) {
+    char text[96];
+    const bool busy = is_computing(app);
+    const int percent = busy ? static_cast<int>(100.0F * app.full_job->progress()) : 0;
+    switch (map_state(app)) {
+        case MapState::none:
+            if (!busy) return {};
+            std::snprintf(text, sizeof text, "computing, %d %%", percent);
+            return text;
+        case MapState::too_large:
+            return "map waits";
+        case MapState::exact:
+            if (app.map.shown->seconds <= 0.0) return "exact";
+            return "exact, " + time_taken(app.map.shown->seconds);
+        case MapState::preview:
+            std::snprintf(text, sizeof text, "preview; exact %d %%", percent);
+            return text;
+        case MapState::stale:
+            std::snprintf(text, sizeof text, "of an earlier state; computing, %d %%", percent);
+            return text;
+    }
+    return {};
+}
+
+// "exact, 5.8 s", or where there is no room for that "exact".
+std::vector<std::string> map_state_forms(const App& app) {
+    const std::string whole = map_state_text(app);
+    return {whole, whole.substr(0, whole.find(','))};
+}
+
+std::vector<std::string> space_title_right(const App& app) {
+    if (!app.map.shown || app.map.to.rows() < 2) return map_state_forms(app);
+    const PerceptualSpace& space = app.map.shown->space;
+    if (space.verdict == MdsVerdict::constant) return map_state_forms(app);
+    char stress[32];
+    std::snprintf(stress, sizeof stress, "stress-1 %.3f", space.stress1);
+    const std::string worded = std::string(stress) + ", " + stress_label(space.stress1);
+    const std::vector<std::string> state = map_state_forms(app);
+    return {worded + "    " + state[0], worded + "    " + state[1],
+            std::string(stress) + "    " + state[1], worded, stress};
+}
+
+std::vector<std::string> together_forms(const App& app) {
+    if (app.selection.others.empty()) return {};
+    const std::string count = std::to_string(app.selection.others.size() + 1);
+    return {count + " edited together", count + " together", count};
+}
+
+// What the map leaves out is said over it.
+std::string side_detail(const App& app) {
+    return shown_side(app) == Side::both ? "" : shown_patterns_text(app);
+}
+
+PaneTitle bench_title(const App& app) {
+    switch (app.bench) {
+        case BenchTab::matrix:
+            return {
+                "Matrix",
+                shown_side(app) == Side::both ? "dissimilarity of every pair" : side_detail(app),
+                map_state_forms(app)};
+        case BenchTab::subset:
+            return {"Subset", "the most distinct patterns", map_state_forms(app)};
+        case BenchTab::compare:
+            return {"Compare", "metrics against people", {}};
+        case BenchTab::shepard:
+            return {"Shepard", "how well the map fits", {}};
+        case BenchTab::why:
+            return {"Why", "are these two different?", {}};
+        case BenchTab::model:
+            return {"Model", "parameters of PM", {}};
+        case BenchTab::device:
+            return {"Device", "what an actuator makes of it", {}};
+    }
+    return {};
+}
+
+std::vector<std::string> people_forms(const App& app) {
+    const auto& answers = app.study->answers;
+    if (!answers || answers->records.empty()) return {};
+    return {std::to_string(answers->records.size())};
+}
+
+// Whose answers are shown.
+std::string shown_voice(const App& app) {
+    const auto& answers = app.study->answers;
+    if (!answers || !answers->results) return {};
+    const auto& shown = app.study->shown;
+    if (!shown || *shown >= answers->records.size()) return "mean of those who count";
+    return answers->records[*shown].header.participant.code;
+}
+
+// Results that are not of the patterns as they were meant say so in their title.
+PaneTitle with_origin(const App& app, PaneTitle title) {
+    const std::string origin = rendered_words(app.rendering);
+    if (origin.empty()) return title;
+    title.detail += (title.detail.empty() ? "" : "   ") + origin;
+    return title;
+}
+
+PaneTitle title_of(const App& app, Pane pane) {
+    const Vibration* current = current_vibration(app);
+    const std::string name = current == nullptr ? "" : current->name;
+    switch (pane) {
+        case Pane::patterns:
+            return {"Patterns", "", {shown_patterns_text(app)}};
+        case Pane::editor:
+            return {"Editor", name, together_forms(app)};
+        case Pane::physiology:
+            return with_origin(app, {"Physiology", name, {}});
+        case Pane::space:
+            return with_origin(app, {"Perceptual space", side_detail(app), space_title_right(app)});
+        case Pane::matrix:
+            return app.bench == BenchTab::model || app.bench == BenchTab::device
+                       ? bench_title(app)
+                       : with_origin(app, bench_title(app));
+        case Pane::study_design:
+            return {"Study", "what people are asked", {}};
+        case Pane::study_people:
+            return {"Participants", "", people_forms(app)};
+        case Pane::study_answers:
+            return {"Answers", shown_voice(app), {}};
+    }
+    return {};
+}
+
+void draw_bench(App& app) {
+    const auto tab = [&app](BenchTab which, const char* name) {
+        if (draw_chip(app, name, name, app.bench == which)) app.bench = which;
+        note_item(app.rects, std::string("tab:") + name);
+    };
+    tab(BenchTab::matrix, "Matrix");
+    for (const auto& [which, name] : {std::pair{BenchTab::subset, "Subset"},
+                                      {BenchTab::compare, "Compare"},
+                                      {BenchTab::shepard, "Shepard"},
+                                      {BenchTab::why, "Why"},
+                                      {BenchTab::model, "Model"},
+                                      {BenchTab::device, "Device"}}) {
+        flow_on(chip_width(app, name), 2.0F * app.theme.scale);
+        tab(which, name);
+    }
+    switch (app.bench) {
+        case BenchTab::matrix:
+            return draw_matrix_panel(app);
+        case BenchTab::subset:
+            return draw_subset_panel(app);
+        case BenchTab::compare:
+            return draw_compare_panel(app);
+        case BenchTab::shepard:
+            return draw_shepard_panel(app);
+        case BenchTab::why:
+            return draw_why_panel(app);
+        case BenchTab::model:
+            return draw_model_panel(app);
+        case BenchTab::device:
+            return draw_device_panel(app);
+    }
+}
+
+void draw_content(App& app, Pane pane) {
+    switch (pane) {
+        case Pane::patterns:
+            return draw_set_panel(app);
+        case Pane::editor:
+            return draw_editor_panel(app);
+        case Pane::physiology:
+            return draw_physiology_panel(app);
+        case Pane::space:
+            return draw_space_panel(app);
+        case Pane::matrix:
+            return draw_bench(app);
+        case Pane::study_design:
+            return draw_study_design(app);
+        case Pane::study_people:
+            return draw_study_people(app);
+        case Pane::study_answers:
+            return draw_study_answers(app);
+    }
+}
+
+}  // namespace
+
+void draw_pane_of(App& app, Pane pane, const Rect& area) {
+    draw_pane(app, pane, area, title_of(app, pane), [&app, pane] { draw_content(app, pane); });
+}
+
+}  // namespace tact

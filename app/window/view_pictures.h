@@ -1,0 +1,40 @@
+// Pictures of the window or of one of its panes: as it would open on a set, or as it is.
+//
+// Exact     same input, same bytes.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "app/pictures/pictures.h"
+#include "app/window/app.h"
+
+namespace tact {
+
+inline constexpr std::array<PictureView, 4> kPictureViews{
+    PictureView::window, PictureView::physiology, PictureView::space, PictureView::matrix};
+
+// "physiology": on the command line and in file names.
+const char* name_of(PictureView view);
+
+// What a fresh view is to show of its set; places in set.vibrations.
+struct ViewChoice {
+    PictureView view = PictureView::window;
+    std::size_t pattern = 0;
+    std::optional<std::size_t> pinned{};      // for comparison
+    std::optional<Stage> stage{};             // large
+    bool tilted = false;                      // the receptors
+    int threads = 0;                          // 0: all cores
+    std::optional<RenderedBy> rendered_by{};  // results of what a device plays
+};
+
+// The program as it would open on the set, with what the view shows computed.
+App opened_view(const PatternSet& set, const ViewChoice& choice);
+
+// The program as it is, but still: without jobs, files, hints and what the mouse does.
+App still_view(const App& app);
+
+// Draws a program from one of the two above, with its playhead at the time.
+Picture view_picture(App& still, PictureView view, double at_s, const PictureSize& size);
+
+}  // namespace tact

@@ -1,0 +1,77 @@
+#include "devices/audio/audio_names.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tact {
+
+namespace {
+
+constexpr std::string_view kPlace = " (hw:";
+
+// Of ALSA's own configuration: converters, and parts of cards under other names.
+constexpr auto kAliases = std::to_array<std::string_view>(
+    {"sysdefault", "front",   "rear",       "center_lfe", "side",      "iec958",
+     "spdif",      "hdmi",    "modem",      "dmix",       "dsnoop",    "null",
+     "jack",       "oss",     "a52",        "speex",      "phoneline", "upmix",
+     "vdownmix",   "lavrate", "samplerate", "speexrate",  "usbstream"});
+
+// Places of loudspeakers; four channels are the first four.
+constexpr auto kPlaces =
+    std::to_array<const char*>({"front left", "front right", "rear left", "rear right", "centre",
+                                "low frequency", "side left", "side right"});
+
+// Channels 3 and 4 move the handles' voice coils.
+constexpr auto kDualSense = std::to_array<const char*>(
+    {"headphone left", "headphone right", "left actuator", "right actuator"});
+
+}  // namespace
+
+std::string card_name(std::string_view name) {
+    const std::size_t place = name.rfind(kPlace);
+    const bool has_place = place != name.npos && place > 0 && name.ends_with(')');
+    return std::string(has_place ? name.substr(0, place) : name);
+}
+
+std::string spoken_name(std::string_view interface, std::string_view name) {
+    if (interface == "JACK") return "JACK " + std::string(name);
+    if (!is_sound_server(interface, name)) return card_name(name);
+    if (name == "pulse") return "PulseAudio";
+    return name == "pipewire" ? "PipeWire" : "Default output";
+}
+
+bool is_alias(std::string_view interface, std::string_view name) {
+    if (interface != "ALSA") return false;
+    return std::ranges::find(kAliases, name) != kAliases.end() || name.starts_with("surround");
+}
+
+bool is_sound_server(std::string_view interface, std::string_view name) {
+    return interface == "ALSA" && (name == "default" || name == "pulse" || name == "pipewire");
+}
+
+std::string audio_id(std::string_view interface, std::string_view name, int which) {
+    std::string id = "audio/";
+    id.append(interface).append("/").append(card_name(name));
+    return which > 1 ? id + " " + std::to_string(which) : id;
+}
+
+std::vector<std::string> channel_names(std::string_view interface, std::string_view name,
+                                       int count) {
+    const bool is_dual_sense = name.find("DualSense") != name.npos && count == 4;
+    std::vector<std::string> names;
+    for (int channel = 0; channel < count; ++channel) {
+        const auto at = static_cast<std::size_t>(channel);
+        if (is_dual_sense) {
+            names.emplace_back(kDualSense[at]);
+        } else if (interface == "ALSA" && count == 1) {
+            names.emplace_back("mono");
+        } else if (interface == "ALSA" && at < kPlaces.size()) {
+            names.emplace_back(count == 2 ? (at == 0 ? "left" : "right") : kPlaces[at]);
+        } else {
+            names.push_back(std::to_string(channel + 1));
+        }
+    }
+    return names;
+}
+
+}  // namespace tact

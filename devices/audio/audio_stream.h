@@ -1,0 +1,91 @@
+// One output of a sound card, from the play that opens it until some time after the last one.
+//
+// Between three threads: a person's (stop, level, status), the host's, which opens and watches,
+// and the callback's, which has to do with devices/device/playback.h alone.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "devices/device/device.h"
+#include "devices/device/device_info.h"
+#include "devices/device/playback.h"
+
+namespace tact {
+
+class AudioHost;
+
+// `stuck`: its library does not come back from closing it. It has to be kept as it is until the
+// program ends, and the library not be spoken to again.
+enum class StreamState { open, closed, stuck };
+
+class AudioStream {
+  public:
+    // `channel` of `channels`, counted from 0.
+    struct Place {
+        std::string id;
+        std::string name;  // for sentences
+        std::size_t channel = 0;
+        std::size_t channels = 2;
+        double latency_offset_s = 0.0;
+        bool everywhere = false;  // on all channels instead
+    };
+
+    explicit AudioStream(Place place) : place_(std::move(place)) {}
+
+    // Of any one thread.
+    std::uint64_t ask();  // the serial of a play to come
+    void set_level(double level);
+    void stop();
+    DeviceStatus status();
+
+    // Of the host's thread.
+    // True: it is open, and needs to be polled.
+    bool play(AudioHost& host, const Drive& drive, bool loop, std::uint64_t serial);
+    StreamState poll();
+    void release();            // stops, and closes after a last silence
+    void close();              // at once
+    bool is_sounding() const;  // or about to, or fading
+    bool is_released() const { return released_; }
+
+  private:
+    struct Retired {
+        std::unique_ptr<const Clip> clip;
+        std::uint64_t at_call = 0;
+    };
+
+    Expected<Done> open(AudioHost& host);
+    Expected<Done> open_once();
+    void start(std::unique_ptr<const Clip> clip);
+    void free_clips();
+    void tell(const std::string& trouble);
+    bool has_stalled();
+    StreamState lose();
+
+    const Place place_;
+    Playback playback_;
+    std::atomic<std::uint64_t> asked_ = 0;
+    std::atomic<std::uint64_t> stopped_ = 0;  // this play and all before it
+    std::atomic<double> duration_s_ = 0.0;    // of the play begun last
+    std::atomic<double> lead_s_ = 0.0;        // of the clip, before the pattern in it
+    std::atomic<bool> looping_ = false;
+    std::atomic<double> clock_offset_s_ = 0.0;  // stream time - steady time
+    std::atomic<bool> connected_ = true;
+    std::mutex trouble_mutex_;
+    std::string trouble_;
+
+    // The host's thread's own.
+    void* stream_ = nullptr;
+    std::unique_ptr<const Clip> clip_;
+    std::vector<Retired> retired_;
+    bool released_ = false;
+    std::uint64_t seen_calls_ = 0;
+    double polled_at_s_ = 0.0;
+    double stalled_s_ = 0.0;  // without a call
+};
+
+}  // namespace tact

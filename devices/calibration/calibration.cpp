@@ -1,0 +1,166 @@
+#include "devices/calibration/calibration.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "model/common/units.h"
+#include "model/signal/spectrum.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kReachOctaves = 1.0 / 3.0;  // beyond the table that is still trusted
+constexpr double kEdgeOctaves = 1.0 / 6.0;   // of it, until nothing is sent
+constexpr double kLargestBoost = 10.0;       // over the strongest point: 20 dB
+constexpr double kLowestMotionHz = 10.0;
+
+double octaves_outside(const Calibration& calibration, double frequency_hz) {
+    const double below = std::log2(calibration.points.front().frequency_hz / frequency_hz);
+    const double above = std::log2(frequency_hz / calibration.points.back().frequency_hz);
+    return std::max({0.0, below, above});
+}
+
+// log S between the points; the nearest one's beyond them.
+double interpolated_g(const Calibration& calibration, double frequency_hz) {
+    const auto& points = calibration.points;
+    const auto above =
+        std::ranges::lower_bound(points, frequency_hz, {}, &ResponsePoint::frequency_hz);
+    if (above == points.begin()) return points.front().g_per_full_scale;
+    if (above == points.end()) return points.back().g_per_full_scale;
+    const ResponsePoint& low = *(above - 1);
+    const double share = std::log(frequency_hz / low.frequency_hz) /
+                         std::log(above->frequency_hz / low.frequency_hz);
+    return low.g_per_full_scale * std::pow(above->g_per_full_scale / low.g_per_full_scale, share);
+}
+
+// 1 within the table, 0 beyond its reach.
+double edge(const Calibration& calibration, double frequency_hz) {
+    if (frequency_hz <= 0.0) return 0.0;
+    const double outside = octaves_outside(calibration, frequency_hz);
+    const double soft = (kReachOctaves - outside) / kEdgeOctaves;
+    if (soft >= 1.0) return 1.0;
+    return soft <= 0.0 ? 0.0 : 0.5 - 0.5 * std::cos(std::numbers::pi * soft);
+}
+
+double strongest_g(const Calibration& calibration) {
+    return std::ranges::max_element(calibration.points, {}, &ResponsePoint::g_per_full_scale)
+        ->g_per_full_scale;
+}
+
+double largest_of(const std::vector<double>& samples) {
+    double largest = 0.0;
+    for (const double sample : samples) largest = std::max(largest, std::abs(sample));
+    return largest;
+}
+
+// Root of the mean square of the second that has most.
+double loudest_second(const Drive& drive) {
+    const auto window = std::max<std::size_t>(1, static_cast<std::size_t>(drive.rate_hz));
+    double sum = 0.0;
+    double most = 0.0;
+    for (std::size_t n = 0; n < drive.samples.size(); ++n) {
+        sum += drive.samples[n] * drive.samples[n];
+        if (n >= window) sum -= drive.samples[n - window] * drive.samples[n - window];
+        most = std::max(most, sum);
+    }
+    return std::sqrt(most / static_cast<double>(window));
+}
+
+// What of the energy meant the actuator will not give.
+double share_lost(const Waveform& waveform, const Calibration& calibration) {
+    const Spectrum spectrum = amplitude_spectrum(waveform.samples_g, waveform.rate_hz);
+    const double floor_g = strongest_g(calibration) / kLargestBoost;
+    double meant = 0.0;
+    double lost = 0.0;
+    for (std::size_t k = 1; k < spectrum.amplitude_g.size(); ++k) {
+        const double f_hz = frequency_hz(spectrum, k);
+        const double square = spectrum.amplitude_g[k] * spectrum.amplitude_g[k];
+        const double g = interpolated_g(calibration, f_hz);
+        const double given = edge(calibration, f_hz) * g / std::max(g, floor_g);
+        meant += square;
+        lost += square * (1.0 - given * given);
+    }
+    return meant > 0.0 ? lost / meant : 0.0;
+}
+
+std::string percent(double share) {
+    return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
+}
+
+std::string digits(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+std::vector<std::string> warnings_of(const CalibratedDrive& driven, const Calibration& limits) {
+    std::vector<std::string> warnings;
+    if (driven.peak > 1.0) {
+        warnings.push_back("takes " + digits(driven.peak) +
+                           " times the full scale of the actuator; it will be turned down");
+    }
+    if (limits.excursion_limit_mm > 0.0 && driven.excursion_mm > limits.excursion_limit_mm) {
+        warnings.push_back("moves " + digits(driven.excursion_mm) + " mm, farther than the " +
+                           digits(limits.excursion_limit_mm) + " mm the actuator has");
+    }
+    if (limits.rms_limit > 0.0 && driven.rms > limits.rms_limit) {
+        warnings.push_back("drives it with " + digits(driven.rms) +
+                           " of full scale for a second, more than its " +
+                           digits(limits.rms_limit));
+    }
+    if (driven.share_lost >= 0.01) {
+        warnings.push_back(percent(driven.share_lost) +
+                           " of its energy is where the actuator is weak or was not measured");
+    }
+    return warnings;
+}
+
+}  // namespace
+
+std::optional<double> response_g(const Calibration& calibration, double frequency_hz) {
+    assert(!calibration.points.empty() && "a calibration without a point");
+    if (frequency_hz <= 0.0) return std::nullopt;
+    // A hair more than it, as 2^(1/3) of a frequency is not a third of an octave to the last bit.
+    if (octaves_outside(calibration, frequency_hz) > kReachOctaves + 1e-9) return std::nullopt;
+    return interpolated_g(calibration, frequency_hz);
+}
+
+CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& calibration) {
+    assert(!calibration.points.empty() && "a calibration without a point");
+    const double floor_g = strongest_g(calibration) / kLargestBoost;
+    CalibratedDrive driven;
+    driven.drive.rate_hz = waveform.rate_hz;
+    driven.drive.samples =
+        zero_phase_filtered(waveform.samples_g, waveform.rate_hz, [&](double f_hz) {
+            const double passed = edge(calibration, f_hz);
+            if (passed == 0.0) return 0.0;
+            return passed / std::max(interpolated_g(calibration, f_hz), floor_g);
+        });
+    driven.peak = largest_of(driven.drive.samples);
+    driven.excursion_mm = peak_displacement_mm(waveform);
+    driven.rms = loudest_second(driven.drive);
+    driven.share_lost = share_lost(waveform, calibration);
+    driven.warnings = warnings_of(driven, calibration);
+    return driven;
+}
+
+std::vector<double> acceleration_g(const Drive& drive, const Calibration& calibration) {
+    return zero_phase_filtered(drive.samples, drive.rate_hz, [&](double f_hz) {
+        return response_g(calibration, f_hz).value_or(0.0);
+    });
+}
+
+// Twice integrated: a / (2 pi f)^2. Slower motion than 10 Hz is drift of the sensor.
+double peak_displacement_mm(const Waveform& waveform) {
+    const auto moved = zero_phase_filtered(waveform.samples_g, waveform.rate_hz, [](double f_hz) {
+        if (f_hz < kLowestMotionHz) return 0.0;
+        return 1e-3 * displacement_um(1.0, f_hz);
+    });
+    return largest_of(moved);
+}
+
+}  // namespace tact

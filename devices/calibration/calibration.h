@@ -1,0 +1,78 @@
+// What an actuator makes of a drive signal: a table of g per full scale, and its use.
+//
+// Between measured frequencies log S is linear in log f. The drive of a waveform is the waveform
+// divided by the response, frequency by frequency, without delay:
+//     H(f) = 1 / max(S(f), S_max / 10)        (20 dB of boost at most: more would tear at the coil)
+// and 0 beyond a third of an octave outside the table, with a soft edge on the way there.
+//
+// Source    linear interpolation of log-log responses and regularised inversion are common
+// practice;
+//           the limits are choices of ours
+// Input     a waveform in g
+// Output    a drive signal of -1..1 where the actuator can follow
+// Left out  phase: the response is taken to have none of its own, so that onsets may be smeared by
+//           a resonance; heating beyond one second; what the filter rings before the first sample.
+// Exact     same input, same bits.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "devices/device/device.h"
+#include "model/signal/waveform.h"
+
+namespace tact {
+
+// The response at one frequency, as it was measured.
+struct ResponsePoint {
+    double frequency_hz = 0.0;
+    double g_per_full_scale = 0.0;
+    double largest_drive = 1.0;  // up to which it was measured, of full scale
+    double thd = 0.0;            // total harmonic distortion there: second to fifth, as a share
+    double nonlinearity = 0.0;   // largest departure from proportional over the levels, as a share
+
+    bool operator==(const ResponsePoint&) const = default;
+};
+
+// Of one actuator on one channel, with its amplifier and as it was mounted.
+struct Calibration {
+    std::string device;  // its id (devices/device/device_info.h)
+    int channel = 1;
+    std::string actuator;   // "Haptuator, left"
+    std::string mounting;   // how it was held or fixed
+    std::string gain_note;  // of amplifier and mixer: another setting makes it invalid
+    std::string sensor;
+    std::string date;  // YYYY-MM-DD
+    double load_mass_g = 0.0;
+    std::vector<ResponsePoint> points;  // frequencies rise; at least one
+    double excursion_limit_mm = 0.0;    // peak; 0: not known
+    double rms_limit = 0.0;             // of the drive over any second; 0: not known
+    std::string unknown_json;
+
+    bool operator==(const Calibration&) const = default;
+};
+
+// g per full scale; none farther than a third of an octave from what was measured.
+std::optional<double> response_g(const Calibration& calibration, double frequency_hz);
+
+struct CalibratedDrive {
+    Drive drive;
+    double peak = 0.0;          // of full scale; above 1 it would be cut
+    double excursion_mm = 0.0;  // peak displacement that the waveform asks for
+    double rms = 0.0;           // of the loudest second
+    double share_lost = 0.0;    // of the energy meant: outside the table, or boosted too little
+    std::vector<std::string> warnings;  // sentences without a full stop
+
+    bool operator==(const CalibratedDrive&) const = default;
+};
+
+CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& calibration);
+
+// What the actuator makes of a drive signal, in g, as long as it; nothing beyond the table's reach.
+std::vector<double> acceleration_g(const Drive& drive, const Calibration& calibration);
+
+// The largest displacement of a waveform around its mean, from 10 Hz up.
+double peak_displacement_mm(const Waveform& waveform);
+
+}  // namespace tact

@@ -1,0 +1,78 @@
+// Measuring an actuator: the signal to play, and the table that a recording of it gives.
+//
+// Stepped   a tone at each frequency and level; what it did while it settled is left out
+// Sweep     a sine whose frequency rises evenly in octaves; each frequency counts for a twelfth of
+// an
+//           octave around it
+//
+// By least squares over a tone's settled part, with its phase p known at every sample:
+//     x[n] = c + sum_{h=1..5} (a_h cos h p[n] + b_h sin h p[n]) + rest
+//     S = sqrt(a_1^2 + b_1^2) / level,  THD = sqrt(sum_{h>1} a_h^2 + b_h^2) / fundamental,
+//     SNR = 10 log10(power of the fundamental / power of the rest)
+//
+// Source    THD < 10 % and SNR > 20 dB to be taken: a choice of ours
+// Input     a recording in g at the plan's rate, begun before the plan and ended after it
+// Left out  phase; several sensors; drift of the sensor's clock beyond what a tone can bear.
+// Exact     same input, same table.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "devices/calibration/calibration.h"
+#include "model/common/expected.h"
+
+namespace tact {
+
+struct CalibrationParams {
+    bool is_sweep = false;
+    double low_hz = 20.0;
+    double high_hz = 500.0;
+    int per_octave = 6;
+    std::vector<double> levels = {0.1, 0.3, 0.6};  // of full scale; a sweep takes the last
+    double tone_s = 0.6;  // all tones of the default take 53 s: recordings may last a minute
+    double settle_s = 0.2;
+    double sweep_s = 20.0;
+
+    bool operator==(const CalibrationParams&) const = default;
+};
+
+// Of the plan, where one frequency at one level is measured.
+struct CalibrationTone {
+    double frequency_hz = 0.0;
+    double level = 0.0;
+    std::size_t begin = 0;  // settled samples
+    std::size_t end = 0;
+
+    bool operator==(const CalibrationTone&) const = default;
+};
+
+// Begins with a burst that a recording is aligned by.
+struct CalibrationPlan {
+    Drive drive;
+    std::vector<double> phase_rad;  // of the sine at every sample
+    std::vector<CalibrationTone> tones;
+};
+
+CalibrationPlan calibration_plan(const CalibrationParams& params);
+
+struct MeasuredTone {
+    CalibrationTone tone;
+    double amplitude_g = 0.0;
+    double thd = 0.0;
+    double snr_db = 0.0;
+    bool accepted = false;
+};
+
+struct CalibrationResult {
+    std::vector<ResponsePoint> points;  // of accepted tones, one a frequency, at its highest level
+    std::vector<MeasuredTone> tones;
+    double begins_s = 0.0;  // of the plan, in the recording
+};
+
+// Errors: a recording of another rate, or shorter than the plan; no sign of the plan in it; no tone
+// good enough.
+Expected<CalibrationResult> calibration_from(const CalibrationPlan& plan, const Waveform& recorded);
+
+}  // namespace tact

@@ -1,0 +1,50 @@
+// The one interface of the program: something that plays a waveform.
+//
+// Input     a drive signal; devices/calibration/calibration.h makes one from a waveform in g
+// Left out  which devices there are, and which one a person has chosen: the program's.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/common/units.h"
+
+namespace tact {
+
+// What a device is told to do, as a share of its full scale: -1..1.
+struct Drive {
+    double rate_hz = kModelRateHz;
+    std::vector<double> samples;
+
+    bool operator==(const Drive&) const = default;
+};
+
+struct DeviceStatus {
+    std::string name;
+    bool connected = false;
+    bool playing = false;
+    double position_s = 0.0;     // in the pattern, as it is felt now: latency is taken off
+    double peak = 0.0;           // of full scale, since the last status
+    bool clipped = false;        // the limiter has held this play back somewhere
+    std::uint64_t dropouts = 0;  // gaps since it was opened: the computer was too slow
+    std::string trouble;         // why it stopped by itself: a sentence a person can act on
+
+    bool operator==(const DeviceStatus&) const = default;
+};
+
+class Device {
+  public:
+    virtual ~Device() = default;
+
+    // Starts `drive` from the beginning, in place of what was playing; `loop`: until stopped. An
+    // Error says what to plug in or to allow.
+    virtual Expected<Done> play(const Drive& drive, bool loop) = 0;
+    // How strong, as a share of the drive signal: 0 is silence, 1 all of it. Also while playing.
+    virtual void set_level(double level) = 0;
+    virtual void stop() = 0;
+    virtual DeviceStatus status() = 0;
+};
+
+}  // namespace tact

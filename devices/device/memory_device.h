@@ -1,0 +1,38 @@
+// A device that keeps what it was given: for tests, and in the place of "no device".
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "devices/device/device.h"
+
+namespace tact {
+
+class MemoryDevice final : public Device {
+  public:
+    // `connected` false: every play is refused, as without a device.
+    explicit MemoryDevice(bool connected) : connected_(connected) {}
+
+    Expected<Done> play(const Drive& drive, bool loop) override;
+    void set_level(double level) override { level_ = level; }
+    void stop() override { playing_.reset(); }
+    DeviceStatus status() override;
+
+    // For a test to say how far it is, what it met, that it is lost: of its next statuses.
+    void pretend(double position_s, double peak, bool clipped, const std::string& trouble = {});
+    void end() { playing_.reset(); }
+
+    // What is playing, and how, for a test to look at.
+    const std::optional<Drive>& playing() const { return playing_; }
+    bool looping() const { return loop_; }
+    double level() const { return level_; }
+
+  private:
+    bool connected_;
+    bool loop_ = false;
+    double level_ = 1.0;
+    std::optional<Drive> playing_;
+    DeviceStatus pretended_;
+};
+
+}  // namespace tact

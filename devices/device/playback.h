@@ -1,0 +1,76 @@
+// What an audio callback does, without the audio library: one clip into one channel of a stream.
+//
+// Everything was prepared before; the callback indexes it, scales it and tells by atomics how far
+// it is. It allocates nothing, waits for nothing and calls nobody (tests/audio_callback_test.cpp
+// lets it run where the system forbids all that).
+//
+// Source    rules for callbacks: R. Bencina, "Real-time audio programming 101", 2011.
+// Output    interleaved frames: silence on all channels but one, or the same on all. No sound in
+// the first kPadS of a
+//           stream, as servers lose some of it; a clip that is stopped fades out in kRampS; a
+//           change of level takes about as long.
+// Left out  starting in the middle of a clip. A pattern's own start and end are left as they are:
+//           a ramp there would be another pattern.
+// Exact     at a settled level each frame is sample * level, rounded once.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "devices/device/clip.h"
+
+namespace tact {
+
+inline constexpr double kPadS = 0.1;      // of silence before the first clip and after the last
+inline constexpr double kRampS = 0.005;   // of a stop: with 10 ms of latency it is silent in 20
+inline constexpr double kCeiling = 0.8;   // of full scale: no sample leaves that is larger
+inline constexpr double kSettleS = 0.01;  // until a new level is reached to 1 %
+
+// Of a stream, fixed while it runs.
+struct StreamLayout {
+    double rate_hz = 48'000.0;
+    std::size_t channels = 1;
+    std::size_t channel = 0;
+    double ceiling = kCeiling;
+    bool everywhere = false;  // on all channels instead
+};
+
+// Between the callback and one control thread; level, peak and clipped between any threads.
+struct Playback {
+    StreamLayout layout;
+
+    // To the callback.
+    std::atomic<const Clip*> wanted = nullptr;  // null: none; one that has ended stays silent
+    std::atomic<float> level = 0.0F;
+
+    // From the callback.
+    std::atomic<const Clip*> held = nullptr;  // being read
+    std::atomic<std::uint64_t> begun = 0;     // serial of the clip that began last
+    std::atomic<std::uint64_t> rounds = 0;    // of a loop that are through, since it began
+    std::atomic<std::uint64_t> ended = 0;     // ... and that ended, or was stopped
+    std::atomic<double> origin_s = 0.0;  // stream time at which the begun clip's start is heard
+    std::atomic<std::uint64_t> calls = 0;
+    std::atomic<std::uint64_t> quiet_frames = 0;  // since the last clip, or since the stream began
+    std::atomic<std::uint64_t> dropouts = 0;
+    std::atomic<float> peak = 0.0F;     // of full scale; whoever reads it sets it to 0
+    std::atomic<bool> clipped = false;  // a level had to be held back; whoever shows it clears it
+
+    // The callback's own.
+    struct Own {
+        const Clip* clip = nullptr;
+        bool has_ended = true;
+        std::size_t at = 0;  // next frame of the clip
+        std::uint64_t frames = 0;
+        float gain = 0.0F;
+        float fade = 1.0F;
+    } own;
+};
+
+// The whole callback: writes `frames` frames, of which the first will be heard at `heard_s` of the
+// stream's time. `broke_off`: there was a gap before them.
+void render(Playback& playback, float* interleaved, std::size_t frames, double heard_s,
+            bool broke_off = false);
+
+}  // namespace tact

@@ -1,0 +1,287 @@
+#include "devices/hid/hid_device.h"
+
+#include <pthread.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/common/quantile.h"
+
+namespace tact {
+
+namespace {
+
+constexpr auto kRefresh = std::chrono::milliseconds(50);
+constexpr auto kPresenceCheck = std::chrono::milliseconds(500);
+constexpr std::size_t kKeptLateness = 100'000;
+
+std::chrono::nanoseconds nanoseconds(double seconds) {
+    return std::chrono::nanoseconds(std::llround(seconds * 1e9));
+}
+
+double seconds(std::chrono::nanoseconds time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+RumbleFrame scaled(RumbleFrame frame, double level) {
+    frame.low *= level;
+    frame.high *= level;
+    return frame;
+}
+
+double largest(const Drive& drive) {
+    double peak = 0.0;
+    for (const double sample : drive.samples) peak = std::max(peak, std::abs(sample));
+    return peak;
+}
+
+// Ahead of what draws and computes, where the system allows it to this program.
+void ask_for_priority() {
+    sched_param param{};
+    param.sched_priority = 1;
+    pthread_setschedparam(pthread_self(), SCHED_FIFO, &param);
+}
+
+}  // namespace
+
+HidDevice::HidDevice(HidActuator actuator, HidDoor door)
+    : actuator_(std::move(actuator)),
+      door_(std::move(door)),
+      period_s_(packet_period_s(actuator_)) {
+    status_.name = actuator_.name;
+    status_.connected = true;
+    thread_ = std::jthread([this](const std::stop_token& quit) { run(quit); });
+}
+
+HidDevice::~HidDevice() {
+    stop();
+    thread_.request_stop();
+    thread_.join();
+}
+
+Expected<Done> HidDevice::play(const Drive& drive, bool loop) {
+    const std::lock_guard lock(mutex_);
+    if (!status_.connected) return Error{status_.trouble};
+    next_ = Play{drive, loop};
+    stop_ = false;
+    status_.playing = true;
+    status_.position_s = 0.0;
+    status_.clipped = false;
+    status_.trouble.clear();
+    changed_.notify_one();
+    return Done{};
+}
+
+void HidDevice::set_level(double level) {
+    const std::lock_guard lock(mutex_);
+    level_ = std::clamp(level, 0.0, 1.0);
+}
+
+void HidDevice::stop() {
+    const std::lock_guard lock(mutex_);
+    next_.reset();
+    stop_ = true;
+    changed_.notify_one();
+}
+
+DeviceStatus HidDevice::status() {
+    const std::lock_guard lock(mutex_);
+    DeviceStatus status = status_;
+    status_.peak = 0.0;
+    if (status.playing && duration_s_ > 0.0 && !next_) {
+        const double since_s = std::max(0.0, seconds(Clock::now() - begun_at_));
+        status.position_s = loops_ ? std::fmod(since_s, duration_s_) : since_s;
+        status.position_s = std::min(status.position_s, duration_s_);
+    }
+    return status;
+}
+
+SendStatistics HidDevice::statistics() const {
+    const std::lock_guard lock(mutex_);
+    SendStatistics statistics = statistics_;
+    if (late_s_.empty()) return statistics;
+    std::vector<double> sorted = late_s_;
+    std::ranges::sort(sorted);
+    statistics.median_late_s = quantile(sorted, 0.5);
+    statistics.p99_late_s = quantile(sorted, 0.99);
+    statistics.worst_late_s = sorted.back();
+    return statistics;
+}
+
+void HidDevice::run(const std::stop_token& quit) {
+    ask_for_priority();
+    while (!quit.stop_requested()) {
+        std::optional<Play> play;
+        {
+            std::unique_lock lock(mutex_);
+            changed_.wait_for(lock, quit, kPresenceCheck, [this] { return next_.has_value(); });
+            play = std::exchange(next_, std::nullopt);
+        }
+        if (!play) {
+            watch();
+        } else if (ready()) {
+            perform(*play, quit);
+        }
+        const std::lock_guard lock(mutex_);
+        if (!next_) status_.playing = false;
+    }
+}
+
+// Opens the controller and wakes it, where that is not done yet.
+bool HidDevice::ready() {
+    if (port_) return true;
+    Expected<Done> allowed = door_.may_be_opened(actuator_);
+    if (!allowed) return lose(allowed.error().message), false;
+    Expected<HidPort> port = door_.open(actuator_.path);
+    if (!port) return lose(port.error().message), false;
+    Expected<Encoder> encode = begin_protocol(actuator_, *port);
+    if (!encode) return lose(encode.error().message), false;
+    port_ = *std::move(port);
+    encode_ = *std::move(encode);
+    last_sent_.clear();
+    port_->set_last_words(encode_(RumbleFrame{}, 0));
+    return true;
+}
+
+void HidDevice::perform(const Play& play, const std::stop_token& quit) {
+    RumblePlan plan(play.drive, traits(actuator_.kind).language, period_s_);
+    const Drive& drive = plan.drive();
+    const double duration_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
+    const double peak = largest(drive);
+    const Clock::time_point begin = Clock::now() + std::chrono::milliseconds(5);
+    {
+        const std::lock_guard lock(mutex_);
+        begun_at_ = begin;
+        duration_s_ = duration_s;
+        loops_ = play.loop;
+        status_.clipped = peak * level_ > 1.0;
+        statistics_ = {};
+        late_s_.clear();
+    }
+    bool going = plan.size() > 0;
+    for (double pass_s = 0.0; going; pass_s += duration_s) {
+        for (std::size_t k = 0; going && k < plan.size(); ++k) {
+            const double at_s = pass_s + static_cast<double>(k) * period_s_;
+            const Clock::time_point deadline = begin + nanoseconds(at_s);
+            if (is_too_late(deadline)) continue;
+            prepare(plan, k, deadline);
+            going = wait_until(deadline, quit) && send_if_due(plan.frame(k).rumble);
+        }
+        if (going && !play.loop) {
+            wait_until(begin + nanoseconds(pass_s + duration_s), quit);
+            break;
+        }
+    }
+    end_in_silence(quit);
+}
+
+// By a whole period: the next frame is due, and the time to make this one is better spent on that.
+bool HidDevice::is_too_late(Clock::time_point deadline) {
+    if (Clock::now() < deadline + nanoseconds(period_s_)) return false;
+    const std::lock_guard lock(mutex_);
+    ++statistics_.skipped;
+    return true;
+}
+
+// Makes frame k, and as many after it as the time until its deadline is good for: later ones may
+// take longer than a period.
+void HidDevice::prepare(RumblePlan& plan, std::size_t k, Clock::time_point deadline) {
+    Clock::duration longest{};
+    for (; k < plan.size(); ++k) {
+        const Clock::time_point begin = Clock::now();
+        plan.frame(k);
+        longest = std::max(longest, Clock::now() - begin);
+        if (Clock::now() + 2 * longest > deadline) return;
+    }
+}
+
+// False when there is something else to do. Keeps how late it is.
+bool HidDevice::wait_until(Clock::time_point deadline, const std::stop_token& quit) {
+    std::unique_lock lock(mutex_);
+    const auto interrupted = [this] { return stop_ || next_.has_value(); };
+    if (changed_.wait_until(lock, quit, deadline, interrupted)) return false;
+    if (quit.stop_requested()) return false;
+    if (late_s_.size() < kKeptLateness) late_s_.push_back(seconds(Clock::now() - deadline));
+    return true;
+}
+
+// False when the controller is lost.
+bool HidDevice::send_if_due(const RumbleFrame& frame) {
+    double level = 0.0;
+    {
+        const std::lock_guard lock(mutex_);
+        level = level_;
+        status_.peak = std::max(status_.peak, level * std::max(frame.low, frame.high));
+    }
+    const RumbleFrame now = scaled(frame, level);
+    const bool same = encode_(now, 0) == last_sent_;
+    if (same && Clock::now() - last_sent_at_ < kRefresh) return true;
+    return send(now);
+}
+
+bool HidDevice::send(const RumbleFrame& frame) {
+    bool taken = port_->write(encode_(frame, counter_));
+    // Through the air one may be refused for the moment.
+    if (!taken && port_->is_there()) taken = port_->write(encode_(frame, counter_));
+    ++counter_;
+    last_sent_ = encode_(frame, 0);
+    last_sent_at_ = Clock::now();
+    if (!taken) {
+        lose(port_->is_there() ? actuator_.name + " takes no packets any more: connect it again"
+                               : actuator_.name + " was unplugged, or is out of reach");
+        return false;
+    }
+    const std::lock_guard lock(mutex_);
+    ++statistics_.sent;
+    return true;
+}
+
+// Also when the program ends: hence no waiting by a condition that is true already.
+void HidDevice::end_in_silence(const std::stop_token& quit) {
+    for (int k = 0; port_ && k < kNeutralPackets; ++k) {
+        if (k > 0) std::this_thread::sleep_for(nanoseconds(period_s_));
+        if (!send(RumbleFrame{})) return;
+        const std::lock_guard lock(mutex_);
+        status_.playing = false;
+        // What is to be played next ends this one as well.
+        if (next_ && !quit.stop_requested()) return;
+    }
+}
+
+void HidDevice::lose(const std::string& why) {
+    port_.reset();
+    const bool there = door_.may_be_opened(actuator_).operator bool();
+    const std::lock_guard lock(mutex_);
+    next_.reset();
+    status_.connected = there;
+    status_.playing = false;
+    status_.trouble = why;
+}
+
+// Between plays: unplugged, or there again.
+void HidDevice::watch() {
+    bool connected = false;
+    {
+        const std::lock_guard lock(mutex_);
+        connected = status_.connected;
+    }
+    if (port_ && !port_->is_there()) {
+        return lose(actuator_.name + " was unplugged, or is out of reach");
+    }
+    if (connected || !is_back()) return;
+    const std::lock_guard lock(mutex_);
+    status_.connected = true;
+    status_.trouble.clear();
+}
+
+// Perhaps as another node than before.
+bool HidDevice::is_back() {
+    for (const HidActuator& actuator : door_.list()) {
+        if (lasting_id(actuator) != lasting_id(actuator_)) continue;
+        actuator_ = actuator;
+        return door_.may_be_opened(actuator_).operator bool();
+    }
+    return false;
+}
+
+}  // namespace tact

@@ -1,0 +1,113 @@
+// A game controller that plays a drive signal, packet by packet.
+//
+// A thread of its own opens the controller at the first play, and sends. Packet k of a play has
+// its deadline k periods after the beginning, whatever became of the ones before it: one that is a
+// whole period late is skipped rather than queued, as the controller has no clock to catch up with.
+// A packet goes out when it differs from the last, or after 50 ms, lest the controller thinks it
+// forgotten. A play ends, by itself, by stop() or with the device, with five neutral packets.
+//
+// Source    the pace of the drivers that rumble_packets.h names
+// Left out  two plays at a time; the time that a packet takes through the air.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "devices/device/device.h"
+#include "devices/hid/hid_actuator.h"
+#include "devices/hid/hid_port.h"
+#include "devices/hid/hid_protocol.h"
+#include "devices/rumble/rumble_plan.h"
+
+namespace tact {
+
+// How the packets of the last play went out.
+struct SendStatistics {
+    std::size_t sent = 0;
+    std::size_t skipped = 0;  // a whole period late
+    double median_late_s = 0.0;
+    double p99_late_s = 0.0;
+    double worst_late_s = 0.0;
+
+    bool operator==(const SendStatistics&) const = default;
+};
+
+// Neutral packets that end a play: one may be lost.
+inline constexpr int kNeutralPackets = 5;
+
+// The way to the controllers: the real one, unless a test has its own.
+struct HidDoor {
+    std::function<std::vector<HidActuator>()> list = hid_actuators;
+    std::function<Expected<Done>(const HidActuator&)> may_be_opened = tact::may_be_opened;
+    std::function<Expected<HidPort>(const std::string& path)> open = open_hid_port;
+};
+
+class HidDevice final : public Device {
+  public:
+    // Opens nothing yet.
+    explicit HidDevice(HidActuator actuator, HidDoor door = {});
+    ~HidDevice() override;  // after the neutral packets
+    HidDevice(const HidDevice&) = delete;
+    HidDevice& operator=(const HidDevice&) = delete;
+
+    // Does not wait for the controller: what happens then is in the status.
+    Expected<Done> play(const Drive& drive, bool loop) override;
+    void set_level(double level) override;
+    void stop() override;
+    DeviceStatus status() override;
+
+    SendStatistics statistics() const;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    struct Play {
+        Drive drive;
+        bool loop = false;
+    };
+
+    void run(const std::stop_token& quit);
+    bool ready();
+    void perform(const Play& play, const std::stop_token& quit);
+    bool is_too_late(Clock::time_point deadline);
+    static void prepare(RumblePlan& plan, std::size_t k, Clock::time_point deadline);
+    bool wait_until(Clock::time_point deadline, const std::stop_token& quit);
+    bool send_if_due(const RumbleFrame& frame);
+    bool send(const RumbleFrame& frame);
+    void end_in_silence(const std::stop_token& quit);
+    void lose(const std::string& why);
+    void watch();
+    bool is_back();
+
+    HidActuator actuator_;  // after the constructor the thread's own
+    HidDoor door_;
+    double period_s_;
+
+    // The thread's own.
+    std::optional<HidPort> port_;
+    Encoder encode_;
+    int counter_ = 0;
+    Packet last_sent_;
+    Clock::time_point last_sent_at_;
+
+    mutable std::mutex mutex_;  // guards all of these
+    std::condition_variable_any changed_;
+    std::optional<Play> next_;
+    bool stop_ = false;
+    double level_ = 1.0;
+    DeviceStatus status_;
+    Clock::time_point begun_at_;
+    double duration_s_ = 0.0;
+    bool loops_ = false;
+    SendStatistics statistics_;
+    std::vector<double> late_s_;
+
+    std::jthread thread_;  // last: starts when all else is there
+};
+
+}  // namespace tact

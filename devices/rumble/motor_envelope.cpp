@@ -1,0 +1,133 @@
+#include "devices/rumble/motor_envelope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "devices/rumble/two_band_tracking.h"
+#include "model/signal/butterworth.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kLongestOverdriveS = 0.04;  // the model of the motor may be wrong
+constexpr double kFaintest = 0.02;           // envelopes below do not start a motor
+constexpr double kEnvelopeWindowS = 0.04;    // Hann: half of it counts
+
+// Samples per value of the running mean square: well above what a window of 40 ms passes.
+constexpr double kEnvelopeStepS = 0.0025;
+
+double duty_towards(const Motor& motor, double target) {
+    return target > 0.0 ? motor.dead_zone + (1.0 - motor.dead_zone) * std::min(target, 1.0) : 0.0;
+}
+
+// The duty after which a motor has the wanted speed a hop later; full or none where that is still
+// not enough.
+double duty_to_reach(const Motor& motor, double speed, double wanted, double hop_s) {
+    const double constant_s = wanted > speed ? motor.rise_s : motor.fall_s;
+    const double kept = std::exp(-hop_s / constant_s);
+    return duty_towards(motor, (wanted - kept * speed) / (1.0 - kept));
+}
+
+// Root of twice the weighted mean square around sample `middle`.
+double strength_at(std::span<const double> signal, double rate_hz, std::ptrdiff_t middle) {
+    const auto half = static_cast<std::ptrdiff_t>(std::lround(kEnvelopeWindowS / 2.0 * rate_hz));
+    double weights = 0.0;
+    double sum = 0.0;
+    for (std::ptrdiff_t n = -half; n <= half; ++n) {
+        const double turn = static_cast<double>(n) / static_cast<double>(half + 1);
+        const double weight = 0.5 + 0.5 * std::cos(std::numbers::pi * turn);
+        weights += weight;
+        if (middle + n < 0 || middle + n >= std::ssize(signal)) continue;
+        const double sample = signal[static_cast<std::size_t>(middle + n)];
+        sum += weight * sample * sample;
+    }
+    return std::sqrt(2.0 * sum / weights);
+}
+
+}  // namespace
+
+double speed_after(const Motor& motor, double speed, double duty, double step_s) {
+    const double pull = (duty - motor.dead_zone) / (1.0 - motor.dead_zone);
+    const double target = std::clamp(pull, 0.0, 1.0);
+    const double constant_s = target > speed ? motor.rise_s : motor.fall_s;
+    return target + (speed - target) * std::exp(-step_s / constant_s);
+}
+
+std::vector<double> envelope(std::span<const double> signal, double rate_hz, double hop_s) {
+    const Drive drive{rate_hz, {signal.begin(), signal.end()}};
+    const std::size_t hops = frame_count(drive, hop_s);
+    std::vector<double> strengths(hops, 0.0);
+    const int steps = std::max(1, static_cast<int>(std::lround(hop_s / kEnvelopeStepS)));
+    for (std::size_t k = 0; k < hops; ++k) {
+        for (int step = 0; step < steps; ++step) {
+            const double share = (static_cast<double>(step) + 0.5) / steps;
+            const double at_s = (static_cast<double>(k) + share) * hop_s;
+            const auto middle = static_cast<std::ptrdiff_t>(std::lround(at_s * rate_hz));
+            strengths[k] = std::max(strengths[k], strength_at(signal, rate_hz, middle));
+        }
+    }
+    return strengths;
+}
+
+std::vector<double> below(std::span<const double> signal, double edge_hz, double rate_hz) {
+    const std::vector<Section> sections = low_pass(2, edge_hz, rate_hz);
+    // The filter rings on behind the end: room for what the way back still needs.
+    std::vector<double> once(signal.begin(), signal.end());
+    once.resize(signal.size() + static_cast<std::size_t>(std::lround(rate_hz / edge_hz * 5.0)));
+    once = filtered(sections, once);
+    std::ranges::reverse(once);
+    std::vector<double> twice = filtered(sections, once);
+    std::ranges::reverse(twice);
+    twice.resize(signal.size());
+    return twice;
+}
+
+std::vector<double> motor_duties(const Motor& motor, std::span<const double> envelope,
+                                 double hop_s) {
+    std::vector<double> duties;
+    double speed = 0.0;
+    double overdriven_s = 0.0;
+    for (const double strength : envelope) {
+        const double wanted =
+            strength > kFaintest ? std::sqrt(std::clamp(strength, 0.0, 1.0)) : 0.0;
+        const double steady = duty_towards(motor, wanted);
+        double duty = duty_to_reach(motor, speed, wanted, hop_s);
+        overdriven_s = duty > steady ? overdriven_s + hop_s : 0.0;
+        if (overdriven_s > kLongestOverdriveS + hop_s / 2.0) duty = steady;
+        speed = speed_after(motor, speed, duty, hop_s);
+        duties.push_back(duty);
+    }
+    return duties;
+}
+
+std::vector<RumbleFrame> motor_pair_frames(const Drive& drive, double hop_s) {
+    const std::vector<double> low = below(drive.samples, kMotorSplitHz, drive.rate_hz);
+    std::vector<double> high = drive.samples;
+    for (std::size_t n = 0; n < high.size(); ++n) high[n] -= low[n];
+    const auto strong = motor_duties(kStrongMotor, envelope(low, drive.rate_hz, hop_s), hop_s);
+    const auto weak = motor_duties(kWeakMotor, envelope(high, drive.rate_hz, hop_s), hop_s);
+    std::vector<RumbleFrame> frames(strong.size());
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        frames[k].low = strong[k];
+        frames[k].high = weak[k];
+    }
+    return frames;
+}
+
+std::vector<RumbleFrame> intensity_frames(const Drive& drive, double hop_s) {
+    constexpr double kOn = 0.05;
+    constexpr double kOff = 0.03;
+    std::vector<RumbleFrame> frames;
+    bool on = false;
+    for (const double strength : envelope(drive.samples, drive.rate_hz, hop_s)) {
+        on = strength > (on ? kOff : kOn);
+        RumbleFrame frame;
+        frame.low = on ? std::min(strength, 1.0) : 0.0;
+        frames.push_back(frame);
+    }
+    return frames;
+}
+
+}  // namespace tact

@@ -1,0 +1,58 @@
+// What a pad's two motors, or an actuator with an intensity alone, are told for a vibration: its
+// strength over time, as a motor can follow it.
+//
+// A motor with an off-centre mass shakes with w^2, w its speed: for an envelope e the speed is
+// sqrt(e). Below the dead zone u0 it does not turn, so the duty is u0 + (1 - u0) sqrt(e). Its speed
+// lags behind the duty (first order); full duty while it is too slow and none while it is too fast
+// bring it there sooner.
+//
+// Source    the square law: centripetal force; all numbers below: own choices from what pads of
+//           this kind usually do, none measured.
+// Input     a drive signal, -1..1
+// Output    frames with low: the strong motor or the intensity, high: the weak motor; duties, 0..1
+// Valid     frequencies are not kept: a motor's follows its strength
+// Left out  differences between pads, stiction, the battery.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "devices/device/device.h"
+#include "devices/rumble/rumble_packets.h"
+
+namespace tact {
+
+struct Motor {
+    double full_speed_hz = 60.0;
+    double rise_s = 0.06;  // time constant towards a higher speed ...
+    double fall_s = 0.09;  // ... and coasting
+    double dead_zone = 0.15;
+};
+
+inline constexpr Motor kStrongMotor{60.0, 0.06, 0.09, 0.15};
+inline constexpr Motor kWeakMotor{160.0, 0.04, 0.06, 0.15};
+
+// Where the signal is split between the two.
+inline constexpr double kMotorSplitHz = 110.0;
+
+// Speed as a share of the full one, after `step_s` at a duty.
+double speed_after(const Motor& motor, double speed, double duty, double step_s);
+
+// Strength over time, as the amplitude of a sine that is as strong: one value a hop, the largest
+// within it.
+std::vector<double> envelope(std::span<const double> signal, double rate_hz, double hop_s);
+
+// The signal below `edge_hz`, not delayed: a fourth-order fall, run forwards and backwards.
+std::vector<double> below(std::span<const double> signal, double edge_hz, double rate_hz);
+
+// Duties that bring a motor's strength to an envelope, one a hop.
+std::vector<double> motor_duties(const Motor& motor, std::span<const double> envelope,
+                                 double hop_s);
+
+std::vector<RumbleFrame> motor_pair_frames(const Drive& drive, double hop_s);
+
+// The whole envelope as `low`. Starts where it rises above 5 % of full scale and ends where it
+// falls below 3 %, lest a faint end flutters.
+std::vector<RumbleFrame> intensity_frames(const Drive& drive, double hop_s);
+
+}  // namespace tact

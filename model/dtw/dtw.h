@@ -1,0 +1,43 @@
+// Dynamic time warping: how far apart two signals are when either may wait for the other.
+//
+//     D[i,j] = |a_i - b_j| + min(D[i-1,j-1], D[i-1,j], D[i,j-1])
+//
+// Source    Berndt & Clifford 1994, as MATLAB's dtw(x, y): no window, no path normalisation.
+// Input     two signals of any length; one of none is at distance 0 from another of none
+// Output    the sum along the best path; infinity where just one of the signals is empty
+// Valid     finite values
+// Left out  windows, slopes, other costs. No lower bounds: DTW is no metric.
+// Exact     one |a-b|, two minima and one sum per cell, in any implementation: same 64 bits with
+//           every instruction set and number of threads, alone or among other pairs.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "model/dtw/dtw_kernel.h"
+
+namespace tact {
+
+// With a stop asked for, infinity, and soon.
+double dtw(std::span<const double> a, std::span<const double> b, std::stop_token stop = {});
+
+struct SignalPair {
+    std::span<const double> a;
+    std::span<const double> b;
+};
+
+struct DtwOptions {
+    int threads = 0;  // 0: all cores
+    std::stop_token stop = {};
+    std::function<void(double)> progress = {};  // share of the pairs done, 0..1, from any thread
+};
+
+// The distance of every pair, in their order. Up to twice as fast as one by one, since pairs of one
+// shape are taken side by side; pairs of any shapes may be mixed. With a stop asked for, some
+// distances are infinity, and it returns soon.
+std::vector<double> dtw(std::span<const SignalPair> pairs, const DtwOptions& options = {},
+                        const DtwKernel& kernel = dtw_kernel());
+
+}  // namespace tact

@@ -1,8 +1,0 @@
-#include "model/dtw_sweep.h"
-
-namespace tact {
-
-extern const DtwKernel kDtwAvx2;
-constinit const DtwKernel kDtwAvx2 = kernel_named("avx2");
-
-}  // namespace tact

@@ -1,8 +1,0 @@
-#include "model/dtw_sweep.h"
-
-namespace tact {
-
-extern const DtwKernel kDtwBaseline;
-constinit const DtwKernel kDtwBaseline = kernel_named("baseline");
-
-}  // namespace tact

@@ -1,0 +1,176 @@
+#include "model/evaluation/evaluation.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "model/common/mean.h"
+#include "model/common/parallel.h"
+#include "model/map/smacof.h"
+
+namespace tact {
+
+namespace {
+
+using Eigen::MatrixXd;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+bool has_map(const PerceptualSpace& space) {
+    return space.verdict == MdsVerdict::fine || space.verdict == MdsVerdict::trivial;
+}
+
+Mapped mapped(const Dissimilarity& dissimilarity, const EvaluationParams& params) {
+    Mapped result{dissimilarity, {}, {}};
+    MdsParams mds = standard_mds_params(dissimilarity.size, params.dimensions);
+    mds.threads = params.threads;
+    result.space = nonmetric_mds(dissimilarity, mds);
+    if (!has_map(result.space)) return result;
+    result.maps.push_back(result.space.points);
+    if (result.space.verdict == MdsVerdict::trivial) return result;
+    std::vector<PerceptualSpace> others(params.spread_starts);
+    const auto n = static_cast<Eigen::Index>(dissimilarity.size);
+    parallel_for(others.size(), params.threads, {}, [&](std::size_t start) {
+        others[start] =
+            smacof(dissimilarity, random_start(n, params.dimensions, mds.seed, start + 1), mds);
+    });
+    for (const PerceptualSpace& other : others) {
+        const bool fits = other.stress1 <= result.space.stress1 + params.equal_stress;
+        if (fits && has_map(other)) result.maps.push_back(other.points);
+    }
+    return result;
+}
+
+// Two different objects on one spot of the classical start.
+bool is_failed_start(const Dissimilarity& dissimilarity, int dimensions) {
+    const std::vector<double> d = distances(torgerson(dissimilarity, dimensions));
+    if (d.empty()) return true;
+    const auto [least, most] = std::ranges::minmax(d);
+    return least <= 1e-6 * most;
+}
+
+void evaluate_order(const Dissimilarity& metric, const Dissimilarity& ratings,
+                    const EvaluationParams& params, Evaluation& result) {
+    result.rho = spearman(metric.condensed, ratings.condensed);
+    result.tau_b = kendall_tau_b(metric.condensed, ratings.condensed);
+    result.rho_p = mantel(ratings, metric, {params.rho_orders, 1, params.threads}).p;
+    BootstrapParams bootstrap;
+    bootstrap.draws = params.bootstrap_draws;
+    bootstrap.threads = params.threads;
+    result.rho_interval = bootstrap_interval(metric, ratings, bootstrap);
+    if (std::isnan(result.rho)) {
+        result.remarks.push_back("no rho: the rated pairs are all equally dissimilar");
+    } else if (std::isnan(result.rho_interval.low)) {
+        result.remarks.push_back("no interval: too few pairs differ");
+    }
+}
+
+void evaluate_shape(const Mapped& metric, const RatedSet& rated, const EvaluationParams& params,
+                    Evaluation& result) {
+    const MatrixXd& people = rated.people.maps.front();
+    const MatrixXd& own = metric.maps.front();
+    const auto k = alienation(own, people);
+    const auto k_procrustes = alienation_procrustes(own, people);
+    const auto test = alienation_test(people, own, {params.k_orders, 6, params.threads});
+    if (!k || !k_procrustes || !test) return;
+    result.k = *k;
+    result.k_procrustes = *k_procrustes;
+    result.k_p = test->p;
+    result.k_corrected = corrected_alienation(*k, rated.k_chance);
+    result.k_spread = {*k, *k};
+    for (const MatrixXd& a : metric.maps) {
+        for (const MatrixXd& b : rated.people.maps) {
+            const auto other = alienation(a, b);
+            if (!other) continue;
+            ++result.k_maps;
+            result.k_spread.low = std::min(result.k_spread.low, *other);
+            result.k_spread.high = std::max(result.k_spread.high, *other);
+        }
+    }
+}
+
+std::string remark_of_failure(const PerceptualSpace& space) {
+    if (space.verdict == MdsVerdict::colocated) {
+        return "no K: different patterns fell onto one point of the map";
+    }
+    return "no K: equal dissimilarities make no map";
+}
+
+}  // namespace
+
+Expected<RatedSet> rated_set(const Dissimilarity& ratings, const EvaluationParams& params) {
+    if (ratings.size < 3) {
+        return Error{"expected ratings of at least three patterns, got " +
+                     std::to_string(ratings.size)};
+    }
+    if (order_pairs(ratings.condensed).levels < 2) {
+        return Error{"expected ratings that differ, got the same for every rated pair"};
+    }
+    RatedSet rated;
+    rated.people = mapped(ratings, params);
+    AlienationChanceParams chance;
+    chance.draws = params.chance_draws;
+    chance.threads = params.threads;
+    rated.k_chance = chance_alienation(ratings.size, params.dimensions, chance);
+    RandomStressParams random;
+    random.draws = params.stress_draws;
+    random.threads = params.threads;
+    // Beyond this any stress that is worth a look is far below that of random orders.
+    if (ratings.size <= 30) {
+        rated.random_stress = random_stress(ratings.size, params.dimensions, random);
+    } else {
+        rated.random_stress = {kNone, {kNone, kNone}};
+    }
+    return rated;
+}
+
+Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
+                    const EvaluationParams& params) {
+    assert(metric.size == rated.people.dissimilarity.size && "a metric of the rated patterns");
+    Evaluation result;
+    evaluate_order(metric, rated.people.dissimilarity, params, result);
+    result.k = result.k_p = result.k_corrected = result.k_procrustes = kNone;
+    result.k_spread = {kNone, kNone};
+    const Mapped own = mapped(metric, params);
+    result.stress1 = own.space.stress1;
+    result.is_failed_map = own.maps.empty();
+    result.is_failed_start = is_failed_start(metric, params.dimensions);
+    if (own.maps.empty()) {
+        result.stress1 = kNone;
+        result.remarks.push_back(remark_of_failure(own.space));
+    } else if (rated.people.maps.empty()) {
+        result.remarks.push_back("no K: patterns fell onto one point of the map of the ratings");
+    } else {
+        evaluate_shape(own, rated, params, result);
+    }
+    return result;
+}
+
+MeanAgreement mean_agreement(std::span<const Agreement> agreements, Bookkeeping bookkeeping) {
+    MeanAgreement mean;
+    mean.sets = agreements.size();
+    std::vector<double> rho;
+    std::vector<double> absolute;
+    std::vector<double> k;
+    const bool is_paper = bookkeeping == Bookkeeping::paper;
+    for (const Agreement& agreement : agreements) {
+        if (std::isnan(agreement.rho)) ++mean.undefined_rho;
+        if (std::isnan(agreement.k)) ++mean.failed_maps;
+        rho.push_back(is_paper && std::isnan(agreement.rho) ? 0.0 : agreement.rho);
+        absolute.push_back(std::abs(rho.back()));
+        k.push_back(is_paper && std::isnan(agreement.k) ? 1.0 : agreement.k);
+    }
+    mean.signed_rho = mean_known(rho);
+    mean.absolute_rho = mean_known(absolute);
+    mean.k = mean_known(k);
+    return mean;
+}
+
+Agreement agreement_of(const Evaluation& evaluation, Bookkeeping bookkeeping) {
+    const bool fails = bookkeeping == Bookkeeping::paper && evaluation.is_failed_start;
+    return {evaluation.rho, fails ? kNone : evaluation.k};
+}
+
+}  // namespace tact

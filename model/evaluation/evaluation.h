@@ -1,0 +1,108 @@
+// How well a metric agrees with people on one set: in the order of the pairs, and in the shape of
+// the map; what chance alone would give; and means over several sets.
+//
+// Source    Lim & Park 2023, section 5 and Table 2: Spearman's rho, and K between maps of three
+//           dimensions. Table 2's averages are means of |rho|, an undefined rho counted as 0, a
+//           failed map as K = 1.
+// Input     a metric's dissimilarities and people's, of the same patterns; NaN: not rated
+// Valid     K of up to 2k + 1 patterns is fragile: any ratings fit then
+// Exact     same input, same bits, on any number of threads.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/dissimilarity/correlation.h"
+#include "model/dissimilarity/dissimilarity.h"
+#include "model/map/alienation.h"
+#include "model/map/mds.h"
+#include "model/map/random_stress.h"
+
+namespace tact {
+
+struct EvaluationParams {
+    int dimensions = 3;
+    std::size_t rho_orders = 10'000;
+    std::size_t k_orders = 5000;
+    std::size_t bootstrap_draws = 2000;
+    std::size_t chance_draws = 10'000;  // pairs of unrelated maps
+    std::size_t stress_draws = 100;     // random orders
+    // Single descents besides the best map; of these the ones with a stress of at most
+    // `equal_stress` above the best fit practically as well, and show how much of K is left open.
+    std::size_t spread_starts = 20;
+    double equal_stress = 0.005;
+    int threads = 0;  // 0: all cores
+};
+
+// A matrix with its best map and the others that fit practically as well.
+struct Mapped {
+    Dissimilarity dissimilarity;
+    PerceptualSpace space;
+    std::vector<Eigen::MatrixXd> maps;  // the best one first; none where there is no map
+};
+
+// What all metrics of a set are compared with.
+struct RatedSet {
+    Mapped people;
+    AlienationChance k_chance;
+    RandomStress random_stress;
+};
+
+// Errors: fewer than three patterns; no order among the ratings.
+Expected<RatedSet> rated_set(const Dissimilarity& ratings, const EvaluationParams& params);
+
+// NaN: undefined, and a remark says why.
+struct Evaluation {
+    double rho = 0.0;
+    Interval rho_interval;  // 95 %
+    double rho_p = 1.0;
+    double tau_b = 0.0;
+    double k = 0.0;
+    Interval k_spread;       // over maps that fit practically as well
+    std::size_t k_maps = 0;  // pairs of such maps
+    double k_p = 1.0;
+    double k_corrected = 0.0;   // 1 - K / chance
+    double k_procrustes = 0.0;  // another measure, not that of Table 2
+    double stress1 = 0.0;       // of the metric's map
+    bool is_failed_map = false;
+    // MATLAB's mdscale gives up: its classical start has two patterns on one spot.
+    bool is_failed_start = false;
+    std::vector<std::string> remarks;  // sentences without a full stop
+};
+
+// `metric` has the patterns of the ratings, in their order.
+Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
+                    const EvaluationParams& params);
+
+// What goes into a mean over sets.
+struct Agreement {
+    double rho = 0.0;  // NaN: undefined
+    double k = 0.0;    // NaN: the map failed
+};
+
+enum class Bookkeeping {
+    plain,  // undefined ones are left out and counted
+    paper   // an undefined rho is 0, a failed map K = 1
+};
+
+struct MeanAgreement {
+    double signed_rho = 0.0;
+    double absolute_rho =
+        0.0;  // the paper's "average"; it flatters a metric that goes the wrong way
+    double k = 0.0;
+    std::size_t sets = 0;
+    std::size_t undefined_rho = 0;
+    std::size_t failed_maps = 0;
+};
+
+// NaN of no sets.
+MeanAgreement mean_agreement(std::span<const Agreement> agreements, Bookkeeping bookkeeping);
+
+// As a mean counts it: in the paper's bookkeeping a failed start is a failed map.
+Agreement agreement_of(const Evaluation& evaluation, Bookkeeping bookkeeping);
+
+}  // namespace tact

@@ -1,0 +1,89 @@
+#include "model/evaluation/metric_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tact {
+
+namespace {
+
+bool is_of_prediction(Metric metric) {
+    return metric == Metric::pm || metric == Metric::nc || metric == Metric::oc;
+}
+
+bool is_simple(Metric metric) { return !is_of_prediction(metric) && metric != Metric::van_rossum; }
+
+// The three that come out of one run, each with half of its cost spared twice.
+std::optional<Prediction> prediction_for(const PatternSet& set, std::span<const Metric> metrics,
+                                         const MetricOptions& options) {
+    if (std::ranges::none_of(metrics, is_of_prediction)) return Prediction{};
+    PredictOptions run;
+    run.threads = options.threads;
+    run.stop = options.stop;
+    return predict(model_waveforms(set), set.model, run);
+}
+
+std::optional<Dissimilarity> matrix_of(Metric metric, std::span<const Waveform> waveforms,
+                                       const PerceptualModelParams& params,
+                                       const Prediction& prediction, const MetricOptions& options) {
+    if (metric == Metric::pm) return prediction.pm;
+    if (metric == Metric::nc) return prediction.nc;
+    if (metric == Metric::oc) return prediction.oc;
+    std::optional<Dissimilarity> matrix = metric_matrix(metric, waveforms, params, options);
+    if (matrix && metric == Metric::spqi) {
+        matrix->condensed = average_ranks(values_to_rank(metric, *matrix, options.baseline));
+    }
+    return matrix;
+}
+
+}  // namespace
+
+std::optional<std::vector<Dissimilarity>> compared_matrices(const PatternSet& set,
+                                                            std::span<const Metric> metrics,
+                                                            const Prediction* known,
+                                                            const MetricOptions& options) {
+    const auto computed =
+        known == nullptr ? prediction_for(set, metrics, options) : std::optional<Prediction>();
+    if (known == nullptr && !computed) return std::nullopt;
+    const Prediction& prediction = known == nullptr ? *computed : *known;
+    // Unpadded: DTW takes them as they are; the others pad.
+    std::vector<Waveform> waveforms;
+    for (const Vibration& vibration : set.vibrations) waveforms.push_back(waveform_of(vibration));
+    std::vector<Dissimilarity> matrices;
+    const auto count = static_cast<double>(metrics.size());
+    for (const Metric metric : metrics) {
+        MetricOptions one = options;
+        one.progress = [&options, done = static_cast<double>(matrices.size()),
+                        count](double share) {
+            if (options.progress) options.progress((done + share) / count);
+        };
+        one.progress(0.0);
+        auto matrix = matrix_of(metric, waveforms, set.model, prediction, one);
+        if (!matrix || options.stop.stop_requested()) return std::nullopt;
+        matrices.push_back(*std::move(matrix));
+    }
+    if (options.progress) options.progress(1.0);
+    return matrices;
+}
+
+Expected<RatedPeople> rated_people(const RatingStudy& study, const EvaluationParams& params) {
+    const Dissimilarity mean = mean_ratings(study);
+    Expected<RatedSet> rated = rated_set(mean, params);
+    if (!rated) return rated.error();
+    return RatedPeople{*std::move(rated), reliability(study),
+                       order_pairs(mean.condensed).ascending.size()};
+}
+
+std::optional<Metric> unbeaten_by_pm(std::span<const MetricRho> agreements) {
+    const MetricRho* pm = nullptr;
+    const MetricRho* best = nullptr;
+    for (const MetricRho& one : agreements) {
+        if (one.metric == Metric::pm) pm = &one;
+        if (!is_simple(one.metric) || std::isnan(one.rho)) continue;
+        if (best == nullptr || one.rho > best->rho) best = &one;
+    }
+    if (pm == nullptr || best == nullptr || pm->rho > best->rho) return std::nullopt;
+    return best->metric;
+}
+
+}  // namespace tact

@@ -1,0 +1,49 @@
+// All metrics of a set against the same ratings: the paper's Table 2 for one's own set.
+//
+// Source    Lim & Park 2023, Table 2
+// Input     a set, and ratings in the order of its patterns
+// Exact     same input, same bits, on any number of threads.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/evaluation/evaluation.h"
+#include "model/evaluation/metric_matrix.h"
+#include "model/perceptual_model/perceptual_model.h"
+#include "model/set/pattern_set.h"
+#include "model/study/ratings.h"
+
+namespace tact {
+
+// Their matrices as they are evaluated: of SPQI the ranks, its values being too close to 1. One a
+// metric, in their order; nothing when stopped. `known`: what PM says of this set, where that is
+// known. Progress is the share of the metrics.
+std::optional<std::vector<Dissimilarity>> compared_matrices(const PatternSet& set,
+                                                            std::span<const Metric> metrics,
+                                                            const Prediction* known,
+                                                            const MetricOptions& options = {});
+
+// Those who rated, as one opinion to compare with, and how far they agree among themselves.
+struct RatedPeople {
+    RatedSet rated;
+    Reliability reliability;
+    std::size_t rated_pairs = 0;
+};
+
+// Errors: as rated_set().
+Expected<RatedPeople> rated_people(const RatingStudy& study, const EvaluationParams& params);
+
+struct MetricRho {
+    Metric metric = Metric::pm;
+    double rho = 0.0;  // NaN: undefined
+};
+
+// The best of the metrics without a model of the nerves that are no part of PM, where PM does not
+// beat it.
+std::optional<Metric> unbeaten_by_pm(std::span<const MetricRho> agreements);
+
+}  // namespace tact

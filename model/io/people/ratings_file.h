@@ -1,0 +1,51 @@
+// Ratings as people collect them, one file or several.
+//
+//     ,a,b,c         0 30 55       participant,a,b,rating      30,55,20
+//     a,0,30,55      30 0 20       P1,low,high,80              25,60,15
+//     b,30,0,20      55 20 0       P1,low,mid,45
+//     c,55,20,0
+//
+//     a square with names; a bare one; a line a rating, with participants or without; condensed, a
+//     row a participant (or one column: the mean)
+//
+// Source    quoting as in RFC 4180
+// Input     a cell that is empty, "NaN", "NA" or "-" is a pair that was not rated. Of a square,
+// both
+//           triangles count: their mean, or the one that is known. A pair that a participant rated
+//           again is a repetition. A file without participants is one participant, by its name.
+// Output    dissimilarities; of similarities from 0 to 100, 100 minus each. Errors as
+//           "FILE:LINE: expected .."
+// Valid     at most 500 patterns and 1,000 judgements
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/study/ratings.h"
+
+namespace tact {
+
+enum class RatingScale {
+    guess,  // similarities if identical pairs are rated higher than others, else dissimilarities
+    dissimilarity,
+    similarity  // 0 .. 100
+};
+
+struct LoadedRatings {
+    RatingStudy study;
+    std::vector<std::string> remarks;  // sentences: what was guessed, averaged
+};
+
+Expected<LoadedRatings> parse_ratings(std::string_view text, const std::string& file,
+                                      RatingScale scale);
+
+// Several files as one study of the first one's patterns; a folder stands for its .csv and .txt
+// files. The scale is guessed of all together.
+Expected<LoadedRatings> read_ratings(std::span<const std::filesystem::path> paths,
+                                     RatingScale scale);
+
+}  // namespace tact

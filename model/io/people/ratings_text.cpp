@@ -1,0 +1,207 @@
+#include "model/io/people/ratings_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "model/text/equal_names.h"
+#include "model/text/numbers.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+Error at_line(const RatingsText& into, std::size_t line, const std::string& fault) {
+    return Error{into.file + ":" + std::to_string(line) + ": " + fault};
+}
+
+// Numbers of a row from a column on; what is wrong with it, or empty.
+std::string take_numbers(const CsvRecord& record, std::size_t from, std::vector<double>& numbers) {
+    for (std::size_t k = from; k < record.fields.size(); ++k) {
+        const auto value = rating_in(record.fields[k]);
+        if (!value) return expected_rating(record.fields[k]);
+        numbers.push_back(*value);
+    }
+    return {};
+}
+
+std::vector<std::string> positions(std::size_t count) {
+    std::vector<std::string> labels;
+    for (std::size_t k = 0; k < count; ++k) labels.push_back(std::to_string(k + 1));
+    return labels;
+}
+
+// A square of numbers as one judgement: the mean of both triangles, or what is known of them.
+void take_square(RatingsText& into, const std::vector<std::vector<double>>& rows) {
+    Judgement judgement;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!std::isnan(rows[i][i])) into.identical.push_back(rows[i][i]);
+        for (std::size_t j = i + 1; j < rows.size(); ++j) {
+            const double upper = rows[i][j];
+            const double lower = rows[j][i];
+            const double larger = std::max(std::abs(upper), std::abs(lower));
+            if (std::abs(upper - lower) > 1e-9 * larger) ++into.averaged;
+            const double mean = upper == lower ? upper : upper / 2 + lower / 2;
+            judgement.condensed.push_back(std::isnan(upper)   ? lower
+                                          : std::isnan(lower) ? upper
+                                                              : mean);
+        }
+    }
+    into.study.judgements.push_back(std::move(judgement));
+}
+
+Expected<RatingsText> labelled_square(RatingsText into, const std::vector<CsvRecord>& records) {
+    std::vector<std::string>& labels = into.study.labels;
+    for (std::size_t k = 1; k < records[0].fields.size(); ++k) {
+        labels.push_back(trimmed(records[0].fields[k]));
+    }
+    if (const auto equal = first_equal(labels)) {
+        return at_line(
+            into, records[0].line,
+            "expected names that differ, got " + in_quotes(labels[equal->second]) + " twice");
+    }
+    std::vector<std::vector<double>> rows;
+    for (std::size_t i = 1; i < records.size(); ++i) {
+        const CsvRecord& record = records[i];
+        const std::string name = trimmed(record.fields[0]);
+        if (i > labels.size()) {
+            return at_line(into, record.line, "expected as many rows as columns, got more");
+        }
+        if (name != labels[i - 1]) {
+            return at_line(
+                into, record.line,
+                "expected the row of " + in_quotes(labels[i - 1]) + ", got " + in_quotes(name));
+        }
+        if (record.fields.size() != labels.size() + 1) {
+            return at_line(into, record.line,
+                           "expected " + std::to_string(labels.size()) + " ratings, got " +
+                               std::to_string(record.fields.size() - 1));
+        }
+        if (auto fault = take_numbers(record, 1, rows.emplace_back()); !fault.empty()) {
+            return at_line(into, record.line, fault);
+        }
+    }
+    if (rows.size() != labels.size()) {
+        return at_line(into, records.back().line,
+                       "expected " + std::to_string(labels.size()) +
+                           " rows, as there are columns, got " + std::to_string(rows.size()));
+    }
+    take_square(into, rows);
+    return into;
+}
+
+// The number of patterns that have so many pairs; 0 if there is none.
+std::size_t patterns_of(std::size_t pairs) {
+    std::size_t n = 2;
+    while (pair_count(n) < pairs) ++n;
+    return pair_count(n) == pairs ? n : 0;
+}
+
+// Numbers without names: a square, or a judgement a row, or one in a column.
+Expected<RatingsText> bare_numbers(RatingsText into, const std::vector<CsvRecord>& records) {
+    into.study.is_named = false;
+    std::vector<std::vector<double>> rows;
+    for (const CsvRecord& record : records) {
+        if (auto fault = take_numbers(record, 0, rows.emplace_back()); !fault.empty()) {
+            return at_line(into, record.line, fault);
+        }
+        if (rows.back().size() == rows[0].size()) continue;
+        return at_line(into, record.line,
+                       "expected " + std::to_string(rows[0].size()) +
+                           " ratings, as in the first row, got " +
+                           std::to_string(rows.back().size()));
+    }
+    const std::size_t columns = rows[0].size();
+    if (rows.size() == columns && columns > 1) {
+        into.study.labels = positions(columns);
+        take_square(into, rows);
+        return into;
+    }
+    const bool is_column = columns == 1;
+    const std::size_t n = patterns_of(is_column ? rows.size() : columns);
+    if (n < 2) {
+        return at_line(into, records[0].line,
+                       "expected a square, or the n(n-1)/2 pairs of n patterns in every row, got " +
+                           std::to_string(rows.size()) + " rows of " + std::to_string(columns));
+    }
+    into.study.labels = positions(n);
+    if (is_column) {
+        Judgement& judgement = into.study.judgements.emplace_back();
+        for (const auto& row : rows) judgement.condensed.push_back(row[0]);
+        return into;
+    }
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        // A single row is one participant, who goes by the name of the file.
+        const std::string name = rows.size() == 1 ? "" : std::to_string(k + 1);
+        into.study.judgements.push_back({name, std::move(rows[k])});
+    }
+    return into;
+}
+
+Expected<std::vector<CsvRecord>> records_of(const RatingsText& into, std::string_view text) {
+    text = without_bom(text);
+    if (const auto invalid = first_invalid_utf8(text)) {
+        return at_line(into, position_of(text, *invalid).line, "expected text in UTF-8");
+    }
+    CsvReader reader = reader_of(text);
+    std::vector<CsvRecord> records;
+    for (;;) {
+        CsvRecord record = next_record(reader);
+        if (record.line == 0) break;
+        if (record.is_quote_open) return at_line(into, record.line, "expected a closing quote");
+        records.push_back(std::move(record));
+    }
+    if (records.empty()) return at_line(into, 1, "expected ratings, got an empty file");
+    return records;
+}
+
+}  // namespace
+
+Expected<RatingsText> ratings_text(std::string_view text, const std::string& file) {
+    RatingsText into;
+    into.file = file;
+    const auto records = records_of(into, text);
+    if (!records) return records.error();
+    const CsvRecord& head = records->front();
+    const bool has_columns = std::ranges::any_of(
+        head.fields, [](const std::string& field) { return trimmed(field) == "rating"; });
+    if (!has_columns && head.fields.size() > pair_count(kMaxRatedPatterns)) {
+        return at_line(into, head.line, "expected at most 500 patterns");
+    }
+    const bool has_names = head.fields.size() > 1 && trimmed(head.fields[0]).empty();
+    auto answer = has_columns ? ratings_of_lines(file, *records)
+                  : has_names ? labelled_square(std::move(into), *records)
+                              : bare_numbers(std::move(into), *records);
+    if (!answer) return answer;
+    if (answer->study.labels.size() < 2) {
+        return Error{file + ": expected ratings of at least two patterns"};
+    }
+    if (answer->study.labels.size() > kMaxRatedPatterns) {
+        return Error{file + ": expected at most 500 patterns"};
+    }
+    return answer;
+}
+
+// A rating, NaN where the cell says that there is none, nothing where it is neither.
+std::optional<double> rating_in(const std::string& field) {
+    const std::string text = trimmed(field);
+    for (const char* unknown : {"", "NaN", "nan", "NA", "na", "-"}) {
+        if (text == unknown) return std::numeric_limits<double>::quiet_NaN();
+    }
+    return finite_number_in(text);
+}
+
+std::string expected_rating(const std::string& field) {
+    return "expected a rating, or nothing where there is none, got " + in_quotes(field);
+}
+
+std::string trimmed(const std::string& text) {
+    constexpr const char* kBlanks = " \t\r";
+    const std::size_t begin = text.find_first_not_of(kBlanks);
+    if (begin == text.npos) return {};
+    return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+}  // namespace tact

@@ -1,0 +1,72 @@
+// One participant, one file: a line of JSON about the study, then one a trial, in UTF-8.
+//
+//     {"tactspace_study": 1, "program": "..", "kind": "pairwise", "set": {..}, "patterns": [..],
+//      "device": {..}, "seed": 1, "participant": {..}, "consent": {..}, "design": {..}, ..}
+//     {"trial": 1, "left": "a", "right": "b", "rating": 54, "plays_left": 1, "plays_right": 2, ..}
+//
+// Every line is on the disk before append() returns; the last one may be torn by a power cut and is
+// then left out. A file of another participant is never written over: it is made anew, or continued
+// by who began it.
+//
+// Output    errors as "FILE: what is wrong" or "FILE:LINE: expected .."
+// Left out  encryption; several writers: the file is locked.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/study/study_record.h"
+
+namespace tact {
+
+inline constexpr int kStudyFormat = 1;
+inline constexpr const char* kStudyEnding = ".jsonl";
+
+// "P 1/2" becomes "P_1_2.jsonl". Empty for a code without letters and digits.
+std::string study_file_name(const std::string& participant);
+
+Expected<StudyRecord> parse_study(std::string_view text, const std::string& file);
+Expected<StudyRecord> read_study_file(const std::filesystem::path& path);
+
+// The participants of a folder, by natural order of their files. A folder that is not there, or has
+// no such file, is an Error.
+Expected<std::vector<StudyRecord>> read_study_folder(const std::filesystem::path& folder);
+
+bool contains_study(const std::filesystem::path& folder);
+
+// A whole record as a new file; one that is there already is an Error.
+Expected<Done> write_study_file(const std::filesystem::path& path, const StudyRecord& record);
+
+std::string header_line(const StudyHeader& header);
+std::string answer_line(const StudyHeader& header, std::size_t serial, const PairAnswer& answer);
+std::string answer_line(const StudyHeader& header, std::size_t serial, const SortingAnswer& answer);
+
+// A participant's file being written.
+class StudyLog {
+  public:
+    // Makes the file; one that is there already is an Error.
+    static Expected<StudyLog> begin(const std::filesystem::path& path, const StudyHeader& header);
+
+    // Goes on with a file whose content was `record`; what a power cut left torn is cut off.
+    static Expected<StudyLog> resume(const std::filesystem::path& path, const StudyRecord& record);
+
+    // A line, brought to the disk. After an Error the file ends where it did.
+    Expected<Done> append(const std::string& line);
+
+    const std::filesystem::path& path() const { return path_; }
+
+    StudyLog(StudyLog&& other) noexcept;
+    StudyLog& operator=(StudyLog&&) = delete;
+    ~StudyLog();
+
+  private:
+    StudyLog(std::filesystem::path path, int descriptor)
+        : path_(std::move(path)), descriptor_(descriptor) {}
+
+    std::filesystem::path path_;
+    int descriptor_ = -1;
+};
+
+}  // namespace tact

@@ -1,0 +1,228 @@
+#include "model/io/recordings/acceleration_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "model/io/recordings/wave_file.h"
+#include "model/pattern/pattern.h"
+#include "model/signal/dft321.h"
+#include "model/signal/resample.h"
+#include "model/signal/waveform.h"
+#include "model/text/atomic_file.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Samples = std::vector<double>;
+
+// Axes in the file's unit at one rate.
+struct Axes {
+    double rate_hz = 0.0;
+    std::vector<Samples> samples;
+    AccelerationUnit unit = AccelerationUnit::g;
+};
+
+std::string printed(const char* format, double value) {
+    char text[160];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+// Seconds where the table does not say: no rate we read has steps of more than 10 ms.
+double time_unit_s(const AccelerationTable& table, double mean_step,
+                   std::vector<std::string>& remarks) {
+    if (table.time_unit_s) return *table.time_unit_s;
+    if (mean_step * kLowestRateHz <= 1.0) return 1.0;
+    remarks.emplace_back("times taken as ms");
+    return 1e-3;
+}
+
+// The samples at even times, by straight lines between those there are.
+Samples evened(const Samples& time, const Samples& samples, double step) {
+    Samples result;
+    result.reserve(samples.size());
+    std::size_t right = 1;
+    for (std::size_t n = 0; n < samples.size(); ++n) {
+        const double t = time.front() + static_cast<double>(n) * step;
+        while (right + 1 < time.size() && time[right] < t) ++right;
+        const double share = (t - time[right - 1]) / (time[right] - time[right - 1]);
+        result.push_back(std::lerp(samples[right - 1], samples[right], std::min(share, 1.0)));
+    }
+    return result;
+}
+
+// The rate that the times say; uneven samples are evened.
+Expected<double> rate_of(AccelerationTable& table, std::vector<std::string>& remarks) {
+    constexpr double kMostJitter = 0.01;
+    const Samples& time = table.time;
+    if (time.empty()) return Error{"expected a time column or a rate, got neither"};
+    if (time.size() < 2) return Error{"expected at least two samples to tell the rate from"};
+    const double step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+    double jitter = 0.0;
+    for (std::size_t n = 1; n < time.size(); ++n) {
+        jitter = std::max(jitter, std::abs(time[n] - time[n - 1] - step) / step);
+    }
+    if (jitter >= kMostJitter) {
+        for (Samples& samples : table.axes) samples = evened(time, samples, step);
+        remarks.push_back(
+            printed("steps between times stray by up to %.2g %%: evened out", 100.0 * jitter));
+    }
+    return 1.0 / (step * time_unit_s(table, step, remarks));
+}
+
+Expected<Axes> read_table(const fs::path& path, const AccelerationOptions& options,
+                          std::vector<std::string>& remarks) {
+    const auto text = read_text_file(path);
+    if (!text) return text.error();
+    auto table = parse_acceleration_table(*text, path.string(), !options.rate_hz);
+    if (!table) return table.error();
+    Axes axes;
+    if (options.rate_hz) {
+        axes.rate_hz = *options.rate_hz;
+    } else {
+        const Expected<double> rate = rate_of(*table, remarks);
+        if (!rate) return Error{path.string() + ": " + rate.error().message};
+        axes.rate_hz = *rate;
+    }
+    if (!options.unit && !table->unit) remarks.emplace_back("accelerations taken as g");
+    axes.unit = options.unit.value_or(table->unit.value_or(AccelerationUnit::g));
+    axes.samples = std::move(table->axes);
+    return axes;
+}
+
+Expected<Axes> read_wave(const fs::path& path, const AccelerationOptions& options,
+                         std::vector<std::string>& remarks) {
+    auto wave = read_wave_channels(path);
+    if (!wave) return wave.error();
+    Axes axes{wave->rate_hz, std::move(wave->channels), options.unit.value_or(AccelerationUnit::g)};
+    double full_scale = options.full_scale.value_or(1.0);
+    if (!options.full_scale && wave->scale_g) {
+        full_scale = *wave->scale_g;
+        axes.unit = AccelerationUnit::g;
+    } else if (!options.full_scale) {
+        remarks.push_back(std::string("full scale taken as 1 ") +
+                          kAccelerationUnits[static_cast<std::size_t>(axes.unit)]);
+    }
+    for (Samples& samples : axes.samples) {
+        for (double& sample : samples) sample *= full_scale;
+    }
+    return axes;
+}
+
+// What is wrong with rate, length or number of axes, or empty.
+std::string fault_of(const Axes& axes, std::size_t axis) {
+    const std::size_t count = axes.samples.size();
+    const std::size_t samples = axes.samples.front().size();
+    if (!(axes.rate_hz >= kLowestRateHz && axes.rate_hz <= kHighestRateHz)) {
+        return "expected a rate of 100 Hz to 10 MHz, got " + shortest_digits(axes.rate_hz) + " Hz";
+    }
+    if (static_cast<double>(samples) > limits::kDurationS.high * axes.rate_hz) {
+        return "expected at most 60 s, got " + grouped_digits(samples) + " samples at " +
+               shortest_digits(axes.rate_hz) + " Hz";
+    }
+    if (axis > count) {
+        return "expected axis " + std::to_string(axis) + ", got a file of " + std::to_string(count);
+    }
+    if (axis == 0 && count != 1 && count != 3) {
+        return "expected 1 or 3 axes, got " + std::to_string(count) + ": one has to be chosen";
+    }
+    return {};
+}
+
+void convert_to_g(Axes& axes, const AccelerationOptions& options) {
+    double scale = 1.0;
+    double offset = 0.0;
+    if (axes.unit == AccelerationUnit::m_per_s2) scale = 1.0 / kStandardGravityMPerS2;
+    if (axes.unit == AccelerationUnit::volt) {
+        scale = 1.0 / options.sensitivity_v_per_g;
+        offset = options.offset_v;
+    }
+    for (Samples& samples : axes.samples) {
+        for (double& sample : samples) sample = (sample - offset) * scale;
+    }
+}
+
+void remark_on(const Axes& axes, std::vector<std::string>& remarks) {
+    std::size_t at_rail = 0;
+    for (const Samples& samples : axes.samples) at_rail += samples_at_rail(samples);
+    if (at_rail > 0) {
+        remarks.push_back(grouped_digits(at_rail) +
+                          " samples look cut off, at the limit of the sensor");
+    }
+    // A sensor's own filter begins below half its rate.
+    constexpr double kUsable = 0.4;
+    if (kUsable * axes.rate_hz < limits::kCarrierHz.high) {
+        remarks.push_back(printed("sampled at %.4g Hz", axes.rate_hz) +
+                          printed(": says nothing above %.3g Hz", kUsable * axes.rate_hz));
+    }
+}
+
+// The least distance between two values that are taken: what the last digit is worth.
+double finest_step(Samples samples) {
+    std::ranges::sort(samples);
+    double step = samples.back() - samples.front();
+    for (std::size_t n = 1; n < samples.size(); ++n) {
+        const double distance = samples[n] - samples[n - 1];
+        if (distance > 0.0) step = std::min(step, distance);
+    }
+    return step;
+}
+
+}  // namespace
+
+std::size_t samples_at_rail(const Samples& samples) {
+    constexpr std::size_t kLeastRun = 3;
+    constexpr double kJumpSteps = 4.0;  // a peak as flat as three samples is entered by fewer
+    if (samples.empty()) return 0;
+    const auto [least, most] = std::ranges::minmax(samples);
+    const double step = finest_step(samples);
+    std::size_t count = 0;
+    for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end) {
+        end = begin + 1;
+        if (samples[begin] != least && samples[begin] != most) continue;
+        while (end < samples.size() && samples[end] == samples[begin]) ++end;
+        const double before = begin > 0 ? std::abs(samples[begin] - samples[begin - 1]) : 0.0;
+        const double after = end < samples.size() ? std::abs(samples[end] - samples[end - 1]) : 0.0;
+        const bool jumps = std::max(before, after) > kJumpSteps * step;
+        if (end - begin >= kLeastRun && jumps) count += end - begin;
+    }
+    return count;
+}
+
+Expected<Recording> read_acceleration_file(const fs::path& path,
+                                           const AccelerationOptions& options) {
+    Recording recording;
+    auto axes = extension_of(path) == ".wav" ? read_wave(path, options, recording.remarks)
+                                             : read_table(path, options, recording.remarks);
+    if (!axes) return axes.error();
+    const std::string fault = fault_of(*axes, options.axis);
+    if (!fault.empty()) return Error{path.string() + ": " + fault};
+    if (options.axis > 0) axes->samples = {std::move(axes->samples[options.axis - 1])};
+    convert_to_g(*axes, options);
+    remark_on(*axes, recording.remarks);
+    for (Samples& samples : axes->samples) {
+        samples = without_mean(samples);
+        Waveform waveform{axes->rate_hz, std::move(samples)};
+        if (!(peak_g(waveform) <= kMaxSampleG)) {
+            return Error{path.string() + ": expected accelerations of at most 1,000,000 g"};
+        }
+        samples = resampled(waveform, kModelRateHz).samples_g;
+    }
+    const bool is_one = axes->samples.size() == 1;
+    if (!is_one) recording.remarks.emplace_back("three axes made one by DFT321");
+    recording.waveform.samples_g = is_one ? std::move(axes->samples[0]) : dft321(axes->samples);
+    if (recording.waveform.samples_g.empty()) {
+        return Error{path.string() + ": expected at least one sample at 10 kHz, got a shorter one"};
+    }
+    if (axes->rate_hz != kModelRateHz) {
+        recording.remarks.push_back(printed("resampled from %.6g Hz to 10,000 Hz", axes->rate_hz));
+    }
+    return recording;
+}
+
+}  // namespace tact

@@ -1,0 +1,37 @@
+// The columns of a table of accelerations: which is the time, which are axes, in what units.
+//
+// Columns are told by names in the line before the first number ("time [ms]", "ax", "acc_y
+// (m/s^2)", "Z", "voltage (V)"); without names by their number: 1 or 3 are axes, 2 or 4 a time and
+// axes.
+//
+// Input     commas, semicolons, tabs or blanks between fields; decimal commas with any but commas;
+//           lines that begin with "#", names of columns and other lines before the first number
+// Output    errors as "FILE:LINE: expected .."
+// Valid     1 sample and more of any number of axes; NaN is refused
+// Left out  more than one time column; text between the numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/common/expected.h"
+
+namespace tact {
+
+enum class AccelerationUnit { g, m_per_s2, volt };
+inline constexpr const char* kAccelerationUnits[] = {"g", "m/s2", "V"};
+
+struct AccelerationTable {
+    std::vector<double> time;           // as it is written; empty: no column of it
+    std::optional<double> time_unit_s;  // that its name says
+    std::vector<std::vector<double>> axes;
+    std::optional<AccelerationUnit> unit;  // that the name of the first axis says
+};
+
+// With `rising_time`, a time that is not later than the one before is an Error.
+Expected<AccelerationTable> parse_acceleration_table(std::string_view text, const std::string& file,
+                                                     bool rising_time);
+
+}  // namespace tact

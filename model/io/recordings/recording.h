@@ -1,0 +1,34 @@
+// A recorded vibration from a file, whichever kind of file it is.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/signal/waveform.h"
+
+namespace tact {
+
+struct Recording {
+    Waveform waveform;  // at the model's rate, in g
+    double scale_g = 1.0;
+    std::vector<std::string> remarks;  // "resampled from 11,025 Hz to 10,000 Hz", without the file
+};
+
+struct RecordingOptions {
+    std::optional<double> scale_g;       // g at full scale; in text files: g of 1
+    std::optional<std::size_t> channel;  // from 0; of WAV files
+};
+
+// Whether read_recording reads files of this name: .txt and .wav, in any case.
+bool is_recording(const std::filesystem::path& path);
+
+Expected<Recording> read_recording(const std::filesystem::path& path,
+                                   const RecordingOptions& options = {});
+
+// The extension in lower case, with its dot.
+std::string extension_of(const std::filesystem::path& path);
+
+}  // namespace tact

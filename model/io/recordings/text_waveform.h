@@ -1,0 +1,26 @@
+// A waveform as text: one sample a line, in g, at 10 kHz.
+//
+// Source    the layout of the files that the paper's authors publish
+// Input     Windows line ends, a byte-order mark and blank lines at the end are accepted
+// Output    errors as "FILE:LINE: expected .."
+// Valid     1 sample to 60 s
+// Left out  other rates, several columns, comments.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "model/common/expected.h"
+#include "model/signal/waveform.h"
+
+namespace tact {
+
+Expected<Waveform> parse_text_waveform(std::string_view text, const std::string& file);
+Expected<Waveform> read_text_waveform(const std::filesystem::path& path);
+
+// Shortest digits that read back as the same samples. Another rate is resampled to 10 kHz.
+std::string print_text_waveform(const Waveform& waveform);
+Expected<Done> write_text_waveform(const std::filesystem::path& path, const Waveform& waveform);
+
+}  // namespace tact

@@ -1,0 +1,98 @@
+#include "model/io/set/set_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include "model/io/recordings/recording.h"
+#include "model/io/set/set_json.h"
+#include "model/text/atomic_file.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string text_of(const Json& document) {
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+// Where a file of the set lies. The folder's links are followed, so that ".." in a relative path
+// means the same to us as to the system; the file's own link stays.
+fs::path resolved(const fs::path& folder, const std::string& path) {
+    std::error_code none;
+    const fs::path whole = fs::absolute(folder / path, none);
+    return fs::weakly_canonical(whole.parent_path(), none) / whole.filename();
+}
+
+// Reads the waveform of a recording that a document names; what is wrong, or empty.
+std::string load_recording(Vibration& vibration, const fs::path& folder,
+                           std::vector<std::string>& remarks) {
+    auto* measurement = std::get_if<Measurement>(&vibration.source);
+    if (measurement == nullptr) return {};
+    const fs::path path = resolved(folder, measurement->path);
+    RecordingOptions options;
+    if (measurement->scale_g > 0.0) options.scale_g = measurement->scale_g;
+    Expected<Recording> recording = read_recording(path, options);
+    if (!recording) return recording.error().message;
+    for (const std::string& remark : recording->remarks) {
+        remarks.push_back(in_quotes(vibration.name) + ": " + remark);
+    }
+    measurement->path = path.string();
+    measurement->scale_g = recording->scale_g;
+    measurement->waveform = std::make_shared<const Waveform>(std::move(recording->waveform));
+    return {};
+}
+
+std::string recording_place(const std::string& file, std::size_t k, const Vibration& vibration) {
+    return file + ": /patterns/" + std::to_string(k) + "/waveform of " + in_quotes(vibration.name);
+}
+
+Expected<Loaded> loaded_from(std::string_view text, const std::string& name,
+                             const fs::path& folder) {
+    auto document = parse_json(text, name);
+    if (!document) return document.error();
+    JsonReading reading{name, {}};
+    Loaded loaded;
+    loaded.set = set_of(reading, *document, loaded.remarks);
+    if (!reading.fault.empty()) return Error{reading.fault};
+    for (std::size_t k = 0; k < loaded.set.vibrations.size(); ++k) {
+        Vibration& vibration = loaded.set.vibrations[k];
+        const std::string fault = load_recording(vibration, folder, loaded.remarks);
+        if (!fault.empty()) return Error{recording_place(name, k, vibration) + ": " + fault};
+    }
+    return loaded;
+}
+
+}  // namespace
+
+Expected<Loaded> read_set_file(const fs::path& path) {
+    const auto text = read_text_file(path);
+    if (!text) return text.error();
+    return loaded_from(*text, path.string(), path.parent_path());
+}
+
+Expected<PatternSet> parse_set(std::string_view text, const std::string& name_for_messages,
+                               const fs::path& folder) {
+    auto loaded = loaded_from(text, name_for_messages, folder);
+    if (!loaded) return loaded.error();
+    return std::move(loaded->set);
+}
+
+std::string print_set(const PatternSet& set) { return text_of(json_of(set, {})); }
+
+std::string print_set(const PatternSet& set, const fs::path& folder) {
+    return text_of(json_of(set, folder));
+}
+
+Expected<Done> write_set_file(const fs::path& path, const PatternSet& set) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    const Json document = json_of(set, folder);
+    JsonReading reading{path.string(), {}};
+    std::vector<std::string> remarks;
+    set_of(reading, document, remarks);
+    if (!reading.fault.empty()) return Error{reading.fault};
+    return write_atomically(path, text_of(document));
+}
+
+}  // namespace tact

@@ -1,0 +1,328 @@
+#include "model/io/set/set_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "model/dissimilarity/dissimilarity.h"
+#include "model/io/set/design_space_json.h"
+#include "model/io/set/model_json.h"
+#include "model/io/set/study_json.h"
+#include "model/text/equal_names.h"
+#include "model/text/numbers.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMaxRatings = 1000;
+
+// Text of unknown fields as a value of the set keeps them: empty where there are none.
+std::string kept_text(const Json& unknown) {
+    return unknown.empty() ? std::string() : unknown.dump();
+}
+
+void restore_text(Json& document, const std::string& unknown_json) {
+    const Json unknown = Json::parse(unknown_json, nullptr, false);
+    if (unknown.is_object()) restore_unknown(document, unknown);
+}
+
+std::vector<Carrier> carriers_of(JsonObject& object, Json& unknown) {
+    const auto elements = array_field(object, "carriers", 1, limits::kMaxCarriers);
+    if (elements.empty()) return std::vector<Carrier>(1);
+    std::vector<Carrier> carriers;
+    Json of_carriers = Json::object();
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const std::string position = std::to_string(k);
+        JsonObject fields =
+            object_at(*object.reading, *elements[k], place_of(object, "carriers") + "/" + position);
+        Carrier carrier;
+        carrier.frequency_hz =
+            number_field(fields, "frequency_hz", carrier.frequency_hz, limits::kCarrierHz);
+        carrier.weight = number_field(fields, "weight", carrier.weight, limits::kCarrierWeight);
+        carrier.phase_rad = number_field(fields, "phase_rad", carrier.phase_rad, limits::kPhaseRad);
+        carriers.push_back(carrier);
+        note_unknown(of_carriers, position, unknown_fields(fields));
+    }
+    note_unknown(unknown, "carriers", of_carriers);
+    return carriers;
+}
+
+Modulation modulation_of(JsonObject& object, Json& unknown) {
+    JsonObject fields = object_field(object, "modulation");
+    Modulation modulation;
+    modulation.kind =
+        static_cast<ModulationKind>(choice_field(fields, "kind", 0, kModulationKinds));
+    modulation.frequency_hz = number_field(fields, "frequency_hz", 0.0, limits::kModulationHz);
+    modulation.depth = number_field(fields, "depth", modulation.depth, limits::kDepth);
+    note_unknown(unknown, "modulation", unknown_fields(fields));
+    return modulation;
+}
+
+Rhythm rhythm_of(JsonObject& object, Json& unknown) {
+    JsonObject fields = object_field(object, "rhythm");
+    Rhythm rhythm;
+    rhythm.text = text_field(fields, "text", "");
+    if (const std::string fault = rhythm_fault(rhythm.text); !fault.empty()) {
+        refuse(*object.reading, place_of(fields, "text"), "a rhythm (" + fault + ")", rhythm.text);
+        rhythm.text.clear();
+    }
+    rhythm.unit_s = number_field(fields, "unit_s", rhythm.unit_s, limits::kRhythmUnitS);
+    note_unknown(unknown, "rhythm", unknown_fields(fields));
+    return rhythm;
+}
+
+Pattern pattern_of(JsonObject& object, double set_duration_s, Json& unknown) {
+    Pattern pattern;
+    pattern.amplitude_g =
+        number_field(object, "amplitude_g", pattern.amplitude_g, limits::kAmplitudeG);
+    pattern.carriers = carriers_of(object, unknown);
+    pattern.modulation = modulation_of(object, unknown);
+    pattern.rhythm = rhythm_of(object, unknown);
+    pattern.attack_s = number_field(object, "attack_s", pattern.attack_s, limits::kRampS);
+    pattern.release_s = number_field(object, "release_s", pattern.release_s, limits::kRampS);
+    pattern.duration_s = number_field(object, "duration_s", set_duration_s, limits::kDurationS);
+    return pattern;
+}
+
+Measurement measurement_of(JsonObject& object) {
+    Measurement measurement;
+    measurement.path = text_field(object, "waveform", "");
+    if (measurement.path.empty()) {
+        refuse(*object.reading, place_of(object, "waveform"), "the path of a file",
+               *field(object, "waveform"));
+    }
+    measurement.scale_g = number_field(object, "scale_g", 0.0, limits::kScaleG);
+    measurement.measures = text_field(object, "measures", "");
+    measurement.synthetic = yes_no_field(object, "synthetic", false);
+    return measurement;
+}
+
+std::string colour_of(JsonObject& object) {
+    std::string colour = text_field(object, "colour", "");
+    const bool is_colour = colour.size() == 7 && colour[0] == '#' &&
+                           colour.find_first_not_of("0123456789abcdefABCDEF", 1) == colour.npos;
+    if (!colour.empty() && !is_colour) {
+        refuse(*object.reading, place_of(object, "colour"), "a colour as #RRGGBB", colour);
+    }
+    return colour;
+}
+
+Vibration vibration_of(JsonObject& object, double set_duration_s) {
+    Vibration vibration;
+    Json unknown = Json::object();
+    vibration.name = text_field(object, "name", "");
+    if (object.value != nullptr && object.value->contains("waveform")) {
+        vibration.source = measurement_of(object);
+    } else {
+        vibration.source = pattern_of(object, set_duration_s, unknown);
+    }
+    vibration.locked = yes_no_field(object, "locked", false);
+    vibration.dropped = yes_no_field(object, "dropped", false);
+    if (vibration.locked && vibration.dropped) {
+        refuse(*object.reading, place_of(object, "dropped"), "false for a locked pattern",
+               *field(object, "dropped"));
+    }
+    vibration.colour = colour_of(object);
+    vibration.note = text_field(object, "note", "");
+    vibration.generated = yes_no_field(object, "generated", false);
+    unknown.update(unknown_fields(object));
+    vibration.unknown_json = kept_text(unknown);
+    return vibration;
+}
+
+void refuse_equal_names(JsonReading& reading, const std::vector<std::string>& names,
+                        const std::string& array, const std::string& key) {
+    const auto equal = first_equal(names);
+    if (!equal || !reading.fault.empty()) return;
+    reading.fault = reading.file + ": " + array + "/" + std::to_string(equal->second) + key + ": " +
+                    in_quotes(names[equal->second]) + " is the name of " + array + "/" +
+                    std::to_string(equal->first) + " too, expected names that differ";
+}
+
+void read_vibrations(JsonObject& object, PatternSet& set, std::vector<std::string>& remarks) {
+    const auto elements = array_field(object, "patterns", 0, limits::kMaxPatterns);
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < elements.size() && object.reading->fault.empty(); ++k) {
+        JsonObject fields = object_at(*object.reading, *elements[k],
+                                      place_of(object, "patterns") + "/" + std::to_string(k));
+        Vibration vibration = vibration_of(fields, set.duration_s);
+        if (vibration.name.empty()) {
+            vibration.name = "pattern " + std::to_string(k + 1);
+            remarks.push_back(object.reading->file + ": " + fields.place +
+                              " has no name and is called " + in_quotes(vibration.name));
+        }
+        names.push_back(vibration.name);
+        set.vibrations.push_back(std::move(vibration));
+    }
+    refuse_equal_names(*object.reading, names, "/patterns", "/name");
+}
+
+Ratings ratings_of(JsonObject& object) {
+    Ratings ratings;
+    ratings.name = text_field(object, "name", "");
+    JsonReading& reading = *object.reading;
+    const auto labels = array_field(object, "labels", 0, limits::kMaxPatterns);
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+        const std::string place = place_of(object, "labels") + "/" + std::to_string(k);
+        if (!labels[k]->is_string()) refuse(reading, place, "a text", *labels[k]);
+        ratings.labels.push_back(labels[k]->is_string() ? labels[k]->get<std::string>() : "");
+    }
+    refuse_equal_names(reading, ratings.labels, place_of(object, "labels"), "");
+    const std::size_t pairs = pair_count(labels.size());
+    const auto values = array_field(object, "condensed", 0, pair_count(limits::kMaxPatterns));
+    if (values.size() != pairs && reading.fault.empty()) {
+        reading.fault = reading.file + ": " + place_of(object, "condensed") + ": expected " +
+                        grouped_digits(pairs) + " values, one for each pair of " +
+                        grouped_digits(labels.size()) + " labels, got " +
+                        grouped_digits(values.size());
+    }
+    for (std::size_t k = 0; k < values.size() && reading.fault.empty(); ++k) {
+        const std::string place = place_of(object, "condensed") + "/" + std::to_string(k);
+        ratings.condensed.push_back(
+            values[k]->is_null() ? kUnrated : number_at(reading, *values[k], place, kAnyNumber));
+    }
+    ratings.file = text_field(object, "file", "");
+    ratings.unknown_json = kept_text(unknown_fields(object));
+    return ratings;
+}
+
+void read_ratings(JsonObject& object, PatternSet& set) {
+    const auto elements = array_field(object, "ratings", 0, kMaxRatings);
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        JsonObject fields = object_at(*object.reading, *elements[k],
+                                      place_of(object, "ratings") + "/" + std::to_string(k));
+        set.ratings.push_back(ratings_of(fields));
+    }
+}
+
+// The format first: in a newer one everything else may look wrong.
+void read_format(JsonObject& object) {
+    constexpr Range kFormats{1, 1e9};
+    JsonReading& reading = *object.reading;
+    const Json* value = field(object, "tactspace");
+    if (value == nullptr && object.value != nullptr && !object.value->contains("patterns")) {
+        reading.fault = reading.file + ": is not a set of tactspace, expected the keys " +
+                        "\"tactspace\" and \"patterns\"";
+    }
+    const int format = whole_field(object, "tactspace", kSetFormat, kFormats);
+    if (format > kSetFormat && reading.fault.empty()) {
+        reading.fault = reading.file + ": made by a newer version (format " +
+                        std::to_string(format) + "); this program reads format " +
+                        std::to_string(kSetFormat);
+    }
+}
+
+// A path as the set file in `folder` names it.
+std::string path_from(const fs::path& folder, const std::string& path) {
+    if (folder.empty() || !fs::path(path).is_absolute()) return path;
+    std::error_code none;
+    const fs::path base = fs::weakly_canonical(folder, none);
+    const fs::path relative = fs::path(path).lexically_relative(base);
+    return relative.empty() ? path : relative.generic_string();
+}
+
+Json json_of(const Pattern& pattern, double set_duration_s) {
+    Json fields = Json::object();
+    const Pattern defaults;
+    fields["amplitude_g"] = pattern.amplitude_g;
+    fields["carriers"] = Json::array();
+    for (const Carrier& carrier : pattern.carriers) {
+        Json one = {{"frequency_hz", carrier.frequency_hz}, {"weight", carrier.weight}};
+        if (carrier.phase_rad != 0.0) one["phase_rad"] = carrier.phase_rad;
+        fields["carriers"].push_back(one);
+    }
+    if (pattern.modulation != defaults.modulation) {
+        Json& modulation = fields["modulation"];
+        modulation["kind"] = kModulationKinds[static_cast<std::size_t>(pattern.modulation.kind)];
+        modulation["frequency_hz"] = pattern.modulation.frequency_hz;
+        if (pattern.modulation.depth != 1.0) modulation["depth"] = pattern.modulation.depth;
+    }
+    if (pattern.rhythm != defaults.rhythm) {
+        fields["rhythm"] = {{"text", pattern.rhythm.text}, {"unit_s", pattern.rhythm.unit_s}};
+    }
+    if (pattern.attack_s != 0.0) fields["attack_s"] = pattern.attack_s;
+    if (pattern.release_s != 0.0) fields["release_s"] = pattern.release_s;
+    if (pattern.duration_s != set_duration_s) fields["duration_s"] = pattern.duration_s;
+    return fields;
+}
+
+Json json_of(const Measurement& measurement, const fs::path& folder) {
+    Json fields = {{"waveform", path_from(folder, measurement.path)},
+                   {"scale_g", measurement.scale_g}};
+    if (!measurement.measures.empty()) fields["measures"] = measurement.measures;
+    if (measurement.synthetic) fields["synthetic"] = true;
+    return fields;
+}
+
+Json json_of(const Vibration& vibration, double set_duration_s, const fs::path& folder) {
+    Json fields = {{"name", vibration.name}};
+    const auto* pattern = std::get_if<Pattern>(&vibration.source);
+    fields.update(pattern != nullptr ? json_of(*pattern, set_duration_s)
+                                     : json_of(std::get<Measurement>(vibration.source), folder));
+    if (vibration.locked) fields["locked"] = true;
+    if (vibration.dropped) fields["dropped"] = true;
+    if (!vibration.colour.empty()) fields["colour"] = vibration.colour;
+    if (!vibration.note.empty()) fields["note"] = vibration.note;
+    if (vibration.generated) fields["generated"] = true;
+    restore_text(fields, vibration.unknown_json);
+    return fields;
+}
+
+Json json_of(const Ratings& ratings) {
+    Json fields = {
+        {"name", ratings.name}, {"labels", ratings.labels}, {"condensed", ratings.condensed}};
+    if (!ratings.file.empty()) fields["file"] = ratings.file;
+    restore_text(fields, ratings.unknown_json);
+    return fields;
+}
+
+}  // namespace
+
+PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::string>& remarks) {
+    PatternSet set;
+    JsonObject object = object_at(reading, document, "");
+    read_format(object);
+    if (!reading.fault.empty()) return set;
+    set.name = text_field(object, "name", "");
+    set.duration_s = number_field(object, "duration_s", set.duration_s, limits::kDurationS);
+    read_vibrations(object, set, remarks);
+    read_ratings(object, set);
+    Json unknown = Json::object();
+    Json of_model = Json::object();
+    JsonObject model = object_field(object, "model");
+    set.model = model_of(model, of_model);
+    note_unknown(unknown, "model", of_model);
+    Json of_study = Json::object();
+    JsonObject study = object_field(object, "study");
+    set.study = study_design_of(study, of_study);
+    note_unknown(unknown, "study", of_study);
+    if (document.contains("generator")) {
+        Json of_generator = Json::object();
+        JsonObject generator = object_field(object, "generator");
+        set.generator = design_space_of(generator, set.duration_s, of_generator);
+        note_unknown(unknown, "generator", of_generator);
+    }
+    unknown.update(unknown_fields(object));
+    set.unknown_json = kept_text(unknown);
+    return set;
+}
+
+Json json_of(const PatternSet& set, const fs::path& folder) {
+    Json document = {{"tactspace", kSetFormat}, {"name", set.name}, {"duration_s", set.duration_s}};
+    document["patterns"] = Json::array();
+    for (const Vibration& vibration : set.vibrations) {
+        document["patterns"].push_back(json_of(vibration, set.duration_s, folder));
+    }
+    for (const Ratings& ratings : set.ratings) document["ratings"].push_back(json_of(ratings));
+    const Json model = json_of(set.model);
+    if (!model.empty()) document["model"] = model;
+    const Json study = json_of(set.study);
+    if (!study.empty()) document["study"] = study;
+    if (set.generator) document["generator"] = json_of(*set.generator, set.duration_s);
+    restore_text(document, set.unknown_json);
+    return document;
+}
+
+}  // namespace tact

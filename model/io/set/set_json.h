@@ -1,0 +1,25 @@
+// The set file's JSON: a set as a document and back.
+//
+// Source    format 1 of the set file. Keys that this version does not know are kept with the value
+//           that they belong to, as text in its `unknown_json`.
+// Left out  the waveforms of recordings: they have files of their own.
+#pragma once
+
+#include <filesystem>
+
+#include "model/set/pattern_set.h"
+#include "model/text/json_fields.h"
+
+namespace tact {
+
+inline constexpr int kSetFormat = 1;
+
+// The set of a document. Recordings have no waveform yet, their path as the document names it, and
+// the scale 0 where it gives none. A fault is left in `reading`.
+PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::string>& remarks);
+
+// Only what differs from the defaults, besides what a reader looks for first. Paths of recordings
+// become relative to `folder`, unless that is empty.
+Json json_of(const PatternSet& set, const std::filesystem::path& folder);
+
+}  // namespace tact

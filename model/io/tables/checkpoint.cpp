@@ -1,0 +1,205 @@
+#include "model/io/tables/checkpoint.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "model/common/fingerprint.h"
+
+namespace tact {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<char, 16> kMagic{'t', 'a', 'c', 't', 's', 'p', 'a', 'c',
+                                      'e', ' ', 't', 'i', 'l', 'e', 's', '\n'};
+// To be raised with the format, and with any change of the numbers that equal codes give.
+constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kByteOrder = 0x01020304;
+// How much a power cut may cost. Being killed costs nothing of it.
+constexpr std::chrono::seconds kSyncEvery{5};
+
+struct Header {
+    std::array<char, 16> magic = kMagic;
+    std::uint32_t version = kVersion;
+    std::uint32_t byte_order = kByteOrder;
+    TileKey key;
+};
+static_assert(sizeof(Header) == 48, "no gaps: it is written as it lies in memory");
+
+struct RecordHead {
+    std::uint32_t part = 0;
+    std::uint32_t tile = 0;
+    std::uint32_t values = 0;
+    std::uint32_t checksum = 0;  // of all the rest
+};
+static_assert(sizeof(RecordHead) == 16, "no gaps: it is written as it lies in memory");
+
+std::uint32_t checksum_of(RecordHead head, std::span<const double> values) {
+    head.checksum = 0;
+    const auto sum = mixed(mixed(0, std::span<const RecordHead>(&head, 1)), values);
+    return static_cast<std::uint32_t>(sum >> 32U);
+}
+
+Error fault(const fs::path& path, const std::string& what) {
+    return Error{path.string() + ": " + what};
+}
+
+Error system_fault(const fs::path& path, const std::string& what) {
+    return fault(path, what + ": " + std::generic_category().message(errno));
+}
+
+// Bytes that were there to read at a place, at most `size`.
+std::size_t read_at(int descriptor, std::uint64_t place, void* bytes, std::size_t size) {
+    std::size_t so_far = 0;
+    while (so_far < size) {
+        const ssize_t got = ::pread(descriptor, static_cast<char*>(bytes) + so_far, size - so_far,
+                                    static_cast<off_t>(place + so_far));
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) break;
+        so_far += static_cast<std::size_t>(got);
+    }
+    return so_far;
+}
+
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+struct Record {
+    RecordHead head;
+    std::vector<double> values;
+};
+
+// The whole record at a place; false where there is none, or a torn one.
+bool read_record(int descriptor, std::uint64_t place, std::uint64_t patterns, Record& record) {
+    RecordHead& head = record.head;
+    if (read_at(descriptor, place, &head, sizeof head) != sizeof head) return false;
+    if (head.part > static_cast<std::uint32_t>(Part::oc)) return false;
+    if (head.tile >= tile_count(patterns)) return false;
+    if (head.values != pair_count(tile_at(patterns, head.tile))) return false;
+    record.values.resize(head.values);
+    const std::size_t size = head.values * sizeof(double);
+    return read_at(descriptor, place + sizeof head, record.values.data(), size) == size &&
+           head.checksum == checksum_of(head, record.values);
+}
+
+std::uint64_t size_of(const Record& record) {
+    return sizeof record.head + record.values.size() * sizeof(double);
+}
+
+}  // namespace
+
+TileKey key_of(const TileSource& source) {
+    const std::size_t patterns = pattern_count(source);
+    return {patterns, tile_side(patterns), fingerprint(source)};
+}
+
+Expected<Checkpoint> Checkpoint::open(const fs::path& path, const TileKey& key) {
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0) return system_fault(path, "cannot be written");
+    Checkpoint checkpoint(path, descriptor, key.patterns);
+    // A file system without locks must not keep anyone from working.
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        return fault(path, "another tactspace is writing it, expected to be alone");
+    }
+    if (const auto taken = checkpoint.take_up(key); !taken) return taken.error();
+    return checkpoint;
+}
+
+Expected<Done> Checkpoint::take_up(const TileKey& key) {
+    const Header expected{.key = key};
+    Header header;
+    struct stat about {};
+    if (::fstat(descriptor_, &about) != 0) return system_fault(path_, "cannot be read");
+    const std::size_t got = read_at(descriptor_, 0, &header, sizeof header);
+    const bool is_begun = got < sizeof header && std::memcmp(&header, &expected, got) == 0;
+    if (!S_ISREG(about.st_mode) || (!is_begun && header.magic != kMagic)) {
+        return fault(path_, "is no checkpoint of tactspace; expected to keep one under this name");
+    }
+    if (is_begun) {
+        // A new file, or one of which not even the header came to be.
+        const std::string_view bytes(reinterpret_cast<const char*>(&expected), sizeof expected);
+        if (::ftruncate(descriptor_, 0) != 0 || !write_all(descriptor_, bytes)) {
+            return system_fault(path_, "cannot be written");
+        }
+        end_ = sizeof expected;
+        return Done{};
+    }
+    if (header.version != kVersion || header.byte_order != kByteOrder) {
+        return fault(path_,
+                     "was written by another version of tactspace or on another kind of "
+                     "machine; remove it to start anew");
+    }
+    if (header.key != key) {
+        return fault(path_,
+                     "belongs to other patterns or other parameters of the model; remove "
+                     "it to start anew");
+    }
+    Record record;
+    end_ = sizeof header;
+    while (read_record(descriptor_, end_, patterns_, record)) end_ += size_of(record);
+    if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0 ||
+        ::lseek(descriptor_, static_cast<off_t>(end_), SEEK_SET) < 0) {
+        return system_fault(path_, "cannot be written");
+    }
+    return Done{};
+}
+
+Expected<Done> Checkpoint::read(Part part, const Take& take) const {
+    Record record;
+    for (std::uint64_t place = sizeof(Header); place < end_; place += size_of(record)) {
+        if (!read_record(descriptor_, place, patterns_, record)) {
+            return fault(path_, "cannot be read again; it changed meanwhile");
+        }
+        if (record.head.part == static_cast<std::uint32_t>(part)) {
+            take(record.head.tile, record.values);
+        }
+    }
+    return Done{};
+}
+
+Expected<Done> Checkpoint::append(Part part, std::size_t tile, std::span<const double> values) {
+    RecordHead head{static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(tile),
+                    static_cast<std::uint32_t>(values.size()), 0};
+    head.checksum = checksum_of(head, values);
+    std::string bytes(reinterpret_cast<const char*>(&head), sizeof head);
+    bytes.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+    if (!write_all(descriptor_, bytes)) return system_fault(path_, "cannot be written");
+    const auto now = std::chrono::steady_clock::now();
+    if (now - synced_ >= kSyncEvery) {
+        ::fdatasync(descriptor_);
+        synced_ = now;
+    }
+    return Done{};
+}
+
+void Checkpoint::remove() { ::unlink(path_.c_str()); }
+
+Checkpoint::Checkpoint(Checkpoint&& other) noexcept
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      patterns_(other.patterns_),
+      end_(other.end_),
+      synced_(other.synced_) {}
+
+Checkpoint::~Checkpoint() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+}  // namespace tact

@@ -1,0 +1,72 @@
+// Finished tiles in a file, so that a stopped computation can go on.
+//
+//     header   "tactspace tiles\n", version, byte order, patterns, side of a tile, fingerprint
+//     record   part, tile, number of values, checksum; the values as 64-bit floats
+//     record   ...
+//
+// Records are appended whole, each by one system call: when the program is killed, all but the
+// running tiles are in the file. What a power cut left of the last ones does not match its checksum
+// and is cut off, with all that follows.
+//
+// Output    errors as "PATH: what is wrong with it, what to do"
+// Left out  exchange between machines of different byte order: refused.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "model/common/expected.h"
+#include "model/perceptual_model/tiles.h"
+
+namespace tact {
+
+// What tiles must agree in to belong to one matrix.
+struct TileKey {
+    std::uint64_t patterns = 0;
+    std::uint64_t side = 0;
+    std::uint64_t fingerprint = 0;
+
+    bool operator==(const TileKey&) const = default;
+};
+
+TileKey key_of(const TileSource& source);
+
+// The open file. No other process can have it open meanwhile.
+class Checkpoint {
+  public:
+    // Takes up the file or makes it. An Error if it is no checkpoint, or one of another matrix; it
+    // is left as it was.
+    static Expected<Checkpoint> open(const std::filesystem::path& path, const TileKey& key);
+
+    // Calls `take` with every tile of one part that the file held when it was opened.
+    using Take = std::function<void(std::size_t tile, std::span<const double> values)>;
+    Expected<Done> read(Part part, const Take& take) const;
+
+    // A failed append leaves a torn record: append no more.
+    Expected<Done> append(Part part, std::size_t tile, std::span<const double> values);
+
+    // The work is done: away with the file.
+    void remove();
+
+    Checkpoint(Checkpoint&& other) noexcept;
+    Checkpoint& operator=(Checkpoint&&) = delete;
+    ~Checkpoint();
+
+  private:
+    Checkpoint(std::filesystem::path path, int descriptor, std::uint64_t patterns)
+        : path_(std::move(path)), descriptor_(descriptor), patterns_(patterns) {}
+    Expected<Done> take_up(const TileKey& key);
+    Expected<std::uint64_t> whole_records() const;
+
+    std::filesystem::path path_;
+    int descriptor_ = -1;
+    std::uint64_t patterns_ = 0;
+    std::uint64_t end_ = 0;  // of the records that were there
+    std::chrono::steady_clock::time_point synced_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace tact

@@ -1,0 +1,27 @@
+// Coordinates as `tactspace space` writes them: a row a name, its place after it.
+//
+//     name,D1,D2,D3
+//     low,0.1,-0.2,0.3
+//
+// Output    errors as "FILE:LINE: expected .."
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/common/expected.h"
+
+namespace tact {
+
+struct LabelledPoints {
+    std::vector<std::string> labels;
+    Eigen::MatrixXd points;  // one row a label
+};
+
+Expected<LabelledPoints> parse_coordinates(std::string_view text, const std::string& file);
+Expected<LabelledPoints> read_coordinates_file(const std::filesystem::path& path);
+
+}  // namespace tact

@@ -1,0 +1,49 @@
+// Dissimilarity matrices and coordinates as tables.
+//
+//     ,name1,name2        name,D1,D2,D3
+//     name1,0,3.5         name1,0.1,-0.2,0.3
+//     name2,3.5,0
+//
+// Source    quoting as in RFC 4180; numbers in the shortest digits that read back as the same
+// Input     also bare numbers, separated by blanks or commas: their names are 1, 2, 3 ..
+// Output    errors as "FILE:LINE: expected .."
+// Valid     at most 10,000 objects; symmetric to 1e-9 of the larger value, 0 on the diagonal
+// Left out  other separators, triangular and rectangular matrices.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/dissimilarity/dissimilarity.h"
+
+namespace tact {
+
+struct LabelledMatrix {
+    std::vector<std::string> labels;
+    Dissimilarity dissimilarity;  // of values that differ by rounding, the ones above the diagonal
+};
+
+// A text as a field of a CSV line: in quotes where it has to be.
+std::string csv_field(std::string_view text);
+
+// Row by row, so that a matrix of 10,000 needs no gigabyte of memory. As many labels as objects.
+void write_matrix_csv(std::ostream& stream, std::span<const std::string> labels,
+                      const Dissimilarity& dissimilarity);
+Expected<Done> write_matrix_file(const std::filesystem::path& path,
+                                 std::span<const std::string> labels,
+                                 const Dissimilarity& dissimilarity);
+
+// One row a label, k columns.
+void write_coordinates_csv(std::ostream& stream, std::span<const std::string> labels,
+                           const Eigen::MatrixXd& points);
+
+Expected<LabelledMatrix> parse_matrix(std::string_view text, const std::string& file);
+Expected<LabelledMatrix> read_matrix_file(const std::filesystem::path& path);
+
+}  // namespace tact

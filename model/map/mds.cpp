@@ -1,0 +1,307 @@
+#include "model/map/mds.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <numeric>
+#include <utility>
+
+#include "model/common/parallel.h"
+#include "model/common/random.h"
+#include "model/map/principal_axes.h"
+
+namespace tact {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+// Eigenvalues below this share of the largest are rounding noise.
+constexpr double kVanished = 1e-12;
+
+// Finite, not negative, at most 1, in the same order and proportion as far as they were not
+// negative: squares then neither overflow nor turn the order. Unknown pairs get the mean.
+std::vector<double> tame(std::span<const double> values, const PairOrder& order) {
+    double least = 0.0;
+    for (const std::size_t p : order.ascending) least = std::min(least, values[p]);
+    double most = 0.0;  // of halves, whose difference cannot overflow
+    for (const std::size_t p : order.ascending) most = std::max(most, values[p] / 2 - least / 2);
+    std::vector<double> result(values.size(), 0.0);
+    if (most == 0.0) return result;
+    double mean = 0.0;
+    for (const std::size_t p : order.ascending) {
+        result[p] = (values[p] / 2 - least / 2) / most;
+        mean += result[p] / static_cast<double>(order.ascending.size());
+    }
+    for (const std::size_t p : order.unknown) result[p] = mean;
+    return result;
+}
+
+// The largest known value above the least, or above 0 if none is negative.
+double reach(std::span<const double> values, const PairOrder& order) {
+    double least = 0.0;
+    double most = 0.0;
+    for (const std::size_t p : order.ascending) {
+        least = std::min(least, values[p]);
+        most = std::max(most, values[p]);
+    }
+    return most - least;
+}
+
+// B = -1/2 J Delta^2 J, the inner products that points with these distances would have.
+MatrixXd inner_products(std::size_t n, std::span<const double> values) {
+    const auto size = static_cast<Index>(n);
+    MatrixXd b = MatrixXd::Zero(size, size);
+    std::size_t p = 0;
+    for (Index i = 0; i < size; ++i) {
+        for (Index j = i + 1; j < size; ++j, ++p) b(i, j) = b(j, i) = -values[p] * values[p] / 2;
+    }
+    const Eigen::VectorXd row_mean = b.rowwise().mean();
+    const double mean = row_mean.mean();
+    b.colwise() -= row_mean;
+    b.rowwise() -= row_mean.transpose();
+    b.array() += mean;
+    return b;
+}
+
+MatrixXd classical(std::size_t n, std::span<const double> values, int dimensions) {
+    const Index k = std::max(dimensions, 1);
+    MatrixXd points = MatrixXd::Zero(static_cast<Index>(n), k);
+    if (n < 2) return points;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(inner_products(n, values));
+    const Index last = points.rows() - 1;  // eigenvalues rise
+    const double least = kVanished * solver.eigenvalues()(last);
+    for (Index c = 0; c < std::min(k, points.rows()); ++c) {
+        const double value = solver.eigenvalues()(last - c);
+        if (value <= least) break;
+        points.col(c) = std::sqrt(value) * solver.eigenvectors().col(last - c);
+    }
+    mirror_to_positive(points);
+    return points;
+}
+
+// With n <= k + 1 there is room for any order: adding 2c to all squared dissimilarities keeps their
+// order and adds c to every eigenvalue of B but that of the centre (Lingoes 1971). With the least c
+// that leaves none negative, points with exactly these distances exist.
+MatrixXd exact_map(std::size_t n, std::vector<double> values, int dimensions) {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(inner_products(n, values),
+                                                         Eigen::EigenvaluesOnly);
+    const double c = std::max(0.0, -solver.eigenvalues()(0));
+    for (double& value : values) value = std::sqrt(value * value + 2 * c);
+    return classical(n, values, dimensions);
+}
+
+// For centred points, sum d^2 over pairs = n sum |x|^2.
+MatrixXd framed(const MatrixXd& points) {
+    MatrixXd result = on_principal_axes(points);
+    const double n = static_cast<double>(points.rows());
+    const double size = std::sqrt(2.0 * result.squaredNorm() / std::max(n - 1.0, 1.0));
+    if (size > 0.0) result /= size;
+    return result;
+}
+
+// A pair on one spot although others are more alike. Ascending order: the first level is the least.
+bool colocated(const PairOrder& order, std::span<const double> d) {
+    double farthest = 0.0;
+    for (const double value : d) farthest = std::max(farthest, value);
+    const bool tied = !order.ties.empty() && order.ties.front().first == 0;
+    const std::size_t least = tied ? order.ties.front().second : 1;
+    return std::any_of(order.ascending.begin() + static_cast<std::ptrdiff_t>(least),
+                       order.ascending.end(),
+                       [&](std::size_t p) { return d[p] < 1e-6 * farthest; });
+}
+
+struct Task {
+    const Dissimilarity& dissimilarity;
+    PairOrder order;
+    int dimensions;
+    MdsVerdict verdict;
+};
+
+Task task_of(const Dissimilarity& dissimilarity, const MdsParams& params) {
+    assert(dissimilarity.condensed.size() == pair_count(dissimilarity.size) && "one value a pair");
+    const int k = std::max(params.dimensions, 1);
+    Task task{dissimilarity, order_pairs(dissimilarity.condensed), k, MdsVerdict::fine};
+    const std::size_t n = dissimilarity.size;
+    // Two objects have one dissimilarity; it says something as long as it is not zero.
+    const bool apart = n == 2 && reach(dissimilarity.condensed, task.order) > 0.0;
+    if (n < 2) {
+        task.verdict = MdsVerdict::too_few;
+    } else if (task.order.levels < 2 && !apart) {
+        task.verdict = MdsVerdict::constant;
+    } else if (n <= static_cast<std::size_t>(k) + 1) {
+        task.verdict = MdsVerdict::trivial;
+    }
+    return task;
+}
+
+PerceptualSpace space_of(const Task& task, const MatrixXd& points) {
+    PerceptualSpace space;
+    space.points = framed(points);
+    const std::vector<double> d = distances(space.points);
+    space.stress1 = stress1(d, disparities(task.dissimilarity.condensed, d));
+    space.verdict = task.verdict;
+    if (space.verdict == MdsVerdict::fine && colocated(task.order, d)) {
+        space.verdict = MdsVerdict::colocated;
+    }
+    return space;
+}
+
+// Maps that need no descent.
+PerceptualSpace space_at_once(const Task& task) {
+    const std::size_t n = task.dissimilarity.size;
+    if (task.verdict != MdsVerdict::trivial) {
+        PerceptualSpace space;
+        space.points = MatrixXd::Zero(static_cast<Index>(n), task.dimensions);
+        space.verdict = task.verdict;
+        return space;
+    }
+    const std::vector<double> values = tame(task.dissimilarity.condensed, task.order);
+    PerceptualSpace space = space_of(task, exact_map(n, values, task.dimensions));
+    space.start_stress = {space.stress1};
+    return space;
+}
+
+MatrixXd torgerson_start(const Task& task) {
+    return classical(task.dissimilarity.size, tame(task.dissimilarity.condensed, task.order),
+                     task.dimensions);
+}
+
+// The share of each point in the squared misfit of its map.
+std::vector<double> misfits(const Task& task, const MatrixXd& points) {
+    const std::vector<double> d = distances(points);
+    const std::vector<double> fitted = disparities(task.dissimilarity.condensed, d);
+    const auto n = task.dissimilarity.size;
+    std::vector<double> misfit(n, 0.0);
+    std::size_t p = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = i + 1; j < n; ++j, ++p) {
+            if (std::isnan(task.dissimilarity.condensed[p])) continue;
+            const double square = (d[p] - fitted[p]) * (d[p] - fitted[p]);
+            misfit[i] += square;
+            misfit[j] += square;
+        }
+    }
+    return misfit;
+}
+
+// A point in the wrong place is kept there by the others. So the worst ones, one by one, are put on
+// the other side of the centre, and all descend again from there. Whatever ends lower is kept, and
+// its own worst point is next. Where data have no structure this finds what more starts do not;
+// where they have, nothing is lower.
+Descent with_points_turned(const Task& task, Descent best, const MdsParams& params,
+                           const std::stop_token& stop) {
+    constexpr std::size_t kMisses = 10;  // in a row
+    constexpr double kLower = 1e-9;
+    std::size_t misses = 0;
+    std::vector<std::size_t> worst;
+    for (int turn = 0; turn < params.turned_points && !stop.stop_requested(); ++turn) {
+        if (misses == 0) {
+            const std::vector<double> misfit = misfits(task, best.points);
+            worst.resize(misfit.size());
+            std::iota(worst.begin(), worst.end(), std::size_t{0});
+            std::ranges::stable_sort(worst, std::greater{},
+                                     [&](std::size_t k) { return misfit[k]; });
+        }
+        if (misses == std::min(kMisses, worst.size())) break;
+        MatrixXd start = best.points.rowwise() - best.points.colwise().mean();
+        start.row(static_cast<Index>(worst[misses])) *= -1.0;
+        Descent turned = descend(task.order, start, {params.tolerance, params.max_steps}, stop);
+        ++misses;
+        if (turned.stress1 >= best.stress1 - kLower) continue;
+        best = std::move(turned);
+        misses = 0;
+    }
+    return best;
+}
+
+bool usable(const MatrixXd& start, const Task& task) {
+    return start.rows() == static_cast<Index>(task.dissimilarity.size) &&
+           start.cols() == task.dimensions && start.allFinite() &&
+           (start.rowwise() - start.row(0)).norm() > 0.0;
+}
+
+}  // namespace
+
+MatrixXd torgerson(const Dissimilarity& dissimilarity, int dimensions) {
+    const PairOrder order = order_pairs(dissimilarity.condensed);
+    // Scaled to at most 1 within, so that no square overflows.
+    const double unit = reach(dissimilarity.condensed, order);
+    return unit * classical(dissimilarity.size, tame(dissimilarity.condensed, order), dimensions);
+}
+
+// Not Gaussian: that takes log, whose last bit depends on the system's library; after a few steps
+// no difference is left.
+MatrixXd random_start(Index n, Index k, std::uint64_t seed, std::size_t index) {
+    RandomStream random{random_bits(seed, index)};
+    MatrixXd points(n, k);
+    for (Index e = 0; e < points.size(); ++e) points.data()[e] = next_even(random);
+    return points;
+}
+
+PerceptualSpace smacof(const Dissimilarity& dissimilarity, const MatrixXd& start,
+                       const MdsParams& params, std::stop_token stop) {
+    const Task task = task_of(dissimilarity, params);
+    if (task.verdict != MdsVerdict::fine) return space_at_once(task);
+    const MatrixXd& first = usable(start, task) ? start : torgerson_start(task);
+    const Descent descent = descend(task.order, first, {params.tolerance, params.max_steps}, stop);
+    PerceptualSpace space = space_of(task, descent.points);
+    space.start_stress = {space.stress1};
+    space.stopped = stop.stop_requested();
+    return space;
+}
+
+PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParams& params,
+                              std::stop_token stop,
+                              const std::function<void(std::size_t)>& progress) {
+    const Task task = task_of(dissimilarity, params);
+    if (task.verdict != MdsVerdict::fine) return space_at_once(task);
+    const DescentParams how{params.tolerance, params.max_steps};
+    const auto n = static_cast<Index>(dissimilarity.size);
+    std::vector<Descent> descents(static_cast<std::size_t>(std::max(params.random_starts, 0)) + 1);
+    std::mutex reporting;
+    std::size_t finished = 0;
+    const auto run = [&](std::size_t index) {
+        descents[index] = descend(task.order,
+                                  index == 0 ? torgerson_start(task)
+                                             : random_start(n, task.dimensions, params.seed, index),
+                                  how, stop);
+        const std::lock_guard lock(reporting);
+        ++finished;
+        if (progress) progress(finished);
+    };
+    parallel_for(descents.size(), params.threads, stop, run);
+    // Stopped before anything was done: Torgerson's start is still a map.
+    if (descents[0].points.size() == 0) run(0);
+
+    std::vector<double> stresses;
+    const Descent* best = &descents[0];
+    for (const Descent& descent : descents) {
+        if (descent.points.size() == 0) continue;
+        stresses.push_back(descent.stress1);
+        if (descent.stress1 < best->stress1) best = &descent;
+    }
+    const Descent settled = with_points_turned(task, *best, params, stop);
+    PerceptualSpace space = space_of(task, settled.points);
+    space.start_stress = std::move(stresses);
+    space.stopped = stop.stop_requested();
+    return space;
+}
+
+MdsParams standard_mds_params(std::size_t objects, int dimensions) {
+    MdsParams params;
+    params.dimensions = dimensions;
+    if (objects <= 100) params.turned_points = 20;
+    if (objects > 30) params.random_starts = 30;
+    if (objects > 100) params.random_starts = 10;
+    if (objects > 300) params.random_starts = 3;
+    if (objects > 1000) params.random_starts = 0;
+    if (objects > 300) params.tolerance = 1e-7;
+    return params;
+}
+
+}  // namespace tact

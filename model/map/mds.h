@@ -1,0 +1,77 @@
+// Non-metric multidimensional scaling: points whose distances have the order of dissimilarities.
+//
+// Source    Kruskal 1964 (stress-1, primary ties); de Leeuw 1977, de Leeuw & Mair 2009 (SMACOF);
+//           Torgerson 1952 (classical start).
+// Input     a dissimilarity matrix; NaN pairs have no say
+// Output    coordinates, centred, on principal axes, mean squared distance 1, with stress-1
+// Left out  metric and secondary-ties variants, weights, individual differences.
+// Exact     same input, same bits, on any number of threads.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "model/dissimilarity/dissimilarity.h"
+#include "model/map/isotonic.h"
+#include "model/map/smacof.h"
+
+namespace tact {
+
+struct MdsParams {
+    int dimensions = 3;
+    int random_starts = 100;  // besides Torgerson's
+    // How often at most a badly placed point of the best map is tried on the other side.
+    int turned_points = 0;
+    std::uint64_t seed = 1;
+    double tolerance = 1e-10;  // stop when stress-1 falls by less in a step
+    int max_steps = 3000;
+    int threads = 0;  // 0: all cores
+
+    bool operator==(const MdsParams&) const = default;
+};
+
+// Why a map says nothing, or nothing much.
+enum class MdsVerdict {
+    fine,
+    trivial,   // n <= k + 1: any dissimilarities fit
+    constant,  // all dissimilarities equal: any map fits; none is made
+    too_few,   // fewer than two objects
+    colocated  // different objects fell onto one point
+};
+
+struct PerceptualSpace {
+    Eigen::MatrixXd points;  // n x k
+    double stress1 = 0.0;
+    MdsVerdict verdict = MdsVerdict::fine;
+    std::vector<double> start_stress;  // of every start that was run, Torgerson's first
+    bool stopped = false;              // a stop was asked for before the last start
+};
+
+// Classical scaling: n x k coordinates, columns of vanished eigenvalues zero. NaN pairs count as
+// the mean of the others.
+Eigen::MatrixXd torgerson(const Dissimilarity& dissimilarity, int dimensions);
+
+// The index-th random start of a seed, from 1 on: n x k, even in the cube [-1, 1)^k.
+Eigen::MatrixXd random_start(Eigen::Index n, Eigen::Index k, std::uint64_t seed, std::size_t index);
+
+// SMACOF from one start; stress never rises from step to step. A start of another shape, with NaN,
+// or with all points in one place is replaced by Torgerson's.
+PerceptualSpace smacof(const Dissimilarity& dissimilarity, const Eigen::MatrixXd& start,
+                       const MdsParams& params, std::stop_token stop = {});
+
+// The best of Torgerson's and the random starts, of equals the first; then with the points turned
+// that make it better. `progress` gets the number of
+// starts done, from any thread but never from two at once.
+PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParams& params,
+                              std::stop_token stop = {},
+                              const std::function<void(std::size_t)>& progress = {});
+
+// What this program runs by default for n objects: a hundred random starts for small sets, fewer
+// as a start gets dearer. Window and command line agree by it.
+MdsParams standard_mds_params(std::size_t objects, int dimensions);
+
+}  // namespace tact

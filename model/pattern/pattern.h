@@ -1,0 +1,76 @@
+// The parametric vibration as a value, and its waveform.
+//
+//     x(t) = A e(t) r(t) sum_j w_j sin(2 pi f_j t + phi_j)
+//
+// e(t) is the modulation, r(t) the rhythm gate with linear ramps. Read literally, Eq. 7's
+// e(t) = sin(2 pi f_e t) is silent for f_e = 0; there the factor is 1.
+//
+// Source    Lim & Park 2023, Eq. 7, generalised.
+// Left out  noise, sweeps, per-note amplitude.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "model/common/range.h"
+#include "model/pattern/rhythm.h"
+#include "model/signal/waveform.h"
+
+namespace tact {
+
+struct Carrier {
+    double frequency_hz = 150.0;
+    double weight = 1.0;
+    double phase_rad = 0.0;
+
+    bool operator==(const Carrier&) const = default;
+};
+
+enum class ModulationKind {
+    product,  // sin(2 pi f t), 1 for f = 0: Eq. 7
+    am        // 1 + depth sin(2 pi f t)
+};
+
+struct Modulation {
+    ModulationKind kind = ModulationKind::product;
+    double frequency_hz = 0.0;
+    double depth = 1.0;  // of the am kind only
+
+    bool operator==(const Modulation&) const = default;
+};
+
+struct Pattern {
+    double amplitude_g = 1.0;
+    std::vector<Carrier> carriers = std::vector<Carrier>(1);
+    Modulation modulation;
+    Rhythm rhythm;
+    double attack_s = 0.0;
+    double release_s = 0.0;
+    double duration_s = 1.0;
+
+    bool operator==(const Pattern&) const = default;
+};
+
+// What a person may choose. Panels clamp to these; files outside them are refused.
+namespace limits {
+inline constexpr Range kAmplitudeG{0.0, 50.0};
+inline constexpr Range kCarrierHz{0.1, 1000.0};
+inline constexpr Range kCarrierWeight{-10.0, 10.0};
+inline constexpr Range kPhaseRad{-1000.0, 1000.0};
+inline constexpr Range kModulationHz{0.0, 1000.0};
+inline constexpr Range kDepth{0.0, 1.0};
+inline constexpr Range kRhythmUnitS{0.001, 10.0};
+inline constexpr Range kRampS{0.0, 10.0};
+inline constexpr Range kDurationS{0.001, 60.0};
+inline constexpr Range kScaleG{1e-6, 1e6};
+inline constexpr std::size_t kMaxCarriers = 8;
+inline constexpr std::size_t kMaxPatterns = 10'000;
+}  // namespace limits
+
+// The pattern with every number moved to the nearest one in range.
+Pattern clamped(Pattern pattern);
+
+// Samples x[n] = x(n / rate_hz), n = 0 .. round(duration_s rate_hz) - 1.
+Waveform render(const Pattern& pattern, double rate_hz = kModelRateHz);
+
+}  // namespace tact

@@ -1,0 +1,83 @@
+#include "model/pattern/pattern_parameter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tact {
+
+namespace {
+
+// Weber fractions near 0.2 for amplitude, carrier and modulation rate: Israr et al. 2006;
+// Pongrac 2008. What one feels of ramps and depths is less known.
+constexpr std::array<ParameterTraits, 9> kTraits{
+    {{"amplitude_g", "amplitude", "g", {0.01, 50.0}, 1.2, true, 0.05},
+     {"carrier_hz", "carrier", "Hz", {20.0, 1000.0}, 1.2, true, 20.0},
+     {"second_carrier_hz", "second carrier", "Hz", {20.0, 1000.0}, 1.2, true, 20.0},
+     {"mix", "weight of the second carrier", "", {0.0, 10.0}, 0.2, false, 0.0},
+     {"modulation_hz", "modulation", "Hz", {0.0, 200.0}, 1.2, true, 1.0},
+     {"depth", "depth", "", {0.0, 1.0}, 0.2, false, 0.0},
+     {"rhythm_unit_s", "rhythm unit", "s", {0.01, 2.0}, 1.2, true, 0.01},
+     {"attack_s", "attack", "s", {0.0, 1.0}, 0.03, false, 0.0},
+     {"release_s", "release", "s", {0.0, 1.0}, 0.03, false, 0.0}}};
+
+// The number itself, in either kind of pattern.
+template <class SomePattern>
+auto* number_of(SomePattern& pattern, PatternParameter parameter) {
+    auto* none = static_cast<decltype(&pattern.amplitude_g)>(nullptr);
+    const bool has_second = pattern.carriers.size() > 1;
+    switch (parameter) {
+        case PatternParameter::amplitude:
+            return &pattern.amplitude_g;
+        case PatternParameter::carrier:
+            return pattern.carriers.empty() ? none : &pattern.carriers[0].frequency_hz;
+        case PatternParameter::second_carrier:
+            return has_second ? &pattern.carriers[1].frequency_hz : none;
+        case PatternParameter::mix:
+            return has_second ? &pattern.carriers[1].weight : none;
+        case PatternParameter::modulation:
+            return &pattern.modulation.frequency_hz;
+        case PatternParameter::depth:
+            return pattern.modulation.kind == ModulationKind::am ? &pattern.modulation.depth : none;
+        case PatternParameter::rhythm_unit:
+            return pattern.rhythm.text.empty() ? none : &pattern.rhythm.unit_s;
+        case PatternParameter::attack:
+            return &pattern.attack_s;
+        case PatternParameter::release:
+            return &pattern.release_s;
+    }
+    return none;
+}
+
+}  // namespace
+
+const ParameterTraits& traits(PatternParameter parameter) {
+    return kTraits[static_cast<std::size_t>(parameter)];
+}
+
+std::optional<double> value_of(const Pattern& pattern, PatternParameter parameter) {
+    const double* number = number_of(pattern, parameter);
+    if (number == nullptr) return std::nullopt;
+    return *number;
+}
+
+Pattern with_value(Pattern pattern, PatternParameter parameter, double value) {
+    double* number = number_of(pattern, parameter);
+    const Range& range = traits(parameter).range;
+    if (number != nullptr) *number = std::clamp(value, range.low, range.high);
+    return pattern;
+}
+
+double stepped(PatternParameter parameter, double value, double steps) {
+    const ParameterTraits& about = traits(parameter);
+    double moved = value + about.step * steps;
+    if (about.by_ratio) {
+        // Below the first there is only 0, where the range has it.
+        const double from = std::max(value, about.first);
+        moved =
+            from * std::pow(about.step, value < about.first && steps > 0.0 ? steps - 1.0 : steps);
+        if (moved < about.first && about.range.low <= 0.0) moved = 0.0;
+    }
+    return std::clamp(moved, about.range.low, about.range.high);
+}
+
+}  // namespace tact

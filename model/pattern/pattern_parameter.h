@@ -1,0 +1,56 @@
+// The numbers of a pattern, one by one: to colour, filter and join patterns by, and to change.
+//
+// Input     a parametric pattern
+// Valid     of the carriers, the first and the second; the second's weight is the mix
+// Left out  phases, further carriers, the rhythm's notes, the duration, which all patterns share.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "model/common/range.h"
+#include "model/pattern/pattern.h"
+
+namespace tact {
+
+enum class PatternParameter {
+    amplitude,
+    carrier,
+    second_carrier,
+    mix,
+    modulation,
+    depth,
+    rhythm_unit,
+    attack,
+    release
+};
+
+inline constexpr std::array<PatternParameter, 9> kPatternParameters{
+    PatternParameter::amplitude,   PatternParameter::carrier,    PatternParameter::second_carrier,
+    PatternParameter::mix,         PatternParameter::modulation, PatternParameter::depth,
+    PatternParameter::rhythm_unit, PatternParameter::attack,     PatternParameter::release};
+
+struct ParameterTraits {
+    const char* key;   // amplitude_g
+    const char* name;  // amplitude
+    const char* unit;  // g
+    Range range;
+    // A change that is felt, roughly [ours]: times 1.2 is one of 20 % where `by_ratio`. From 0, a
+    // ratio begins at `first`.
+    double step;
+    bool by_ratio;
+    double first;
+};
+
+const ParameterTraits& traits(PatternParameter parameter);
+
+// None where the pattern has no such number: no second carrier, no depth of a product.
+std::optional<double> value_of(const Pattern& pattern, PatternParameter parameter);
+
+// The pattern with the number put in range; unchanged where it has none.
+Pattern with_value(Pattern pattern, PatternParameter parameter, double value);
+
+// The value so many steps away, in range.
+double stepped(PatternParameter parameter, double value, double steps);
+
+}  // namespace tact

@@ -1,0 +1,75 @@
+#include "model/pattern/rhythm.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace tact {
+
+std::string rhythm_fault(std::string_view text) {
+    if (text.size() > kMaxRhythmSteps) {
+        return "it has " + std::to_string(text.size()) + " steps, expected at most " +
+               std::to_string(kMaxRhythmSteps);
+    }
+    for (std::size_t step = 0; step < text.size(); ++step) {
+        const char mark = text[step];
+        const std::string where = "step " + std::to_string(step + 1);
+        if (mark != 'x' && mark != '=' && mark != '-') return where + " is not one of x, = and -";
+        const bool holds_a_note = step > 0 && text[step - 1] != '-';
+        if (mark == '=' && !holds_a_note) return where + " is =, which must follow x or =";
+    }
+    return {};
+}
+
+std::vector<Note> notes(const Rhythm& rhythm, double duration_s) {
+    assert(rhythm_fault(rhythm.text).empty() && "rhythm text was not checked");
+    assert(rhythm.unit_s > 0.0);
+    if (rhythm.text.empty()) return {Note{0.0, duration_s}};
+    std::vector<Note> result;
+    // Onsets are products, not sums, so that the thousandth step is where it should be.
+    for (std::size_t step = 0;; ++step) {
+        const double onset_s = static_cast<double>(step) * rhythm.unit_s;
+        if (onset_s >= duration_s) break;
+        const char mark = rhythm.text[step % rhythm.text.size()];
+        if (mark == '-') continue;
+        if (mark == 'x') result.push_back({onset_s, 0.0});
+        const double end_s = static_cast<double>(step + 1) * rhythm.unit_s;
+        result.back().length_s = std::min(end_s, duration_s) - result.back().onset_s;
+    }
+    return result;
+}
+
+std::vector<std::size_t> onsets(std::string_view text) {
+    std::vector<std::size_t> steps;
+    for (std::size_t step = 0; step < text.size(); ++step) {
+        if (text[step] == 'x') steps.push_back(step);
+    }
+    return steps;
+}
+
+double evenness(std::string_view text) {
+    const std::vector<std::size_t> steps = onsets(text);
+    double cosines = 0.0;
+    double sines = 0.0;
+    for (std::size_t j = 0; j < steps.size(); ++j) {
+        const double turn = static_cast<double>(steps[j]) / static_cast<double>(text.size()) -
+                            static_cast<double>(j) / static_cast<double>(steps.size());
+        cosines += std::cos(2.0 * std::numbers::pi * turn);
+        sines += std::sin(2.0 * std::numbers::pi * turn);
+    }
+    if (steps.empty()) return 0.0;
+    return std::hypot(cosines, sines) / static_cast<double>(steps.size());
+}
+
+std::string with_note(std::string text, std::size_t first, std::size_t last) {
+    assert(first <= last && last < text.size());
+    for (std::size_t step = first; step <= last; ++step) text[step] = step == first ? 'x' : '=';
+    // What held a note that is cut now would hold this one.
+    for (std::size_t step = last + 1; step < text.size() && text[step] == '='; ++step) {
+        text[step] = '-';
+    }
+    return text;
+}
+
+}  // namespace tact

@@ -1,0 +1,207 @@
+#include "model/perceptual_model/perceptual_model.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "model/common/parallel.h"
+#include "model/dtw/dtw.h"
+#include "model/perceptual_model/rank_sum.h"
+#include "model/perceptual_model/rhythm_envelope.h"
+#include "model/physiology/brain_units.h"
+#include "model/physiology/nc_matrix.h"
+
+namespace tact {
+
+namespace {
+
+using Codes = std::span<const std::shared_ptr<const PatternCode>>;
+
+constexpr std::size_t kUnknown = static_cast<std::size_t>(-1);
+
+std::size_t hash_of(const Waveform& waveform) {
+    const auto* bytes = reinterpret_cast<const char*>(waveform.samples_g.data());
+    return std::hash<std::string_view>{}({bytes, waveform.samples_g.size() * sizeof(double)});
+}
+
+// Where each code stood in the earlier prediction; a code is shared exactly when it was reused.
+std::vector<std::size_t> earlier_places(Codes codes, const Prediction* previous) {
+    std::vector<std::size_t> places(codes.size(), kUnknown);
+    if (previous == nullptr) return places;
+    std::unordered_map<const PatternCode*, std::size_t> earlier;
+    for (std::size_t k = 0; k < previous->codes.size(); ++k) {
+        earlier.emplace(previous->codes[k].get(), k);
+    }
+    for (std::size_t k = 0; k < codes.size(); ++k) {
+        if (const auto found = earlier.find(codes[k].get()); found != earlier.end()) {
+            places[k] = found->second;
+        }
+    }
+    return places;
+}
+
+// A matrix of the pairs whose patterns were both in `known` already, and where the others belong.
+struct KnownPairs {
+    Dissimilarity matrix;
+    std::vector<std::size_t> open;  // condensed
+};
+
+KnownPairs known_pairs(Codes codes, const Prediction* previous, const Dissimilarity* known) {
+    KnownPairs result{{codes.size(), std::vector<double>(pair_count(codes.size()))}, {}};
+    const auto places = earlier_places(codes, known == nullptr ? nullptr : previous);
+    std::size_t index = 0;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        for (std::size_t j = i + 1; j < codes.size(); ++j, ++index) {
+            if (places[i] != kUnknown && places[j] != kUnknown) {
+                result.matrix.condensed[index] = (*known)(places[i], places[j]);
+            } else {
+                result.open.push_back(index);
+            }
+        }
+    }
+    return result;
+}
+
+// Pairs by blocks of patterns that fit into a cache together: row by row each pair would fetch its
+// second pattern from far away.
+struct BlockedPairs {
+    std::vector<std::size_t> pairs;  // condensed
+    std::vector<std::size_t> begin;  // of each block, and the end
+};
+
+BlockedPairs by_block(std::size_t patterns, std::span<const std::size_t> pairs) {
+    constexpr std::size_t kSide = 8;
+    const std::size_t across = (patterns + kSide - 1) / kSide;
+    const auto block_of = [&](std::size_t index) {
+        const auto [i, j] = pair_at(patterns, index);
+        return i / kSide * across + j / kSide;
+    };
+    BlockedPairs blocked{std::vector<std::size_t>(pairs.size()),
+                         std::vector<std::size_t>(across * across + 1)};
+    for (const std::size_t index : pairs) ++blocked.begin[block_of(index) + 1];
+    std::partial_sum(blocked.begin.begin(), blocked.begin.end(), blocked.begin.begin());
+    std::vector<std::size_t> next = blocked.begin;
+    for (const std::size_t index : pairs) blocked.pairs[next[block_of(index)]++] = index;
+    return blocked;
+}
+
+bool same_codes(const PerceptualModelParams& a, const PerceptualModelParams& b) {
+    return a.coding == b.coding && a.envelope == b.envelope;
+}
+
+// The earlier prediction, if its parts answer the same question.
+const Prediction* usable(const PredictOptions& options, const PerceptualModelParams& params) {
+    const Prediction* previous = options.previous;
+    return previous != nullptr && same_codes(previous->params, params) ? previous : nullptr;
+}
+
+Dissimilarity rank_sum(const Prediction& prediction) {
+    Dissimilarity pm{prediction.nc.size, std::vector<double>(prediction.nc_rank.size())};
+    for (std::size_t k = 0; k < pm.condensed.size(); ++k) {
+        pm.condensed[k] = pm_of(prediction.nc_rank[k], prediction.oc_rank[k],
+                                prediction.params.nc_weight, prediction.params.oc_weight);
+    }
+    return pm;
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Waveform> waveforms,
+                                                              const PerceptualModelParams& params,
+                                                              const PredictOptions& options) {
+    std::unordered_multimap<std::size_t, std::shared_ptr<const PatternCode>> earlier;
+    if (const Prediction* previous = usable(options, params)) {
+        for (const auto& code : previous->codes) earlier.emplace(hash_of(code->waveform), code);
+    }
+    std::vector<std::shared_ptr<const PatternCode>> codes(waveforms.size());
+    const bool finished =
+        parallel_for(waveforms.size(), options.threads, options.stop, [&](std::size_t k) {
+            assert(waveforms[k].samples_g.size() == waveforms[0].samples_g.size());
+            const auto [first, last] = earlier.equal_range(hash_of(waveforms[k]));
+            for (auto candidate = first; candidate != last; ++candidate) {
+                if (candidate->second->waveform == waveforms[k]) codes[k] = candidate->second;
+            }
+            if (codes[k]) return;
+            codes[k] = std::make_shared<const PatternCode>(
+                PatternCode{waveforms[k], neural_code(waveforms[k], params.coding),
+                            rhythm_envelope(waveforms[k].samples_g, params.envelope)});
+        });
+    if (!finished) codes.clear();
+    return codes;
+}
+
+Dissimilarity nc_matrix(Codes codes, const PerceptualModelParams& params,
+                        const PredictOptions& options) {
+    const Prediction* previous = usable(options, params);
+    const bool same_weights =
+        previous != nullptr && previous->params.channel_weight == params.channel_weight;
+    auto pairs = known_pairs(codes, previous, same_weights ? &previous->nc : nullptr);
+    // No progress: a thousandth of the work of OC.
+    const std::optional<WeightUnits> units = weight_units(params.channel_weight);
+    std::vector<BrainUnits> brains(units ? codes.size() : 0);
+    std::vector<PackedSpikes> spikes(units ? 0 : codes.size());
+    parallel_for(codes.size(), options.threads, options.stop, [&](std::size_t k) {
+        if (units) {
+            brains[k] = brain_units(codes[k]->neural, *units);
+        } else {
+            spikes[k] = packed_spikes(codes[k]->neural);
+        }
+    });
+    const BlockedPairs blocked = by_block(codes.size(), pairs.open);
+    parallel_for(blocked.begin.size() - 1, options.threads, options.stop, [&](std::size_t block) {
+        for (std::size_t k = blocked.begin[block]; k < blocked.begin[block + 1]; ++k) {
+            const auto [i, j] = pair_at(codes.size(), blocked.pairs[k]);
+            pairs.matrix.condensed[blocked.pairs[k]] =
+                units ? nc_dissimilarity(brains[i], brains[j], *units)
+                      : nc_dissimilarity(spikes[i], spikes[j], params.channel_weight);
+        }
+    });
+    return std::move(pairs.matrix);
+}
+
+Dissimilarity oc_matrix(Codes codes, const PredictOptions& options) {
+    const std::size_t factor = options.envelope_decimation;
+    const Prediction* previous = options.previous;
+    const bool same_factor = previous != nullptr && previous->envelope_decimation == factor;
+    auto [matrix, open] = known_pairs(codes, previous, same_factor ? &previous->oc : nullptr);
+    std::vector<std::vector<double>> coarse(factor == 1 ? 0 : codes.size());
+    for (std::size_t k = 0; k < coarse.size(); ++k) {
+        coarse[k] = decimated(codes[k]->envelope, factor);
+    }
+    std::vector<SignalPair> pairs;
+    for (const std::size_t index : open) {
+        const auto [i, j] = pair_at(codes.size(), index);
+        if (factor == 1) {
+            pairs.push_back({codes[i]->envelope, codes[j]->envelope});
+        } else {
+            pairs.push_back({coarse[i], coarse[j]});
+        }
+    }
+    const auto distances = dtw(pairs, {options.threads, options.stop, options.progress});
+    // A path through coarse envelopes has a factor-th of the steps.
+    const auto scale = static_cast<double>(factor);
+    for (std::size_t k = 0; k < open.size(); ++k) matrix.condensed[open[k]] = scale * distances[k];
+    return matrix;
+}
+
+std::optional<Prediction> predict(std::span<const Waveform> waveforms,
+                                  const PerceptualModelParams& params,
+                                  const PredictOptions& options) {
+    Prediction result;
+    result.params = params;
+    result.envelope_decimation = options.envelope_decimation;
+    result.codes = pattern_codes(waveforms, params, options);
+    if (result.codes.size() != waveforms.size()) return std::nullopt;
+    result.nc = nc_matrix(result.codes, params, options);
+    result.oc = oc_matrix(result.codes, options);
+    if (options.stop.stop_requested()) return std::nullopt;
+    result.nc_rank = average_ranks(result.nc.condensed);
+    result.oc_rank = average_ranks(result.oc.condensed);
+    result.pm = rank_sum(result);
+    return result;
+}
+
+}  // namespace tact

@@ -1,0 +1,71 @@
+// PM: the predicted perceptual dissimilarity of every pair of a set.
+//
+//     PM_ij = w_NC rank(NC)_ij + w_OC rank(OC)_ij
+//
+// Source    Lim & Park 2023, section 5.3.
+// Input     waveforms of one length at 10 kHz
+// Output    NC, OC and PM of every pair. PM depends on the set: adding a pattern changes all of it.
+// Left out  everything but intensity, spectrum and rhythm as one fingertip feels them.
+// Exact     same input, same bits, on any number of threads; also when results are reused.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "model/dissimilarity/dissimilarity.h"
+#include "model/perceptual_model/perceptual_model_params.h"
+#include "model/physiology/neural_coding.h"
+#include "model/signal/waveform.h"
+
+namespace tact {
+
+// One pattern as the model sees it.
+struct PatternCode {
+    Waveform waveform;  // padded to the set's length
+    NeuralCode neural;
+    std::vector<double> envelope;
+};
+
+struct Prediction {
+    PerceptualModelParams params;
+    std::size_t envelope_decimation = 1;  // more than 1: a preview, not PM
+    std::vector<std::shared_ptr<const PatternCode>> codes;
+    Dissimilarity nc;
+    Dissimilarity oc;
+    std::vector<double> nc_rank;  // condensed
+    std::vector<double> oc_rank;
+    Dissimilarity pm;
+};
+
+struct PredictOptions {
+    int threads = 0;  // 0: all cores
+    // 10: envelopes at 1 kHz, a hundredth of the work; about 1 % of pair orders flip. For previews.
+    std::size_t envelope_decimation = 1;
+    // An earlier prediction; codes and pairs of unchanged patterns are taken from it.
+    const Prediction* previous = nullptr;
+    std::stop_token stop;
+    std::function<void(double)> progress;  // share of the work done, 0..1, from any thread
+};
+
+// The codes of all waveforms (they must have equal lengths); none when stopped.
+std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Waveform> waveforms,
+                                                              const PerceptualModelParams& params,
+                                                              const PredictOptions& options);
+
+// The two parts, unranked; a single pattern gives a matrix of no pairs.
+Dissimilarity nc_matrix(std::span<const std::shared_ptr<const PatternCode>> codes,
+                        const PerceptualModelParams& params, const PredictOptions& options);
+Dissimilarity oc_matrix(std::span<const std::shared_ptr<const PatternCode>> codes,
+                        const PredictOptions& options);
+
+// All of it; nothing when stopped.
+std::optional<Prediction> predict(std::span<const Waveform> waveforms,
+                                  const PerceptualModelParams& params,
+                                  const PredictOptions& options = {});
+
+}  // namespace tact

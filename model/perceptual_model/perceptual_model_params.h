@@ -1,0 +1,44 @@
+// Everything a researcher may choose in the perceptual model: neural coding, the rhythm envelope,
+// and the six trained weights that join them.
+//
+// Source    Lim & Park 2023, sections 3-5; choices marked [ours] are argued in the comments.
+#pragma once
+
+#include "model/common/range.h"
+#include "model/physiology/neural_coding_params.h"
+
+namespace tact {
+
+enum class EnvelopeScale {
+    normalised,  // [ours] to its own maximum: rhythm, not amplitude
+    raw          // g
+};
+
+enum class EnvelopeAlignment {
+    causal,  // [ours] mean of the last 10 ms
+    centred
+};
+
+// Panels clamp to this; files outside it are refused.
+namespace limits {
+inline constexpr Range kWeight{0.0, 1000.0};
+}  // namespace limits
+
+struct EnvelopeParams {
+    EnvelopeScale scale = EnvelopeScale::normalised;
+    EnvelopeAlignment alignment = EnvelopeAlignment::causal;
+
+    bool operator==(const EnvelopeParams&) const = default;
+};
+
+struct PerceptualModelParams {
+    NeuralCodingParams coding;
+    EnvelopeParams envelope;
+    PerReceptor<double> channel_weight{0.2, 0.7, 0.0, 0.5};  // trained
+    double nc_weight = 0.5;                                  // trained
+    double oc_weight = 0.5;                                  // trained
+
+    bool operator==(const PerceptualModelParams&) const = default;
+};
+
+}  // namespace tact

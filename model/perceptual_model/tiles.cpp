@@ -1,0 +1,127 @@
+#include "model/perceptual_model/tiles.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "model/common/fingerprint.h"
+#include "model/common/parallel.h"
+#include "model/dtw/dtw.h"
+
+namespace tact {
+
+namespace {
+
+// 64 tiles across make 2,080 of them: a tile that every one of 20 threads loses is 1 %.
+constexpr std::size_t kAcross = 64;
+constexpr std::size_t kSmallestSide = 4;
+constexpr std::size_t kLargestSide = 32;
+
+std::size_t tiles_across(std::size_t patterns) {
+    const std::size_t side = tile_side(patterns);
+    return (patterns + side - 1) / side;
+}
+
+template <class Visit>
+void for_each_pair(const Tile& tile, Visit&& visit) {
+    for (std::size_t i = tile.row; i < tile.row_end; ++i) {
+        for (std::size_t j = std::max(tile.column, i + 1); j < tile.column_end; ++j) visit(i, j);
+    }
+}
+
+std::vector<double> nc_values(const TileSource& source, const Tile& tile) {
+    std::vector<double> values;
+    values.reserve(pair_count(tile));
+    for_each_pair(tile, [&](std::size_t i, std::size_t j) {
+        const PackedSpikes& a = source.spikes[i];
+        const PackedSpikes& b = source.spikes[j];
+        values.push_back(nc_dissimilarity(spike_form(a, b), a.samples, source.channel_weight));
+    });
+    return values;
+}
+
+std::vector<double> oc_values(const TileSource& source, const Tile& tile) {
+    std::vector<SignalPair> pairs;
+    pairs.reserve(pair_count(tile));
+    for_each_pair(tile, [&](std::size_t i, std::size_t j) {
+        pairs.push_back({source.envelopes[i], source.envelopes[j]});
+    });
+    DtwOptions options;
+    options.threads = 1;  // the others are at other tiles
+    return dtw(pairs, options);
+}
+
+}  // namespace
+
+std::size_t tile_side(std::size_t patterns) {
+    std::size_t side = kSmallestSide;
+    while (side < kLargestSide && side * kAcross < patterns) side *= 2;
+    return side;
+}
+
+std::size_t tile_count(std::size_t patterns) {
+    // A triangle with its diagonal is one without, of one more.
+    return pair_count(tiles_across(patterns) + 1);
+}
+
+Tile tile_at(std::size_t patterns, std::size_t index) {
+    assert(index < tile_count(patterns) && "tile outside the matrix");
+    const auto [row, column_plus_one] = pair_at(tiles_across(patterns) + 1, index);
+    const std::size_t side = tile_side(patterns);
+    const auto end = [&](std::size_t begin) { return std::min(begin + side, patterns); };
+    Tile tile{.row = row * side, .column = (column_plus_one - 1) * side};
+    tile.row_end = end(tile.row);
+    tile.column_end = end(tile.column);
+    return tile;
+}
+
+std::size_t pair_count(const Tile& tile) {
+    const std::size_t rows = tile.row_end - tile.row;
+    return tile.row == tile.column ? pair_count(rows) : rows * (tile.column_end - tile.column);
+}
+
+void add_pattern(TileSource& source, const PatternCode& code) {
+    source.spikes.push_back(packed_spikes(code.neural));
+    source.envelopes.push_back(code.envelope);
+}
+
+std::size_t pattern_count(const TileSource& source) { return source.envelopes.size(); }
+
+std::uint64_t fingerprint(const TileSource& source) {
+    std::uint64_t number = mixed(0, std::span<const double>(source.channel_weight));
+    for (std::size_t k = 0; k < pattern_count(source); ++k) {
+        number = mixed(number, source.spikes[k].samples);
+        number = mixed(number, std::span<const std::uint64_t>(source.spikes[k].bits));
+        number = mixed(number, std::span<const double>(source.envelopes[k]));
+    }
+    return number;
+}
+
+std::vector<double> tile_values(const TileSource& source, Part part, const Tile& tile) {
+    return part == Part::nc ? nc_values(source, tile) : oc_values(source, tile);
+}
+
+void put_tile(Dissimilarity& matrix, const Tile& tile, std::span<const double> values) {
+    assert(values.size() == pair_count(tile) && "values of another tile");
+    std::size_t next = 0;
+    for_each_pair(tile, [&](std::size_t i, std::size_t j) {
+        matrix.condensed[pair_index(matrix.size, i, j)] = values[next++];
+    });
+}
+
+std::vector<double> tile_of(const Dissimilarity& matrix, const Tile& tile) {
+    std::vector<double> values;
+    values.reserve(pair_count(tile));
+    for_each_pair(tile, [&](std::size_t i, std::size_t j) { values.push_back(matrix(i, j)); });
+    return values;
+}
+
+void make_tiles(const TileSource& source, Part part, int threads, const TileDesk& desk) {
+    const auto workers = static_cast<std::size_t>(thread_count(threads));
+    parallel_for(workers, static_cast<int>(workers), {}, [&](std::size_t thread) {
+        while (const auto index = desk.next(thread)) {
+            desk.done(*index, tile_values(source, part, tile_at(pattern_count(source), *index)));
+        }
+    });
+}
+
+}  // namespace tact

@@ -1,0 +1,76 @@
+// The pairs of a set in square tiles, so that a large matrix can be computed piece by piece: by
+// many threads, by several machines, today and after a stop.
+//
+//            j
+//        0\  1  2 |      Tile k of the upper triangle, row by row: the pairs (i, j), i < j, with i
+//     i      3\ 4 |      and j in two ranges of patterns. Its values depend on the codes of these
+//               5\|      two ranges and on nothing else.
+//
+// Input     codes as pattern_codes gives them, without their waveforms
+// Output    values of a tile row by row, those with i >= j left out
+// Left out  ranks, and so PM: they need all pairs.
+// Exact     same bits as nc_matrix and oc_matrix, in whatever order and wherever tiles are made.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/dissimilarity/dissimilarity.h"
+#include "model/perceptual_model/perceptual_model.h"
+#include "model/physiology/nc_matrix.h"
+
+namespace tact {
+
+enum class Part { nc, oc };
+
+struct Tile {
+    std::size_t row = 0, row_end = 0;        // of i
+    std::size_t column = 0, column_end = 0;  // of j
+
+    bool operator==(const Tile&) const = default;
+};
+
+// Patterns on a side: so few that a stop loses little, so many that lanes and caches are filled.
+// By the size of the set alone, or a stopped run could not go on with more threads.
+std::size_t tile_side(std::size_t patterns);
+
+std::size_t tile_count(std::size_t patterns);
+Tile tile_at(std::size_t patterns, std::size_t index);
+std::size_t pair_count(const Tile& tile);
+
+// What tiles are made from: half of what a code takes, as waveforms are left out.
+struct TileSource {
+    PerReceptor<double> channel_weight{};
+    std::vector<PackedSpikes> spikes;            // of every pattern
+    std::vector<std::vector<double>> envelopes;  // likewise
+};
+
+void add_pattern(TileSource& source, const PatternCode& code);
+std::size_t pattern_count(const TileSource& source);
+
+// A number that changes with anything a tile's value depends on.
+std::uint64_t fingerprint(const TileSource& source);
+
+std::vector<double> tile_values(const TileSource& source, Part part, const Tile& tile);
+
+// Writes a tile's values to where they belong.
+void put_tile(Dissimilarity& matrix, const Tile& tile, std::span<const double> values);
+
+// They come back as tile_values gave them.
+std::vector<double> tile_of(const Dissimilarity& matrix, const Tile& tile);
+
+// Where threads take tiles from and bring values to. Both are called from any thread.
+struct TileDesk {
+    // A tile's index for a thread (0, 1, ..); none: no more.
+    std::function<std::optional<std::size_t>(std::size_t thread)> next;
+    std::function<void(std::size_t index, std::span<const double> values)> done;
+};
+
+// Takes tiles from the desk until there are no more. threads = 0: all cores.
+void make_tiles(const TileSource& source, Part part, int threads, const TileDesk& desk);
+
+}  // namespace tact

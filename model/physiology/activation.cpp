@@ -1,0 +1,65 @@
+#include "model/physiology/activation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/common/units.h"
+
+namespace tact {
+
+namespace {
+
+bool is_peak(const std::vector<double>& amplitude, std::size_t k) {
+    const double above = k + 1 < amplitude.size() ? amplitude[k + 1] : 0.0;
+    return amplitude[k] >= amplitude[k - 1] && amplitude[k] > above;
+}
+
+}  // namespace
+
+std::vector<Component> components(const Spectrum& spectrum, const NeuralCodingParams& params) {
+    std::vector<Component> result;
+    double largest_g = 0.0;
+    for (std::size_t k = 1; k < spectrum.amplitude_g.size(); ++k) {
+        const double bin_hz = frequency_hz(spectrum, k);
+        const double amplitude_g = spectrum.amplitude_g[k];
+        if (bin_hz < kLowestComponentHz || bin_hz > kHighestComponentHz) continue;
+        largest_g = std::max(largest_g, amplitude_g);
+        if (amplitude_g <= kFaintestComponentG) continue;
+        if (params.components == Components::peaks && !is_peak(spectrum.amplitude_g, k)) continue;
+        const double skin_um = params.skin_input == SkinInput::displacement
+                                   ? displacement_um(amplitude_g, bin_hz)
+                                   : amplitude_g;
+        result.push_back({bin_hz, amplitude_g, skin_um});
+    }
+    if (params.components == Components::peaks) {
+        std::erase_if(result, [&](const Component& component) {
+            return component.amplitude_g < params.peak_fraction * largest_g;
+        });
+    }
+    return result;
+}
+
+Activation activation(const std::vector<Component>& components, Receptor receptor,
+                      const NeuralCodingParams& params) {
+    const Curve& slope = params.tables.slope[index_of(receptor)];
+    const Curve& threshold = params.tables.threshold[index_of(receptor)];
+    Activation result;
+    for (const Component& component : components) {
+        const double above = std::log10(component.skin_um) - at(threshold, component.frequency_hz);
+        if (above <= 0.0 && params.subthreshold == Subthreshold::ignored) continue;
+        const double alpha = at(slope, component.frequency_hz);
+        result.rate_hz += alpha * above;
+        result.slope_sum += alpha;
+    }
+    if (result.rate_hz <= 0.0 || result.slope_sum <= 0.0) return {};
+    result.radius_mm = kHotZoneMm * std::pow(10.0, result.rate_hz / (2.0 * result.slope_sum));
+    return result;
+}
+
+double rate_at_hz(const Activation& activation, double distance_mm) {
+    if (distance_mm <= kHotZoneMm) return activation.rate_hz;
+    const double fall = 2.0 * activation.slope_sum * std::log10(distance_mm / kHotZoneMm);
+    return std::max(0.0, activation.rate_hz - fall);
+}
+
+}  // namespace tact

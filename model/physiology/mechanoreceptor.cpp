@@ -1,0 +1,144 @@
+#include "model/physiology/mechanoreceptor.h"
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+#include "assets/assets.h"
+
+namespace tact {
+
+namespace {
+
+// Lim & Park 2023, section 4.1 and Table 1.
+constexpr std::array<ReceptorTraits, kReceptorCount> kTraits{{
+    {"Meissner", "FA1", "NP I", 3.0, 100.0, 1.4, true},
+    {"Pacinian", "FA2", "P", 10.0, 500.0, 0.2, true},
+    {"Merkel", "SA1", "NP III", 0.0, 5.0, 0.7, false},
+    {"Ruffini", "SA2", "NP II", 15.0, 400.0, 0.1, false},
+}};
+
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    return cells;
+}
+
+std::optional<double> number_in(const std::string& cell) {
+    double value = 0.0;
+    const auto [end, fault] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (fault != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value)) {
+        return std::nullopt;
+    }
+    return value;
+}
+
+// Adds one line of a table to the curve of its receptor; what is wrong with it, or empty.
+std::string add_knot(const std::vector<std::string>& header, const std::string& line,
+                     std::string_view value_column, PerReceptor<Curve>& curves) {
+    const std::vector<std::string> cells = cells_of(line);
+    if (cells.size() != header.size()) {
+        return "expected " + std::to_string(header.size()) + " columns";
+    }
+    const auto cell = [&](std::string_view column) -> const std::string& {
+        const auto place = std::ranges::find(header, column) - header.begin();
+        return cells[static_cast<std::size_t>(place)];
+    };
+    const auto receptor = std::ranges::find_if(
+        kTraits, [&](const ReceptorTraits& t) { return cell("receptor") == t.afferent; });
+    if (receptor == kTraits.end()) return "expected a receptor of FA1, FA2, SA1, SA2";
+    Curve& curve = curves[static_cast<std::size_t>(receptor - kTraits.begin())];
+    const auto frequency_hz = number_in(cell("frequency_hz"));
+    const double above_hz = curve.frequency_hz.empty() ? 0.0 : curve.frequency_hz.back();
+    if (!frequency_hz || *frequency_hz <= above_hz) return "expected frequencies that ascend";
+    const auto value = number_in(cell(value_column));
+    if (!value) return "expected a number as " + std::string(value_column);
+    curve.frequency_hz.push_back(*frequency_hz);
+    curve.value.push_back(*value);
+    return {};
+}
+
+Expected<PerReceptor<Curve>> parse_curves(const std::string& csv, const std::string& table,
+                                          std::string_view value_column) {
+    PerReceptor<Curve> curves;
+    std::vector<std::string> header;
+    std::istringstream lines(csv);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        if (!line.empty() && line.back() == '\r') line.pop_back();
+        if (line.empty() || line.front() == '#') continue;
+        std::string fault;
+        if (header.empty()) {
+            header = cells_of(line);
+            for (const std::string_view column :
+                 {std::string_view("receptor"), std::string_view("frequency_hz"), value_column}) {
+                if (std::ranges::find(header, column) == header.end()) {
+                    fault = "expected a column " + std::string(column);
+                }
+            }
+        } else {
+            fault = add_knot(header, line, value_column, curves);
+        }
+        if (!fault.empty()) return Error{table + ", line " + std::to_string(number) + ": " + fault};
+    }
+    for (const Receptor receptor : kReceptors) {
+        if (curves[index_of(receptor)].frequency_hz.empty()) {
+            return Error{table + ": expected at least one line for " + traits(receptor).afferent};
+        }
+    }
+    return curves;
+}
+
+}  // namespace
+
+const ReceptorTraits& traits(Receptor receptor) { return kTraits[index_of(receptor)]; }
+
+double grid_interval_mm(Receptor receptor) {
+    return 1.0 / std::sqrt(traits(receptor).density_per_mm2);
+}
+
+double at(const Curve& curve, double frequency_hz) {
+    const auto& knots = curve.frequency_hz;
+    const auto above = std::ranges::upper_bound(knots, frequency_hz);
+    if (above == knots.begin()) return curve.value.front();
+    if (above == knots.end()) return curve.value.back();
+    const auto k = static_cast<std::size_t>(above - knots.begin());
+    const double position = (std::log10(frequency_hz) - std::log10(knots[k - 1])) /
+                            (std::log10(knots[k]) - std::log10(knots[k - 1]));
+    return curve.value[k - 1] + position * (curve.value[k] - curve.value[k - 1]);
+}
+
+const PhysiologyTables& default_tables() {
+    static const PhysiologyTables tables = [] {
+        auto parsed = parse_tables(std::string(asset("physiology/firing_rate_slopes.csv")),
+                                   std::string(asset("physiology/absolute_thresholds.csv")));
+        assert(parsed && "the compiled-in physiology tables do not parse");
+        return *parsed;
+    }();
+    return tables;
+}
+
+Expected<PerReceptor<Curve>> parse_slopes(const std::string& csv) {
+    return parse_curves(csv, "slope table", "slope_imp_per_s_per_log10um");
+}
+
+Expected<PerReceptor<Curve>> parse_thresholds(const std::string& csv) {
+    return parse_curves(csv, "threshold table", "threshold_log10_um_peak");
+}
+
+Expected<PhysiologyTables> parse_tables(const std::string& slopes_csv,
+                                        const std::string& thresholds_csv) {
+    auto slope = parse_slopes(slopes_csv);
+    if (!slope) return slope.error();
+    auto threshold = parse_thresholds(thresholds_csv);
+    if (!threshold) return threshold.error();
+    return PhysiologyTables{*slope, *threshold};
+}
+
+}  // namespace tact

@@ -1,0 +1,173 @@
+#include "model/physiology/nc_matrix.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace tact {
+
+namespace {
+
+constexpr std::size_t kMasks = 1U << kReceptorCount;
+constexpr std::size_t kWordBits = 64;
+// Rows are filled up to the widest register, so that no counter has a remainder.
+constexpr std::size_t kRegisterWords = 8;
+
+// One body, compiled anew for each instruction set it is inlined into; std::popcount would not be.
+// All 16 counts at once, as a register of words then serves four of them.
+[[gnu::always_inline]] inline SpikeForm counted(const std::uint64_t* a, const std::uint64_t* b,
+                                                std::size_t words) {
+    SpikeForm counts{};
+    for (std::size_t k = 0; k < words; ++k) {
+        for (std::size_t c = 0; c < kReceptorCount; ++c) {
+            for (std::size_t d = 0; d < kReceptorCount; ++d) {
+                counts[c][d] += __builtin_popcountll(a[c * words + k] & b[d * words + k]);
+            }
+        }
+    }
+    return counts;
+}
+
+SpikeForm count_baseline(const std::uint64_t* a, const std::uint64_t* b, std::size_t words) {
+    return counted(a, b, words);
+}
+
+#ifdef __x86_64__
+[[gnu::target("popcnt")]] SpikeForm count_popcnt(const std::uint64_t* a, const std::uint64_t* b,
+                                                 std::size_t words) {
+    return counted(a, b, words);
+}
+
+[[gnu::target("avx512f,avx512vpopcntdq,popcnt,prefer-vector-width=512")]] SpikeForm count_avx512(
+    const std::uint64_t* a, const std::uint64_t* b, std::size_t words) {
+    return counted(a, b, words);
+}
+#endif
+
+SpikeForm coincidences(const PackedSpikes& a, const PackedSpikes& b) {
+    static const auto count = coincidence_counters().front().count;
+    return count(a.bits.data(), b.bits.data(), a.words);
+}
+
+// Adds `count` samples at which channels p fire in one pattern and channels q in the other.
+void add_case(SpikeForm& form, std::size_t p, std::size_t q, std::int64_t count) {
+    const auto difference = [p, q](std::size_t channel) {
+        return static_cast<std::int64_t>(p >> channel & 1U) -
+               static_cast<std::int64_t>(q >> channel & 1U);
+    };
+    for (std::size_t c = 0; c < kReceptorCount; ++c) {
+        for (std::size_t d = 0; d < kReceptorCount; ++d) {
+            form[c][d] += difference(c) * difference(d) * count;
+        }
+    }
+}
+
+// Beyond 64 bits: 4 x 4 products of two weights in units of 1e-12 and of up to 1e7 samples.
+__extension__ using Wide = __int128;
+
+double root_of(Wide sum, std::size_t samples) {
+    if (samples == 0) return 0.0;
+    return std::sqrt(static_cast<double>(sum) / static_cast<double>(samples)) / kWeightUnits;
+}
+
+}  // namespace
+
+std::int64_t weight_units(double weight) {
+    assert(std::abs(weight) <= kLargestWeight && "a weight out of range");
+    return std::llround(weight * kWeightUnits);
+}
+
+SpikeForm spike_form(const NeuralCode& a, const NeuralCode& b) {
+    assert(a.central_spikes.size() == b.central_spikes.size() && "patterns were not padded");
+    // A sample of both is one of 16 x 16 cases.
+    std::array<std::array<std::int64_t, kMasks>, kMasks> cases{};
+    for (std::size_t n = 0; n < a.central_spikes.size(); ++n) {
+        ++cases[a.central_spikes[n]][b.central_spikes[n]];
+    }
+    SpikeForm form{};
+    for (std::size_t p = 0; p < kMasks; ++p) {
+        for (std::size_t q = 0; q < kMasks; ++q) {
+            if (cases[p][q] != 0) add_case(form, p, q, cases[p][q]);
+        }
+    }
+    return form;
+}
+
+PackedSpikes packed_spikes(const NeuralCode& code) {
+    PackedSpikes packed;
+    packed.samples = code.central_spikes.size();
+    const std::size_t registers =
+        (packed.samples + kRegisterWords * kWordBits - 1) / (kRegisterWords * kWordBits);
+    packed.words = registers * kRegisterWords;
+    packed.bits.assign(kReceptorCount * packed.words, 0);
+    for (std::size_t first = 0; first < packed.samples; first += kWordBits) {
+        const std::size_t end = std::min(first + kWordBits, packed.samples);
+        PerReceptor<std::uint64_t> word{};
+        for (std::size_t n = first; n < end; ++n) {
+            const std::uint64_t mask = code.central_spikes[n];
+            for (std::size_t c = 0; c < kReceptorCount; ++c) {
+                word[c] |= (mask >> c & 1U) << (n - first);
+            }
+        }
+        for (std::size_t c = 0; c < kReceptorCount; ++c) {
+            packed.bits[c * packed.words + first / kWordBits] = word[c];
+        }
+    }
+    packed.coincidences = coincidences(packed, packed);
+    return packed;
+}
+
+SpikeForm spike_form(const PackedSpikes& a, const PackedSpikes& b) {
+    assert(a.samples == b.samples && "patterns were not padded");
+    const SpikeForm both = coincidences(a, b);
+    SpikeForm form;
+    for (std::size_t c = 0; c < kReceptorCount; ++c) {
+        for (std::size_t d = 0; d < kReceptorCount; ++d) {
+            form[c][d] = a.coincidences[c][d] + b.coincidences[c][d] - both[c][d] - both[d][c];
+        }
+    }
+    return form;
+}
+
+PerReceptor<std::int64_t> whole_weights(const PerReceptor<double>& channel_weight) {
+    PerReceptor<std::int64_t> weight{};
+    std::ranges::transform(channel_weight, weight.begin(),
+                           [](double of_channel) { return weight_units(of_channel); });
+    return weight;
+}
+
+double root_mean_square(std::int64_t unit, std::int64_t sum, std::size_t samples) {
+    return root_of(static_cast<Wide>(unit) * unit * sum, samples);
+}
+
+double nc_dissimilarity(const SpikeForm& form, std::size_t samples,
+                        const PerReceptor<double>& channel_weight) {
+    const PerReceptor<std::int64_t> weight = whole_weights(channel_weight);
+    Wide sum = 0;
+    for (std::size_t c = 0; c < kReceptorCount; ++c) {
+        for (std::size_t d = 0; d < kReceptorCount; ++d) {
+            sum += static_cast<Wide>(weight[c]) * weight[d] * form[c][d];
+        }
+    }
+    return root_of(sum, samples);
+}
+
+double nc_dissimilarity(const PackedSpikes& a, const PackedSpikes& b,
+                        const PerReceptor<double>& channel_weight) {
+    return nc_dissimilarity(spike_form(a, b), a.samples, channel_weight);
+}
+
+std::span<const CoincidenceCounter> coincidence_counters() {
+    static const std::vector<CoincidenceCounter> counters = [] {
+        std::vector<CoincidenceCounter> usable;
+#ifdef __x86_64__
+        if (__builtin_cpu_supports("avx512vpopcntdq")) usable.push_back({"avx512", count_avx512});
+        if (__builtin_cpu_supports("popcnt")) usable.push_back({"popcnt", count_popcnt});
+#endif
+        usable.push_back({"baseline", count_baseline});
+        return usable;
+    }();
+    return counters;
+}
+
+}  // namespace tact

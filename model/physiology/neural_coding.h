@@ -1,0 +1,76 @@
+// Neural coding: from the vibration at the skin to the predicted brain waveform.
+//
+//     spectrum -> rates and radius -> receptor grid -> filtered, perceived waveform
+//     -> spikes -> relay networks -> four central signals -> predicted brain waveform
+//
+// Source    Lim & Park 2023, section 4.
+// Input     one waveform at 10 kHz; all of a set have the same length
+// Output    when each channel's central neuron fires, to the sample; on request every stage
+// Valid     validated by the paper at 1 s; other lengths keep their rates (section 7.2)
+// Left out  noise, adaptation, conduction delays, other skin sites and probes.
+// Exact     same input, same bits, on any number of threads and any instruction set.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/physiology/activation.h"
+#include "model/physiology/receptor_grid.h"
+#include "model/physiology/relay_network.h"
+#include "model/physiology/spike_train.h"
+#include "model/signal/waveform.h"
+
+namespace tact {
+
+// What the comparison of patterns needs, and no more.
+struct NeuralCode {
+    PerReceptor<Activation> activation;
+    PerReceptor<std::size_t> activated{};         // receptors, N
+    PerReceptor<std::vector<int>> central_count;  // spikes of the central neuron per 5 ms step
+    // Bit c of sample n: channel c's central neuron fires. 100 ceil(N / 100) samples.
+    std::vector<std::uint8_t> central_spikes;
+};
+
+// Everything one channel goes through, for looking at.
+struct ChannelStages {
+    ReceptorGrid grid;
+    std::vector<double> perceived;                // normalised; differentiated for FA1, FA2
+    std::vector<double> filtered_g;               // before normalisation
+    bool silent = false;                          // next to no energy in the channel's band
+    std::vector<std::vector<int>> spike_count;    // receptor (as in grid), 5 ms step
+    std::vector<std::vector<RelayLayer>> layers;  // step, layer; layer 0 are the spikes. Or empty
+};
+
+struct NeuralCodingStages {
+    std::vector<Component> components;
+    PerReceptor<ChannelStages> channel;
+    NeuralCode code;
+};
+
+// The code alone; about a millisecond for 1 s.
+NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& params);
+
+// Which of the relay networks' layers are kept.
+enum class KeepLayers {
+    all,  // of every step; memory grows with the grids: tens of MB for strong tones
+    none  // relay_layers() gives those of a step
+};
+
+// The same numbers with every stage kept.
+NeuralCodingStages neural_coding_stages(const Waveform& waveform, const NeuralCodingParams& params,
+                                        KeepLayers keep = KeepLayers::all);
+
+// The layers of one step, the spikes first: 1 + L_E + L_I of them. `step` is below the count of
+// steps. The same as are kept.
+std::vector<RelayLayer> relay_layers(const ChannelStages& channel, std::size_t step,
+                                     const NeuralCodingParams& params);
+
+// PBW[n] = sum_c w_c [channel c fires at n].
+std::vector<double> predicted_brain_waveform(const NeuralCode& code,
+                                             const PerReceptor<double>& channel_weight);
+
+// NC dissimilarity: root of the mean squared difference of two brain waveforms of equal length.
+double nc_dissimilarity(const NeuralCode& a, const NeuralCode& b,
+                        const PerReceptor<double>& channel_weight);
+
+}  // namespace tact

@@ -1,0 +1,69 @@
+#include "model/set/pattern_set.h"
+
+#include <algorithm>
+
+namespace tact {
+
+bool Measurement::operator==(const Measurement& other) const {
+    return path == other.path && scale_g == other.scale_g && measures == other.measures &&
+           synthetic == other.synthetic &&
+           (waveform == other.waveform || *waveform == *other.waveform);
+}
+
+Waveform waveform_of(const Vibration& vibration) {
+    if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) return render(*pattern);
+    return *std::get<Measurement>(vibration.source).waveform;
+}
+
+std::vector<Waveform> model_waveforms(const PatternSet& set) {
+    std::vector<Waveform> waveforms;
+    waveforms.reserve(set.vibrations.size());
+    std::size_t longest = 0;
+    for (const Vibration& vibration : set.vibrations) {
+        waveforms.push_back(waveform_of(vibration));
+        longest = std::max(longest, waveforms.back().samples_g.size());
+    }
+    for (Waveform& waveform : waveforms) waveform = padded(std::move(waveform), longest);
+    return waveforms;
+}
+
+std::size_t longest_samples(const PatternSet& set) {
+    std::size_t longest = 0;
+    for (const Vibration& vibration : set.vibrations) {
+        if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
+            longest = std::max(longest, sample_count(pattern->duration_s, kModelRateHz));
+        } else {
+            const auto& measurement = std::get<Measurement>(vibration.source);
+            longest = std::max(longest, measurement.waveform->samples_g.size());
+        }
+    }
+    return longest;
+}
+
+double longest_s(const PatternSet& set) {
+    return static_cast<double>(longest_samples(set)) / kModelRateHz;
+}
+
+std::vector<std::string> names_of(const PatternSet& set) {
+    std::vector<std::string> names;
+    for (const Vibration& vibration : set.vibrations) names.push_back(vibration.name);
+    return names;
+}
+
+std::optional<std::size_t> place_named(const PatternSet& set, const std::string& name) {
+    const auto found = std::ranges::find(set.vibrations, name, &Vibration::name);
+    if (found == set.vibrations.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - set.vibrations.begin());
+}
+
+std::string unused_name(const PatternSet& set, const std::string& wanted) {
+    const auto taken = [&set](const std::string& name) {
+        return std::ranges::any_of(set.vibrations,
+                                   [&name](const Vibration& v) { return v.name == name; });
+    };
+    std::string name = wanted;
+    for (int number = 2; taken(name); ++number) name = wanted + " " + std::to_string(number);
+    return name;
+}
+
+}  // namespace tact

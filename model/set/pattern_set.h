@@ -1,0 +1,92 @@
+// A set of named vibrations, parametric or measured, with what belongs to it: the document.
+//
+// Left out  where it is stored and how (model/io).
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/design_space/design_space.h"
+#include "model/pattern/pattern.h"
+#include "model/perceptual_model/perceptual_model_params.h"
+#include "model/signal/waveform.h"
+#include "model/study/study_design.h"
+
+namespace tact {
+
+// A recorded waveform, already at the model's rate and in g.
+struct Measurement {
+    std::shared_ptr<const Waveform> waveform;  // never null; shared, so that copies are cheap
+    std::string path;                          // of its file: absolute; relative in a set file
+    double scale_g = 1.0;                      // g at the file's full scale
+    std::string measures;                      // name of the intended pattern, or empty
+    bool synthetic = false;                    // computed, not recorded: shown as such everywhere
+
+    bool operator==(const Measurement&) const;  // compares the samples, not the pointers
+};
+
+struct Vibration {
+    std::string name;  // unique in its set
+    std::variant<Pattern, Measurement> source;
+    bool locked = false;  // not to be edited; picked in every subset
+    std::string colour;   // "#RRGGBB", or empty: by position
+    std::string note;
+    std::string unknown_json;  // keys of the file that this version does not know, kept on save
+    bool dropped = false;      // from every subset; never together with `locked`
+    bool generated = false;    // from the set's design space, and not changed by hand since
+
+    bool operator==(const Vibration&) const = default;
+};
+
+// One voice among those who said how unlike the patterns feel: a person's pass through the pairs,
+// or the mean of many.
+struct Ratings {
+    std::string name;  // of the participant, the same for repetitions; or of the study
+    std::vector<std::string> labels;
+    std::vector<double> condensed;  // (1,2),(1,3)..(2,3).. dissimilarities; kUnrated: not rated
+    std::string unknown_json;
+    std::string file{};  // they were read from, without its folder
+
+    bool operator==(const Ratings&) const = default;
+};
+
+// No NaN, which would make two equal sets differ.
+inline constexpr double kUnrated = std::numeric_limits<double>::infinity();
+
+struct PatternSet {
+    std::string name;
+    double duration_s = 1.0;  // of every new pattern
+    std::vector<Vibration> vibrations;
+    std::vector<Ratings> ratings;
+    PerceptualModelParams model;
+    StudyDesign study;  // how people are asked
+    std::string unknown_json;
+    std::optional<DesignSpace> generator;  // that candidates were made by last
+
+    bool operator==(const PatternSet&) const = default;
+};
+
+// The samples of one vibration at the model's rate, unpadded.
+Waveform waveform_of(const Vibration& vibration);
+
+// The samples of all, zero-padded at the end to the longest: what the model compares.
+std::vector<Waveform> model_waveforms(const PatternSet& set);
+
+// The longest vibration, in samples at the model's rate; 0 for an empty set.
+std::size_t longest_samples(const PatternSet& set);
+double longest_s(const PatternSet& set);
+
+// Of all vibrations, in their order.
+std::vector<std::string> names_of(const PatternSet& set);
+
+// Where the vibration of a name stands; none: there is none.
+std::optional<std::size_t> place_named(const PatternSet& set, const std::string& name);
+
+// `wanted`, or `wanted 2`, `wanted 3`, ... whichever no vibration of the set has yet.
+std::string unused_name(const PatternSet& set, const std::string& wanted);
+
+}  // namespace tact

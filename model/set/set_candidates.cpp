@@ -1,0 +1,51 @@
+#include "model/set/set_candidates.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "model/pattern/same_vibration.h"
+#include "model/text/numbers.h"
+#include "model/text/unused_names.h"
+
+namespace tact {
+
+bool is_replaced(const Vibration& vibration, Before before) {
+    return before == Before::replaced && vibration.generated && !vibration.locked;
+}
+
+std::vector<Candidate> new_to(const PatternSet& set, const std::vector<Candidate>& candidates,
+                              Before before) {
+    SeenVibrations seen;
+    for (const Vibration& vibration : set.vibrations) {
+        const auto* pattern = std::get_if<Pattern>(&vibration.source);
+        if (pattern != nullptr && !is_replaced(vibration, before)) seen.add(*pattern);
+    }
+    std::vector<Candidate> fresh;
+    for (const Candidate& candidate : candidates) {
+        if (seen.add(candidate.pattern)) fresh.push_back(candidate);
+    }
+    return fresh;
+}
+
+Expected<PatternSet> with_candidates(PatternSet set, const DesignSpace& space,
+                                     const std::vector<Candidate>& fresh, Before before) {
+    std::erase_if(set.vibrations, [before](const Vibration& v) { return is_replaced(v, before); });
+    const std::size_t size = set.vibrations.size() + fresh.size();
+    if (size > limits::kMaxPatterns) {
+        return Error{"the set would have " + grouped_digits(size) + " patterns, at most " +
+                     grouped_digits(limits::kMaxPatterns) + " are possible"};
+    }
+    UnusedNames names;
+    for (const Vibration& vibration : set.vibrations) names.taken.insert(vibration.name);
+    for (const Candidate& candidate : fresh) {
+        Vibration vibration;
+        vibration.name = names.unused(candidate.name);
+        vibration.source = candidate.pattern;
+        vibration.generated = true;
+        set.vibrations.push_back(std::move(vibration));
+    }
+    set.generator = space;
+    return set;
+}
+
+}  // namespace tact

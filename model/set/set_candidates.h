@@ -1,0 +1,30 @@
+// Candidates of a design space on their way into a set: which of them are new to it, what they take
+// the place of, and under which names they stand there.
+#pragma once
+
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/design_space/candidates.h"
+#include "model/set/pattern_set.h"
+
+namespace tact {
+
+// What becomes of those that were generated before, and not changed by hand since.
+enum class Before {
+    kept,
+    replaced  // but for locked ones
+};
+
+bool is_replaced(const Vibration& vibration, Before before);
+
+// The candidates that are not in the set already, whatever they are called there.
+std::vector<Candidate> new_to(const PatternSet& set, const std::vector<Candidate>& candidates,
+                              Before before);
+
+// The set with its generator and, behind what it has, these candidates under free names. An Error
+// where that would be more patterns than a set can have.
+Expected<PatternSet> with_candidates(PatternSet set, const DesignSpace& space,
+                                     const std::vector<Candidate>& fresh, Before before);
+
+}  // namespace tact

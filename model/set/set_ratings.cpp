@@ -1,0 +1,39 @@
+#include "model/set/set_ratings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tact {
+
+bool is_synthetic(const Ratings& ratings) { return ratings.file.starts_with(kSyntheticRatings); }
+
+std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& file) {
+    std::vector<Ratings> kept;
+    for (const Judgement& judgement : study.judgements) {
+        Ratings ratings{judgement.participant, study.labels, judgement.condensed, {}, file};
+        std::ranges::replace_if(
+            ratings.condensed, [](double value) { return std::isnan(value); }, kUnrated);
+        kept.push_back(std::move(ratings));
+    }
+    return kept;
+}
+
+Expected<RatingStudy> study_of(const PatternSet& set) {
+    if (set.ratings.empty()) return Error{"expected ratings of the patterns, got none"};
+    RatingStudy study;
+    study.labels = names_of(set);
+    for (const Ratings& ratings : set.ratings) {
+        const RatingStudy one{ratings.labels, true, {{ratings.name, ratings.condensed}}};
+        const Expected<RatingStudy> fitting = matched(one, study.labels);
+        if (!fitting) {
+            return Error{"ratings \"" + ratings.name + "\": " + fitting.error().message};
+        }
+        study.judgements.push_back(fitting->judgements.front());
+        for (double& value : study.judgements.back().condensed) {
+            if (!std::isfinite(value)) value = std::nan("");
+        }
+    }
+    return study;
+}
+
+}  // namespace tact

@@ -1,0 +1,27 @@
+// What people said of a set's patterns: as it is kept with the set, and as a study of its patterns.
+//
+// Input     ratings by the names of the patterns; a voice that rated only some is no study
+// Exact     a study kept with its set comes back as it was, in the order of the set's patterns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/set/pattern_set.h"
+#include "model/study/ratings.h"
+
+namespace tact {
+
+// Their file's name begins so where nobody was asked.
+inline constexpr const char* kSyntheticRatings = "synthetic, ";
+bool is_synthetic(const Ratings& ratings);
+
+// `file`: where the study was read from; may be empty.
+std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& file);
+
+// The ratings of a set as a study in the order of its patterns. Errors: there are none, or they are
+// of other patterns.
+Expected<RatingStudy> study_of(const PatternSet& set);
+
+}  // namespace tact

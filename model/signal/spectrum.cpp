@@ -1,0 +1,111 @@
+#include "model/signal/spectrum.h"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <mutex>
+#include <type_traits>
+
+namespace tact {
+
+namespace {
+
+// FFTW's planner is not thread-safe; executing a plan is.
+std::mutex planner_mutex;
+
+struct PlanDeleter {
+    void operator()(fftw_plan plan) const {
+        const std::scoped_lock lock(planner_mutex);
+        fftw_destroy_plan(plan);
+    }
+};
+using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanDeleter>;
+
+template <class Value>
+struct FftwDeleter {
+    void operator()(Value* memory) const { fftw_free(memory); }
+};
+
+// FFTW's own allocation: its alignment decides which code runs, and so the last bits. For the same
+// reason plans are made without SIMD: which kernels FFTW takes would depend on the machine.
+template <class Value>
+std::unique_ptr<Value[], FftwDeleter<Value>> fftw_array(std::size_t count) {
+    return std::unique_ptr<Value[], FftwDeleter<Value>>(
+        static_cast<Value*>(fftw_malloc(count * sizeof(Value))));
+}
+
+}  // namespace
+
+double frequency_hz(const Spectrum& spectrum, std::size_t k) {
+    return static_cast<double>(k) * spectrum.rate_hz / static_cast<double>(spectrum.samples);
+}
+
+std::vector<std::complex<double>> half_spectrum(std::span<const double> samples) {
+    const std::size_t n = samples.size();
+    if (n == 0) return {};
+    const std::size_t bins = n / 2 + 1;
+    const auto input = fftw_array<double>(n);
+    const auto output = fftw_array<std::complex<double>>(bins);
+    Plan plan;
+    {
+        const std::scoped_lock lock(planner_mutex);
+        plan.reset(fftw_plan_dft_r2c_1d(static_cast<int>(n), input.get(),
+                                        reinterpret_cast<fftw_complex*>(output.get()),
+                                        FFTW_ESTIMATE | FFTW_NO_SIMD));
+    }
+    std::copy(samples.begin(), samples.end(), input.get());
+    fftw_execute(plan.get());
+    return {output.get(), output.get() + bins};
+}
+
+std::vector<double> samples_of(std::span<const std::complex<double>> half, std::size_t samples) {
+    assert(half.size() == (samples == 0 ? 0 : samples / 2 + 1) && "half of another length");
+    if (samples == 0) return {};
+    const auto input = fftw_array<std::complex<double>>(half.size());
+    const auto output = fftw_array<double>(samples);
+    Plan plan;
+    {
+        const std::scoped_lock lock(planner_mutex);
+        plan.reset(fftw_plan_dft_c2r_1d(static_cast<int>(samples),
+                                        reinterpret_cast<fftw_complex*>(input.get()), output.get(),
+                                        FFTW_ESTIMATE | FFTW_NO_SIMD));
+    }
+    std::copy(half.begin(), half.end(), input.get());
+    fftw_execute(plan.get());
+    std::vector<double> result(output.get(), output.get() + samples);
+    for (double& sample : result) sample /= static_cast<double>(samples);
+    return result;
+}
+
+Spectrum amplitude_spectrum(std::span<const double> samples_g, double rate_hz) {
+    const std::size_t n = samples_g.size();
+    if (n == 0) return {};
+    const std::vector<std::complex<double>> half = half_spectrum(samples_g);
+    const std::size_t bins = half.size();
+    Spectrum spectrum{rate_hz, n, std::vector<double>(bins)};
+    for (std::size_t k = 0; k < bins; ++k) {
+        const bool unpaired = k == 0 || 2 * k == n;
+        spectrum.amplitude_g[k] =
+            (unpaired ? 1.0 : 2.0) * std::abs(half[k]) / static_cast<double>(n);
+    }
+    return spectrum;
+}
+
+std::vector<double> zero_phase_filtered(std::span<const double> samples, double rate_hz,
+                                        const std::function<double(double frequency_hz)>& gain) {
+    std::vector<double> padded(samples.begin(), samples.end());
+    padded.resize(2 * samples.size(), 0.0);
+    std::vector<std::complex<double>> half = half_spectrum(padded);
+    for (std::size_t k = 0; k < half.size(); ++k) {
+        half[k] *= gain(static_cast<double>(k) * rate_hz / static_cast<double>(padded.size()));
+    }
+    padded = samples_of(half, padded.size());
+    padded.resize(samples.size());
+    return padded;
+}
+
+}  // namespace tact

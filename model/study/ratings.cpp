@@ -1,0 +1,218 @@
+#include "model/study/ratings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+
+#include "model/common/random.h"
+#include "model/dissimilarity/correlation.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+// Means of the known values, pair by pair.
+std::vector<double> mean_of(const std::vector<const std::vector<double>*>& lists,
+                            std::size_t pairs) {
+    std::vector<double> mean(pairs, kNoRating);
+    for (std::size_t p = 0; p < pairs; ++p) {
+        double sum = 0.0;
+        std::size_t count = 0;
+        for (const std::vector<double>* list : lists) {
+            if (!std::isfinite((*list)[p])) continue;
+            sum += (*list)[p];
+            ++count;
+        }
+        if (count > 0) mean[p] = sum / static_cast<double>(count);
+    }
+    return mean;
+}
+
+std::vector<const std::vector<double>*> pointers(const std::vector<std::vector<double>>& lists,
+                                                 const std::vector<bool>& taken, bool side) {
+    std::vector<const std::vector<double>*> result;
+    for (std::size_t k = 0; k < lists.size(); ++k) {
+        if (taken[k] == side) result.push_back(&lists[k]);
+    }
+    return result;
+}
+
+// The means of all participants, in the order in which they came.
+std::vector<std::vector<double>> participants_of(const RatingStudy& study) {
+    std::vector<std::vector<double>> means;
+    for (Judgement& judgement : participant_means(study)) {
+        means.push_back(std::move(judgement.condensed));
+    }
+    return means;
+}
+
+double rho_of_halves(const std::vector<std::vector<double>>& voices,
+                     const std::vector<bool>& first) {
+    const std::size_t pairs = voices[0].size();
+    return spearman(mean_of(pointers(voices, first, true), pairs),
+                    mean_of(pointers(voices, first, false), pairs));
+}
+
+// Mean over ways to part the voices; a half whose rho is NaN has no say.
+double mean_half_rho(const std::vector<std::vector<double>>& voices) {
+    constexpr std::size_t kMostHalves = 1000;
+    const std::size_t count = voices.size();
+    double sum = 0.0;
+    std::size_t known = 0;
+    const auto take = [&](const std::vector<bool>& first) {
+        const double rho = rho_of_halves(voices, first);
+        if (std::isnan(rho)) return;
+        sum += rho;
+        ++known;
+    };
+    std::vector<bool> first(count, false);
+    if (count <= 12) {  // at most 924 ways
+        std::fill_n(first.begin(), count / 2, true);
+        do {
+            // Of an even number each way comes twice, with the halves exchanged.
+            if (count % 2 == 1 || first[0]) take(first);
+        } while (std::prev_permutation(first.begin(), first.end()));
+    } else {
+        std::vector<std::size_t> order(count);
+        for (std::size_t draw = 0; draw < kMostHalves; ++draw) {
+            RandomStream random{random_bits(5, draw)};
+            next_permutation_of(random, order);
+            for (std::size_t k = 0; k < count; ++k) first[order[k]] = k < count / 2;
+            take(first);
+        }
+    }
+    return known > 0 ? sum / static_cast<double>(known) : kNoRating;
+}
+
+// Of every voice with the mean of the others.
+std::vector<double> rho_with_others(const std::vector<std::vector<double>>& voices) {
+    std::vector<double> rho(voices.size());
+    std::vector<bool> own(voices.size(), false);
+    for (std::size_t k = 0; k < voices.size(); ++k) {
+        own[k] = true;
+        rho[k] = rho_of_halves(voices, own);
+        own[k] = false;
+    }
+    return rho;
+}
+
+double mean_rho_with_others(const std::vector<std::vector<double>>& voices) {
+    double sum = 0.0;
+    std::size_t known = 0;
+    for (const double rho : rho_with_others(voices)) {
+        if (std::isnan(rho)) continue;
+        sum += rho;
+        ++known;
+    }
+    return known > 0 ? sum / static_cast<double>(known) : kNoRating;
+}
+
+std::string and_more(std::size_t others) {
+    return others == 0 ? "" : " and " + std::to_string(others) + " more";
+}
+
+// The first of `wanted` that is not among `given`, with the number of others; empty if all are.
+std::string missing_from(const std::vector<std::string>& given,
+                         const std::vector<std::string>& wanted) {
+    std::string first;
+    std::size_t count = 0;
+    for (const std::string& name : wanted) {
+        if (std::ranges::find(given, name) != given.end()) continue;
+        if (++count == 1) first = in_quotes(name);
+    }
+    return count == 0 ? "" : first + and_more(count - 1);
+}
+
+std::string fault_of(const RatingStudy& study, const std::vector<std::string>& names) {
+    if (!study.is_named) {
+        if (study.labels.size() == names.size()) return {};
+        return "expected ratings of " + std::to_string(names.size()) +
+               " patterns, as many as the set has, got " + std::to_string(study.labels.size());
+    }
+    if (const std::string missing = missing_from(study.labels, names); !missing.empty()) {
+        return "expected ratings of every pattern of the set, got none of " + missing;
+    }
+    if (const std::string extra = missing_from(names, study.labels); !extra.empty()) {
+        return "expected names of patterns of the set, got " + extra;
+    }
+    return {};
+}
+
+}  // namespace
+
+Expected<RatingStudy> matched(const RatingStudy& study, const std::vector<std::string>& names) {
+    if (const std::string fault = fault_of(study, names); !fault.empty()) return Error{fault};
+    std::vector<std::size_t> from;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const auto found = std::ranges::find(study.labels, names[k]);
+        from.push_back(study.is_named ? static_cast<std::size_t>(found - study.labels.begin()) : k);
+    }
+    RatingStudy result{names, true, {}};
+    for (const Judgement& judgement : study.judgements) {
+        Judgement moved{judgement.participant, {}};
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            for (std::size_t j = i + 1; j < from.size(); ++j) {
+                moved.condensed.push_back(judgement.condensed[pair_index(
+                    from.size(), std::min(from[i], from[j]), std::max(from[i], from[j]))]);
+            }
+        }
+        result.judgements.push_back(std::move(moved));
+    }
+    return result;
+}
+
+Dissimilarity mean_ratings(const RatingStudy& study) {
+    const std::vector<std::vector<double>> voices = participants_of(study);
+    return {study.labels.size(), mean_of(pointers(voices, std::vector<bool>(voices.size()), false),
+                                         pair_count(study.labels.size()))};
+}
+
+std::vector<Judgement> participant_means(const RatingStudy& study) {
+    std::unordered_map<std::string, std::size_t> place;
+    std::vector<std::vector<const std::vector<double>*>> repetitions;
+    std::vector<Judgement> means;
+    for (const Judgement& judgement : study.judgements) {
+        const auto [entry, is_new] = place.emplace(judgement.participant, repetitions.size());
+        if (is_new) {
+            repetitions.emplace_back();
+            means.push_back({judgement.participant, {}});
+        }
+        repetitions[entry->second].push_back(&judgement.condensed);
+    }
+    for (std::size_t k = 0; k < means.size(); ++k) {
+        means[k].condensed = mean_of(repetitions[k], pair_count(study.labels.size()));
+    }
+    return means;
+}
+
+std::vector<VoiceAgreement> agreement_with_others(const RatingStudy& study) {
+    const std::vector<Judgement> means = participant_means(study);
+    if (means.size() < 2) return {};
+    const std::vector<double> rho = rho_with_others(participants_of(study));
+    std::vector<VoiceAgreement> all;
+    for (std::size_t k = 0; k < means.size(); ++k) all.push_back({means[k].participant, rho[k]});
+    return all;
+}
+
+Reliability reliability(const RatingStudy& study) {
+    Reliability result;
+    std::vector<std::vector<double>> voices = participants_of(study);
+    if (voices.size() == 1 && study.judgements.size() > 1) {
+        result.is_of_one_person = true;
+        voices.clear();
+        for (const Judgement& judgement : study.judgements) voices.push_back(judgement.condensed);
+    }
+    result.voices = voices.size();
+    result.half_rho = result.spearman_brown = result.one_with_others = kNoRating;
+    if (voices.size() < 2) return result;
+    const double half = mean_half_rho(voices);
+    result.half_rho = half;
+    if (half > -1.0) result.spearman_brown = 2.0 * half / (1.0 + half);
+    result.one_with_others = mean_rho_with_others(voices);
+    return result;
+}
+
+}  // namespace tact

@@ -1,0 +1,89 @@
+// What one participant of a study did, from the consent to the last answer.
+//
+// Left out  names of persons: participants go by codes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/study/cluster_sorting.h"
+#include "model/study/pairwise_study.h"
+#include "model/study/study_design.h"
+
+namespace tact {
+
+enum class StudyKind { pairwise, sorting };
+
+struct Participant {
+    std::string code;                                         // "P1": also the name of the file
+    std::vector<std::pair<std::string, std::string>> fields;  // "age" "27"; empty ones are left out
+
+    bool operator==(const Participant&) const = default;
+};
+
+// How the patterns reached the skin.
+struct StudyDevice {
+    std::string name;
+    std::string calibration;  // its name, or "uncalibrated"
+    std::string masking;  // the noise against hearing it, or why there was none; empty: not asked
+
+    bool operator==(const StudyDevice&) const = default;
+};
+
+struct StudyHeader {
+    std::string program;  // "tactspace 1.2"
+    StudyKind kind = StudyKind::pairwise;
+    bool synthetic = false;  // no person was asked
+    std::string set_name;
+    std::string set_fingerprint;
+    std::vector<std::string> patterns;  // names of those that took part, in the order of the set
+    StudyDesign design;
+    std::uint64_t seed = 1;  // of this participant's trials
+    StudyDevice device;
+    Participant participant;
+    bool consented = false;
+    std::string begun;  // UTC, ISO 8601
+
+    bool operator==(const StudyHeader&) const = default;
+};
+
+struct PairAnswer {
+    Trial trial;
+    double similarity = 0.0;  // 0 totally different .. 100 the same
+    int plays_left = 0;
+    int plays_right = 0;
+    double response_s = 0.0;  // from when the trial was shown
+    std::string at;           // UTC
+
+    bool operator==(const PairAnswer&) const = default;
+};
+
+struct SortingAnswer {
+    int asked_groups = 0;  // 0: free
+    Sorting groups;
+    double response_s = 0.0;
+    std::string at;
+
+    bool operator==(const SortingAnswer&) const = default;
+};
+
+struct StudyRecord {
+    StudyHeader header;
+    std::vector<PairAnswer> answers;      // of a pairwise study
+    std::vector<SortingAnswer> sortings;  // of a sorting study
+    bool is_torn = false;                 // the last line was cut off, and left out
+
+    bool operator==(const StudyRecord&) const = default;
+};
+
+// The words shown before a study of a kind: the design's own or the standard ones.
+std::string instructions_of(const StudyDesign& design, StudyKind kind);
+
+// How many answers make the record complete.
+std::size_t answers_wanted(const StudyRecord& record);
+std::size_t answers_given(const StudyRecord& record);
+
+}  // namespace tact

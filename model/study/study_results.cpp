@@ -1,0 +1,209 @@
+#include "model/study/study_results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "model/common/quantile.h"
+#include "model/text/numbers.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+// What makes a similarity of one participant comparable with others': factor and shift.
+struct Scale {
+    double factor = 1.0;
+    double shift = 0.0;
+};
+
+Scale scale_of(const std::vector<double>& values, RatingScaling scaling) {
+    if (scaling == RatingScaling::none || values.empty()) return {};
+    const auto count = static_cast<double>(values.size());
+    double centre = std::accumulate(values.begin(), values.end(), 0.0) / count;
+    double squares = 0.0;
+    for (const double value : values) squares += (value - centre) * (value - centre);
+    double unit = std::sqrt(squares / count) / 10.0;
+    if (scaling == RatingScaling::min_max) {
+        const auto [low, high] = std::ranges::minmax(values);
+        centre = 0.5 * (low + high);
+        unit = (high - low) / 100.0;
+    }
+    // Who always says the same has no scale: all in the middle.
+    const double factor = unit > 0.0 ? 1.0 / unit : 0.0;
+    return {factor, 50.0 - factor * centre};
+}
+
+std::vector<Judgement> judgements_of_answers(const StudyRecord& record, RatingScaling scaling) {
+    const std::size_t n = record.header.patterns.size();
+    std::vector<double> values;
+    for (const PairAnswer& answer : record.answers) {
+        if (!answer.trial.is_attention()) values.push_back(answer.similarity);
+    }
+    const Scale scale = scale_of(values, scaling);
+    std::vector<Judgement> passes;
+    std::vector<std::size_t> rated(pair_count(n), 0);
+    for (const PairAnswer& answer : record.answers) {
+        if (answer.trial.is_attention()) continue;
+        const auto [low, high] = std::minmax(answer.trial.left, answer.trial.right);
+        const std::size_t pair = pair_index(n, low, high);
+        const std::size_t pass = rated[pair]++;
+        if (pass == passes.size()) {
+            passes.push_back(
+                {record.header.participant.code, std::vector<double>(pair_count(n), kNoRating)});
+        }
+        passes[pass].condensed[pair] = 100.0 - (scale.factor * answer.similarity + scale.shift);
+    }
+    return passes;
+}
+
+std::string count_of(std::size_t part, std::size_t whole, const char* what) {
+    return grouped_digits(part) + " of " + grouped_digits(whole) + " " + what;
+}
+
+std::string reason_to_exclude(const ParticipantSummary& person, const StudyRecord& record,
+                              const CollectRule& rule) {
+    if (person.answers == 0) return "no answer";
+    if (!rule.unfinished_too && person.answers < person.wanted) {
+        const bool pairs = record.header.kind == StudyKind::pairwise;
+        return "unfinished, " +
+               count_of(person.answers, person.wanted, pairs ? "trials" : "rounds");
+    }
+    std::string low;
+    int failures = 0;
+    for (const double similarity : person.attention) {
+        if (similarity > rule.attention.above) continue;
+        ++failures;
+        low += (low.empty() ? "" : ", ") + shortest_digits(similarity);
+    }
+    if (failures <= rule.attention.failures_allowed) return {};
+    return "identical patterns rated " + low + ", expected above " +
+           shortest_digits(rule.attention.above);
+}
+
+ParticipantSummary summary_of(const StudyRecord& record, const CollectRule& rule) {
+    ParticipantSummary person;
+    person.code = record.header.participant.code;
+    person.synthetic = record.header.synthetic;
+    person.answers = answers_given(record);
+    person.wanted = answers_wanted(record);
+    person.rho_with_others = kNoRating;
+    double seconds = 0.0;
+    for (const PairAnswer& answer : record.answers) {
+        if (answer.trial.is_attention()) person.attention.push_back(answer.similarity);
+        seconds += answer.response_s;
+    }
+    for (const SortingAnswer& answer : record.sortings) seconds += answer.response_s;
+    person.minutes = seconds / 60.0;
+    person.excluded = reason_to_exclude(person, record, rule);
+    return person;
+}
+
+std::string fault_of(const StudyRecord& record, const StudyRecord& first) {
+    const std::string who = "participant " + in_quotes(record.header.participant.code);
+    const std::string as = " as that of " + in_quotes(first.header.participant.code);
+    if (record.header.kind != first.header.kind)
+        return who + ": expected a study of the same kind" + as;
+    if (record.header.patterns != first.header.patterns ||
+        record.header.set_fingerprint != first.header.set_fingerprint) {
+        return who + ": felt other patterns, expected the same" + as;
+    }
+    if (record.header.design.order != first.header.design.order) {
+        return who + ": expected the same order of trials (full or adaptive)" + as;
+    }
+    return {};
+}
+
+// Tukey's lower fence on the agreement with the others; of fewer than four nobody is an outlier.
+void mark_outliers(StudyResults& results) {
+    std::vector<double> known;
+    for (const ParticipantSummary& person : results.people) {
+        if (!std::isnan(person.rho_with_others)) known.push_back(person.rho_with_others);
+    }
+    if (known.size() < 4) return;
+    std::ranges::sort(known);
+    const double low = quantile(known, 0.25);
+    const double fence = low - 1.5 * (quantile(known, 0.75) - low);
+    for (ParticipantSummary& person : results.people) {
+        person.is_outlier = person.rho_with_others < fence;
+    }
+}
+
+void say_what_was_excluded(StudyResults& results) {
+    std::size_t excluded = 0;
+    for (const ParticipantSummary& person : results.people) {
+        if (person.excluded.empty()) continue;
+        ++excluded;
+        results.remarks.push_back(person.code + " is not counted: " + person.excluded);
+    }
+    if (excluded == results.people.size()) {
+        results.remarks.push_back("nobody is counted: there are no ratings yet");
+    }
+}
+
+}  // namespace
+
+std::vector<Judgement> judgements_of(const StudyRecord& record, RatingScaling scaling) {
+    if (record.header.kind == StudyKind::pairwise) return judgements_of_answers(record, scaling);
+    if (record.sortings.empty()) return {};
+    std::vector<Sorting> sortings;
+    for (const SortingAnswer& answer : record.sortings) sortings.push_back(answer.groups);
+    Dissimilarity sorted = sorting_dissimilarity(record.header.patterns.size(), sortings);
+    for (double& value : sorted.condensed) value *= 100.0;  // as the ratings of pairs
+    return {{record.header.participant.code, std::move(sorted.condensed)}};
+}
+
+Dissimilarity ratings_of(const StudyRecord& record) {
+    return mean_ratings({record.header.patterns, true, judgements_of(record, RatingScaling::none)});
+}
+
+CollectRule rule_of(std::span<const StudyRecord> records) {
+    CollectRule rule;
+    if (!records.empty()) rule.attention = records.front().header.design.attention;
+    return rule;
+}
+
+Expected<StudyResults> study_results(std::span<const StudyRecord> records,
+                                     const CollectRule& rule) {
+    if (records.empty()) return Error{"expected participants of a study, got none"};
+    std::vector<const StudyRecord*> sorted;
+    for (const StudyRecord& record : records) sorted.push_back(&record);
+    const auto code = [](const StudyRecord* record) -> const std::string& {
+        return record->header.participant.code;
+    };
+    std::ranges::stable_sort(sorted, {}, code);
+    const auto equal = std::ranges::adjacent_find(sorted, {}, code);
+    if (equal != sorted.end()) {
+        return Error{"participant " + in_quotes(code(*equal)) +
+                     " is there twice, expected one file each"};
+    }
+    StudyResults results;
+    results.kind = records.front().header.kind;
+    results.order = records.front().header.design.order;
+    results.study.labels = records.front().header.patterns;
+    for (const StudyRecord* record : sorted) {
+        if (const std::string fault = fault_of(*record, records.front()); !fault.empty()) {
+            return Error{fault};
+        }
+        results.people.push_back(summary_of(*record, rule));
+        if (!results.people.back().excluded.empty()) continue;
+        results.synthetic = results.synthetic || record->header.synthetic;
+        for (Judgement& judgement : judgements_of(*record, rule.scaling)) {
+            results.study.judgements.push_back(std::move(judgement));
+        }
+    }
+    const std::vector<VoiceAgreement> agreement = agreement_with_others(results.study);
+    for (ParticipantSummary& person : results.people) {
+        const auto found = std::ranges::find(agreement, person.code, &VoiceAgreement::participant);
+        if (found != agreement.end()) person.rho_with_others = found->rho;
+    }
+    mark_outliers(results);
+    say_what_was_excluded(results);
+    results.mean = mean_ratings(results.study);
+    results.agreement = reliability(results.study);
+    return results;
+}
+
+}  // namespace tact

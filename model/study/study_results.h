@@ -1,0 +1,72 @@
+// From what participants answered to ratings: who counts, how far they agree, and the matrix.
+//
+// Source    Lim & Park 2023, section 6.1: D = 100 - mean similarity over repetitions and people,
+// who
+//           must notice identical pairs. Outliers: Tukey 1977 (fences), on how each agrees with the
+//           mean of the others.
+// Output    judgements by pass, so that repetitions stay told apart
+// Left out  the removal of outliers: they are pointed at, and counted.
+// Exact     same records, same numbers, whatever their order on the disk.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/study/ratings.h"
+#include "model/study/study_record.h"
+
+namespace tact {
+
+// How each participant's similarities are brought to one scale before they are averaged.
+enum class RatingScaling {
+    none,      // the publication's
+    min_max,   // each one's own range to 0..100
+    standard,  // mean 50, standard deviation 10 (T-scores)
+};
+
+struct CollectRule {
+    AttentionRule attention;
+    bool unfinished_too = false;  // who did not come to the end counts as well
+    RatingScaling scaling = RatingScaling::none;
+
+    bool operator==(const CollectRule&) const = default;
+};
+
+struct ParticipantSummary {
+    std::string code;
+    bool synthetic = false;
+    std::size_t answers = 0;
+    std::size_t wanted = 0;
+    std::vector<double> attention;  // similarities of identical pairs
+    std::string excluded;           // why, as a phrase; empty: counted
+    double rho_with_others = 0.0;   // of those counted; NaN: unknown, or excluded
+    bool is_outlier = false;
+    double minutes = 0.0;  // spent on answers
+};
+
+struct StudyResults {
+    StudyKind kind = StudyKind::pairwise;
+    StudyOrder order = StudyOrder::full;
+    bool synthetic = false;  // one of those counted at least is none
+    RatingStudy study;       // of those counted
+    std::vector<ParticipantSummary> people;
+    std::vector<std::string> remarks;  // sentences without a full stop
+    Dissimilarity mean;
+    Reliability agreement;
+};
+
+// The records' own rule is the first one's: it is the design's.
+CollectRule rule_of(std::span<const StudyRecord> records);
+
+// Errors: no record; records of other patterns, of another kind or order of study, of one code.
+Expected<StudyResults> study_results(std::span<const StudyRecord> records, const CollectRule& rule);
+
+// The judgements of one record, pass by pass: 100 - similarity, NaN where a pass lacks the pair.
+std::vector<Judgement> judgements_of(const StudyRecord& record, RatingScaling scaling);
+
+// Mean similarities as dissimilarities of one participant.
+Dissimilarity ratings_of(const StudyRecord& record);
+
+}  // namespace tact

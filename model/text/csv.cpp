@@ -1,0 +1,86 @@
+#include "model/text/csv.h"
+
+#include <algorithm>
+
+namespace tact {
+
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r";
+
+// The text up to the end of the line, which is taken as well.
+std::string_view take_line(CsvReader& reader) {
+    const std::size_t end = reader.rest.find('\n');
+    const std::string_view line = reader.rest.substr(0, end);
+    reader.rest.remove_prefix(end == line.npos ? reader.rest.size() : end + 1);
+    ++reader.line;
+    return line;
+}
+
+bool is_blank(std::string_view line) { return line.find_first_not_of(kBlanks) == line.npos; }
+
+std::vector<std::string> words(std::string_view line) {
+    std::vector<std::string> result;
+    while (!is_blank(line)) {
+        line.remove_prefix(line.find_first_not_of(kBlanks));
+        const std::size_t end = std::min(line.find_first_of(kBlanks), line.size());
+        result.emplace_back(line.substr(0, end));
+        line.remove_prefix(end);
+    }
+    return result;
+}
+
+// Fields of a line; one whose quotes are open at its end goes on in the next line.
+void take_fields(CsvReader& reader, std::string_view line, CsvRecord& record) {
+    std::string field;
+    bool quoted = false;
+    for (std::size_t k = 0;; ++k) {
+        if (k >= line.size()) {
+            if (!quoted) break;
+            record.is_quote_open = reader.rest.empty();
+            if (record.is_quote_open) break;
+            field += '\n';
+            line = take_line(reader);
+            k = static_cast<std::size_t>(-1);
+        } else if (line[k] == '\r' && !quoted && k + 1 == line.size()) {
+            continue;
+        } else if (line[k] == '"' && quoted && k + 1 < line.size() && line[k + 1] == '"') {
+            field += line[++k];
+        } else if (line[k] == '"' && (quoted || field.empty())) {
+            quoted = !quoted;
+        } else if (line[k] == reader.separator && !quoted) {
+            record.fields.push_back(std::move(field));
+            field.clear();
+        } else {
+            field += line[k];
+        }
+    }
+    record.fields.push_back(std::move(field));
+}
+
+}  // namespace
+
+CsvReader reader_of(std::string_view text) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    const std::string_view first = text.substr(begin, text.find('\n', begin) - begin);
+    return {text, 1, first.find(',') != first.npos ? ',' : ' '};
+}
+
+CsvRecord next_record(CsvReader& reader) {
+    CsvRecord record;
+    while (!reader.rest.empty()) {
+        const std::size_t number = reader.line;
+        const std::string_view line = take_line(reader);
+        if (is_blank(line)) continue;
+        record.line = number;
+        if (reader.separator == ' ') {
+            record.fields = words(line);
+        } else {
+            take_fields(reader, line, record);
+        }
+        break;
+    }
+    return record;
+}
+
+}  // namespace tact

@@ -1,0 +1,220 @@
+#include "model/text/json_fields.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "model/text/numbers.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+std::string at_offset(const std::string& file, std::string_view text, std::size_t offset) {
+    const TextPosition position = position_of(text, offset);
+    return file + ", line " + std::to_string(position.line) + ", column " +
+           std::to_string(position.column) + ": ";
+}
+
+// What is wrong with the sizes of a text, before a parser trusts it: its depth, as values nested
+// too deep overflow the stack, and its keys, as the parser compares each with all before it.
+std::string size_fault(const std::string& file, std::string_view text) {
+    std::vector<std::size_t> keys;  // of every level that is open
+    bool in_string = false;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const char c = text[k];
+        if (in_string) {
+            if (c == '\\') ++k;
+            if (c == '"') in_string = false;
+        } else if (c == '"') {
+            in_string = true;
+        } else if (c == '{' || c == '[') {
+            keys.push_back(0);
+            if (keys.size() > kMaxJsonDepth) {
+                return at_offset(file, text, k) + "expected at most " +
+                       std::to_string(kMaxJsonDepth) + " levels of { and [";
+            }
+        } else if ((c == '}' || c == ']') && !keys.empty()) {
+            keys.pop_back();
+        } else if (c == ':' && !keys.empty() && ++keys.back() > kMaxJsonKeys) {
+            return at_offset(file, text, k) + "expected at most " + grouped_digits(kMaxJsonKeys) +
+                   " keys in an object";
+        }
+    }
+    return {};
+}
+
+// The parser's words without its own position and error number.
+std::string syntax_fault(const std::string& words) {
+    const std::size_t expected = words.rfind("; expected ");
+    if (expected != words.npos) return "expected " + shortened(words.substr(expected + 11), 60);
+    const std::size_t unexpected = words.rfind(" - ");
+    if (unexpected == words.npos) return "expected JSON";
+    const std::string found = words.substr(unexpected + 3);
+    return "expected JSON, found " + shortened(found.substr(0, found.find("; last read")), 60);
+}
+
+std::string described(const Json& value) {
+    if (value.is_object()) return "an object";
+    if (value.is_array()) return "an array of " + std::to_string(value.size());
+    return shortened(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+std::string described(Range range, const char* kind) {
+    if (range.high == kAnyNumber.high) return kind;
+    return std::string(kind) + " from " + shortest_digits(range.low) + " to " +
+           shortest_digits(range.high);
+}
+
+}  // namespace
+
+Expected<Json> parse_json(std::string_view text, const std::string& file) {
+    text = without_bom(text);
+    if (const auto invalid = first_invalid_utf8(text)) {
+        return Error{at_offset(file, text, *invalid) + "expected text in UTF-8"};
+    }
+    if (std::string fault = size_fault(file, text); !fault.empty()) return Error{fault};
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& fault) {
+        // `byte` counts from 1 and is the last byte that was read.
+        const std::size_t offset = fault.byte > 0 ? fault.byte - 1 : 0;
+        return Error{at_offset(file, text, offset) + syntax_fault(fault.what())};
+    } catch (const Json::exception&) {
+        return Error{file + ": expected numbers below 1.8e308"};
+    }
+}
+
+void refuse(JsonReading& reading, const std::string& place, const std::string& what,
+            const Json& got) {
+    if (!reading.fault.empty()) return;
+    reading.fault = reading.file + ": " + place + ": expected " + what + ", got " + described(got);
+}
+
+JsonObject object_at(JsonReading& reading, const Json& value, const std::string& place) {
+    if (value.is_object()) return {&reading, &value, place, {}};
+    refuse(reading, place.empty() ? "/" : place, "an object", value);
+    return {&reading, nullptr, place, {}};
+}
+
+const Json* field(JsonObject& object, std::string_view key) {
+    object.known.push_back(key);
+    if (object.value == nullptr) return nullptr;
+    const auto found = object.value->find(key);
+    return found == object.value->end() ? nullptr : &*found;
+}
+
+std::string place_of(const JsonObject& object, std::string_view key) {
+    return object.place + "/" + std::string(key);
+}
+
+double number_at(JsonReading& reading, const Json& value, const std::string& place, Range range) {
+    const double number = value.is_number() ? value.get<double>() : std::nan("");
+    if (range.contains(number)) return number;
+    refuse(reading, place, described(range, "a number"), value);
+    return range.low;
+}
+
+double number_field(JsonObject& object, std::string_view key, double fallback, Range range) {
+    const Json* value = field(object, key);
+    if (value == nullptr) return fallback;
+    return number_at(*object.reading, *value, place_of(object, key), range);
+}
+
+int whole_field(JsonObject& object, std::string_view key, int fallback, Range range) {
+    const Json* value = field(object, key);
+    if (value == nullptr) return fallback;
+    const double number = value->is_number() ? value->get<double>() : std::nan("");
+    if (range.contains(number) && number == std::floor(number)) return static_cast<int>(number);
+    refuse(*object.reading, place_of(object, key), described(range, "a whole number"), *value);
+    return fallback;
+}
+
+bool yes_no_field(JsonObject& object, std::string_view key, bool fallback) {
+    const Json* value = field(object, key);
+    if (value == nullptr) return fallback;
+    if (value->is_boolean()) return value->get<bool>();
+    refuse(*object.reading, place_of(object, key), "true or false", *value);
+    return fallback;
+}
+
+std::string text_field(JsonObject& object, std::string_view key, const std::string& fallback) {
+    const Json* value = field(object, key);
+    if (value == nullptr) return fallback;
+    if (value->is_string()) return value->get<std::string>();
+    refuse(*object.reading, place_of(object, key), "a text", *value);
+    return fallback;
+}
+
+JsonObject object_field(JsonObject& object, std::string_view key) {
+    const Json* value = field(object, key);
+    if (value == nullptr) return {object.reading, nullptr, place_of(object, key), {}};
+    return object_at(*object.reading, *value, place_of(object, key));
+}
+
+std::size_t choice_field(JsonObject& object, std::string_view key, std::size_t fallback,
+                         std::span<const char* const> choices) {
+    const Json* value = field(object, key);
+    if (value == nullptr) return fallback;
+    if (value->is_string()) {
+        const auto found = std::ranges::find(choices, value->get<std::string>());
+        if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
+    }
+    std::string all;
+    for (const char* choice : choices) {
+        all += (all.empty() ? "\"" : " or \"") + std::string(choice) + "\"";
+    }
+    refuse(*object.reading, place_of(object, key), all, *value);
+    return fallback;
+}
+
+std::vector<const Json*> array_field(JsonObject& object, std::string_view key, std::size_t least,
+                                     std::size_t most) {
+    const Json* value = field(object, key);
+    std::vector<const Json*> elements;
+    if (value == nullptr) return elements;
+    if (!value->is_array() || value->size() < least || value->size() > most) {
+        const std::string size = least == most
+                                     ? std::to_string(least)
+                                     : std::to_string(least) + " to " + std::to_string(most);
+        refuse(*object.reading, place_of(object, key), "an array of " + size, *value);
+        return elements;
+    }
+    for (const Json& element : *value) elements.push_back(&element);
+    return elements;
+}
+
+Json unknown_fields(const JsonObject& object) {
+    Json unknown = Json::object();
+    if (object.value == nullptr) return unknown;
+    for (const auto& [key, value] : object.value->items()) {
+        if (std::ranges::find(object.known, key) == object.known.end()) unknown[key] = value;
+    }
+    return unknown;
+}
+
+void note_unknown(Json& unknown, const std::string& key, const Json& of_part) {
+    if (!of_part.empty()) unknown[key] = of_part;
+}
+
+void restore_unknown(Json& document, const Json& unknown) {
+    for (const auto& [key, value] : unknown.items()) {
+        if (document.is_array()) {
+            // Positions beyond the end belonged to elements that were removed since.
+            std::size_t k = 0;
+            const auto [end, fault] = std::from_chars(key.data(), key.data() + key.size(), k);
+            if (fault != std::errc{} || k >= document.size()) continue;
+            if (document[k].is_structured() && value.is_object()) {
+                restore_unknown(document[k], value);
+            }
+        } else if (!document.contains(key)) {
+            document[key] = value;
+        } else if (document[key].is_structured() && value.is_object()) {
+            restore_unknown(document[key], value);
+        }
+    }
+}
+
+}  // namespace tact

@@ -1,0 +1,87 @@
+// JSON of files that people edit: parsed with limits, read field by field, every fault with its
+// place.
+//
+// A reading keeps the first fault and goes on with defaults, so that the code that reads a document
+// is as plain as the document.
+//
+// Source    RFC 8259; places are JSON pointers (RFC 6901)
+// Valid     at most kMaxJsonDepth levels, kMaxJsonKeys keys an object
+#pragma once
+
+#include <limits>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/common/range.h"
+
+namespace tact {
+
+using Json = nlohmann::ordered_json;
+
+inline constexpr std::size_t kMaxJsonDepth = 100;
+inline constexpr std::size_t kMaxJsonKeys = 20'000;
+
+// An Error names the line and the column: "set.json, line 3, column 7: ...".
+Expected<Json> parse_json(std::string_view text, const std::string& file);
+
+struct JsonReading {
+    std::string file;   // for messages
+    std::string fault;  // the first one, a whole sentence; empty: none so far
+};
+
+// Notes "FILE: PLACE: expected WHAT, got GOT", unless there is a fault already.
+void refuse(JsonReading& reading, const std::string& place, const std::string& what,
+            const Json& got);
+
+// An object of the document whose known fields are taken one by one.
+struct JsonObject {
+    JsonReading* reading = nullptr;
+    const Json* value = nullptr;  // null: it is not there, every field takes its default
+    std::string place;
+    std::vector<std::string_view> known;  // keys asked for
+};
+
+JsonObject object_at(JsonReading& reading, const Json& value, const std::string& place);
+
+// The value of a key, or null. It counts as known from now on.
+const Json* field(JsonObject& object, std::string_view key);
+
+std::string place_of(const JsonObject& object, std::string_view key);
+
+// Any finite number.
+inline constexpr Range kAnyNumber{std::numeric_limits<double>::lowest(),
+                                  std::numeric_limits<double>::max()};
+
+// Fields of one type; `fallback` where the key is missing or the value is refused.
+double number_field(JsonObject& object, std::string_view key, double fallback, Range range);
+int whole_field(JsonObject& object, std::string_view key, int fallback, Range range);
+bool yes_no_field(JsonObject& object, std::string_view key, bool fallback);
+std::string text_field(JsonObject& object, std::string_view key, const std::string& fallback);
+JsonObject object_field(JsonObject& object, std::string_view key);
+
+// Position of the text among the choices.
+std::size_t choice_field(JsonObject& object, std::string_view key, std::size_t fallback,
+                         std::span<const char* const> choices);
+
+// The elements of an array of `least` to `most`; none where the key is missing.
+std::vector<const Json*> array_field(JsonObject& object, std::string_view key, std::size_t least,
+                                     std::size_t most);
+
+// A number outside of any object.
+double number_at(JsonReading& reading, const Json& value, const std::string& place, Range range);
+
+// The fields nobody asked for, as an object.
+Json unknown_fields(const JsonObject& object);
+
+// Notes the unknown fields of a part of the whole, where there are any; objects and arrays on the
+// way are objects, with positions as keys: {"carriers": {"0": {"x": 1}}}.
+void note_unknown(Json& unknown, const std::string& key, const Json& of_part);
+
+// Puts such notes back: what the document has already is left alone.
+void restore_unknown(Json& document, const Json& unknown);
+
+}  // namespace tact

@@ -1,0 +1,48 @@
+#include "model/text/numbers.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace tact {
+
+std::optional<double> finite_number_in(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t\r";
+    const std::size_t begin = text.find_first_not_of(kBlanks);
+    if (begin == text.npos) return std::nullopt;
+    text = text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+    // from_chars takes no plus sign; other programs write one.
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+        return std::nullopt;
+    }
+    return value;
+}
+
+void append_digits(std::string& text, double value) {
+    char digits[32];
+    const auto [end, fault] = std::to_chars(digits, digits + sizeof(digits), value);
+    text.append(digits, end);
+}
+
+std::string shortest_digits(double value) {
+    std::string text;
+    append_digits(text, value);
+    return text;
+}
+
+std::string significant_digits(double value, int digits) {
+    char text[48];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
+std::string grouped_digits(std::size_t number) {
+    std::string digits = std::to_string(number);
+    for (std::size_t place = digits.size(); place > 3;) digits.insert(place -= 3, 1, ',');
+    return digits;
+}
+
+}  // namespace tact

@@ -1,0 +1,24 @@
+// Numbers as text: digits that read back as the same number, whatever the locale.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tact {
+
+// The finite number that a text consists of, blanks around it and a plus sign allowed; none for
+// anything else, NaN and infinity among it.
+std::optional<double> finite_number_in(std::string_view text);
+
+// As few digits as read back as the same number.
+void append_digits(std::string& text, double value);
+std::string shortest_digits(double value);
+
+// So many digits that count, with no zeros behind: "0.25", "1.2e-05".
+std::string significant_digits(double value, int digits);
+
+// Whole number with a comma every three digits, as people read it: 11,025.
+std::string grouped_digits(std::size_t number);
+
+}  // namespace tact

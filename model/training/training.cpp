@@ -1,0 +1,357 @@
+#include "model/training/training.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "model/common/mean.h"
+#include "model/common/parallel.h"
+#include "model/dissimilarity/correlation.h"
+#include "model/perceptual_model/perceptual_model.h"
+
+namespace tact {
+
+namespace {
+
+// Seconds of one core, roughly: a mixture of two pairs, a pattern's code, a pair's time warping.
+constexpr double kMixtureS = 1.8e-11;
+constexpr double kCodeS = 1.5e-3;
+constexpr double kWarpS = 8e-3;
+
+// Every participant of any set, in the order in which they come.
+std::vector<std::string> participants_of(std::span<const TrainingSet> sets) {
+    std::vector<std::string> names;
+    for (const TrainingSet& set : sets) {
+        for (const Judgement& judgement : set.study.judgements) {
+            if (std::ranges::find(names, judgement.participant) == names.end()) {
+                names.push_back(judgement.participant);
+            }
+        }
+    }
+    return names;
+}
+
+// The study of one participant, or of all others.
+RatingStudy part_of(const RatingStudy& study, const std::string& participant, bool others) {
+    RatingStudy part{study.labels, study.is_named, {}};
+    std::ranges::copy_if(study.judgements, std::back_inserter(part.judgements),
+                         [&](const Judgement& judgement) {
+                             return (judgement.participant != participant) == others;
+                         });
+    return part;
+}
+
+// A weight of one channel that makes no difference to another's is not lost on the way: forms are
+// of spikes, before any weight.
+std::optional<std::vector<std::vector<SpikeForm>>> forms_of(const TrainingSet& set,
+                                                            const TrainingParams& params,
+                                                            const std::function<void(double)>& at) {
+    std::vector<std::vector<SpikeForm>> forms(kTrainedLayers);
+    const std::size_t patterns = set.waveforms.size();
+    for (std::size_t layers = 0; layers < kTrainedLayers; ++layers) {
+        NeuralCodingParams coding = params.model.coding;
+        coding.excitatory_layers = layers_at(layers).excitatory;
+        coding.inhibitory_layers = layers_at(layers).inhibitory;
+        std::vector<PackedSpikes> spikes(patterns);
+        const bool finished =
+            parallel_for(patterns, params.threads, params.stop, [&](std::size_t k) {
+                spikes[k] = packed_spikes(neural_code(set.waveforms[k], coding));
+            });
+        if (!finished) return std::nullopt;
+        for (std::size_t i = 0; i < patterns; ++i) {
+            for (std::size_t j = i + 1; j < patterns; ++j) {
+                forms[layers].push_back(spike_form(spikes[i], spikes[j]));
+            }
+        }
+        at(static_cast<double>(layers + 1) / static_cast<double>(kTrainedLayers));
+    }
+    return forms;
+}
+
+// What the search needs, and what it leaves to be said of each set.
+struct Prepared {
+    SearchProblem problem;
+    std::vector<Prediction> before;
+    std::vector<Dissimilarity> ratings;
+    std::vector<std::string> left_out;  // participants, one objective each from `first_left_out` on
+    std::size_t first_left_out = 0;
+};
+
+// The mean over the sets, then that over each all but one.
+void add_objectives_of_sets(Prepared& prepared) {
+    std::vector<ColumnPlace> all;
+    for (std::size_t s = 0; s < prepared.ratings.size(); ++s) {
+        all.push_back(*add_ratings(prepared.problem, s, prepared.ratings[s].condensed));
+    }
+    prepared.problem.objectives.push_back(all);
+    for (std::size_t s = 0; all.size() > 1 && s < all.size(); ++s) {
+        std::vector<ColumnPlace> others = all;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(s));
+        prepared.problem.objectives.push_back(others);
+    }
+}
+
+void add_objectives_of_participants(Prepared& prepared, std::span<const TrainingSet> sets) {
+    prepared.first_left_out = prepared.problem.objectives.size();
+    const std::vector<ColumnPlace> all = prepared.problem.objectives.front();
+    for (const std::string& participant : participants_of(sets)) {
+        std::vector<ColumnPlace> others;
+        for (std::size_t s = 0; s < sets.size(); ++s) {
+            const RatingStudy rest = part_of(sets[s].study, participant, true);
+            if (rest.judgements.size() == sets[s].study.judgements.size()) {
+                others.push_back(all[s]);
+                continue;
+            }
+            const auto place = add_ratings(prepared.problem, s, mean_ratings(rest).condensed);
+            if (place) others.push_back(*place);
+        }
+        if (others.empty()) continue;  // nobody else rated anything
+        prepared.left_out.push_back(participant);
+        prepared.problem.objectives.push_back(others);
+    }
+}
+
+std::optional<Prepared> prepared(std::span<const TrainingSet> sets, const TrainingParams& params,
+                                 const std::function<void(double)>& progress) {
+    Prepared result;
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        const auto part = [&](double from, double width) {
+            return [&progress, from, width, s, count = sets.size()](double share) {
+                progress((static_cast<double>(s) + from + width * share) /
+                         static_cast<double>(count));
+            };
+        };
+        PredictOptions options;
+        options.threads = params.threads;
+        options.stop = params.stop;
+        options.progress = part(0.0, 0.5);
+        std::optional<Prediction> before = predict(sets[s].waveforms, params.model, options);
+        if (!before) return std::nullopt;
+        auto forms = forms_of(sets[s], params, part(0.5, 0.5));
+        if (!forms) return std::nullopt;
+        SearchSet set;
+        set.samples = before->codes.front()->neural.central_spikes.size();
+        set.forms = *std::move(forms);
+        set.oc_rank = before->oc_rank;
+        result.problem.sets.push_back(std::move(set));
+        result.before.push_back(*std::move(before));
+        result.ratings.push_back(mean_ratings(sets[s].study));
+    }
+    add_objectives_of_sets(result);
+    if (params.leave_out_participants) add_objectives_of_participants(result, sets);
+    return result;
+}
+
+// Of the listed classes the nearest to the model before, then the first.
+PerceptualModelParams chosen(const TrainingGrid& grid, const SearchOptimum& optimum,
+                             const PerceptualModelParams& before) {
+    PerceptualModelParams nearest = before;
+    double least = std::numeric_limits<double>::infinity();
+    for (const GridPoint& point : optimum.points) {
+        const PerceptualModelParams model = nearest_model(grid, point, before);
+        const double steps = parameter_steps(model, before, grid.units);
+        if (steps >= least - 1e-9) continue;
+        least = steps;
+        nearest = model;
+    }
+    return nearest;
+}
+
+// A model that the search chose may keep layers of before, beyond the grid, if OC alone decides.
+double rho_of(const Prepared& prepared, std::size_t s, const PerceptualModelParams& model,
+              std::span<const double> ratings) {
+    if (model == prepared.before[s].params) {
+        return spearman(prepared.before[s].pm.condensed, ratings);
+    }
+    return rho_at(prepared.problem.sets[s], model, ratings);
+}
+
+LeftOut fitted_without(const Training& training, const SearchOptimum& optimum) {
+    LeftOut left_out;
+    left_out.model = chosen(training.grid, optimum, training.before);
+    left_out.value = optimum.value;
+    left_out.combinations = optimum.combinations;
+    return left_out;
+}
+
+void add_sets(Training& training, const Prepared& prepared, const SearchResult& found,
+              std::span<const TrainingSet> sets) {
+    std::vector<double> before;
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        const std::vector<double>& ratings = prepared.ratings[s].condensed;
+        TrainedSet set;
+        set.name = sets[s].name;
+        set.patterns = sets[s].waveforms.size();
+        set.rated_pairs = static_cast<std::size_t>(
+            std::ranges::count_if(ratings, [](double value) { return std::isfinite(value); }));
+        set.rho_before = rho_of(prepared, s, training.before, ratings);
+        set.rho_after = rho_of(prepared, s, training.model, ratings);
+        const bool absolute = training.objective == TrainingObjective::mean_absolute_rho;
+        before.push_back(absolute ? std::abs(set.rho_before) : set.rho_before);
+        training.sets.push_back(set);
+        if (sets.size() == 1) continue;
+        LeftOut left_out = fitted_without(training, found.optima[1 + s]);
+        left_out.name = set.name;
+        left_out.rho_before = set.rho_before;
+        left_out.rho_after = rho_of(prepared, s, left_out.model, ratings);
+        training.without_set.push_back(left_out);
+    }
+    training.value_before = mean_known(before);
+}
+
+void add_participants(Training& training, const Prepared& prepared, const SearchResult& found,
+                      std::span<const TrainingSet> sets) {
+    for (std::size_t p = 0; p < prepared.left_out.size(); ++p) {
+        LeftOut left_out = fitted_without(training, found.optima[prepared.first_left_out + p]);
+        left_out.name = prepared.left_out[p];
+        std::vector<double> before;
+        std::vector<double> after;
+        for (std::size_t s = 0; s < sets.size(); ++s) {
+            const RatingStudy own = part_of(sets[s].study, left_out.name, false);
+            if (own.judgements.empty()) continue;
+            const std::vector<double> ratings = mean_ratings(own).condensed;
+            before.push_back(rho_of(prepared, s, training.before, ratings));
+            after.push_back(rho_of(prepared, s, left_out.model, ratings));
+        }
+        left_out.rho_before = mean_known(before);
+        left_out.rho_after = mean_known(after);
+        training.without_participant.push_back(left_out);
+    }
+}
+
+void raise(double& best, double value) {
+    if (value > best) best = value;
+}
+
+// From the best of each class of proportional weights to that of each weight.
+void add_marginals(Training& training, const SearchResult& found) {
+    const TrainingGrid& grid = found.grid;
+    auto& best_of = training.best_of;
+    const auto steps = static_cast<std::size_t>(grid.units) + 1;
+    constexpr double kNothing = -std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < kTrainedParameters; ++p) {
+        best_of[p].assign(p < 2 ? kMostTrainedLayers + 1 : steps, kNothing);
+    }
+    for (std::size_t l = 0; l < found.best_of_layers.size(); ++l) {
+        const auto [excitatory, inhibitory] = layers_at(l);
+        raise(best_of[0][static_cast<std::size_t>(excitatory)], found.best_of_layers[l]);
+        raise(best_of[1][static_cast<std::size_t>(inhibitory)], found.best_of_layers[l]);
+    }
+    const auto raise_weight = [&](std::size_t p, int weight, int times, double value) {
+        raise(best_of[p][static_cast<std::size_t>(weight * times)], value);
+    };
+    for (std::size_t k = 0; k < grid.channels.size(); ++k) {
+        for (int times = 1; times <= static_cast<int>(grid.channel_multiples[k]); ++times) {
+            for (std::size_t c = 0; c < kReceptorCount; ++c) {
+                raise_weight(2 + c, grid.channels[k][c], times, found.best_of_channel[k]);
+            }
+        }
+    }
+    for (std::size_t k = 0; k < grid.mixes.size(); ++k) {
+        for (int times = 1; times <= static_cast<int>(grid.mix_multiples[k]); ++times) {
+            raise_weight(6, grid.mixes[k].nc, times, found.best_of_mix[k]);
+            raise_weight(7, grid.mixes[k].oc, times, found.best_of_mix[k]);
+        }
+    }
+}
+
+double cost_of_codes_s(std::size_t patterns) {
+    return static_cast<double>(patterns * kTrainedLayers) * kCodeS +
+           static_cast<double>(pair_count(patterns)) * kWarpS;
+}
+
+}  // namespace
+
+std::array<double, kTrainedParameters> trained_values(const PerceptualModelParams& model) {
+    const auto& w = model.channel_weight;
+    return {static_cast<double>(model.coding.excitatory_layers),
+            static_cast<double>(model.coding.inhibitory_layers),
+            w[0],
+            w[1],
+            w[2],
+            w[3],
+            model.nc_weight,
+            model.oc_weight};
+}
+
+Expected<Done> can_train(std::span<const TrainingSet> sets, const TrainingParams& params) {
+    if (sets.empty()) return Error{"expected a set with ratings, got none"};
+    for (const TrainingSet& set : sets) {
+        if (set.waveforms.size() < 3) {
+            return Error{set.name + ": expected at least three patterns, got " +
+                         std::to_string(set.waveforms.size())};
+        }
+        const Dissimilarity mean = mean_ratings(set.study);
+        if (std::isnan(spearman(mean.condensed, mean.condensed))) {
+            return Error{set.name + ": expected ratings that differ, got the same for every pair"};
+        }
+    }
+    if (params.leave_out_participants && participants_of(sets).size() < 2) {
+        return Error{"expected ratings of several participants to leave one out, got those of one"};
+    }
+    return Done{};
+}
+
+std::optional<Training> train(std::span<const TrainingSet> sets, const TrainingParams& params) {
+    assert(can_train(sets, params) && "there is nothing to fit to");
+    std::vector<std::size_t> patterns;
+    double codes_s = 0.0;
+    for (const TrainingSet& set : sets) {
+        patterns.push_back(set.waveforms.size());
+        codes_s += cost_of_codes_s(set.waveforms.size());
+    }
+    const double all_s = training_cost(patterns, params.units).one_core_s;
+    const double share_of_codes = codes_s / all_s;
+    const auto progress = [&](double share) {
+        if (params.progress) params.progress(share);
+    };
+    const auto ready =
+        prepared(sets, params, [&](double share) { progress(share_of_codes * share); });
+    if (!ready) return std::nullopt;
+    SearchParams search_params{params.units,  params.objective, params.threads,
+                               params.kernel, params.stop,      {}};
+    search_params.progress = [&](double share) {
+        progress(share_of_codes + (1.0 - share_of_codes) * share);
+    };
+    std::optional<SearchResult> found = search(ready->problem, search_params);
+    if (!found) return std::nullopt;
+    Training training;
+    training.objective = params.objective;
+    training.before = params.model;
+    training.best = found->optima.front();
+    training.grid = found->grid;
+    training.model = chosen(found->grid, training.best, params.model);
+    training.share_near_best = share_near_best(*found, kNearBest);
+    add_sets(training, *ready, *found, sets);
+    add_participants(training, *ready, *found, sets);
+    add_marginals(training, *found);
+    return training;
+}
+
+LeftOutMean mean_of(std::span<const LeftOut> left_out) {
+    std::vector<double> before;
+    std::vector<double> after;
+    for (const LeftOut& one : left_out) {
+        if (std::isnan(one.rho_before) || std::isnan(one.rho_after)) continue;
+        before.push_back(one.rho_before);
+        after.push_back(one.rho_after);
+    }
+    return {mean_known(before), mean_known(after)};
+}
+
+TrainingCost training_cost(std::span<const std::size_t> patterns_of_sets, int units) {
+    const TrainingGrid grid = training_grid(units);
+    TrainingCost cost;
+    cost.combinations = combination_count(units);
+    cost.different = kTrainedLayers * grid.channels.size() * grid.mixes.size();
+    for (const std::size_t patterns : patterns_of_sets) {
+        const auto pairs = static_cast<double>(pair_count(patterns));
+        cost.one_core_s += cost_of_codes_s(patterns);
+        cost.one_core_s +=
+            kMixtureS * static_cast<double>(cost.different) * (pairs * (pairs - 1.0) / 2.0 + 1000);
+    }
+    return cost;
+}
+
+}  // namespace tact

@@ -1,8 +1,0 @@
-#include "model/training_counts.h"
-
-namespace tact {
-
-extern const TrainingKernel kTrainingAvx512;
-constinit const TrainingKernel kTrainingAvx512 = kernel_named("avx512");
-
-}  // namespace tact

@@ -1,8 +1,0 @@
-#include "model/training_counts.h"
-
-namespace tact {
-
-extern const TrainingKernel kTrainingBaseline;
-constinit const TrainingKernel kTrainingBaseline = kernel_named("baseline");
-
-}  // namespace tact

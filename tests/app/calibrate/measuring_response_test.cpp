@@ -1,0 +1,174 @@
+// Calibrating the chosen device in the window, with a coil that gives 0.5 g per full scale.
+
+#include "app/calibrate/measuring_response.h"
+
+#include <cmath>
+
+#include "app/play/calibrating.h"
+#include "app/play/playing.h"
+#include "devices/calibration/calibration_file.h"
+#include "devices/device/memory_device.h"
+#include "model/io/recordings/wave_file.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace measuring_response_test {
+
+using namespace tact;
+
+namespace {
+
+struct Measuring : Program {
+    TemporaryFolder folder;
+    MemoryDevice* device = nullptr;
+
+    Measuring() : Program(short_patterns(2)) {
+        app.session.folder = folder.path / "state";
+        DeviceInfo info;
+        info.id = "audio/test/coil";
+        info.name = "coil";
+        info.channels = {"left", "right"};
+        app.play.listed = std::make_shared<const Listing>(Listing{info});
+        auto owned = std::make_unique<MemoryDevice>(true);
+        device = owned.get();
+        app.play.choice.id = info.id;
+        app.play.choice.channel = 2;
+        app.play.opened = app.play.choice;
+        app.play.device = std::move(owned);
+        app.playhead.speed = 1.0;
+        app.dialog = Dialog::devices;
+        settle();
+        click("link:calibrate");
+        // A short one.
+        app.calibrate->params.low_hz = 50.0;
+        app.calibrate->params.high_hz = 200.0;
+        app.calibrate->params.per_octave = 2;
+        settle();
+    }
+
+    // What a sensor would have recorded of the signal.
+    std::filesystem::path recorded(double g_per_full_scale) {
+        Waveform heard;
+        heard.samples_g.assign(3000, 0.0);
+        for (const double sample : signal().samples) {
+            heard.samples_g.push_back(g_per_full_scale * sample);
+        }
+        heard.samples_g.insert(heard.samples_g.end(), 2000, 0.0);
+        const auto file = folder.path / "heard.wav";
+        REQUIRE(write_wave_file(file, heard));
+        return file;
+    }
+    Drive signal() const { return calibration_plan(app.calibrate->params).drive; }
+
+    void wait_for_answer() {
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+        while (current_answer(*app.calibrate) == nullptr) {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            frame();
+        }
+        settle();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("measuring a response: the signal is played at full level, whatever the bar says") {
+    Measuring program;
+    program.click("button:play signal");
+    REQUIRE(program.device->playing());
+    CHECK(*program.device->playing() == program.signal());
+    CHECK(program.device->level() == 1.0);
+    program.click("button:stop signal");
+    CHECK_FALSE(program.device->playing());
+    play_test_buzz(program.app);
+    CHECK(program.device->level() == kFirstLevel);
+}
+
+TEST_CASE("measuring a response: the first Esc ends the signal, the second one leaves") {
+    Measuring program;
+    program.click("button:play signal");
+    program.press_key(key::kEscape);
+    CHECK_FALSE(program.device->playing());
+    CHECK(program.app.dialog == Dialog::calibrate);
+    program.press_key(key::kEscape);
+    CHECK(program.app.dialog == Dialog::none);
+}
+
+TEST_CASE("measuring a response: leaving the dialog ends the signal") {
+    Measuring program;
+    program.click("button:play signal");
+    program.click("button:cancel");
+    CHECK_FALSE(program.device->playing());
+}
+
+TEST_CASE("measuring a response: a recording becomes the file of this device, used at once") {
+    Measuring program;
+    CHECK(program.shows("calibrate:waits"));
+    read_calibration_recording(program.app, program.recorded(0.5));
+    program.wait_for_answer();
+    CHECK(program.shows("calibrate:response"));
+    program.app.calibrate->about.actuator = "left coil";
+    program.click("button:choose");
+    REQUIRE(program.app.play.calibration);
+    const Calibration& made = *program.app.play.calibration;
+    CHECK(made.device == "audio/test/coil");
+    CHECK(made.channel == 2);
+    CHECK(made.actuator == "left coil");
+    CHECK(made.date.size() == 10);
+    REQUIRE(made.points.size() == 5);
+    for (const ResponsePoint& point : made.points) {
+        CHECK(std::abs(point.g_per_full_scale / 0.5 - 1.0) < 1e-3);
+    }
+    const std::filesystem::path file = program.app.play.choice.calibration;
+    CHECK(file.parent_path() == program.app.session.folder / "calibrations");
+    CHECK(*read_calibration(file) == made);
+    CHECK(program.app.status.text.find("Calibrated: left coil") == 0);
+}
+
+TEST_CASE("measuring a response: a second calibration leaves the first one's file as it is") {
+    Measuring program;
+    read_calibration_recording(program.app, program.recorded(0.5));
+    program.wait_for_answer();
+    save_and_use_calibration(program.app);
+    const std::filesystem::path first = program.app.play.choice.calibration;
+    save_and_use_calibration(program.app);
+    CHECK(program.app.play.choice.calibration != first.string());
+    CHECK(std::filesystem::exists(first));
+}
+
+TEST_CASE("measuring a response: what is no recording of the signal is said, and not saved") {
+    Measuring program;
+    read_calibration_recording(program.app,
+                               program.folder.write("heard.csv", "time_s,x_g\n0,0\n1,2\n"));
+    program.wait_for_answer();
+    CHECK_FALSE(program.at("calibrate:waits").value.empty());
+    program.click("button:choose");
+    CHECK_FALSE(program.app.play.calibration);
+}
+
+TEST_CASE("measuring a response: a change of the signal asks anew, what was said is no answer") {
+    Measuring program;
+    read_calibration_recording(program.app, program.recorded(0.5));
+    program.wait_for_answer();
+    program.click("calibrate:sweep");
+    CHECK(program.app.calibrate->params.is_sweep);
+    program.wait_for_answer();
+    CHECK_FALSE(program.at("calibrate:waits").value.empty());
+}
+
+TEST_CASE("measuring a response: what a calibrated coil renders follows the calibration") {
+    Measuring program;
+    program.app.rendering.by.kind = ActuatorKind::voice_coil;
+    program.settle();
+    CHECK_FALSE(is_calibrated(program.app.rendering.by));
+    read_calibration_recording(program.app, program.recorded(0.5));
+    program.wait_for_answer();
+    program.click("button:choose");
+    CHECK(is_calibrated(program.app.rendering.by));
+    use_calibration(program.app, {});
+    program.settle();
+    CHECK_FALSE(is_calibrated(program.app.rendering.by));
+}
+
+}  // namespace measuring_response_test

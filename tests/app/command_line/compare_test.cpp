@@ -1,0 +1,156 @@
+// tactspace compare: metrics against ratings, through the whole program.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "model/evaluation/metric.h"
+#include "tests/support/five_patterns.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace compare_test {
+
+using tact::five_patterns;
+using Json = nlohmann::json;
+
+namespace {
+
+struct Study {
+    TemporaryFolder folder;
+    std::string set = folder.write("five.tactspace.json", five_patterns()).string();
+    std::string ratings =
+        folder.write("mean.csv", output_of({"predict", set, "--metric", "nc"})).string();
+
+    std::string written(const std::string& name, const std::string& text) const {
+        return folder.write(name, text).string();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("compare: ratings that are a metric's own numbers agree with it in every way") {
+    const Study study;
+    const Json all = Json::parse(output_of(
+        {"compare", study.set, "--ratings", study.ratings, "--scale", "dissimilarity", "--json"}));
+    REQUIRE(all.size() == tact::kMetricCount);
+    CHECK(all[0].at("metric") == "pm");
+    for (const Json& row : all) {
+        for (const char* key : {"rho", "rho_low", "rho_high", "p", "K", "K_chance", "K_p"}) {
+            CHECK_MESSAGE(row.contains(key), key);
+        }
+        CHECK(row.at("set") == "five");
+        if (row.at("metric") != "nc") continue;
+        CHECK(row.at("rho") == 1.0);
+        CHECK(row.at("p") == 1.0 / 120.0);
+        CHECK(row.at("K").get<double>() <= 1e-6);
+        CHECK(row.at("reliability").is_null());
+    }
+}
+
+TEST_CASE("compare: a table for people, with remarks apart, the same for any number of threads") {
+    const Study study;
+    const Ran ran = run_program(
+        {"compare", study.set, "--ratings", study.ratings, "--metric", "pm", "nc", "oc"});
+    CHECK(ran.exit_code == 0);
+    CHECK(ran.out.starts_with("five: 5 patterns, 10 of 10 pairs rated\n"));
+    CHECK(contains(ran.out, "\nmetric "));
+    CHECK(contains(ran.out, "\nnc      1.000"));
+    CHECK(contains(ran.out, "any ratings fit in three dimensions"));
+    CHECK(contains(ran.err, "mean.csv: taken as dissimilarities"));
+    CHECK(output_of({"compare", study.set, "--ratings", study.ratings, "--metric", "pm", "nc", "oc",
+                     "--threads", "1"}) == ran.out);
+    const std::string only =
+        output_of({"compare", study.set, "--ratings", study.ratings, "--metric", "oc"});
+    CHECK(contains(only, "\noc "));
+    CHECK_FALSE(contains(only, "\npm "));
+}
+
+TEST_CASE("compare: participants in one file or in many, and how far they agree") {
+    const Study study;
+    std::string lines = "participant,a,b,rating\n";
+    const char* const names[] = {"v 1", "v 2", "v 3", "v 10", "v 11"};
+    const int similar[] = {90, 70, 60, 50, 40, 30, 80, 20, 65, 10};
+    for (int person = 0; person < 3; ++person) {
+        int p = 0;
+        for (int i = 0; i < 5; ++i) {
+            lines += "P" + std::to_string(person) + "," + names[i] + "," + names[i] + ",99\n";
+            for (int j = i + 1; j < 5; ++j, ++p) {
+                lines += "P" + std::to_string(person) + "," + names[j] + "," + names[i] + "," +
+                         std::to_string(similar[p] + (person * p * 3) % 7) + "\n";
+            }
+        }
+    }
+    const std::string file = study.written("people/all.csv", lines);
+    const Ran ran =
+        run_program({"compare", study.set, "--ratings", file, "--metric", "pm", "--json"});
+    CHECK(contains(ran.err, "taken as similarities from 0 to 100"));
+    const Json all = Json::parse(ran.out);
+    CHECK(all[0].at("reliability").get<double>() > 0.9);
+    CHECK(contains(output_of({"compare", study.set, "--metric", "pm", "--ratings", file}),
+                   "rated, 3 participants\n"));
+    // Alike is not unlike: the other scale turns every rho.
+    const Json turned = Json::parse(output_of({"compare", study.set, "--ratings", file, "--scale",
+                                               "dissimilarity", "--metric", "pm", "--json"}));
+    CHECK(std::abs(all[0].at("rho").get<double>() + turned[0].at("rho").get<double>()) <= 1e-12);
+}
+
+TEST_CASE("compare: several sets, each with its ratings, and their means") {
+    const Study study;
+    const std::string flat =
+        study.written("flat.csv",
+                      ",v 1,v 2,v 3,v 10,v 11\nv 1,0,1,2,3,4\nv 2,1,0,5,6,7\nv 3,2,5,0,8,9\n"
+                      "v 10,3,6,8,0,10\nv 11,4,7,9,10,0\n");
+    const std::vector<std::string> arguments{
+        "compare", study.set, study.set, "--metric", "pm", "nc", "--ratings", study.ratings, flat};
+    auto with = arguments;
+    with.push_back("--json");
+    const Json all = Json::parse(output_of(with));
+    const std::size_t metrics = all.size() / 3;
+    REQUIRE(all.size() == 3 * metrics);
+    for (std::size_t k = 0; k < metrics; ++k) {
+        const double mean =
+            (all[k].at("rho").get<double>() + all[metrics + k].at("rho").get<double>()) / 2.0;
+        CHECK(all[2 * metrics + k].at("mean_of_sets") == 2);
+        CHECK(std::abs(all[2 * metrics + k].at("rho").get<double>() - mean) <= 1e-12);
+    }
+    CHECK(contains(output_of(arguments), "\nmeans over 2 sets; undefined ones are left out\n"));
+    with = arguments;
+    with.push_back("--paper-mode");
+    CHECK(contains(output_of(with),
+                   "\nmeans over 2 sets, as in Table 2: of |rho|, undefined ones as 0"));
+    CHECK(refusal_of({"compare", study.set, study.set, "--ratings", flat}) ==
+          "tactspace: expected a file or a folder of ratings for each of the 2 sets, got 1\n");
+}
+
+TEST_CASE("compare: ratings in the set file serve where none are named") {
+    const Study study;
+    const std::string own = study.written(
+        "own.json", five_patterns(R"(, "ratings": [{"name": "us", "labels": ["v 11", "v 10", "v 3",
+            "v 2", "v 1"], "condensed": [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]}])"));
+    CHECK(output_of({"compare", own, "--metric", "oc"})
+              .starts_with("five: 5 patterns, 10 of 10 pairs rated\n"));
+    CHECK(refusal_of({"compare", study.set}) ==
+          "tactspace: " + study.set + ": has no ratings of its own, expected --ratings FILE\n");
+}
+
+TEST_CASE("compare: ratings of other patterns are refused by name") {
+    const Study study;
+    const auto refusal = [&](const std::string& text) {
+        const std::string file = study.written("odd.csv", text);
+        const std::string sentence =
+            refusal_of({"compare", study.set, "--ratings", file, "--scale", "dissimilarity"});
+        const std::string head = "tactspace: " + file + ": ";
+        CHECK_MESSAGE(sentence.starts_with(head), sentence);
+        return sentence.substr(std::min(head.size(), sentence.size()));
+    };
+    CHECK(refusal("a,b,rating\nv 1,v 2,3\nv 3,v 10,4\n") ==
+          "expected ratings of every pattern of the set, got none of \"v 11\"\n");
+    CHECK(refusal("1,2,3\n") == "expected ratings of 5 patterns, as many as the set has, got 3\n");
+    CHECK(contains(refusal_of({"compare", study.set, "--ratings",
+                               study.written("same.csv", "1,1,1,1,1,1,1,1,1,1\n"), "--scale",
+                               "dissimilarity"}),
+                   "five: expected ratings that differ, got the same for every rated pair"));
+    CHECK(run_program({"compare", study.set, "--ratings", study.ratings, "--scale", "odd"})
+              .exit_code == 2);
+}
+
+}  // namespace compare_test

@@ -1,0 +1,38 @@
+// What "tactspace play" says where nothing is played; tests/e2e/play_* listen to what is.
+
+#include <doctest/doctest.h>
+
+#include "tests/support/places.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace play_command_test {
+
+namespace {
+
+const std::string kExample = std::string(tact::kAssetsDir) + "/sets/pm_2023_twelve.tactspace.json";
+
+}  // namespace
+
+TEST_CASE("play: one pattern or all, and one that there is") {
+    CHECK(contains(refusal_of({"play", kExample}), "expected --pattern NAME or --all"));
+    CHECK(contains(refusal_of({"play", kExample, "--pattern", "x", "--all"}), "one of the two"));
+    CHECK(contains(refusal_of({"play", kExample, "--pattern", "nobody"}), "nobody"));
+}
+
+TEST_CASE("play: a level or a channel count that cannot be is bad usage") {
+    for (const std::string level : {"-0.1", "1.1", "loud"}) {
+        CHECK(run_program({"play", kExample, "--all", "--level", level}).exit_code == 2);
+    }
+    CHECK(run_program({"play", kExample, "--all", "--channels", "99"}).exit_code == 2);
+}
+
+TEST_CASE("devices: the list is one to be read by programs, and libraries are silent") {
+    const Ran ran = run_program({"devices", "--json"});
+    CHECK(ran.exit_code == 0);
+    CHECK(ran.err == "");
+    CHECK(ran.out.front() == '[');
+    CHECK(ran.out.ends_with("]\n"));
+}
+
+}  // namespace play_command_test

@@ -1,0 +1,133 @@
+// tactspace study: simulated participants and collected ratings, through the whole program.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace study_command_test {
+
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr const char* kSet = R"({"tactspace": 1, "name": "five", "duration_s": 0.1, "patterns": [
+    {"name": "v 1", "amplitude_g": 1.6}, {"name": "v 2", "carriers": [{"frequency_hz": 150}]},
+    {"name": "v 3", "carriers": [{"frequency_hz": 250}]}, {"name": "v 4", "amplitude_g": 0.3},
+    {"name": "v 5", "carriers": [{"frequency_hz": 40}]}],
+    "study": {"repetitions": 3, "attention_pairs": 2}})";
+
+constexpr const char* kTruth =
+    ",v 1,v 2,v 3,v 4,v 5\nv 1,0,10,20,30,40\nv 2,10,0,50,60,70\nv 3,20,50,0,80,90\n"
+    "v 4,30,60,80,0,100\nv 5,40,70,90,100,0\n";
+
+struct Study {
+    TemporaryFolder folder;
+    std::string set = folder.write("five.json", kSet).string();
+    std::string truth = folder.write("truth.csv", kTruth).string();
+    std::string people = (folder.path / "people").string();
+
+    Ran simulated(std::vector<std::string> more = {}) const {
+        std::vector<std::string> arguments{"study",  set,    "--simulate",    "6",
+                                           "--out",  people, "--from-matrix", truth,
+                                           "--seed", "3"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run_program(arguments);
+    }
+    Json collected(std::vector<std::string> more = {}) const {
+        std::vector<std::string> arguments{"study", set, "--collect", people, "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return Json::parse(output_of(arguments));
+    }
+};
+
+}  // namespace
+
+TEST_CASE("study: simulated without noise, collected, compared: the matrix they were made from") {
+    const Study study;
+    const Ran ran = study.simulated({"--noise", "0"});
+    CHECK_MESSAGE(ran.exit_code == 0, ran.err);
+    CHECK(contains(ran.err, "6 synthetic participants"));
+    CHECK(contains(bytes_of(study.people + "/S01.jsonl"), "\"synthetic\":true"));
+    const std::string csv = (study.folder.path / "ratings.csv").string();
+    const std::string matrix = (study.folder.path / "mean.csv").string();
+    const Json all = study.collected({"--out", csv, "--matrix", matrix});
+    CHECK(all.at("synthetic") == true);
+    CHECK(all.at("counted") == 6);
+    CHECK(all.at("ceiling").get<double>() > 0.98);
+    CHECK(all.at("labels").size() == 5);
+    // Each has their own use of the scale, which moves all pairs alike.
+    const auto mean = all.at("condensed").get<std::vector<double>>();
+    for (std::size_t p = 1; p < mean.size(); ++p) CHECK(mean[p] > mean[p - 1]);
+    CHECK(cells_of(bytes_of(csv)).size() == 1 + 6 * (10 * 3 + 2));
+    const std::vector<double> from_matrix = condensed_in(bytes_of(matrix));
+    for (const std::string& file : {csv, matrix}) {
+        const Ran compared =
+            run_program({"compare", study.set, "--ratings", file, "--metric", "pm", "--json"});
+        CHECK_MESSAGE(compared.exit_code == 0, compared.err);
+    }
+    for (std::size_t p = 0; p < mean.size(); ++p) CHECK(from_matrix[p] == mean[p]);
+}
+
+TEST_CASE("study: the same seed makes the same participants, and none is written over") {
+    const Study one;
+    const Study two;
+    REQUIRE(one.simulated().exit_code == 0);
+    REQUIRE(two.simulated().exit_code == 0);
+    CHECK(bytes_of(one.people + "/S04.jsonl") == bytes_of(two.people + "/S04.jsonl"));
+    CHECK(bytes_of(one.people + "/S04.jsonl") != bytes_of(one.people + "/S05.jsonl"));
+    const Ran again = one.simulated();
+    CHECK(again.exit_code == 1);
+    CHECK(contains(again.err, "is there already"));
+}
+
+TEST_CASE("study: who answers blindly is left out, unless the rule says otherwise") {
+    const Study study;
+    REQUIRE(study.simulated({"--inattentive", "0.34", "--attention", "5"}).exit_code == 0);
+    const Json strict = study.collected();
+    CHECK(strict.at("counted") == 4);
+    CHECK(strict.at("participants")[5].at("excluded").is_string());
+    CHECK(study.collected({"--above", "0", "--failures", "5"}).at("counted") == 6);
+    const std::string text = output_of({"study", study.set, "--collect", study.people});
+    CHECK(text.starts_with("pairs rated by 4 of 6 participants; SYNTHETIC: nobody was asked\n"));
+    CHECK(contains(text, "S06 is not counted: identical patterns rated "));
+    const std::string csv = (study.folder.path / "all.csv").string();
+    study.collected({"--everyone", "--out", csv});
+    CHECK(contains(bytes_of(csv), "\nS06,1,"));
+}
+
+TEST_CASE("study: adaptive and sorting studies are told apart from the full design") {
+    const Study study;
+    REQUIRE(study.simulated({"--adaptive", "--repetitions", "1"}).exit_code == 0);
+    CHECK(study.collected().at("order") == "adaptive");
+    CHECK(contains(output_of({"study", study.set, "--collect", study.people}), "adaptive order"));
+    const Study sorting;
+    REQUIRE(sorting.simulated({"--sorting"}).exit_code == 0);
+    CHECK(contains(refusal_of({"study", sorting.set, "--collect", sorting.people}), "--sorting"));
+    const Json sorted = sorting.collected({"--sorting"});
+    CHECK(sorted.at("kind") == "sorting");
+    CHECK(sorted.at("condensed").size() == 10);
+}
+
+TEST_CASE("study: what cannot be done is said in a sentence") {
+    const Study study;
+    CHECK(run_program({"study", study.set}).exit_code == 2);
+    CHECK(run_program({"study", study.set, "--simulate", "2", "--collect", "x"}).exit_code == 2);
+    CHECK(refusal_of({"study", study.set, "--simulate", "2"}) ==
+          "tactspace: expected --out DIR, a folder for the participants\n");
+    CHECK(contains(refusal_of({"study", study.set, "--collect", study.people}), "cannot be read"));
+    const std::string odd = study.folder.write("odd.csv", "1,2\n3,4\n").string();
+    CHECK(contains(refusal_of({"study", study.set, "--simulate", "2", "--out", study.people,
+                               "--from-map", odd}),
+                   "got none of \"v 1\""));
+    REQUIRE(study.simulated().exit_code == 0);
+    const std::string other =
+        study.folder
+            .write("other.json", R"({"tactspace": 1, "patterns": [{"name": "x"},
+            {"name": "y"}, {"name": "z"}]})")
+            .string();
+    CHECK(contains(refusal_of({"study", other, "--collect", study.people}),
+                   "has answers about \"v 1\", expected patterns of the set"));
+}
+
+}  // namespace study_command_test

@@ -1,0 +1,137 @@
+// tactspace subset: what it prints, and what it refuses.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "model/io/set/set_file.h"
+#include "model/perceptual_model/perceptual_model.h"
+#include "model/subset/set_subset.h"
+#include "tests/support/places.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace subset_command_test {
+
+using Json = nlohmann::json;
+
+namespace {
+
+// Five patterns of 0.1 s, as DTW is quadratic.
+constexpr const char* kShortSet = R"({"tactspace": 1, "duration_s": 0.1, "patterns": [
+    {"name": "a", "amplitude_g": 1.6, "carriers": [{"frequency_hz": 70}]},
+    {"name": "b", "carriers": [{"frequency_hz": 150}], "modulation": {"frequency_hz": 20}},
+    {"name": "c", "carriers": [{"frequency_hz": 250}], "rhythm": {"text": "x-", "unit_s": 0.02}},
+    {"name": "d|e", "amplitude_g": 0.3, "carriers": [{"frequency_hz": 40}], "locked": true},
+    {"name": "f", "carriers": [{"frequency_hz": 70}, {"frequency_hz": 210}], "dropped": true}]})";
+
+struct ShortSet {
+    TemporaryFolder folder;
+    std::string path = folder.write("short.tactspace.json", kShortSet).string();
+
+    tact::PatternSet set() const { return tact::read_set_file(path)->set; }
+};
+
+}  // namespace
+
+TEST_CASE("subset command: JSON is the model's answer, with the locks of the set") {
+    const ShortSet short_set;
+    const Json json = Json::parse(output_of(
+        {"subset", short_set.path, "-k", "3", "--json", "--alternatives", "2", "--curve"}));
+    const tact::PatternSet set = short_set.set();
+    const auto problem = tact::subset_problem(set, 3, tact::SubsetObjective::max_min);
+    const auto prediction = *tact::predict(tact::model_waveforms(set), set.model);
+    const auto answer = *tact::most_distinct_subset(prediction.pm, problem);
+    std::vector<std::string> names;
+    for (const std::size_t k : answer.best.members) names.push_back(set.vibrations[k].name);
+    CHECK(json.at("patterns") == names);
+    CHECK(json.at("objective") == "max-min");
+    CHECK(json.at("optimal") == true);
+    CHECK(json.at("weakest").at("dissimilarity") == answer.best.weakest_dissimilarity);
+    CHECK(json.at("weakest").at("a") == set.vibrations[answer.best.weakest.first].name);
+    CHECK(json.at("weakest").at("b") == set.vibrations[answer.best.weakest.second].name);
+    CHECK(json.at("sum") == answer.best.sum);
+    CHECK(std::ranges::count(names, "d|e") == 1);
+    CHECK(std::ranges::count(names, "f") == 0);
+    CHECK(json.at("alternatives").size() == 2);
+    CHECK(json.at("curve").size() == 3);  // 2, 3, 4: one of the five is dropped
+}
+
+TEST_CASE("subset command: a matrix from a file decides, its rows in any order") {
+    const ShortSet short_set;
+    const std::string matrix =
+        short_set.folder
+            .write("m.csv",
+                   ",f,d|e,c,b,a\nf,0,1,2,3,4\nd|e,1,0,5,6,7\nc,2,5,0,8,9\nb,3,6,8,0,1\n"
+                   "a,4,7,9,1,0\n")
+            .string();
+    const Json json =
+        Json::parse(output_of({"subset", short_set.path, "-k", "3", "--matrix", matrix, "--json"}));
+    CHECK(json.at("patterns") == std::vector<std::string>{"a", "c", "d|e"});
+    CHECK(json.at("weakest").at("dissimilarity") == 5.0);
+}
+
+TEST_CASE("subset command: past its time the word does not appear") {
+    const ShortSet short_set;
+    const std::string text = output_of({"subset", short_set.path, "-k", "3", "--time-limit", "0"});
+    CHECK(text.find("optimal") == std::string::npos);
+    CHECK(text.find("time ran out") != std::string::npos);
+    CHECK(output_of({"subset", short_set.path, "-k", "3"}).find("optimal: no other") !=
+          std::string::npos);
+}
+
+TEST_CASE("subset command: --out is a set that can be picked from, --report a page with a map") {
+    const ShortSet short_set;
+    const std::string out = (short_set.folder.path / "part.tactspace.json").string();
+    const std::filesystem::path report = short_set.folder.path / "report";
+    output_of({"subset", short_set.path, "-k", "3", "--out", out, "--report", report.string(),
+               "--sensitivity", "3"});
+    CHECK(tact::read_set_file(out)->set.vibrations.size() == 3);
+    const Json again = Json::parse(output_of({"subset", out, "-k", "2", "--json"}));
+    CHECK(again.at("patterns").size() == 2);
+    const std::string page = bytes_of(report / "subset.md");
+    CHECK(page.starts_with("# 3 most distinct of 5 patterns\n"));
+    CHECK(page.find("| d\\|e |") != std::string::npos);
+    CHECK(page.find("Kept beforehand: d\\|e.") != std::string::npos);
+    CHECK(bytes_of(report / "map.svg").find("<svg") != std::string::npos);
+    CHECK(tact::read_set_file(report / "subset.tactspace.json")->set ==
+          tact::read_set_file(out)->set);
+}
+
+TEST_CASE("subset command: names that are none, and wishes that cannot be, are refused") {
+    const ShortSet short_set;
+    const auto refusal = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"subset", short_set.path, "-k", "3"};
+        words.insert(words.end(), more.begin(), more.end());
+        return refusal_of(words);
+    };
+    CHECK(refusal({"--keep", "z"}) ==
+          "tactspace: --keep: there is no pattern \"z\", expected one of a, b, c, d|e, f\n");
+    CHECK(refusal({"--keep", "a", "--drop", "a"}) ==
+          "tactspace: --drop: \"a\" is to be kept as well\n");
+    CHECK(refusal({"--drop", "a", "--drop", "b"}) ==
+          "tactspace: 3 to pick of 2: expected at most as many\n");
+    CHECK(refusal({"--metric", "nc", "--sensitivity", "5"}) ==
+          "tactspace: --sensitivity is for pm: nothing else has the model's parameters\n");
+    const std::string matrix = short_set.folder.write("m.csv", ",a,b\na,0,1\nb,1,0\n").string();
+    CHECK(refusal({"--matrix", matrix}).find("expected a row \"c\"") != std::string::npos);
+    CHECK(run_program({"subset", short_set.path}).exit_code == 2);
+    CHECK(run_program({"subset", short_set.path, "-k", "3", "--objective", "best"}).exit_code == 2);
+}
+
+TEST_CASE("set file: a dropped pattern is kept dropped; none is locked and dropped") {
+    const ShortSet short_set;
+    const tact::PatternSet set = short_set.set();
+    CHECK(set.vibrations[4].dropped);
+    const auto again = tact::parse_set(tact::print_set(set), "again", {});
+    REQUIRE(again);
+    CHECK(*again == set);
+    const auto both = tact::parse_set(
+        R"({"tactspace": 1, "patterns": [{"name": "a", "locked": true, "dropped": true}]})", "both",
+        {});
+    REQUIRE_FALSE(both);
+    CHECK(both.error().message ==
+          "both: /patterns/0/dropped: expected false for a locked pattern, got true");
+}
+
+}  // namespace subset_command_test

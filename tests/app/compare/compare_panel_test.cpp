@@ -1,0 +1,398 @@
+// The Compare, Shepard and Why tabs, through the program's real frames.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/compare/bench_follow.h"
+#include "app/measured/import_follow.h"
+#include "model/io/set/set_file.h"
+#include "tests/support/program.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace compare_panel_test {
+
+using namespace tact;
+
+namespace {
+
+constexpr std::size_t kCount = 6;
+
+// A square of ratings of p1 .. p6 that no metric gives.
+std::string square_csv() {
+    std::string text;
+    for (std::size_t i = 1; i <= kCount; ++i) text += ",p" + std::to_string(i);
+    for (std::size_t i = 1; i <= kCount; ++i) {
+        text += "\np" + std::to_string(i);
+        for (std::size_t j = 1; j <= kCount; ++j) {
+            const std::size_t low = std::min(i, j);
+            const std::size_t high = std::max(i, j);
+            text += "," + std::to_string(i == j ? 0 : (7 * low + 5 * high * high) % 23 + 1);
+        }
+    }
+    return text + "\n";
+}
+
+struct Bench {
+    TemporaryFolder folder;
+    Program program;
+
+    explicit Bench(const PatternSet& set = short_patterns(kCount)) : program(set) {
+        make_jobs(program.app);
+        request_maps(program.app);
+        if (set.vibrations.size() >= 2) program.wait_for_exact_map();
+    }
+
+    void load(const std::string& text, const std::string& name = "people.csv") {
+        load_ratings(program.app, {folder.write(name, text)});
+        program.settle();
+    }
+
+    // Frames until the comparison on screen is that of the map on screen.
+    void wait_for_comparison() {
+        program.wait_for_exact_map();
+        wait_until([this] { return !shown_comparison(program.app).is_stale; });
+    }
+
+    void wait_for_difference() {
+        wait_until([this] {
+            const App& app = program.app;
+            const auto pair = chosen_pair(app);
+            return app.difference && pair && app.difference->request.map == app.map.shown &&
+                   app.difference->request.a == pair->current &&
+                   app.difference->request.b == pair->partner;
+        });
+    }
+
+    template <class Condition>
+    void wait_until(Condition condition) {
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+        while (!condition()) {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            program.frame();
+        }
+        program.settle();
+    }
+};
+
+std::vector<double> numbers_in(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<double> numbers;
+    for (std::string word; stream >> word;) numbers.push_back(std::stod(word));
+    return numbers;
+}
+
+// null stands for NaN.
+double number(const nlohmann::json& value) {
+    return value.is_null() ? std::nan("") : value.get<double>();
+}
+
+}  // namespace
+
+TEST_CASE("compare tab: without ratings it says what to load, and compares with PM meanwhile") {
+    Bench bench;
+    bench.program.click("tab:Compare");
+    bench.wait_for_comparison();
+    CHECK(bench.program.shows("button:load ratings"));
+    CHECK_FALSE(bench.program.shows("compare:people"));
+    const double pm = std::stod(bench.program.at("metric:pm").value);
+    CHECK(pm == 1.0);
+    CHECK(bench.program.shows("metric:no-physiology"));
+    bench.program.click("button:load ratings");
+    CHECK(bench.program.app.chooser.is_open);
+    CHECK(bench.program.app.chooser_purpose == ChooserPurpose::load_ratings);
+}
+
+TEST_CASE("compare tab: its numbers are those of the command line, to the last bit") {
+    Bench bench;
+    bench.load(square_csv());
+    CHECK(bench.program.app.bench == BenchTab::compare);
+    bench.wait_for_comparison();
+    const auto set = (bench.folder.path / "set.tactspace.json").string();
+    REQUIRE(write_set_file(set, bench.program.app.document.set));
+    const auto rows = nlohmann::json::parse(output_of({"compare", set, "--json"}));
+    REQUIRE(rows.size() >= 3);
+    for (const auto& row : rows) {
+        const auto key = row.at("metric").get<std::string>();
+        const std::vector<double> shown = numbers_in(bench.program.at("metric:" + key).value);
+        REQUIRE(shown.size() == 6);
+        std::size_t column = 0;
+        for (const char* name : {"rho", "rho_low", "rho_high", "p", "K", "K_p"}) {
+            const double expected = number(row.at(name));
+            const double got = shown[column++];
+            CHECK_MESSAGE((got == expected || (std::isnan(got) && std::isnan(expected))),
+                          key << " " << name << ": " << got << " is not " << expected);
+        }
+    }
+    const std::string people = bench.program.at("compare:people").value;
+    CHECK(contains(people, "people.csv: 1 participant, 15 of 15 pairs"));
+    CHECK(contains(bench.program.at("compare:ceiling").value, "Noise ceiling unknown"));
+}
+
+TEST_CASE("compare tab: loading ratings is one step, kept with the set and renamed with it") {
+    Bench bench;
+    bench.load(square_csv());
+    App& app = bench.program.app;
+    REQUIRE(app.document.set.ratings.size() == 1);
+    CHECK_FALSE(app.status.is_error);
+    rename_vibration(app, 0, "tap");
+    CHECK(app.document.set.ratings[0].labels[0] == "tap");
+    bench.wait_for_comparison();
+    CHECK(bench.program.shows("compare:people"));
+    undo(app);
+    undo(app);
+    CHECK(app.document.set.ratings.empty());
+    bench.wait_for_comparison();
+    CHECK(bench.program.shows("button:load ratings"));
+    redo(app);
+    CHECK(app.document.set.ratings.size() == 1);
+}
+
+TEST_CASE("compare tab: a file that does not fit is refused in words and changes nothing") {
+    Bench bench;
+    App& app = bench.program.app;
+    bench.load(",p1,x\np1,0,1\nx,1,0\n");
+    CHECK(app.status.is_error);
+    CHECK(contains(app.status.text, "people.csv: expected ratings of every pattern"));
+    bench.load("a,b\n1,two,3\n", "odd.csv");
+    CHECK(app.status.is_error);
+    CHECK(contains(app.status.text, "odd.csv"));
+    load_ratings(app, {bench.folder.path / "none.csv"});
+    CHECK(app.status.is_error);
+    CHECK(app.document.set.ratings.empty());
+    CHECK(app.history.undo_label() == nullptr);
+}
+
+TEST_CASE("compare tab: ratings of a pattern that is gone no longer fit, and it says so") {
+    Bench bench;
+    bench.load(square_csv());
+    bench.program.press_key(key::kDelete);
+    bench.wait_for_comparison();
+    CHECK(contains(bench.program.at("compare:fault").value, "got \"p1\""));
+    undo(bench.program.app);
+    bench.wait_for_comparison();
+    CHECK(bench.program.shows("compare:people"));
+}
+
+TEST_CASE("compare tab: two participants make a noise ceiling; unrated pairs are left out") {
+    Bench bench;
+    std::string lines = "participant,a,b,rating\n";
+    for (int person = 1; person <= 2; ++person) {
+        for (int i = 1; i <= 6; ++i) {
+            for (int j = i + 1; j <= 6; ++j) {
+                if (i == 1 && j == 2) continue;
+                lines += "P" + std::to_string(person) + ",p" + std::to_string(i) + ",p" +
+                         std::to_string(j) + "," + std::to_string(10 * i + j + person * (i % 2)) +
+                         "\n";
+            }
+        }
+    }
+    bench.load(lines);
+    bench.wait_for_comparison();
+    const std::string people = bench.program.at("compare:people").value;
+    CHECK(contains(people, "2 participants, 14 of 15 pairs"));
+    CHECK(contains(bench.program.at("compare:ceiling").value, "of one voice with the others"));
+    bench.program.click("compare:Pairs");
+    CHECK(bench.program.shows("view:Pairs"));
+}
+
+TEST_CASE("compare tab: a row chooses the metric of the pairs and of the Shepard diagram") {
+    Bench bench;
+    bench.load(square_csv());
+    bench.wait_for_comparison();
+    bench.program.click("metric:mtm");
+    CHECK(bench.program.app.compare.metric == Metric::mtm);
+    bench.program.click("compare:Pairs");
+    CHECK(bench.program.at("combo:metric").value == "Mtm");
+    bench.program.click("tab:Shepard");
+    CHECK(bench.program.at("combo:metric").value == "Mtm");
+    bench.program.click("combo:metric");
+    bench.program.click("choose:ratings");
+    CHECK(bench.program.at("combo:metric").value == "Ratings");
+    CHECK(contains(bench.program.at("view:Shepard").value, "stress-1"));
+    bench.program.click("combo:metric");
+    bench.program.click("choose:pm");
+    char stress[32];
+    std::snprintf(stress, sizeof stress, "stress-1 %.3f,",
+                  bench.program.app.map.shown->space.stress1);
+    CHECK(contains(bench.program.at("view:Shepard").value, stress));
+}
+
+TEST_CASE("compare tab: a point of the scatter selects its pair, a listed pair opens its Why") {
+    Bench bench;
+    bench.load(square_csv());
+    bench.wait_for_comparison();
+    bench.program.click("compare:Pairs");
+    const App& app = bench.program.app;
+    bench.program.click("pair point:" + std::to_string(pair_index(kCount, 2, 4)));
+    auto pair = chosen_pair(app);
+    REQUIRE(pair);
+    // Another pair may be in the same place; then it is that one.
+    CHECK(pair->kind == PartnerKind::chosen);
+    const auto& people = app.comparison->people->said.rated.people.dissimilarity;
+    CHECK(people(pair->current, pair->partner) == people(2, 4));
+
+    const auto worst = disagreements(app.comparison->metrics[0].matrix, people).front();
+    const auto [i, j] = pair_at(kCount, worst.pair);
+    const std::string names = "p" + std::to_string(i + 1) + "|p" + std::to_string(j + 1);
+    bench.program.click("disagreement:" + names);
+    CHECK(app.bench == BenchTab::why);
+    CHECK(bench.program.at("why:pair").value == names);
+}
+
+TEST_CASE("compare tab: disagreement is the difference of ranks among the rated pairs") {
+    const double none = std::nan("");
+    const Dissimilarity metric{4, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}};
+    const Dissimilarity ratings{4, {50.0, none, 10.0, 20.0, 20.0, 60.0}};
+    const auto all = disagreements(metric, ratings);
+    REQUIRE(all.size() == 5);
+    CHECK(all[0].pair == 0);  // rank 1 of 5, felt as rank 4
+    CHECK(all[0].metric_rank == 1.0);
+    CHECK(all[0].ratings_rank == 4.0);
+    CHECK(all[1].pair == 4);  // 4, and 2.5 with the one that ties
+    CHECK(all[1].ratings_rank == 2.5);
+}
+
+TEST_CASE("compare tab: cancelled, it waits for a word or the next edit") {
+    Bench bench;
+    bench.program.app.bench = BenchTab::compare;
+    bench.program.frame();
+    cancel_comparison(bench.program.app);
+    bench.wait_until([&] { return !bench.program.app.comparison_job->busy(); });
+    CHECK(bench.program.app.comparison == nullptr);
+    for (int k = 0; k < 5; ++k) bench.program.frame();
+    CHECK_FALSE(bench.program.app.comparison_job->busy());
+    bench.program.click("button:compare metrics");
+    bench.wait_for_comparison();
+    CHECK(bench.program.shows("metric:pm"));
+}
+
+TEST_CASE("compare tab: silence and equal patterns have words, not numbers") {
+    PatternSet set = short_patterns(4);
+    for (Vibration& vibration : set.vibrations) {
+        std::get<Pattern>(vibration.source).amplitude_g = 0.0;
+    }
+    Bench bench(set);
+    bench.load(",p1,p2,p3,p4\np1,0,1,2,3\np2,1,0,4,5\np3,2,4,0,6\np4,3,5,6,0\n");
+    bench.wait_for_comparison();
+    const std::vector<double> pm = numbers_in(bench.program.at("metric:pm").value);
+    CHECK(std::isnan(pm[0]));
+    CHECK(contains(bench.program.at("compare:remarks").value, "PM: no rho"));
+    bench.program.click("compare:Pairs");
+    bench.program.click("tab:Shepard");
+    bench.program.click("tab:Why");
+    bench.wait_for_difference();
+    CHECK(bench.program.app.difference->path.distance == 0.0);
+    CHECK_FALSE(bench.program.shows("why:channel Pacinian"));
+}
+
+TEST_CASE("compare tab: no pattern or one has no pair, in every tab") {
+    for (const std::size_t count : {0UL, 1UL}) {
+        Bench bench(short_patterns(count));
+        for (const char* tab : {"tab:Compare", "tab:Shepard", "tab:Why"}) bench.program.click(tab);
+        CHECK_FALSE(bench.program.shows("why:pair"));
+        bench.program.click("tab:Compare");
+        for (const char* view : {"compare:Pairs", "compare:Findings", "compare:Table"}) {
+            bench.program.click(view);
+        }
+        CHECK_FALSE(bench.program.shows("metric:pm"));
+    }
+}
+
+TEST_CASE("overlay: the map of the ratings lies over the predicted one, and follows it into 2-D") {
+    Bench bench;
+    App& app = bench.program.app;
+    CHECK_FALSE(bench.program.shows("check:overlay ratings"));
+    bench.load(square_csv());
+    bench.wait_for_comparison();
+    bench.program.click("check:overlay ratings");
+    CHECK(bench.program.shows("overlay"));
+    const auto over = people_over_map(app);
+    REQUIRE(over);
+    CHECK(over->cols() == 3);
+    // Aligned: no shift is left, and no turn or size would bring it closer.
+    CHECK((over->colwise().mean() - app.map.to.colwise().mean()).norm() <= 1e-9);
+    const double apart = (*over - app.map.to).norm();
+    CHECK((*over * 1.02 - app.map.to).norm() >= apart);
+    CHECK((*over * 0.98 - app.map.to).norm() >= apart);
+    bench.program.click("radio:2-D");
+    bench.wait_for_comparison();
+    CHECK(people_over_map(app)->cols() == 2);
+    CHECK(bench.program.shows("overlay"));
+}
+
+TEST_CASE("why tab: it explains the current pattern and its closest one, or the one clicked") {
+    Bench bench;
+    App& app = bench.program.app;
+    bench.program.click("tab:Why");
+    bench.wait_for_difference();
+    auto pair = chosen_pair(app);
+    CHECK(pair->kind == PartnerKind::closest);
+    const Dissimilarity& pm = app.map.shown->prediction.pm;
+    for (std::size_t k = 1; k < kCount; ++k) CHECK(pm(0, pair->partner) <= pm(0, k));
+    choose_pair(app, 1, 3);
+    bench.wait_for_difference();
+    CHECK(bench.program.at("why:pair").value == "p2|p4");
+    const std::size_t k = pair_index(kCount, 1, 3);
+    const Prediction& prediction = app.map.shown->prediction;
+    const double share = prediction.nc_rank[k] / (prediction.nc_rank[k] + prediction.oc_rank[k]);
+    CHECK(contains(bench.program.at("why:parts").value,
+                   "neural coding " + std::to_string(std::lround(100.0 * share)) + " %"));
+    // The steps' mean is NC squared.
+    double mean = 0.0;
+    for (const double step : app.difference->apart) mean += step;
+    mean /= static_cast<double>(app.difference->apart.size());
+    const double nc = prediction.nc.condensed[k];
+    CHECK(std::abs(mean - nc * nc) <= 1e-12);
+    bench.program.click("link:both pipelines");
+    CHECK(app.pinned == "p4");
+}
+
+TEST_CASE("why tab: a cell of the matrix makes the pair") {
+    Bench bench;
+    const ImVec2 middle = bench.program.at("view:Matrix").middle();
+    ImVec2 cell = middle;
+    for (float away = 0.0F; away < 150.0F && !bench.program.shows("pair"); away += 10.0F) {
+        cell = middle - ImVec2{away, 0.0F};
+        bench.program.hover(cell);
+    }
+    const std::string names = bench.program.at("pair").value;  // "p4   p2", then numbers
+    bench.program.window.click(cell);
+    bench.program.settle();
+    bench.program.click("tab:Why");
+    const std::string pair = bench.program.at("why:pair").value;
+    CHECK(pair == names.substr(0, 2) + "|" + names.substr(5, 2));
+}
+
+TEST_CASE("findings: they are checked on request, and can be cancelled") {
+    Bench bench;
+    bench.program.click("tab:Compare");
+    bench.program.click("compare:Findings");
+    CHECK(bench.program.app.findings == nullptr);
+    bench.program.click("button:check findings");
+    bench.program.click("link:cancel findings");
+    bench.wait_until([&] { return !bench.program.app.findings_job->busy(); });
+    CHECK(bench.program.app.findings == nullptr);
+    CHECK(bench.program.shows("button:check findings"));
+}
+
+TEST_CASE("compare: ratings of the patterns alone can be held against either side of their twins") {
+    Bench bench(with_synthetic_twins(short_patterns(4), {}));
+    bench.load(",p1,p2,p3,p4\np1,0,1,2,3\np2,1,0,4,5\np3,2,4,0,6\np4,3,5,6,0\n");
+    bench.wait_for_comparison();
+    CHECK(bench.program.shows("compare:fault"));
+    bench.program.click("button:measured only");
+    CHECK(shown_side(bench.program.app) == Side::measured);
+    bench.wait_for_comparison();
+    REQUIRE(bench.program.app.comparison->people);
+    CHECK_FALSE(bench.program.shows("compare:fault"));
+    show_side(bench.program.app, Side::both);
+    bench.wait_for_comparison();
+    bench.program.click("button:intended only");
+    bench.wait_for_comparison();
+    CHECK(bench.program.app.comparison->people);
+}
+
+}  // namespace compare_panel_test

@@ -1,0 +1,308 @@
+// Exports from the window: the same files as from the command line, whole, and never in the way.
+#include "app/export/exports.h"
+
+#include <cmath>
+#include <set>
+
+#include "app/document/files.h"
+#include "app/window/commands.h"
+#include "app/window/view_pictures.h"
+#include "tests/support/program.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace exports_test {
+
+using namespace tact;
+namespace fs = std::filesystem;
+
+namespace {
+
+// A program whose document lies in a folder of its own, its stages there.
+struct Exporting {
+    TemporaryFolder folder;
+    fs::path set_file = folder.path / "test.tactspace.json";
+    Program program{short_patterns(3)};
+
+    Exporting() {
+        program.app.motion = false;
+        ExportState& exports = program.app.exports;
+        exports.picture_size.width = exports.frame_size.width = 300;
+        exports.picture_size.height = exports.frame_size.height = 400;
+        App& app = program.app;
+        app.document.path = set_file;
+        app.stages = still_view(app).stages;
+        program.settle();
+    }
+
+    // As the window's loop does it.
+    void frame() {
+        program.frame();
+        continue_exports(program.app);
+    }
+
+    void run(const std::string& command) {
+        for (const Command& known : commands()) {
+            if (known.name != command) continue;
+            REQUIRE(known.enabled(program.app));
+            known.run(program.app);
+        }
+        program.settle();
+    }
+
+    // Over the name that is offered.
+    void answer(const fs::path& path) {
+        REQUIRE(program.app.chooser.is_open);
+        program.window.type(path.string());
+        program.settle();
+        program.press_key(key::kEnter);
+    }
+
+    const std::string& status() const { return program.app.status.text; }
+};
+
+std::set<std::string> names_in(const fs::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        names.insert(entry.path().filename().string());
+    }
+    return names;
+}
+
+bool is_whole_png(const std::string& bytes) {
+    return bytes.starts_with("\x89PNG\r\n\x1a\n") &&
+           contains(std::string_view(bytes).substr(bytes.size() - 12), "IEND");
+}
+
+}  // namespace
+
+TEST_CASE("exports: every command is in the File menu and the palette") {
+    std::set<std::string> names;
+    for (const Command& command : commands()) {
+        if (std::string_view(command.menu) == "File") names.insert(command.name);
+    }
+    for (const char* name : {"Export view...", "Export stage as CSV...", "Export animation..."}) {
+        CHECK(names.contains(name));
+    }
+}
+
+TEST_CASE("exports: a view goes to the file chosen, PNG or SVG by its ending") {
+    Exporting exporting;
+    Program& program = exporting.program;
+    for (const PictureView view : kPictureViews) {
+        for (const std::string ending : {".png", ".svg"}) {
+            exporting.run("Export view...");
+            program.app.exports.picture_size.width = 300;
+            program.app.exports.picture_size.height = 400;
+            program.app.exports.view = view;
+            program.click("button:choose");
+            CHECK(program.app.chooser.name == std::string("test ") + name_of(view) + ".png");
+            const fs::path file = exporting.folder.path / (name_of(view) + ending);
+            exporting.answer(file);
+            CHECK(is_exporting(program.app));
+            exporting.frame();
+            CHECK_FALSE(is_exporting(program.app));
+            CHECK(exporting.status() == "Exported " + file.string());
+            const std::string bytes = bytes_of(file);
+            const bool whole = ending == ".png" ? is_whole_png(bytes) : contains(bytes, "</svg>");
+            CHECK(whole);
+        }
+    }
+}
+
+TEST_CASE("exports: a picture is of the program as it is, and leaves it so") {
+    Exporting exporting;
+    App& app = exporting.program.app;
+    const auto draw = [&app] {
+        App still = still_view(app);
+        PictureSize size{300, 400, 1.0F, app.dark, PictureFormat::png};
+        return std::get<Image>(view_picture(still, PictureView::physiology, 0.02, size));
+    };
+    const Image first = draw();
+    CHECK((draw() == first));
+    app.physiology.open = Stage::brain;
+    CHECK_FALSE((draw() == first));
+    app.physiology.open.reset();
+    app.pinned = "p2";
+    CHECK_FALSE((draw() == first));
+    app.pinned.clear();
+    app.playhead = {0.07, 0.1, true, true};
+    app.selection.hovered = 2;
+    CHECK((draw() == first));
+    CHECK(app.playhead.at_s == 0.07);
+    CHECK(app.playhead.playing);
+    CHECK(app.selection.hovered == 2);
+}
+
+TEST_CASE("exports: a picture that cannot be written says so and stops nothing") {
+    Exporting exporting;
+    export_view(exporting.program.app, "/proc/no folder/a.png");
+    exporting.frame();
+    CHECK(exporting.program.app.status.is_error);
+    CHECK(contains(exporting.status(), "Not exported: /proc/no folder/a.png: cannot be written"));
+    CHECK_FALSE(is_exporting(exporting.program.app));
+}
+
+TEST_CASE("exports: stages from the window are the files of tactspace stages, byte by byte") {
+    Exporting exporting;
+    Program& program = exporting.program;
+    save_as(program.app, exporting.set_file);
+    select_only(program.app, 1);
+    exporting.run("Export stage as CSV...");
+    CHECK(program.app.chooser.name == "p2 stages");
+    const fs::path from_window = exporting.folder.path / "p2 stages";
+    exporting.answer("p2 stages");
+    CHECK(exporting.status() == "Exported 11 files into " + from_window.string());
+    const fs::path from_command = exporting.folder.path / "command";
+    output_of(
+        {"stages", exporting.set_file.string(), "--pattern", "p2", "--out", from_command.string()});
+    REQUIRE(names_in(from_window) == names_in(from_command));
+    for (const std::string& name : names_in(from_window)) {
+        CHECK((bytes_of(from_window / name) == bytes_of(from_command / name)));
+    }
+}
+
+TEST_CASE("exports: stages of what a device plays are of that, and their folder says so") {
+    Exporting exporting;
+    Program& program = exporting.program;
+    save_as(program.app, exporting.set_file);
+    program.app.rendering.by = {ActuatorKind::dualshock_4, 1.0};
+    program.app.rendering.on = true;
+    exporting.run("Export stage as CSV...");
+    const std::string name = "p1 stages, as a DualShock 4 plays them, uncalibrated";
+    CHECK(program.app.chooser.name == name);
+    exporting.answer(name);
+    CHECK(contains(exporting.status(), "as a DualShock 4 plays them, uncalibrated"));
+    const fs::path from_command = exporting.folder.path / "command";
+    output_of({"stages", exporting.set_file.string(), "--pattern", "p1", "--rendered-by",
+               "dualshock-4", "--out", from_command.string()});
+    CHECK((bytes_of(exporting.folder.path / name / "input.csv") ==
+           bytes_of(from_command / "input.csv")));
+}
+
+TEST_CASE("exports: of an open stage only its own files, and none replaced unasked") {
+    Exporting exporting;
+    Program& program = exporting.program;
+    program.app.physiology.open = Stage::filtered;
+    exporting.run("Export stage as CSV...");
+    const fs::path out = exporting.folder.path / "p1 stages";
+    program.press_key(key::kEnter);  // as offered
+    CHECK(names_in(out) == std::set<std::string>{"filtered.csv", "perceived.csv"});
+
+    exporting.folder.write("p1 stages/perceived.csv", "mine");
+    exporting.run("Export stage as CSV...");
+    program.press_key(key::kEnter);  // there is such a folder now: its content is shown
+    CHECK(program.app.chooser.listing.folder == out);
+    program.press_key(key::kEnter);
+    REQUIRE(program.app.chooser.is_open);
+    CHECK(program.app.chooser.replacing == out / "filtered.csv");
+    program.press_key(key::kEscape);  // keep it
+    CHECK(bytes_of(out / "perceived.csv") == "mine");
+    program.press_key(key::kEnter);
+    program.press_key(key::kEnter);  // replace it
+    CHECK_FALSE(program.app.chooser.is_open);
+    CHECK(bytes_of(out / "perceived.csv").starts_with("time_s,FA1,"));
+}
+
+TEST_CASE("exports: an animation is drawn a frame at a time while the window goes on") {
+    Exporting exporting;
+    Program& program = exporting.program;
+    exporting.run("Export animation...");
+    CHECK(program.app.exports.to_s == doctest::Approx(0.1));
+    program.app.exports.frames = 4;
+    program.app.exports.frame_size.width = 300;
+    program.app.exports.frame_size.height = 400;
+    program.settle();
+    program.click("button:choose");
+    CHECK(program.app.chooser.name == "p1 frames");
+    exporting.answer("p1 frames");
+    const fs::path out = exporting.folder.path / "p1 frames";
+    for (int k = 0; k < 4; ++k) {
+        CHECK(wants_another_frame(program.app));
+        CHECK(file_count(out) == static_cast<std::size_t>(k));
+        exporting.frame();
+        CHECK(contains(program.at("export progress").value,
+                       "frame " + std::to_string(k + 1) + " of 4"));
+    }
+    CHECK_FALSE(is_exporting(program.app));
+    CHECK(contains(exporting.status(), "Exported 4 frames. A film: ffmpeg "));
+    std::set<std::string> pictures;
+    for (const std::string& name : names_in(out)) {
+        CHECK(is_whole_png(bytes_of(out / name)));
+        pictures.insert(bytes_of(out / name));
+    }
+    CHECK(names_in(out) == std::set<std::string>{"frame_0001.png", "frame_0002.png",
+                                                 "frame_0003.png", "frame_0004.png"});
+    CHECK(pictures.size() == 4);
+}
+
+TEST_CASE("exports: an animation is of the moment it began, whatever is edited meanwhile") {
+    Exporting exporting;
+    App& app = exporting.program.app;
+    app.exports.to_s = 0.1;
+    app.exports.frames = 2;
+    export_animation(app, exporting.folder.path / "still");
+    while (is_exporting(app)) exporting.frame();
+    export_animation(app, exporting.folder.path / "edited");
+    edit_patterns(app, [](Pattern& pattern) { pattern.carriers[0].frequency_hz = 300.0; });
+    while (is_exporting(app)) exporting.frame();
+    for (const std::string name : {"frame_0001.png", "frame_0002.png"}) {
+        CHECK((bytes_of(exporting.folder.path / "still" / name) ==
+               bytes_of(exporting.folder.path / "edited" / name)));
+    }
+}
+
+TEST_CASE("exports: a cancelled animation leaves whole frames, by button and by Esc") {
+    for (const bool by_button : {true, false}) {
+        Exporting exporting;
+        Program& program = exporting.program;
+        program.app.exports.to_s = 0.1;
+        program.app.exports.frames = 50;
+        const fs::path out = exporting.folder.path / "out";
+        export_animation(program.app, out);
+        for (int k = 0; k < 3; ++k) exporting.frame();
+        if (by_button) {
+            program.click("button:cancel export");
+        } else {
+            program.press_key(key::kEscape);
+        }
+        CHECK_FALSE(is_exporting(program.app));
+        exporting.frame();
+        CHECK(exporting.status() == "Export cancelled: 3 of 50 frames are in " + out.string());
+        CHECK(file_count(out) == 3);
+        for (const std::string& name : names_in(out)) CHECK(is_whole_png(bytes_of(out / name)));
+    }
+}
+
+TEST_CASE("exports: an animation does not run on into the frames of a longer one") {
+    Exporting exporting;
+    App& app = exporting.program.app;
+    exporting.folder.write("out/frame_0003.png", "of another film");
+    exporting.folder.write("out/frame_plan.png", "no frame");
+    app.exports.to_s = 0.1;
+    app.exports.frames = 2;
+    export_animation(app, exporting.folder.path / "out");
+    CHECK_FALSE(is_exporting(app));
+    CHECK(contains(exporting.status(), "holds frame_0003.png of a longer sequence"));
+    CHECK(file_count(exporting.folder.path / "out") == 2);
+    app.exports.frames = 3;
+    export_animation(app, exporting.folder.path / "out");
+    CHECK(is_exporting(app));
+}
+
+TEST_CASE("frames: equal steps from the begin, each as long as the film needs") {
+    const FrameSequence sequence{"a b", 0.2, 0.8, 6};
+    for (int k = 0; k < 6; ++k) {
+        // 0.2 + k/10, to rounding.
+        CHECK(std::abs(time_of_frame_s(sequence, k) - (0.2 + 0.1 * k)) < 1e-15);
+    }
+    CHECK(path_of_frame(sequence, 0) == fs::path("a b/frame_0001.png"));
+    CHECK(path_of_frame(sequence, 9998) == fs::path("a b/frame_9999.png"));
+    CHECK(film_speed({"", 0.0, 1.0, 30}) == "as fast as life");
+    CHECK(film_speed({"", 0.0, 1.0, 600}) == "20.0 times slower than life");
+    CHECK(film_speed({"", 0.0, 2.0, 30}) == "2.00 times faster than life");
+    CHECK(contains(film_command("a b", 1600, 1000), "-i 'a b/frame_%04d.png' -pix_fmt"));
+    CHECK(contains(film_command("a", 1600, 1001), "-vf 'pad="));
+}
+
+}  // namespace exports_test

@@ -1,0 +1,243 @@
+// The dialog for candidates, and rhythms by the list.
+#include <doctest/doctest.h>
+
+#include "app/document/files.h"
+#include "app/generate/generating.h"
+#include "model/io/set/set_file.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace generate_dialog_test {
+
+using namespace tact;
+
+namespace {
+
+// Frames until the plan on screen is that of the draft.
+std::shared_ptr<const GeneratePlan> wait_for_plan(Program& program) {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    program.settle();
+    while (!current_plan(program.app)) {
+        REQUIRE(std::chrono::steady_clock::now() < until);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        program.frame();
+    }
+    program.settle();
+    return current_plan(program.app);
+}
+
+void type_into(Program& program, const std::string& entry, const std::string& text) {
+    program.click(entry);
+    push(program.window.input,
+         {program.window.now_s, KeyChange{key::kLeftControl, true, false, 0}});
+    program.window.press('A', 'a');
+    push(program.window.input,
+         {program.window.now_s, KeyChange{key::kLeftControl, false, false, 0}});
+    program.window.type(text);
+    program.settle();
+}
+
+// Six candidates: three frequencies, two modulations.
+void open_dialog(Program& program) {
+    program.press('g', true);
+    REQUIRE(program.shows("generate:count"));
+    wait_for_plan(program);
+}
+
+std::size_t size_of(const Program& program) { return program.app.document.set.vibrations.size(); }
+
+}  // namespace
+
+TEST_CASE("generate dialog: it opens on the current pattern varied, counted before it runs") {
+    Program program(short_patterns(3));
+    open_dialog(program);
+    CHECK(program.at("generate:count").value == "5 patterns");
+    CHECK(program.at("generate:losses").value ==
+          "6 combinations, 1 in the set already");  // 60 Hz without modulation
+    CHECK(program.shows("generate:preview 4"));
+    CHECK_FALSE(program.shows("generate:preview 5"));
+    CHECK(program.app.document.set == short_patterns(3));
+    CHECK(program.app.history.undo_label() == nullptr);
+}
+
+TEST_CASE("generate dialog: adding is one step with its generator; undo and redo take it whole") {
+    Program program(short_patterns(3));
+    open_dialog(program);
+    program.click("button:add candidates");
+    CHECK_FALSE(program.shows("generate:count"));
+    CHECK(size_of(program) == 8);
+    CHECK(program.app.selection.current == 3);
+    const PatternSet after = program.app.document.set;
+    REQUIRE(after.generator);
+    CHECK(after.vibrations[3].generated);
+    program.press('z', true);
+    CHECK(program.app.document.set == short_patterns(3));
+    program.press('z', true, true);
+    CHECK(program.app.document.set == after);
+}
+
+TEST_CASE("generate dialog: it opens again on the same generator, and replaces what it made") {
+    Program program(short_patterns(1));
+    open_dialog(program);
+    program.click("button:add candidates");
+    const std::size_t added = size_of(program) - 1;
+    open_dialog(program);
+    CHECK(program.app.generate.draft == program.app.document.set.generator);
+    CHECK(program.at("generate:count").value == "0 patterns");
+    type_into(program, "generate:modulation", "4, 16");
+    const auto plan = wait_for_plan(program);
+    CHECK(plan->generated_before == added);
+    CHECK(plan->replace.fresh.size() == 6);
+    program.click("button:replace generated");
+    CHECK(size_of(program) == 7);
+    CHECK(program.app.document.set.vibrations[0].name == "p1");
+    CHECK(program.app.document.set.generator->modulation_hz ==
+          Values(std::vector<double>{4.0, 16.0}));
+}
+
+TEST_CASE("generate dialog: a generated pattern that is edited, renamed or locked stays") {
+    Program program(short_patterns(1));
+    open_dialog(program);
+    program.click("button:add candidates");
+    const std::size_t size = size_of(program);
+    select_only(program.app, 1);
+    edit_patterns(program.app, [](Pattern& p) { p.amplitude_g = 3.0; });
+    commit_step(program.app, "Change amplitude");
+    rename_vibration(program.app, 2, "mine");
+    select_only(program.app, 3);
+    toggle_locked(program.app);
+    open_dialog(program);
+    const auto plan = wait_for_plan(program);
+    CHECK(plan->generated_before == size - 4);
+}
+
+TEST_CASE("generate dialog: what is typed wrong is said and changes nothing") {
+    Program program(short_patterns(1));
+    open_dialog(program);
+    const DesignSpace before = program.app.generate.draft;
+    type_into(program, "generate:amplitude", "1, 99");
+    CHECK(program.at("generate:fault").value == "0 to 50 g");
+    CHECK(program.app.generate.draft == before);
+    type_into(program, "generate:amplitude", "loud");
+    CHECK(program.at("generate:fault").value == "\"loud\" is no number");
+    program.window.press(key::kEscape);
+    program.settle();
+    CHECK(program.shows("generate:count"));  // Esc left the entry only
+    CHECK(program.at("generate:amplitude").value == "1");
+    program.window.press(key::kEscape);
+    program.settle();
+    CHECK_FALSE(program.shows("generate:count"));
+    CHECK(size_of(program) == 1);
+}
+
+TEST_CASE("generate dialog: levels, ranges and designs are counted as they change") {
+    Program program(short_patterns(1));
+    open_dialog(program);
+    type_into(program, "generate:amplitude", "0.5, 1, 2");
+    CHECK(wait_for_plan(program)->found.combinations == 18);
+    program.click("generate:modulation range");
+    type_into(program, "generate:modulation steps", "5");
+    CHECK(wait_for_plan(program)->found.combinations == 45);
+    program.click("generate:Sobol");
+    type_into(program, "generate:samples", "120");
+    CHECK(wait_for_plan(program)->found.combinations == 120);
+    program.click("generate:band");
+    const auto plan = wait_for_plan(program);
+    CHECK(plan->request.space.constraints.band_hz == Range{40.0, 400.0});
+    CHECK(plan->found.kept.size() + plan->found.doubles + plan->found.rejected.band == 120);
+}
+
+TEST_CASE("generate dialog: a design that is too large says so and adds nothing") {
+    Program program(short_patterns(1));
+    program.app.generate.begun = true;
+    program.app.generate.draft.amplitude_g = Span{0.0, 1.0, 1000, false, 0.0};
+    program.app.generate.draft.depth = Span{0.0, 1.0, 1000, false, 0.0};
+    open_dialog(program);
+    CHECK(program.at("generate:count").value == "No patterns");
+    CHECK(contains(program.at("generate:design fault").value, "1,000,000 combinations"));
+    program.click("button:add candidates");
+    CHECK(size_of(program) == 1);
+}
+
+TEST_CASE("generate dialog: more than two hundred patterns are asked about first") {
+    Program program(short_patterns(1));
+    program.app.generate.begun = true;
+    program.app.generate.draft.amplitude_g = Span{0.1, 1.0, 250, false, 0.0};
+    program.app.generate.draft.duration_s = fixed(0.1);
+    open_dialog(program);
+    program.click("button:add candidates");
+    CHECK(program.shows("generate:question"));
+    CHECK(size_of(program) == 1);
+    program.click("button:back");
+    CHECK_FALSE(program.shows("generate:question"));
+    program.click("button:add candidates");
+    program.click("button:generate all the same");
+    CHECK(size_of(program) == 251);
+}
+
+TEST_CASE("generate dialog: candidates and their generator survive saving and opening") {
+    const TemporaryFolder folder;
+    Program program(short_patterns(2));
+    open_dialog(program);
+    program.click("generate:Sobol");
+    wait_for_plan(program);
+    program.click("button:add candidates");
+    const std::filesystem::path path = folder.path / "made.tactspace.json";
+    save_as(program.app, path);
+    const auto read = read_set_file(path);
+    REQUIRE(read);
+    CHECK(read->set == program.app.document.set);
+}
+
+TEST_CASE("generate dialog: two carriers are mixed, and rhythms come from the list") {
+    Program program(short_patterns(1));
+    open_dialog(program);
+    program.click("generate:add carrier");
+    CHECK(program.shows("generate:mix"));
+    CHECK_FALSE(program.shows("generate:weight 1"));
+    program.click("generate:choose rhythms");
+    CHECK(program.at("rhythm list:count").value == "7");
+    program.click("link:all rhythms");
+    CHECK(program.app.generate.draft.rhythms.size() == 8);
+    program.click("rhythm:x--x--x-");
+    CHECK(program.app.generate.draft.rhythms.size() == 7);
+}
+
+TEST_CASE("rhythm list: a rhythm is previewed under the mouse and taken by a click, one step") {
+    Program program(short_patterns(1));
+    program.click("link:rhythms");
+    REQUIRE(program.shows("rhythm list:count"));
+    CHECK(program.at("rhythm list:count").value == "7");
+    program.hover(program.at("rhythm:x--x--x-").middle());
+    CHECK(program.at("rhythm envelope").value == "x--x--x-");
+    CHECK(program.pattern(0).rhythm.text.empty());
+    program.click("rhythm:x--x--x-");
+    CHECK(program.pattern(0).rhythm.text == "x--x--x-");
+    program.click("rhythm list:2 steps");
+    program.click("rhythm:x=-x=-x=");
+    CHECK(program.pattern(0).rhythm.text == "x=-x=-x=");
+    program.click("rhythm list:Euclidean");
+    CHECK(program.at("rhythm list:count").value == "8");
+    program.window.press(key::kEscape);
+    program.settle();
+    program.press('z', true);
+    program.press('z', true);
+    CHECK(program.app.document.set == short_patterns(1));
+}
+
+TEST_CASE("rhythm grid: dragging to the right draws a note as long as the drag, one step") {
+    Program program(short_patterns(1));
+    program.click("link:make a rhythm");
+    CHECK(program.pattern(0).rhythm.text == "x=--x=--");
+    CHECK(contains(program.at("rhythm summary").value, "2 notes on 8 steps, evenness 1.00"));
+    program.drag(program.at("step:2").middle(), program.at("step:5").middle(), 4);
+    CHECK(program.pattern(0).rhythm.text == "x=x===--");
+    program.drag(program.at("step:2").middle(), program.at("step:3").middle(), 2);
+    CHECK(program.pattern(0).rhythm.text == "x=x=----");
+    program.press('z', true);
+    CHECK(program.pattern(0).rhythm.text == "x=x===--");
+    program.press('z', true);
+    CHECK(program.pattern(0).rhythm.text == "x=--x=--");
+}
+
+}  // namespace generate_dialog_test

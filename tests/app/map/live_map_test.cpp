@@ -1,0 +1,89 @@
+#include "app/map/live_map.h"
+
+#include "tests/support/program.h"
+
+namespace live_map_test {
+
+using namespace tact;
+
+namespace {
+
+LiveMapRequest request_of(const PatternSet& set, bool preview) {
+    return {1, std::make_shared<const PatternSet>(set), 3, preview};
+}
+
+}  // namespace
+
+TEST_CASE("live map: sets of a usual size need no asking, long or very large ones do") {
+    CHECK_FALSE(needs_asking(short_patterns(0)));
+    CHECK_FALSE(needs_asking(short_patterns(300)));
+    CHECK(needs_asking(short_patterns(kMostLivePatterns + 1)));
+    PatternSet minutes = short_patterns(100);
+    std::get<Pattern>(minutes.vibrations[3].source).duration_s = 60.0;  // all are padded to it
+    CHECK(needs_asking(minutes));
+    CHECK(expected_map_s(short_patterns(24)) > 4.0 * expected_map_s(short_patterns(12)));
+}
+
+TEST_CASE("live map: other names and locks are the same work, another sound or map is not") {
+    PatternSet set = short_patterns(4);
+    const LiveMapRequest request = request_of(set, false);
+    set.vibrations[1].name = "another";
+    set.vibrations[2].locked = true;
+    LiveMapRequest same = request_of(set, false);
+    same.revision = 9;
+    CHECK(is_same_work(request, same));
+    LiveMapRequest other = same;
+    other.dimensions = 2;
+    CHECK_FALSE(is_same_work(request, other));
+    CHECK_FALSE(is_same_work(request, request_of(set, true)));
+    std::get<Pattern>(set.vibrations[3].source).amplitude_g = 2.0;
+    CHECK_FALSE(is_same_work(request, request_of(set, false)));
+    CHECK_FALSE(is_same_work(request, request_of(short_patterns(5), false)));
+}
+
+TEST_CASE("live map: a stopped run answers nothing, and the next one starts from before it") {
+    LiveMapWork work(1);
+    std::atomic<float> progress = 0.0F;
+    const PatternSet set = short_patterns(5);
+    const auto first = work(request_of(set, false), {}, progress);
+    REQUIRE(first.has_value());
+    std::stop_source stop;
+    stop.request_stop();
+    CHECK_FALSE(work(request_of(short_patterns(6), false), stop.get_token(), progress).has_value());
+    const auto again = work(request_of(set, false), {}, progress);
+    CHECK(again->prediction.pm == first->prediction.pm);
+    CHECK(again->space.points == first->space.points);
+    CHECK(again->prediction.codes == first->prediction.codes);  // the very same, not computed anew
+}
+
+TEST_CASE("live map: a set as it was some edits ago is not computed again") {
+    LiveMapWork work(1);
+    std::atomic<float> progress = 0.0F;
+    PatternSet set = short_patterns(6);
+    const auto first = work(request_of(set, false), {}, progress);
+    for (int edit = 0; edit < 5; ++edit) {
+        std::get<Pattern>(set.vibrations[2].source).amplitude_g = 2.0 + edit;
+        CHECK(work(request_of(set, false), {}, progress)->prediction.pm != first->prediction.pm);
+    }
+    LiveMapRequest undone = request_of(short_patterns(6), false);
+    undone.revision = 17;
+    const auto again = work(undone, {}, progress);
+    CHECK(again->request.revision == 17);
+    CHECK(again->seconds == first->seconds);  // the very same answer
+    CHECK(again->prediction.codes == first->prediction.codes);
+    CHECK(again->space.points == first->space.points);
+    // Two dimensions are another question.
+    undone.dimensions = 2;
+    CHECK(work(undone, {}, progress)->space.points.cols() == 2);
+}
+
+TEST_CASE("live map: a preview says so and keeps the size of the set") {
+    LiveMapWork work(1);
+    std::atomic<float> progress = 0.0F;
+    const auto preview = work(request_of(short_patterns(7), true), {}, progress);
+    CHECK(preview->prediction.envelope_decimation > 1);
+    CHECK(preview->space.points.rows() == 7);
+    CHECK(preview->request.preview);
+}
+
+}  // namespace live_map_test

@@ -1,0 +1,119 @@
+#include "app/measured/import_follow.h"
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "app/compare/bench_follow.h"
+#include "app/document/files.h"
+#include "app/map/map_follow.h"
+#include "model/io/set/set_file.h"
+#include "model/text/numbers.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace import_follow_test {
+
+using namespace tact;
+
+namespace {
+
+// Recordings of the first two patterns of the set, begun 10 ms early.
+std::vector<std::filesystem::path> recorded(const Program& program, const TemporaryFolder& folder) {
+    std::vector<std::filesystem::path> files;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Vibration& vibration = program.app.document.set.vibrations[k];
+        std::string text = "t,x (g)\n";
+        const Waveform waveform = waveform_of(vibration);
+        for (std::size_t n = 0; n < waveform.samples_g.size() + 100; ++n) {
+            const double g = n < 100 ? 0.0 : waveform.samples_g[n - 100];
+            text += shortest_digits(static_cast<double>(n) / kModelRateHz) + "," +
+                    shortest_digits(g) + "\n";
+        }
+        files.push_back(folder.write(vibration.name + ".csv", text));
+    }
+    return files;
+}
+
+void wait_until(Program& program, const std::function<bool()>& done) {
+    for (int k = 0; k < 2000 && !done(); ++k) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        follow_import(program.app);
+    }
+    REQUIRE(done());
+}
+
+std::size_t count(const Program& program) { return program.app.document.set.vibrations.size(); }
+
+}  // namespace
+
+TEST_CASE("import: recordings find their patterns, and come in as one step that undo takes back") {
+    const TemporaryFolder folder;
+    Program program(short_patterns(4));
+    App& app = program.app;
+    app.session.folder = folder.path / "state";
+    import_recordings(app, recorded(program, folder));
+    CHECK(app.dialog == Dialog::import_recordings);
+    CHECK(app.import->patterns[1] == app.document.set.vibrations[1].name);
+    wait_until(program, [&] { return app.import->answer != nullptr; });
+    REQUIRE(app.import->answer->files[0].twin);
+    CHECK(app.import->answer->files[0].twin->alignment.lag == 100);
+    CHECK(count(program) == 4);  // so far it is only looked at
+    take_recordings(app);
+    wait_until(program, [&] { return app.import->taking == 0; });
+    CHECK(count(program) == 6);
+    CHECK(measures_another(app.document.set.vibrations[1]));
+    undo(app);
+    CHECK(count(program) == 4);
+    redo(app);
+    CHECK(count(program) == 6);
+}
+
+TEST_CASE("import: saved, the waveforms lie beside the set and the set reads again") {
+    const TemporaryFolder folder;
+    Program program(short_patterns(4));
+    App& app = program.app;
+    app.session.folder = folder.path / "state";
+    simulate_measurement_dialog(app);
+    wait_until(program, [&] { return app.import->simulated != nullptr; });
+    CHECK(app.import->simulated->twins.size() == 1);  // of the current pattern, to look at
+    take_simulation(app);
+    wait_until(program, [&] { return app.import->taking == 0; });
+    REQUIRE(count(program) == 8);
+    CHECK(file_count(folder.path / "state" / "measured") == 4);
+    save_as(app, folder.path / "saved.tactspace.json");
+    CHECK_FALSE(app.status.is_error);
+    CHECK(file_count(folder.path / "measured") == 4);
+    std::filesystem::remove_all(folder.path / "state");
+    const auto again = read_set_file(folder.path / "saved.tactspace.json");
+    REQUIRE(again);
+    CHECK(again->set.vibrations == app.document.set.vibrations);
+}
+
+TEST_CASE("import: the map is of the side that is shown, and its pairs are found by name") {
+    Program program(with_synthetic_twins(short_patterns(4), {}));
+    App& app = program.app;
+    make_jobs(app);
+    show_side(app, Side::measured);
+    program.wait_for_exact_map();
+    CHECK(names_of(*app.map.shown->request.set) ==
+          names_of(one_side(app.document.set, Side::measured)));
+    CHECK(shown_patterns_text(app) == "4 measured of 8");
+    const auto rows = rows_in_map(app, {1, 5, PartnerKind::chosen});
+    REQUIRE(rows);
+    CHECK(*rows == std::pair<std::size_t, std::size_t>{0, 2});
+    CHECK_FALSE(rows_in_map(app, {0, 1, PartnerKind::chosen}));
+    show_side(app, Side::both);
+    program.wait_for_exact_map();
+    CHECK(app.map.to.rows() == 8);
+}
+
+TEST_CASE("import: tables of accelerations are told from tables of ratings") {
+    const TemporaryFolder folder;
+    CHECK(are_accelerations({folder.write("a.csv", "t,x\n0,1\n0.001,2\n")}));
+    CHECK_FALSE(are_accelerations({folder.write("b.csv", "a,b,rating\np,q,3\n")}));
+    CHECK_FALSE(are_accelerations({folder.write("c.txt", "1\n2\n")}));
+    CHECK_FALSE(are_accelerations({}));
+}
+
+}  // namespace import_follow_test

@@ -1,0 +1,359 @@
+// The physiology pane through the program's real frames: one playhead, one time axis, and numbers
+// that are those of the command line.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "model/io/set/set_file.h"
+#include "tests/support/program.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace physiology_panel_test {
+
+using namespace tact;
+
+namespace {
+
+// Strong and rich enough for all four types to fire, short enough for a test.
+PatternSet rich_patterns() {
+    PatternSet set = short_patterns(3);
+    for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
+        Pattern& pattern = std::get<Pattern>(set.vibrations[k].source);
+        pattern.amplitude_g = 1.5 + static_cast<double>(k);
+        pattern.carriers = {{70.0 + 10.0 * static_cast<double>(k), 0.5, 0.0}, {210.0, 0.5, 0.0}};
+        pattern.modulation.frequency_hz = 20.0;
+    }
+    return set;
+}
+
+struct Physiology : ProgramWithStages {
+    explicit Physiology(const PatternSet& set = rich_patterns()) : ProgramWithStages(set) {}
+
+    ImVec2 in_row(const std::string& id, float share) const {
+        const Place& row = at("plot:" + id);
+        return {row.min.x + share * (row.max.x - row.min.x), row.middle().y};
+    }
+
+    void wheel(ImVec2 where, float notches, bool ctrl) {
+        window.move(where);
+        settle();
+        if (ctrl) push(window.input, {window.now_s, KeyChange{key::kLeftControl, true, false, 0}});
+        push(window.input, {window.now_s, MouseWheel{0.0F, notches}});
+        settle();
+        if (ctrl) push(window.input, {window.now_s, KeyChange{key::kLeftControl, false, false, 0}});
+        settle();
+    }
+
+    std::vector<std::string> under_the_mouse(const std::string& what) const {
+        std::istringstream words(at("under the mouse:" + what).value);
+        std::vector<std::string> cells;
+        for (std::string word; words >> word;) cells.push_back(word);
+        return cells;
+    }
+};
+
+// What `tactspace stages` writes about a pattern of the set.
+struct Written {
+    TemporaryFolder folder;
+
+    Written(const PatternSet& set, const std::string& pattern) {
+        const auto file = folder.path / "set.tactspace.json";
+        REQUIRE(write_set_file(file, set));
+        const Ran ran = run_program({"stages", file.string(), "--pattern", pattern, "--out",
+                                     (folder.path / "stages").string()});
+        REQUIRE_MESSAGE(ran.exit_code == 0, ran.err);
+    }
+
+    std::vector<std::vector<std::string>> rows(const std::string& name) const {
+        std::istringstream lines(bytes_of(folder.path / "stages" / name));
+        std::vector<std::vector<std::string>> all;
+        for (std::string line; std::getline(lines, line);) {
+            std::istringstream cells(line);
+            all.emplace_back();
+            for (std::string cell; std::getline(cells, cell, ',');) all.back().push_back(cell);
+        }
+        REQUIRE(all.size() > 1);
+        all.erase(all.begin());
+        return all;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("physiology: numbers under the cursor are those that the command line writes") {
+    const PatternSet set = rich_patterns();
+    Physiology program(set);
+    const Written written(set, "p1");
+    struct Signal {
+        const char* row;
+        const char* file;
+        std::size_t column;
+    };
+    for (const Signal& signal :
+         {Signal{"vibration", "input.csv", 1}, Signal{"filtered FA1", "filtered.csv", 1},
+          Signal{"filtered FA2", "filtered.csv", 2}, Signal{"central FA2", "central.csv", 3},
+          Signal{"brain", "brain_waveform.csv", 1}, Signal{"envelope", "envelope.csv", 1}}) {
+        const auto rows = written.rows(signal.file);
+        for (const float share : {0.21F, 0.55F, 0.83F}) {
+            program.hover(program.in_row(signal.row, share));
+            const auto cells = program.under_the_mouse(signal.row);
+            const std::size_t sample = std::stoul(cells[0]);
+            INFO(signal.row << " sample " << sample);
+            REQUIRE(sample < rows.size());
+            CHECK(std::stod(cells[1]) == std::stod(rows[sample][signal.column]));
+        }
+    }
+}
+
+TEST_CASE(
+    "physiology: a component, a receptor and a relay neuron say what the command line writes") {
+    const PatternSet set = rich_patterns();
+    Physiology program(set);
+    const Written written(set, "p1");
+
+    // Somewhere on the spectrum there is a component to point at.
+    std::vector<std::string> found;
+    for (float share = 0.05F; share < 0.95F && found.empty(); share += 0.01F) {
+        program.hover(program.in_row("spectrum", share));
+        if (program.shows("under the mouse:spectrum")) found = program.under_the_mouse("spectrum");
+    }
+    REQUIRE(found.size() == 2);
+    bool listed = false;
+    for (const auto& row : written.rows("spectrum.csv")) {
+        listed |=
+            std::stod(row[0]) == std::stod(found[0]) && std::stod(row[2]) == std::stod(found[1]);
+    }
+    CHECK(listed);
+
+    program.click("stage:receptors");
+    for (const char* afferent : {"FA1", "FA2"}) {
+        const Place grid = program.at(std::string("grid ") + afferent);
+        const auto activation = written.rows("activation.csv");
+        const std::size_t line = std::string(afferent) == "FA1" ? 0 : 1;
+        std::istringstream shown(grid.value);
+        double rate_hz = 0.0;
+        double activated = 0.0;
+        double radius_mm = 0.0;
+        shown >> rate_hz >> activated >> radius_mm;
+        CHECK(rate_hz == std::stod(activation[line][1]));
+        CHECK(radius_mm == std::stod(activation[line][3]));
+        CHECK(activated == std::stod(activation[line][5]));
+    }
+    // The receptor at the probe is in the middle of the map's square.
+    const Place grid = program.at("grid FA2");
+    std::vector<std::string> receptor;
+    for (float y = grid.min.y; y < grid.max.y && receptor.empty(); y += 3.0F) {
+        program.hover({grid.middle().x, y});
+        if (program.shows("under the mouse:receptor")) {
+            receptor = program.under_the_mouse("receptor");
+        }
+    }
+    REQUIRE(receptor.size() == 5);
+    bool same = false;
+    for (const auto& row : written.rows("receptors.csv")) {
+        if (row[0] != receptor[0] || row[1] != receptor[1]) continue;
+        same = std::stod(row[4]) == std::stod(receptor[2]) &&
+               std::stod(row[5]) == std::stod(receptor[3]) && row[7] == receptor[4];
+    }
+    CHECK(same);
+
+    program.click("stage:networks");
+    const Place network = program.at("network FA2");
+    program.app.playhead.at_s = 0.0301;
+    program.settle();
+    std::vector<std::string> cell;
+    for (float x = network.min.x; x < network.max.x; x += 4.0F) {
+        for (float y = network.min.y; y < network.max.y; y += 6.0F) {
+            program.hover({x, y});
+            if (!program.shows("under the mouse:network")) continue;
+            cell = program.under_the_mouse("network");
+            if (std::stod(cell[5]) > 0.0) break;
+        }
+        if (!cell.empty() && std::stod(cell[5]) > 0.0) break;
+    }
+    REQUIRE(cell.size() == 6);
+    CHECK(cell[1] == "6");
+    double value = 0.0;
+    for (const auto& row : written.rows("layers.csv")) {
+        if (row[0] == cell[0] && row[1] == cell[1] && row[2] == cell[2] && row[3] == cell[3] &&
+            row[4] == cell[4]) {
+            value = std::stod(row[5]);
+        }
+    }
+    CHECK(value == std::stod(cell[5]));
+}
+
+TEST_CASE("physiology: all time axes begin and end at the same pixels, small and large") {
+    Physiology program;
+    const auto check = [&](const std::string& stage, std::vector<std::string> rows) {
+        program.click("stage:" + stage);
+        const Place first = program.at("plot:" + rows[0]);
+        for (const std::string& row : rows) {
+            CHECK(program.at("plot:" + row).min.x == first.min.x);
+            CHECK(program.at("plot:" + row).max.x == first.max.x);
+        }
+    };
+    check("all", {"vibration", "filtered FA1", "filtered SA2", "raster", "central FA2", "brain",
+                  "envelope"});
+    check("filtered", {"filtered FA1", "filtered FA2", "filtered SA2"});
+}
+
+TEST_CASE("physiology: a press in any plot moves the one playhead, dragging scrubs") {
+    Physiology program;
+    program.drag(program.in_row("brain", 0.2F), program.in_row("brain", 0.7F), 3);
+    CHECK(std::abs(program.app.playhead.at_s - 0.07) < 0.002);
+    program.drag(program.in_row("vibration", 0.5F), program.in_row("vibration", 0.3F), 3);
+    CHECK(std::abs(program.app.playhead.at_s - 0.03) < 0.002);
+    CHECK(program.app.history.undo_label() == nullptr);
+}
+
+TEST_CASE(
+    "physiology: Ctrl and wheel zoom where the mouse is, the wheel moves on, all views follow") {
+    Physiology program;
+    for (int k = 0; k < 5; ++k) program.wheel(program.in_row("envelope", 0.5F), 1.0F, true);
+    const TimeRange zoomed_in = program.app.time_range;
+    CHECK(zoomed_in.length_s() < 0.05);
+    CHECK(std::abs(0.5 * (zoomed_in.start_s + zoomed_in.end_s) - 0.05) < 0.002);
+    program.wheel(program.in_row("raster", 0.5F), -1.0F, false);
+    CHECK(program.app.time_range.start_s > zoomed_in.start_s);
+    CHECK(std::abs(program.app.time_range.length_s() - zoomed_in.length_s()) < 1e-12);
+    for (int k = 0; k < 40; ++k) program.wheel(program.in_row("brain", 0.5F), 1.0F, true);
+    CHECK(std::abs(program.app.time_range.length_s() - 0.005) < 1e-9);
+    program.click("show all");
+    CHECK(std::abs(program.app.time_range.length_s() - 0.1) < 1e-12);
+}
+
+TEST_CASE("physiology: Space plays and halts, at the chosen speed, and Esc stops") {
+    Physiology program;
+    program.click("speed:1/100");
+    program.window.press(key::kSpace, U' ');
+    program.settle();
+    CHECK(program.app.playhead.playing);
+    const double from_s = program.app.playhead.at_s;
+    for (int k = 0; k < 50; ++k) program.frame();
+    const double moved_s = program.app.playhead.at_s - from_s;
+    CHECK(std::abs(moved_s - 50 * 0.01 * program.window.frame_s) < 1e-9);
+    program.press_key(key::kEscape);
+    CHECK_FALSE(program.app.playhead.playing);
+    const double stopped_s = program.app.playhead.at_s;
+    for (int k = 0; k < 5; ++k) program.frame();
+    CHECK(program.app.playhead.at_s == stopped_s);
+    program.press('.');
+    CHECK(std::abs(program.app.playhead.at_s - (std::floor(stopped_s / 0.005) + 1) * 0.005) <
+          1e-12);
+}
+
+TEST_CASE("physiology: a stage opens large from the strip or by its name, Esc goes back") {
+    Physiology program;
+    program.click("stage:spikes");
+    CHECK(program.app.physiology.open == Stage::spikes);
+    CHECK_FALSE(program.shows("plot:brain"));
+    program.press_key(key::kEscape);
+    CHECK_FALSE(program.app.physiology.open);
+    program.click("label:brain");
+    CHECK(program.app.physiology.open == Stage::brain);
+    program.click("stage:all");
+    CHECK(program.shows("plot:brain"));
+}
+
+TEST_CASE("physiology: the i of a stage explains it, and leads on to the next") {
+    Physiology program;
+    program.click("explain:networks");
+    CHECK(program.at("explanation").value == "networks");
+    program.click("explain:next");
+    CHECK(program.at("explanation").value == "central");
+    program.press_key(key::kEscape);
+    CHECK_FALSE(program.shows("explanation"));
+}
+
+TEST_CASE("physiology: every stage has all that its explanation promises") {
+    for (const Stage stage : kStages) {
+        const StageText& text = text_of(stage);
+        for (const char* part : {text.key, text.name, text.short_name, text.detail, text.in_body,
+                                 text.in_model, text.equation, text.left_out, text.ours}) {
+            REQUIRE(part != nullptr);
+            CHECK(*part != '\0');
+        }
+        CHECK(stage_named(text.key) == stage);
+    }
+    CHECK_FALSE(stage_named("all"));
+}
+
+TEST_CASE("physiology: a receptor selected in its grid stands out in the raster, and back") {
+    Physiology program;
+    program.click("stage:receptors");
+    const Place grid = program.at("grid FA1");
+    for (float y = grid.min.y; y < grid.max.y && !program.app.physiology.selected; y += 3.0F) {
+        program.window.click({grid.middle().x, y});
+        program.settle();
+    }
+    REQUIRE(program.app.physiology.selected);
+    CHECK(program.app.physiology.selected->type == Receptor::meissner);
+    program.click("stage:spikes");
+    const Place raster = program.at("plot:raster");
+    program.window.click({raster.middle().x, raster.min.y + 0.6F * (raster.max.y - raster.min.y)});
+    program.settle();
+    CHECK(program.app.physiology.selected);
+}
+
+TEST_CASE("physiology: a pinned pattern runs below, with the difference between them") {
+    Physiology program;
+    program.click("compare with");
+    program.click("pin:p2");
+    program.wait_for_stages();
+    const float above = program.at("plot:brain").max.y;
+    const Place between = program.at("plot:brain difference");
+    CHECK(between.min.y >= above - 1.0F);
+    CHECK(program.at("plot:brain pinned").min.y >= between.max.y - 1.0F);
+    const auto& difference = program.app.physiology.difference;
+    REQUIRE(difference.stages[index_of(Stage::brain)]);
+    CHECK(*difference.stages[index_of(Stage::brain)] > 0.0);
+    const auto& a = program.app.stages->brain_waveform;
+    const auto& b = program.app.pinned_stages->brain_waveform;
+    const auto& apart = difference.signals[index_of(Stage::brain)][0];
+    REQUIRE(apart.size() == a.size());
+    for (std::size_t n = 0; n < a.size(); n += 37) CHECK(apart[n] == a[n] - b[n]);
+    program.click("unpin");
+    CHECK_FALSE(program.shows("plot:brain pinned"));
+}
+
+TEST_CASE("physiology: a twin of the pattern differs from it nowhere") {
+    PatternSet set = rich_patterns();
+    set.vibrations[1].source = set.vibrations[0].source;
+    Physiology program(set);
+    program.app.pinned = "p2";
+    program.frame();
+    program.wait_for_stages();
+    for (const Stage stage : kStages) {
+        const auto& difference = program.app.physiology.difference.stages[index_of(stage)];
+        if (difference) CHECK(*difference == 0.0);
+    }
+}
+
+TEST_CASE("physiology: silence, saturation, nothing at all and an edit under way are drawn") {
+    PatternSet set = rich_patterns();
+    std::get<Pattern>(set.vibrations[0].source).amplitude_g = 0.0;
+    std::get<Pattern>(set.vibrations[1].source).amplitude_g = 50.0;
+    Physiology program(set);
+    for (std::size_t k = 0; k < 3; ++k) {
+        select_only(program.app, k);
+        program.frame();
+        program.wait_for_stages();
+        for (const Stage stage : kStages) {
+            program.click(std::string("stage:") + text_of(stage).key);
+            program.app.physiology.tilted = k == 1;
+            program.frame();
+        }
+        program.click("stage:all");
+    }
+    // An edit that the job has not answered yet: what is shown is known to be stale.
+    std::get<Pattern>(program.app.document.set.vibrations[2].source).amplitude_g = 0.3;
+    program.frame();
+    CHECK(program.shows("plot:brain"));
+    Program empty((PatternSet()));
+    CHECK_FALSE(empty.shows("plot:brain"));
+}
+
+}  // namespace physiology_panel_test

@@ -1,0 +1,370 @@
+// What is felt, when: the program's real frames, with a device that keeps what it is given.
+
+#include "app/play/playing.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "app/play/emergency_stop.h"
+#include "devices/device/memory_device.h"
+#include "tests/support/program.h"
+
+namespace playing_test {
+
+using namespace tact;
+
+namespace {
+
+struct Felt : Program {
+    MemoryDevice* device = nullptr;
+
+    explicit Felt(std::size_t patterns = 3) : Program(short_patterns(patterns)) {
+        DeviceInfo info;
+        info.id = "audio/test/memory";
+        info.name = "memory";
+        info.channels = {"left", "right"};
+        app.play.listed = std::make_shared<const Listing>(Listing{info});
+        auto owned = std::make_unique<MemoryDevice>(true);
+        device = owned.get();
+        app.play.choice = app.play.opened = remembered_choice(app, info.id);
+        app.play.device = std::move(owned);
+        app.playhead.speed = 1.0;
+        app.playhead.loop = false;
+        settle();
+    }
+
+    void space() {
+        window.press(key::kSpace, U' ');
+        settle();
+    }
+
+    Drive drive_of_pattern(std::size_t index) const {
+        return drive_of(waveform_of(app.document.set.vibrations[index]), 1.0);
+    }
+
+    bool plays(std::size_t index) const {
+        return device->playing() && *device->playing() == drive_of_pattern(index);
+    }
+
+    void wait(double seconds) {
+        for (double s = 0.0; s < seconds; s += window.frame_s) frame();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("playing: Space sends the current pattern to the device, at a low level, and stops it") {
+    Felt program;
+    program.space();
+    REQUIRE(program.plays(0));
+    CHECK(program.device->level() == 0.1);
+    CHECK_FALSE(program.device->looping());
+    CHECK(program.app.playhead.playing);
+    program.space();
+    CHECK_FALSE(program.device->playing());
+    CHECK_FALSE(program.app.playhead.playing);
+}
+
+TEST_CASE("playing: the playhead is where the device says that it is felt, and ends with it") {
+    Felt program;
+    program.space();
+    program.device->pretend(0.042, 0.0, false);
+    program.frame();
+    CHECK(program.app.playhead.at_s == 0.042);
+    program.device->end();
+    program.frame();
+    CHECK_FALSE(program.app.playhead.playing);
+    CHECK_FALSE(is_sounding(program.app));
+}
+
+TEST_CASE("playing: slow motion is silent, and slowing down silences") {
+    Felt program;
+    program.click("speed:1/10");
+    program.space();
+    CHECK_FALSE(program.device->playing());
+    CHECK(program.app.playhead.playing);
+    program.click("speed:1\u00d7");  // under way: from now on it is felt
+    CHECK(program.plays(0));
+    program.click("speed:1/100");
+    CHECK_FALSE(program.device->playing());
+    CHECK(program.app.playhead.playing);
+}
+
+TEST_CASE("playing: Esc silences in the frame it is pressed in, and does nothing else there") {
+    Felt program;
+    program.app.layout.maximised = Pane::physiology;
+    program.space();
+    REQUIRE(program.plays(0));
+    program.window.press(key::kEscape);
+    program.frame();
+    CHECK_FALSE(program.device->playing());
+    program.settle();
+    CHECK(program.app.layout.maximised == Pane::physiology);
+    program.press_key(key::kEscape);  // now it means what it always means
+    CHECK_FALSE(program.app.layout.maximised);
+}
+
+TEST_CASE("playing: Esc silences also in a dialog") {
+    Felt program;
+    program.app.dialog = Dialog::devices;
+    program.settle();
+    program.click("button:test buzz");
+    REQUIRE(program.device->playing());
+    CHECK(*program.device->playing() == test_buzz());
+    program.window.press(key::kEscape);
+    program.frame();
+    CHECK_FALSE(program.device->playing());
+}
+
+TEST_CASE("playing: a loop takes up an edit at its next round, not in the middle") {
+    Felt program;
+    program.app.playhead.loop = true;
+    program.space();
+    REQUIRE(program.device->looping());
+    const Drive before = *program.device->playing();
+    program.device->pretend(0.05, 0.1, false);
+    program.frame();
+    edit_patterns(program.app, [](Pattern& pattern) { pattern.amplitude_g = 0.3; });
+    program.device->pretend(0.08, 0.1, false);
+    program.frame();
+    CHECK(*program.device->playing() == before);
+    program.device->pretend(0.01, 0.1, false);
+    program.frame();
+    CHECK(program.plays(0));
+    CHECK(*program.device->playing() != before);
+    CHECK(program.device->looping());
+}
+
+TEST_CASE("playing: A|B plays the pattern and its partner in turn, with a gap") {
+    Felt program;
+    program.app.pinned = "p3";
+    program.app.playhead.loop = true;
+    program.click("transport:A|B");
+    program.space();
+    REQUIRE(program.plays(0));
+    CHECK_FALSE(program.device->looping());
+    program.device->end();
+    program.frame();
+    program.frame();
+    CHECK_FALSE(program.device->playing());  // the gap
+    program.wait(0.6);
+    CHECK(program.plays(2));
+    program.device->end();
+    program.wait(0.6);
+    CHECK(program.plays(0));
+    program.press_key(key::kEscape);
+    program.wait(1.0);
+    CHECK_FALSE(program.device->playing());
+}
+
+TEST_CASE("playing: all in sequence, each once, each shown while it is felt") {
+    Felt program;
+    play_all(program.app);
+    for (const std::size_t index : {0U, 1U, 2U}) {
+        program.frame();
+        REQUIRE(program.plays(index));
+        CHECK(program.app.selection.current == index);
+        program.device->end();
+        program.wait(0.6);
+    }
+    CHECK_FALSE(is_sounding(program.app));
+    CHECK_FALSE(program.device->playing());
+}
+
+TEST_CASE("playing: a lost device says so once, and nothing plays") {
+    Felt program;
+    program.space();
+    program.device->pretend(0.0, 0.0, false, "memory is gone: nothing plays until it is back");
+    program.settle();
+    CHECK_FALSE(program.app.playhead.playing);
+    CHECK_FALSE(is_sounding(program.app));
+    CHECK(program.app.status.is_error);
+    CHECK(program.app.status.text == "memory is gone: nothing plays until it is back");
+    program.app.status = {};
+    program.settle();
+    CHECK(program.app.status.text.empty());
+    CHECK(device_trouble(program.app) == "memory is gone: nothing plays until it is back");
+}
+
+TEST_CASE("playing: the clip light stays on until it is clicked, the meter falls by itself") {
+    Felt program;
+    program.space();
+    program.device->pretend(0.01, 0.8, true);
+    program.frame();
+    CHECK(program.app.play.clip_light);
+    CHECK(program.app.play.meter == 0.8);
+    program.device->pretend(0.02, 0.0, false);
+    program.space();
+    program.wait(2.5);
+    CHECK(program.app.play.clip_light);
+    CHECK(program.app.play.meter == 0.0);
+    program.click("clip");
+    CHECK_FALSE(program.app.play.clip_light);
+}
+
+TEST_CASE("playing: the level is felt while it plays") {
+    Felt program;
+    program.space();
+    const Place slider = program.at("level");
+    program.window.move({slider.max.x - 2.0F, slider.middle().y});
+    program.window.button(true);
+    program.settle();
+    CHECK(program.device->level() > 0.9);
+    program.window.button(false);
+    program.settle();
+    CHECK(program.plays(0));
+}
+
+TEST_CASE("playing: without a device all is calm: silent playing, and one word of advice") {
+    Program program(short_patterns(2));
+    program.app.play.listed = std::make_shared<const Listing>();
+    program.app.playhead.speed = 1.0;
+    program.settle();
+    CHECK(program.at("device").value == "No device");
+    CHECK_FALSE(program.shows("level"));
+    CHECK_FALSE(program.shows("clip"));
+    program.window.press(key::kSpace, U' ');
+    program.settle();
+    CHECK(program.app.playhead.playing);
+    CHECK(program.app.status.text.empty());
+    program.click("device");
+    CHECK(program.at("device advice").value.find("Plug in") == 0);
+}
+
+TEST_CASE("playing: a device that was chosen and is not there is not replaced by another") {
+    Felt program;
+    DeviceInfo other;
+    other.id = "audio/test/other";
+    other.name = "other";
+    choose_device(program.app, remembered_choice(program.app, "audio/test/gone"));
+    program.app.play.listed = std::make_shared<const Listing>(Listing{other});
+    program.settle();
+    program.space();
+    CHECK_FALSE(is_sounding(program.app));
+    CHECK(program.app.playhead.playing);  // silently
+    CHECK(program.app.play.choice.id == "audio/test/gone");
+    CHECK(program.at("device").value.find("gone") == 0);
+    CHECK(program.app.status.text.find("not there") != std::string::npos);
+}
+
+TEST_CASE("playing: how each device was used is remembered, in the session too") {
+    App app = make_app();
+    DeviceChoice pulse{"audio/ALSA/pulse", 2, 4, 0.02};
+    choose_device(app, pulse);
+    choose_device(app, {"audio/JACK/system", 3, 0, 0.0});
+    CHECK(remembered_choice(app, "audio/ALSA/pulse") == pulse);
+    app.play.full_scale_g = 2.5;
+    keep_devices(app);
+    App next = make_app();
+    next.session = app.session;
+    restore_devices(next);
+    CHECK(next.play.choice.id == "audio/JACK/system");
+    CHECK(next.play.choice.channel == 3);
+    CHECK(remembered_choice(next, "audio/ALSA/pulse") == pulse);
+    CHECK(next.play.full_scale_g == 2.5);
+    CHECK(next.play.level == kFirstLevel);  // every start is a quiet one
+}
+
+TEST_CASE("playing: in the map a double click plays, and so does resting on a point, if wanted") {
+    Felt program;
+    make_jobs(program.app);
+    request_maps(program.app);
+    program.wait_for_exact_map();
+    program.wait(1.0);
+    const ImVec2 point = program.at("point:p2").middle();
+    program.hover(point);
+    program.wait(0.5);
+    CHECK_FALSE(program.device->playing());
+    program.app.play.on_hover = true;
+    program.wait(0.5);
+    REQUIRE(program.plays(1));
+    program.device->end();
+    program.wait(1.0);
+    CHECK_FALSE(program.device->playing());  // once
+    program.app.play.on_hover = false;
+    program.window.click(point);
+    program.window.click(point);
+    program.settle();
+    CHECK(program.plays(1));
+}
+
+TEST_CASE("playing: Esc that comes before its frame stops the device, and no sequence goes on") {
+    Felt program;
+    program.app.play.gap_s = 0.0;
+    play_all(program.app);
+    program.frame();
+    REQUIRE(program.plays(0));
+    EmergencyStop stop;
+    stop.watch(program.app.play.device);
+    stop.stop();  // as the window does it when the key goes down
+    CHECK_FALSE(program.device->playing());
+    program.app.play.halted = stop.take();
+    CHECK(program.app.play.halted);
+    CHECK_FALSE(stop.take());
+    for (int k = 0; k < 5; ++k) program.frame();
+    CHECK_FALSE(program.device->playing());
+    program.app.selection.others = {1};
+    program.press_key(key::kEscape);
+    CHECK_FALSE(is_sounding(program.app));
+    CHECK(program.app.selection.others.size() == 1);  // it has done enough
+    program.space();
+    CHECK(program.device->playing());
+}
+
+TEST_CASE("playing: a calibrated drive is computed beside the frames, and then played") {
+    Felt program;
+    Calibration flat;
+    flat.points = {{20.0, 2.0}, {500.0, 2.0}};
+    program.app.play.calibration = std::make_shared<const Calibration>(flat);
+    const Vibration& first = program.app.document.set.vibrations[0];
+    const Drive wanted = calibrated_drive(waveform_of(first), flat).drive;
+    program.window.press(key::kSpace, U' ');
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (!program.device->playing()) {
+        REQUIRE(std::chrono::steady_clock::now() < until);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        program.frame();
+    }
+    CHECK(*program.device->playing() == wanted);
+    CHECK(is_sounding(program.app));
+    program.settle();
+    program.space();
+    CHECK_FALSE(program.device->playing());
+    CHECK_FALSE(is_sounding(program.app));
+}
+
+TEST_CASE("playing: what was being computed when it was silenced is not played") {
+    Felt program;
+    Calibration flat;
+    flat.points = {{20.0, 2.0}, {500.0, 2.0}};
+    program.app.play.calibration = std::make_shared<const Calibration>(flat);
+    play_once(program.app, 0);
+    silence(program.app);
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (!program.app.play.drive_job->latest()) {
+        REQUIRE(std::chrono::steady_clock::now() < until);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    program.settle();
+    CHECK_FALSE(program.device->playing());
+}
+
+TEST_CASE("playing: a controller is still when another window has the keys, sound plays on") {
+    Felt program;
+    program.space();
+    follow_focus(program.app, true);
+    follow_focus(program.app, false);
+    CHECK(program.device->playing());
+    Listing listed = *program.app.play.listed;
+    listed[0].kind = DeviceKind::hid;
+    program.app.play.listed = std::make_shared<const Listing>(listed);
+    follow_focus(program.app, false);  // it was lost before
+    CHECK(program.device->playing());
+    follow_focus(program.app, true);
+    follow_focus(program.app, false);
+    CHECK_FALSE(program.device->playing());
+    CHECK_FALSE(is_sounding(program.app));
+}
+
+}  // namespace playing_test

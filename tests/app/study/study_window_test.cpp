@@ -1,0 +1,258 @@
+// The view of studies and a participant's pages, in the program's real frames.
+#include <filesystem>
+
+#include "app/study/study_follow.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace study_window_test {
+
+using namespace tact;
+
+namespace {
+
+PatternSet study_set() {
+    PatternSet set = short_patterns(4);
+    set.study.repetitions = 1;
+    set.study.gap_s = 0.05;
+    set.study.rest_s = 0.05;
+    set.study.attention.failures_allowed = 1;
+    return set;
+}
+
+struct StudyProgram : Program {
+    TemporaryFolder folder;
+
+    explicit StudyProgram(const PatternSet& set = study_set()) : Program(set) {
+        set_study_folder(app, folder.path / "people");
+    }
+    ~StudyProgram() { stop_study(app); }
+
+    void wait(double seconds) {
+        for (double t = 0.0; t < seconds; t += window.frame_s) frame();
+    }
+    void wait_for(const std::string& name) {
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+        while (!shows(name)) {
+            REQUIRE_MESSAGE(std::chrono::steady_clock::now() < until, name);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            frame();
+        }
+        settle();
+    }
+    std::string page() const { return at("study page").value; }
+    void key(int code) { press_key(code); }
+    void type(const std::string& text) {
+        window.type(text);
+        settle();
+    }
+
+    // From the view to the first trial, by keyboard.
+    void begin() {
+        click("button:run participant");
+        key(key::kEnter);
+        key(key::kEnter);
+        REQUIRE(page() == "instructions 0");
+        key(key::kEnter);
+        for (std::size_t k = 0; k < 4; ++k) {
+            key(key::kRight);
+            key(key::kSpace);
+            wait(0.3);
+        }
+        key(key::kEnter);
+        REQUIRE(page() == "trial 0");
+    }
+    void answer(double similarity) {
+        press('a');
+        wait(0.3);
+        press('b');
+        wait(0.3);
+        key(key::kHome);
+        for (double at = 0.0; at < similarity; at += 1.0) key(key::kRight);
+        key(key::kEnter);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("study window: a whole study by keyboard becomes the ratings of the set") {
+    StudyProgram program;
+    program.press('5');
+    CHECK(program.shows("pane:Study"));
+    CHECK(program.at("study:prediction").value.starts_with("7 trials"));
+    program.begin();
+    for (int k = 0; k < 7; ++k) {
+        CHECK(program.page() == "trial " + std::to_string(k));
+        program.answer(k);
+    }
+    CHECK(program.page() == "finished 7");
+    program.key(key::kEnter);
+    program.wait_for("participant:P1");
+    CHECK(program.at("participant:P1").value == "7 of 7, counts");
+    CHECK(program.shows("study matrix"));
+    program.click("button:use as ratings");
+    CHECK(program.app.document.set.ratings.size() == 1);
+    CHECK(program.app.document.set.ratings[0].name == "P1");
+    CHECK_FALSE(program.app.study->is_open);
+    program.press('z', true);
+    CHECK(program.app.document.set.ratings.empty());
+}
+
+TEST_CASE("study window: every answer is in the file before the next trial is on the screen") {
+    StudyProgram program;
+    program.press('5');
+    program.begin();
+    const auto file = program.folder.path / "people" / "P1.jsonl";
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(read_study_file(file)->answers.size() == k);
+        program.answer(5);
+        CHECK(program.page() == "trial " + std::to_string(k + 1));
+    }
+    CHECK(read_study_file(file)->answers.size() == 3);
+    CHECK(read_study_file(file)->header.consented);
+    // Esc, leave: it goes on later.
+    program.key(key::kEscape);
+    CHECK(program.page() == "asking 3");
+    program.press('q');
+    program.wait_for("link:go on P1");
+    CHECK(program.at("participant:P1").value == "3 of 7, unfinished, 3 of 7 trials");
+    program.click("link:go on P1");
+    program.key(key::kEnter);
+    CHECK(program.page() == "trial 3");
+}
+
+TEST_CASE("study window: buttons and slider by mouse, only when it is their turn") {
+    StudyProgram program;
+    program.press('5');
+    program.begin();
+    const auto& run = *program.app.study->run;
+    program.click("study:slider");
+    CHECK_FALSE(run.similarity);
+    program.click("study:A");
+    program.click("study:B");  // A still plays
+    CHECK(run.plays_left == 1);
+    CHECK(run.plays_right == 0);
+    program.wait(0.3);
+    program.click("study:B");
+    program.wait(0.3);
+    program.click("study:slider");
+    CHECK(run.similarity == 50.0);
+    program.click("study:go on");
+    CHECK(program.page() == "trial 1");
+}
+
+TEST_CASE("study window: the design is part of the document, a change one undo step") {
+    StudyProgram program;
+    program.press('5');
+    const ImVec2 at = program.at("slider:study_repetitions").middle();
+    program.drag(at, at + ImVec2{60.0F, 0.0F}, 6);
+    CHECK(program.app.document.set.study.repetitions > 1);
+    program.press('z', true);
+    CHECK(program.app.document.set == study_set());
+    program.click("study:patterns");
+    program.click("study pattern:p2");
+    CHECK(program.app.document.set.study.patterns == std::vector<std::string>{"p1", "p3", "p4"});
+    program.click("study pattern:p2");
+    CHECK(program.app.document.set.study.patterns.empty());
+    program.press('1');
+    CHECK(program.shows("pane:Patterns"));
+}
+
+TEST_CASE("study window: sorting by keyboard and by mouse") {
+    PatternSet set = study_set();
+    set.study.groups = {2};
+    StudyProgram program(set);
+    program.press('5');
+    program.click("study kind:Sort into groups");
+    program.click("button:run participant");
+    program.key(key::kEnter);
+    program.key(key::kEnter);
+    program.key(key::kEnter);
+    REQUIRE(program.page() == "sorting 0");
+    program.drag(program.at("study:token 1").middle(), program.at("study:group 2").middle(), 4);
+    CHECK(program.at("study:token 1").value == "2");
+    for (int k = 0; k < 3; ++k) {
+        program.key(key::kRight);
+        program.press(k == 0 ? U'2' : U'1');
+    }
+    CHECK(unsorted_count(*program.app.study->run) == 0);
+    program.key(key::kEnter);
+    CHECK(program.page() == "finished 1");
+    program.key(key::kEnter);
+    program.wait_for("participant:P1");
+    CHECK(program.at("participant:P1").value == "1 of 1, counts");
+}
+
+TEST_CASE("study window: everything keeps within its pane, in small windows with large text") {
+    StudyProgram program;
+    program.press('5');
+    const auto check_inside = [&](const char* pane, std::initializer_list<const char*> things) {
+        const Place& around = program.at(pane);
+        for (const char* thing : things) {
+            CAPTURE(thing);
+            CHECK(program.at(thing).min.x >= around.min.x);
+            CHECK(program.at(thing).max.x <= around.max.x);
+        }
+    };
+    for (const float scale : {0.75F, 1.0F, 2.0F}) {
+        for (const ImVec2 size : {ImVec2{1600, 1000}, ImVec2{1000, 640}}) {
+            CAPTURE(scale);
+            CAPTURE(size.x);
+            ImGui::GetIO().DisplaySize = size;
+            ImGui::GetIO().Fonts->Clear();
+            program.app.text_scale = scale;
+            make_theme(program.app);
+            program.settle();
+            check_inside("pane:Study", {"entry:study_repetitions", "study:prediction",
+                                        "study kind:Sort into groups", "study order:Adaptive"});
+            check_inside("pane:Participants", {"button:run participant", "button:simulate",
+                                               "link:study folder", "study:device"});
+            program.click("button:run participant");
+            CHECK(program.at("study field:hand").max.x <= size.x);
+            // What does not fit scrolls.
+            program.hover(size * 0.5F);
+            push(program.window.input, {program.window.now_s, MouseWheel{0.0F, -30.0F}});
+            program.settle();
+            CHECK(program.at("study:go on").max.y <= size.y);
+            program.key(key::kEscape);
+            program.press('q');
+        }
+    }
+}
+
+TEST_CASE("study window: a trial fits into any window, at any size of text") {
+    StudyProgram program;
+    program.press('5');
+    program.begin();
+    for (const float scale : {0.75F, 1.0F, 2.0F}) {
+        for (const ImVec2 size : {ImVec2{1600, 1000}, ImVec2{1000, 640}}) {
+            CAPTURE(scale);
+            CAPTURE(size.x);
+            ImGui::GetIO().DisplaySize = size;
+            ImGui::GetIO().Fonts->Clear();
+            program.app.text_scale = scale;
+            make_theme(program.app);
+            program.settle();
+            CHECK(program.at("study:A").max.x <= program.at("study:B").min.x);
+            CHECK(program.at("study:A").max.y <= program.at("study:slider").min.y);
+            CHECK(program.at("study:slider").max.y <= program.at("study:go on").min.y);
+            CHECK(program.at("study:go on").max.y <= size.y);
+        }
+    }
+}
+
+TEST_CASE("study window: a simulated participant says everywhere that it is none") {
+    StudyProgram program;
+    make_jobs(program.app);
+    request_maps(program.app);
+    program.wait_for_exact_map();
+    program.press('5');
+    program.click("button:simulate");
+    program.wait_for("participant:synthetic P1");
+    CHECK(program.at("participant:synthetic P1").value == "7 of 7, synthetic");
+    CHECK(contains(program.at("study:agreement").value, "Synthetic: nobody was asked."));
+    CHECK(read_study_folder(program.folder.path / "people")->front().header.synthetic);
+    stop_jobs(program.app);
+}
+
+}  // namespace study_window_test

@@ -1,0 +1,212 @@
+#include "app/window/frame.h"
+
+#include "tests/support/program.h"
+
+namespace frame_test {
+
+using namespace tact;
+
+TEST_CASE("window: one drag of a slider is one undo step") {
+    Program program(short_patterns(3));
+    const Place bar = program.at("slider:amplitude_g");
+    const double before_g = program.pattern(0).amplitude_g;
+    const float y = bar.middle().y;
+    program.drag({bar.min.x + 20.0F, y}, {bar.max.x - 10.0F, y}, 6);
+    const double after_g = program.pattern(0).amplitude_g;
+    CHECK(after_g > before_g);
+
+    program.press('z', true);
+    CHECK(program.pattern(0).amplitude_g == before_g);
+    CHECK(program.app.history.undo_label() == nullptr);
+    program.press('z', true, true);
+    CHECK(program.pattern(0).amplitude_g == after_g);
+    program.press('z', true);
+    program.press('y', true);
+    CHECK(program.pattern(0).amplitude_g == after_g);
+}
+
+TEST_CASE("window: a hundred steps and more can be undone") {
+    Program program(short_patterns(1));
+    for (int k = 0; k < 120; ++k) program.press('d', true);
+    CHECK(program.app.document.set.vibrations.size() == 121);
+    for (int k = 0; k < 120; ++k) program.press('z', true);
+    CHECK(program.app.document.set == short_patterns(1));
+}
+
+TEST_CASE("window: a typed number is taken exactly, beyond the slider too, and clamped to range") {
+    Program program(short_patterns(2));
+    const auto enter = [&](const std::string& text) {
+        program.click("entry:amplitude_g");
+        program.window.type(text);
+        program.window.press(key::kEnter);
+        program.settle();
+    };
+    enter("12.345");
+    CHECK(program.pattern(0).amplitude_g == 12.345);
+    enter("999");
+    CHECK(program.pattern(0).amplitude_g == limits::kAmplitudeG.high);
+    CHECK(program.pattern(1).amplitude_g == 1.0);
+}
+
+TEST_CASE("window: arrow keys nudge the field touched last, Shift five times as far") {
+    Program program(short_patterns(1));
+    program.click("slider:modulation_hz");
+    const double start_hz = program.pattern(0).modulation.frequency_hz;
+    program.press_key(key::kRight);
+    const double step_hz = program.pattern(0).modulation.frequency_hz - start_hz;
+    // 0.1 s patterns have bins of 10 Hz: the least step that leaks nothing.
+    CHECK(step_hz == 10.0);
+    program.press_key(key::kLeft);
+    CHECK(program.pattern(0).modulation.frequency_hz == start_hz);
+}
+
+TEST_CASE("window: several selected patterns are edited together, locked ones stay") {
+    PatternSet set = short_patterns(4);
+    set.vibrations[2].locked = true;
+    Program program(set);
+    program.press('a', true);
+    program.click("entry:amplitude_g");
+    program.window.type("2");
+    program.window.press(key::kEnter);
+    program.settle();
+    CHECK(program.pattern(0).amplitude_g == 2.0);
+    CHECK(program.pattern(1).amplitude_g == 2.0);
+    CHECK(program.pattern(2).amplitude_g == 1.0);
+    CHECK(program.pattern(3).amplitude_g == 2.0);
+    program.press('z', true);
+    CHECK(program.app.document.set == set);
+}
+
+TEST_CASE("window: new, duplicate, delete, copy and paste are one step each") {
+    Program program(short_patterns(2));
+    program.click("button:new");
+    CHECK(program.app.document.set.vibrations.size() == 3);
+    CHECK(program.app.selection.current == 1);
+    program.press('d', true);
+    program.press('c', true);
+    program.press('v', true);
+    CHECK(program.app.document.set.vibrations.size() == 5);
+    program.press_key(key::kDelete);
+    CHECK(program.app.document.set.vibrations.size() == 4);
+    for (int k = 0; k < 4; ++k) program.press('z', true);
+    CHECK(program.app.document.set == short_patterns(2));
+}
+
+TEST_CASE("window: a rhythm is typed, or clicked step by step") {
+    Program program(short_patterns(1));
+    program.click("rhythm");
+    program.window.type("x--");
+    program.window.press(key::kEnter);
+    program.settle();
+    CHECK(program.pattern(0).rhythm.text == "x--");
+    program.click("step:1");
+    CHECK(program.pattern(0).rhythm.text == "xx-");
+    program.click("step:1");
+    CHECK(program.pattern(0).rhythm.text == "x=-");
+    program.click("step:0");  // a hold needs its note
+    CHECK(program.pattern(0).rhythm.text == "---");
+}
+
+TEST_CASE("window: a rhythm that is none is refused in words and changes nothing") {
+    Program program(short_patterns(1));
+    program.click("rhythm");
+    program.window.type("q=x");
+    program.window.press(key::kEnter);
+    program.settle();
+    CHECK(program.pattern(0).rhythm.text.empty());
+    CHECK(program.app.status.is_error);
+    CHECK(program.app.status.text.find("step 1") != std::string::npos);
+}
+
+TEST_CASE("window: a name twice or no name is refused, the old one stays") {
+    Program program(short_patterns(2));
+    rename_vibration(program.app, 0, "p2");
+    CHECK(program.app.status.is_error);
+    rename_vibration(program.app, 0, "");
+    CHECK(program.app.document.set == short_patterns(2));
+    rename_vibration(program.app, 0, "tap");
+    CHECK(program.app.document.set.vibrations[0].name == "tap");
+}
+
+TEST_CASE("window: no set, one pattern, hundreds of patterns all have something to say") {
+    for (const std::size_t count : {0UL, 1UL, 2UL, 400UL}) {
+        Program program(short_patterns(count));
+        CHECK(program.shows("title:Perceptual space"));
+        CHECK(program.at("title:Patterns").value == std::to_string(count));
+        program.press_key(key::kDown);
+        program.press_key(key::kDelete);
+        program.press('a', true);
+        program.press('3');
+        program.press('1');
+    }
+}
+
+TEST_CASE("window: a pane is maximised by a double click on its title, Esc puts it back") {
+    Program program(short_patterns(2));
+    const ImVec2 title = program.at("title:Perceptual space").middle();
+    program.window.click(title);
+    program.window.click(title);
+    program.settle();
+    CHECK_FALSE(program.shows("title:Patterns"));
+    program.press_key(key::kEscape);
+    CHECK(program.shows("title:Patterns"));
+}
+
+TEST_CASE("window: a dragged splitter moves its panes") {
+    Program program(short_patterns(2));
+    const float before = program.at("title:Physiology").min.x;
+    const ImVec2 bar = program.at("splitter:left").middle();
+    program.drag(bar, bar + ImVec2(80.0F, 0.0F), 4);
+    CHECK(std::abs(program.at("title:Physiology").min.x - before - 80.0F) <= 3.0F);
+}
+
+TEST_CASE("window: the command palette finds a command and runs it") {
+    Program program(short_patterns(2));
+    program.press('p', true);
+    REQUIRE(program.app.palette.open);
+    program.window.type("duplic");
+    program.settle();
+    program.press_key(key::kEnter);
+    CHECK_FALSE(program.app.palette.open);
+    CHECK(program.app.document.set.vibrations.size() == 3);
+}
+
+TEST_CASE("window: Ctrl+Z in a text field is the field's own") {
+    Program program(short_patterns(2));
+    program.press('d', true);
+    program.click("search");
+    program.window.type("ab");
+    program.settle();
+    program.press('z', true);
+    CHECK(program.app.document.set.vibrations.size() == 3);
+}
+
+TEST_CASE("window: a number being typed is taken however its entry is left, for its own pattern") {
+    Program program(short_patterns(3));
+    program.click("entry:amplitude_g");
+    program.window.type("3.3");
+    program.settle();
+    program.click("row:p2");
+    CHECK(program.pattern(0).amplitude_g == 3.3);
+    CHECK(program.pattern(1).amplitude_g == 1.0);
+    CHECK(program.app.selection.current == 1);
+    program.click("entry:amplitude_g");
+    program.window.type("1,5");
+    program.window.press(key::kTab);
+    program.settle();
+    CHECK(program.pattern(1).amplitude_g == 1.5);
+}
+
+TEST_CASE("window: locking is an edit, and what is locked is not deleted") {
+    Program program(short_patterns(2));
+    program.press('l', true);
+    program.settle();
+    CHECK(program.app.unsaved);
+    program.press_key(key::kDelete);
+    CHECK(program.app.document.set.vibrations.size() == 2);
+    program.press('z', true);
+    program.press_key(key::kDelete);
+    CHECK(program.app.document.set.vibrations.size() == 1);
+}
+
+}  // namespace frame_test

@@ -1,0 +1,250 @@
+#include "devices/calibration/calibration.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "devices/calibration/calibration_file.h"
+#include "devices/calibration/calibration_run.h"
+#include "model/common/random.h"
+#include "tests/support/tones.h"
+
+namespace calibration_test {
+
+using namespace tact;
+
+namespace {
+
+constexpr double kTau = 2.0 * std::numbers::pi;
+
+// A voice coil on a spring: a resonance with this gain at 0 Hz, as a recurrence of the bilinear
+// transform. `gain_at` is what theory says of the same recurrence.
+struct Coil {
+    double resonance_hz = 80.0;
+    double q = 3.0;
+    double gain_g = 0.5;
+    double cubic = 0.0;  // of the output: distortion
+
+    struct Coefficients {
+        double b0, b1, b2, a1, a2;
+    };
+    Coefficients coefficients() const {
+        // H(s) = gain s^2 / (s^2 + s w/q + w^2): acceleration of a mass on a spring.
+        const double w = 2.0 * std::tan(kTau * resonance_hz / kModelRateHz / 2.0);
+        const double a0 = 4.0 + 2.0 * w / q + w * w;
+        return {4.0 * gain_g / a0, -8.0 * gain_g / a0, 4.0 * gain_g / a0, (2.0 * w * w - 8.0) / a0,
+                (4.0 - 2.0 * w / q + w * w) / a0};
+    }
+    std::vector<double> moved(const std::vector<double>& drive) const {
+        const Coefficients c = coefficients();
+        std::vector<double> out(drive.size());
+        double x1 = 0, x2 = 0, y1 = 0, y2 = 0;
+        for (std::size_t n = 0; n < drive.size(); ++n) {
+            const double y = c.b0 * drive[n] + c.b1 * x1 + c.b2 * x2 - c.a1 * y1 - c.a2 * y2;
+            x2 = x1;
+            x1 = drive[n];
+            y2 = y1;
+            y1 = y;
+            out[n] = y + cubic * y * y * y;
+        }
+        return out;
+    }
+    double gain_at(double f_hz) const {
+        const Coefficients c = coefficients();
+        const std::complex<double> z = std::polar(1.0, -kTau * f_hz / kModelRateHz);
+        return std::abs((c.b0 + c.b1 * z + c.b2 * z * z) / (1.0 + c.a1 * z + c.a2 * z * z));
+    }
+};
+
+// A recording that begins `before` samples earlier and has a noisy sensor.
+Waveform recorded(const Coil& coil, const CalibrationPlan& plan, std::size_t before,
+                  double noise_g) {
+    std::vector<double> drive(before, 0.0);
+    drive.insert(drive.end(), plan.drive.samples.begin(), plan.drive.samples.end());
+    drive.resize(drive.size() + 3000, 0.0);
+    Waveform waveform{kModelRateHz, coil.moved(drive)};
+    RandomStream random{7};
+    for (double& sample : waveform.samples_g) sample += noise_g * next_normal(random);
+    return waveform;
+}
+
+Calibration table() {
+    Calibration calibration;
+    calibration.points = {{50.0, 0.4}, {100.0, 1.6}, {200.0, 0.8}};
+    return calibration;
+}
+
+}  // namespace
+
+TEST_CASE("calibration: between points the response is straight in logarithms, beyond it ends") {
+    const Calibration calibration = table();
+    CHECK(*response_g(calibration, 100.0) == 1.6);
+    CHECK(std::abs(*response_g(calibration, std::sqrt(50.0 * 100.0)) - 0.8) < 1e-12);
+    CHECK(*response_g(calibration, 40.0) == 0.4);  // less than a third of an octave below
+    CHECK_FALSE(response_g(calibration, 39.0));
+    CHECK(response_g(calibration, 251.0));
+    CHECK_FALSE(response_g(calibration, 253.0));
+    CHECK_FALSE(response_g(calibration, 0.0));
+}
+
+TEST_CASE("calibration: stepped tones find the response of a coil to 1 %, wherever they begin") {
+    const Coil coil;
+    CalibrationParams params;
+    params.tone_s = 0.5;
+    params.per_octave = 3;
+    const CalibrationPlan plan = calibration_plan(params);
+    for (const std::size_t before : {0UL, 1234UL, 15'001UL}) {
+        CAPTURE(before);
+        const auto result = calibration_from(plan, recorded(coil, plan, before, 0.0005));
+        REQUIRE(result);
+        REQUIRE(result->points.size() == 14);  // a third of an octave each from 20 to 403 Hz
+        for (const ResponsePoint& point : result->points) {
+            const double off = point.g_per_full_scale / coil.gain_at(point.frequency_hz) - 1.0;
+            CHECK_MESSAGE(std::abs(off) < 0.01, point.frequency_hz << " Hz: " << off);
+            CHECK(point.largest_drive == 0.6);
+            CHECK(point.thd < 0.05);
+        }
+        CHECK(std::abs(result->begins_s - static_cast<double>(before) / kModelRateHz) < 0.011);
+    }
+}
+
+TEST_CASE("calibration: a sweep finds it too, a little less exactly where it is steep") {
+    const Coil coil;
+    CalibrationParams params;
+    params.is_sweep = true;
+    const CalibrationPlan plan = calibration_plan(params);
+    const auto result = calibration_from(plan, recorded(coil, plan, 4321, 0.001));
+    REQUIRE(result);
+    CHECK(result->points.size() >= 25);
+    for (const ResponsePoint& point : result->points) {
+        const double off = point.g_per_full_scale / coil.gain_at(point.frequency_hz) - 1.0;
+        CHECK_MESSAGE(std::abs(off) < 0.05, point.frequency_hz << " Hz: " << off);
+    }
+}
+
+TEST_CASE("calibration: distortion and departure from proportional are told, bad tones left out") {
+    Coil coil;
+    coil.cubic = 0.4;
+    CalibrationParams params;
+    params.tone_s = 0.4;
+    params.low_hz = 150.0;
+    params.high_hz = 300.0;
+    const CalibrationPlan plan = calibration_plan(params);
+    const auto result = calibration_from(plan, recorded(coil, plan, 100, 1e-5));
+    REQUIRE(result);
+    for (const ResponsePoint& point : result->points) {
+        // y + c y^3 of a sine A: fundamental A + 3/4 c A^3, third harmonic c A^3 / 4.
+        const double a = coil.gain_at(point.frequency_hz) * 0.6;
+        const double c = coil.cubic;
+        const double fundamental = a + 0.75 * c * a * a * a;
+        CHECK(std::abs(point.thd - 0.25 * c * a * a * a / fundamental) < 1e-3);
+        CHECK(std::abs(point.g_per_full_scale - fundamental / 0.6) < 1e-3 * fundamental);
+        CHECK(point.nonlinearity > 0.01);
+    }
+    const auto noisy = calibration_from(plan, recorded(Coil{}, plan, 100, 0.05));
+    if (noisy) {
+        for (const MeasuredTone& tone : noisy->tones) CHECK(tone.accepted == (tone.snr_db > 20.0));
+    }
+    CHECK_FALSE(calibration_from(plan, recorded(Coil{}, plan, 100, 5.0)));
+}
+
+TEST_CASE("calibration: what is not the plan's recording is refused with a sentence") {
+    const CalibrationPlan plan = calibration_plan({});
+    Waveform other{kModelRateHz, std::vector<double>(plan.drive.samples.size() + 100, 0.0)};
+    auto answer = calibration_from(plan, other);
+    REQUIRE_FALSE(answer);
+    CHECK(answer.error().message.find("not in this recording") != std::string::npos);
+    other.samples_g.resize(1000);
+    answer = calibration_from(plan, other);
+    REQUIRE_FALSE(answer);
+    CHECK(answer.error().message.find("whole calibration signal") != std::string::npos);
+    other.rate_hz = 8000.0;
+    CHECK_FALSE(calibration_from(plan, other));
+}
+
+TEST_CASE("calibration: driven by it, the coil does what was meant") {
+    const Coil coil;
+    CalibrationParams params;
+    params.per_octave = 12;
+    params.tone_s = 0.3;
+    params.settle_s = 0.15;
+    const CalibrationPlan plan = calibration_plan(params);
+    const auto result = calibration_from(plan, recorded(coil, plan, 500, 1e-5));
+    REQUIRE(result);
+    Calibration calibration;
+    calibration.points = result->points;
+    // Away from the ends, where the filter has settled.
+    const Waveform meant = mixed(1.0, tone(80.0, kModelRateHz, 10'000, 0.2), 1.0,
+                                 tone(250.0, kModelRateHz, 10'000, 0.1));
+    const CalibratedDrive driven = calibrated_drive(meant, calibration);
+    CHECK(driven.share_lost < 1e-3);
+    CHECK(driven.warnings.empty());
+    const std::vector<double> felt = coil.moved(driven.drive.samples);
+    for (const auto& [f_hz, amplitude_g] : {std::pair{80.0, 0.2}, {250.0, 0.1}}) {
+        double c = 0.0;
+        double s = 0.0;
+        for (std::size_t n = 2000; n < 8000; ++n) {  // whole cycles of both
+            c += felt[n] * std::cos(kTau * f_hz * static_cast<double>(n) / kModelRateHz) / 3000.0;
+            s += felt[n] * std::sin(kTau * f_hz * static_cast<double>(n) / kModelRateHz) / 3000.0;
+        }
+        CHECK(std::abs(std::hypot(c, s) / amplitude_g - 1.0) < 0.02);
+    }
+}
+
+TEST_CASE("calibration: too much is said before it is played") {
+    Calibration calibration = table();
+    calibration.excursion_limit_mm = 0.05;
+    calibration.rms_limit = 0.3;
+    const Waveform strong = tone(50.0, kModelRateHz, 10'000, 1.0);
+    const CalibratedDrive driven = calibrated_drive(strong, calibration);
+    CHECK(driven.peak > 2.4);  // 1 g at 0.4 g per full scale
+    CHECK(driven.peak < 2.7);
+    CHECK(driven.warnings.size() == 3);
+    // Begun slowly, 1 g of 50 Hz moves 0.0994 mm; begun at once, up to twice as far.
+    CHECK(driven.excursion_mm < 2.0 * 0.1);
+    Waveform slow = strong;
+    for (std::size_t n = 0; n < 10'000; ++n) {
+        slow.samples_g[n] *= 0.5 - 0.5 * std::cos(kTau * static_cast<double>(n) / 10'000.0);
+    }
+    CHECK(std::abs(peak_displacement_mm(slow) - 0.0994) < 0.001);
+    const Waveform high = tone(400.0, kModelRateHz, 10'000, 0.1);
+    CHECK(calibrated_drive(high, calibration).share_lost > 0.99);
+    CHECK(calibrated_drive({}, calibration).drive.samples.empty());
+    const CalibratedDrive silent =
+        calibrated_drive({kModelRateHz, std::vector<double>(500, 0.0)}, calibration);
+    CHECK(silent.peak == 0.0);
+    CHECK(silent.warnings.empty());
+}
+
+TEST_CASE("calibration file: it comes back as it went, with keys from the future") {
+    Calibration calibration = table();
+    calibration.device = "audio:ALSA:card";
+    calibration.channel = 3;
+    calibration.actuator = "coil \"A\"";
+    calibration.rms_limit = 0.4;
+    calibration.unknown_json = R"({"colour":"red"})";
+    const auto back = parse_calibration(print_calibration(calibration), "c.json");
+    REQUIRE(back);
+    CHECK(*back == calibration);
+}
+
+TEST_CASE("calibration file: a bad one is refused by its place") {
+    const auto fault = [](const char* text) {
+        const auto answer = parse_calibration(text, "c.json");
+        return answer ? std::string() : answer.error().message;
+    };
+    CHECK(fault("{}").find("expected a calibration") != std::string::npos);
+    CHECK(fault(R"({"tactspace_calibration": 1})").find("/points") != std::string::npos);
+    CHECK(fault(R"({"tactspace_calibration": 1, "points": []})").find("/points") !=
+          std::string::npos);
+    CHECK(fault(R"({"tactspace_calibration": 1, "points": [{"frequency_hz": 50}]})")
+              .find("g_per_full_scale") != std::string::npos);
+    CHECK(fault(R"({"tactspace_calibration": 1, "points": [
+                    {"frequency_hz": 50, "g_per_full_scale": 1},
+                    {"frequency_hz": 50, "g_per_full_scale": 1}]})")
+              .find("/points/1/frequency_hz") != std::string::npos);
+}
+
+}  // namespace calibration_test

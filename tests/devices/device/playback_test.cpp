@@ -1,0 +1,240 @@
+#include "devices/device/playback.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+namespace playback_test {
+
+using namespace tact;
+
+namespace {
+
+constexpr double kRateHz = 48'000.0;
+constexpr std::size_t kPad = 4800;
+
+// A sine of 150 Hz that starts at its zero.
+Clip sine(double amplitude, std::size_t frames, bool loop, std::uint64_t serial) {
+    Clip clip;
+    for (std::size_t n = 0; n < frames; ++n) {
+        const double phase = 2.0 * std::numbers::pi * 150.0 * static_cast<double>(n) / kRateHz;
+        clip.samples.push_back(static_cast<float>(amplitude * std::sin(phase)));
+    }
+    clip.peak = static_cast<float>(amplitude);
+    clip.loop = loop;
+    clip.serial = serial;
+    return clip;
+}
+
+// A stream of four channels that plays on the second one.
+struct Stream {
+    Playback playback;
+    std::vector<float> heard;  // on the second channel
+    float elsewhere = 0.0F;    // the loudest on the others
+
+    Stream() {
+        playback.layout = {kRateHz, 4, 1, kCeiling};
+        playback.level = 1.0F;
+    }
+
+    void run(std::size_t frames, std::size_t block = 240) {
+        std::vector<float> buffer(4 * block, 9.0F);
+        for (std::size_t done = 0; done < frames; done += block) {
+            const std::size_t count = std::min(block, frames - done);
+            render(playback, buffer.data(), count, static_cast<double>(heard.size()) / kRateHz);
+            for (std::size_t n = 0; n < 4 * count; ++n) {
+                if (n % 4 == 1) {
+                    heard.push_back(buffer[n]);
+                } else {
+                    elsewhere = std::max(elsewhere, std::abs(buffer[n]));
+                }
+            }
+        }
+    }
+};
+
+double loudest(const std::vector<float>& samples, std::size_t from, std::size_t to) {
+    double most = 0.0;
+    for (std::size_t n = from; n < std::min(to, samples.size()); ++n) {
+        most = std::max(most, std::abs(static_cast<double>(samples[n])));
+    }
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("playback: after 100 ms of silence a clip comes out whole, on its own channel only") {
+    const Clip clip = sine(0.5, 9600, false, 1);
+    Stream stream;
+    stream.playback.wanted = &clip;
+    stream.run(20'000);
+    REQUIRE(loudest(stream.heard, 0, kPad) == 0.0);
+    for (std::size_t n = 0; n < clip.samples.size(); ++n) {
+        REQUIRE(stream.heard[kPad + n] == clip.samples[n]);
+    }
+    CHECK(loudest(stream.heard, kPad + clip.samples.size(), 20'000) == 0.0);
+    CHECK(stream.elsewhere == 0.0F);
+    CHECK(stream.playback.begun == 1);
+    CHECK(stream.playback.ended == 1);
+    CHECK(stream.playback.peak == doctest::Approx(0.5));
+    CHECK_FALSE(stream.playback.clipped);
+}
+
+TEST_CASE("playback: how the sound is cut into blocks does not change a sample") {
+    const Clip clip = sine(0.5, 7000, true, 1);
+    Stream fine;
+    Stream coarse;
+    fine.playback.wanted = &clip;
+    coarse.playback.wanted = &clip;
+    fine.run(30'000, 7);
+    coarse.run(30'000, 4096);
+    CHECK(fine.heard == coarse.heard);
+}
+
+TEST_CASE("playback: a loop has no seam") {
+    const Clip clip = sine(0.5, 3200, true, 1);  // ten periods
+    Stream stream;
+    stream.playback.wanted = &clip;
+    stream.run(kPad + 20 * 3200);
+    for (std::size_t n = 0; n < 20 * 3200; ++n) {
+        REQUIRE(stream.heard[kPad + n] == clip.samples[n % 3200]);
+    }
+    CHECK(stream.playback.ended == 0);
+}
+
+TEST_CASE("playback: a stop fades within 5 ms, without a jump, and then nothing sounds") {
+    const Clip clip = sine(0.5, 48'000, true, 1);
+    Stream stream;
+    stream.playback.wanted = &clip;
+    stream.run(kPad + 4880);
+    stream.playback.wanted = nullptr;
+    stream.run(4800);
+    CHECK(loudest(stream.heard, kPad + 4880 + 241, stream.heard.size()) == 0.0);
+    // A sine of 150 Hz steps by 1 % of its amplitude from one frame to the next, a fade adds 0.5 %.
+    for (std::size_t n = kPad + 4870; n < stream.heard.size(); ++n) {
+        REQUIRE(std::abs(stream.heard[n] - stream.heard[n - 1]) < 0.5F * 0.026F);
+    }
+    CHECK(stream.playback.ended == 1);
+    CHECK(stream.playback.quiet_frames >= 4800 - 480);
+}
+
+TEST_CASE("playback: a new clip lets the old one fade, and starts with its own first sample") {
+    const Clip first = sine(0.5, 48'000, true, 1);
+    Clip second;
+    second.samples.assign(100, 0.25F);
+    second.peak = 0.25F;
+    second.serial = 2;
+    Stream stream;
+    stream.playback.wanted = &first;
+    stream.run(kPad + 4880);
+    stream.playback.wanted = &second;
+    stream.run(4800);
+    const auto start = std::find(stream.heard.begin() + kPad + 4880, stream.heard.end(), 0.25F);
+    REQUIRE(start != stream.heard.end());
+    CHECK(start - stream.heard.begin() <= static_cast<std::ptrdiff_t>(kPad + 4880 + 242));
+    CHECK(std::count(start, stream.heard.end(), 0.25F) == 100);
+    CHECK(stream.playback.ended == 2);
+}
+
+TEST_CASE("playback: the level scales every sample, and a new level is reached without a jump") {
+    const Clip clip = sine(0.5, 48'000, true, 1);
+    Stream stream;
+    stream.playback.level = 0.1F;
+    stream.playback.wanted = &clip;
+    stream.run(kPad + 4800);
+    for (std::size_t n = 0; n < 4800; ++n) {
+        REQUIRE(stream.heard[kPad + n] == clip.samples[n] * 0.1F);
+    }
+    stream.playback.level = 1.0F;
+    stream.run(4800);
+    CHECK(loudest(stream.heard, kPad + 4800, kPad + 4840) < 0.5 * 0.45);  // on its way
+    // 1 % off after 10 ms, 1e-4 after 20.
+    CHECK(std::abs(loudest(stream.heard, kPad + 4800 + 960, kPad + 9600) - 0.5) < 1e-4);
+}
+
+TEST_CASE("playback: too loud a clip is turned down as a whole, and the clip light stays on") {
+    const Clip clip = sine(2.0, 9600, false, 1);
+    Stream stream;
+    stream.playback.wanted = &clip;
+    stream.run(20'000);
+    CHECK(loudest(stream.heard, 0, 20'000) <= 0.8 + 1e-7);
+    for (std::size_t n = 0; n < clip.samples.size(); ++n) {  // its shape is kept
+        REQUIRE(std::abs(stream.heard[kPad + n] - 0.4F * clip.samples[n]) < 1e-6F);
+    }
+    CHECK(stream.playback.clipped);
+    // At a level that fits it is as it is.
+    Stream quiet;
+    quiet.playback.level = 0.4F;
+    quiet.playback.wanted = &clip;
+    quiet.run(20'000);
+    CHECK_FALSE(quiet.playback.clipped);
+}
+
+TEST_CASE("playback: no sample is larger than the ceiling, whatever happens to the level") {
+    const Clip clip = sine(3.0, 48'000, true, 1);
+    Stream stream;
+    stream.playback.wanted = &clip;
+    for (const float level : {0.1F, 1.0F, 7.0F, 0.0F, -3.0F, 1.0F}) {
+        stream.playback.level = level;
+        stream.run(3000);
+    }
+    CHECK(loudest(stream.heard, 0, stream.heard.size()) <= 0.8 + 1e-7);
+    CHECK(stream.playback.peak <= 0.8F);
+}
+
+TEST_CASE(
+    "playback: the clip's start is told in the stream's own time, in a loop that of its round") {
+    const Clip clip = sine(0.5, 9600, true, 1);
+    Stream stream;
+    stream.playback.wanted = &clip;
+    stream.run(kPad + 2400);
+    CHECK(std::abs(stream.playback.origin_s - 0.1) < 1e-9);
+    CHECK(stream.playback.rounds == 0);
+    stream.run(9600 + 240);  // the call that begins the next round tells it in the one after
+    CHECK(std::abs(stream.playback.origin_s - 0.3) < 1e-9);
+    CHECK(stream.playback.rounds == 1);
+}
+
+TEST_CASE("playback: an empty clip ends as it begins") {
+    Clip nothing;
+    nothing.serial = 5;
+    Stream stream;
+    stream.playback.wanted = &nothing;
+    stream.run(kPad + 480);
+    CHECK(stream.playback.ended == 5);
+    CHECK(loudest(stream.heard, 0, stream.heard.size()) == 0.0);
+}
+
+TEST_CASE("playback: gaps are counted while a clip sounds, and not in silence") {
+    const Clip clip = sine(0.5, 48'000, true, 1);
+    Stream stream;
+    std::vector<float> buffer(4 * 240);
+    render(stream.playback, buffer.data(), 240, 0.0, true);
+    CHECK(stream.playback.dropouts == 0);
+    stream.playback.wanted = &clip;
+    stream.run(2 * kPad);
+    render(stream.playback, buffer.data(), 240, 0.0, true);
+    CHECK(stream.playback.dropouts == 1);
+}
+
+TEST_CASE(
+    "playback: what is for everywhere comes out of all channels alike, masking noise that is") {
+    const Clip clip = sine(0.5, 2400, false, 1);
+    Stream stream;
+    stream.playback.layout.everywhere = true;
+    stream.playback.wanted = &clip;
+    std::vector<float> buffer(4 * (kPad + 2400));
+    render(stream.playback, buffer.data(), kPad + 2400, 0.0);
+    for (std::size_t n = 0; n < kPad + 2400; ++n) {
+        const float wanted = n < kPad ? 0.0F : clip.samples[n - kPad];
+        for (std::size_t channel = 0; channel < 4; ++channel) {
+            REQUIRE(buffer[4 * n + channel] == wanted);
+        }
+    }
+}
+
+}  // namespace playback_test

@@ -1,0 +1,349 @@
+#include "devices/hid/hid_device.h"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <sstream>
+#include <thread>
+
+#include "model/signal/waveform.h"
+#include "tests/support/places.h"
+
+namespace hid_device_test {
+
+using namespace tact;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A controller that keeps what it is sent, and answers what a real one would.
+struct FakePad {
+    std::mutex mutex;
+    std::vector<Packet> packets;
+    std::vector<Clock::time_point> times;
+    std::vector<Packet> answers;
+    bool is_there = true;
+    bool answers_at_all = true;
+    Packet last_words;
+
+    std::vector<Packet> taken() {
+        const std::lock_guard lock(mutex);
+        return packets;
+    }
+};
+
+HidPort port_of(const std::shared_ptr<FakePad>& pad) {
+    HidPort port;
+    port.write = [pad](std::span<const std::uint8_t> report) {
+        const std::lock_guard lock(pad->mutex);
+        if (!pad->is_there) return false;
+        pad->packets.emplace_back(report.begin(), report.end());
+        pad->times.push_back(Clock::now());
+        if (!pad->answers_at_all) return true;
+        if (report[0] == 0x80) pad->answers.push_back({0x81, report[1]});
+        if (report[0] == 0x01) {
+            Packet answer(49, 0);
+            answer[0] = 0x21;
+            answer[13] = 0x80;
+            answer[14] = report[10];
+            pad->answers.push_back({0x30, 0});  // an ordinary input report comes before
+            pad->answers.push_back(answer);
+        }
+        return true;
+    };
+    port.read = [pad](int) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        const std::lock_guard lock(pad->mutex);
+        if (pad->answers.empty()) return Packet{};
+        const Packet answer = pad->answers.front();
+        pad->answers.erase(pad->answers.begin());
+        return answer;
+    };
+    port.feature = [](int, std::size_t) { return Packet{}; };
+    port.is_there = [pad] {
+        const std::lock_guard lock(pad->mutex);
+        return pad->is_there;
+    };
+    port.set_last_words = [pad](std::span<const std::uint8_t> packet) {
+        pad->last_words.assign(packet.begin(), packet.end());
+    };
+    return port;
+}
+
+HidActuator actuator(ActuatorKind kind, HidBus bus) {
+    HidActuator actuator;
+    actuator.kind = kind;
+    actuator.bus = bus;
+    actuator.name = "the pad";
+    actuator.path = "/dev/fake pad";
+    actuator.vendor = 0x057e;
+    return actuator;
+}
+
+HidDevice device_on(const std::shared_ptr<FakePad>& pad, const HidActuator& which) {
+    HidDoor door;
+    door.list = [pad, which] {
+        const std::lock_guard lock(pad->mutex);
+        return pad->is_there ? std::vector{which} : std::vector<HidActuator>{};
+    };
+    door.may_be_opened = [pad](const HidActuator&) -> Expected<Done> {
+        const std::lock_guard lock(pad->mutex);
+        return pad->is_there ? Expected<Done>(Done{}) : Error{"the pad is not there"};
+    };
+    door.open = [pad](const std::string&) { return port_of(pad); };
+    return HidDevice(which, door);
+}
+
+Drive tone(double duration_s) {
+    Drive drive;
+    drive.samples.resize(sample_count(duration_s, kModelRateHz));
+    for (std::size_t n = 0; n < drive.samples.size(); ++n) {
+        drive.samples[n] =
+            0.5 * std::sin(2.0 * std::numbers::pi * 160.0 * static_cast<double>(n) / kModelRateHz);
+    }
+    return drive;
+}
+
+template <class Condition>
+bool soon(const Condition& condition) {
+    const auto until = Clock::now() + std::chrono::seconds(5);
+    while (!condition()) {
+        if (Clock::now() > until) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return true;
+}
+
+bool ended(HidDevice& device) {
+    return soon([&] { return !device.status().playing; });
+}
+
+// The five neutral packets follow each other by a period.
+void wait_for_neutral(const std::shared_ptr<FakePad>& pad) {
+    const Packet neutral = switch_rumble(0, {});
+    CHECK(soon([&] {
+        const auto packets = pad->taken();
+        if (packets.size() < kNeutralPackets) return false;
+        return std::all_of(packets.end() - kNeutralPackets, packets.end(), [&](const Packet& p) {
+            return std::equal(p.begin() + 2, p.end(), neutral.begin() + 2, neutral.end());
+        });
+    }));
+}
+
+bool is_rumble(const Packet& packet) { return packet[0] == 0x10; }
+
+}  // namespace
+
+TEST_CASE(
+    "hid: a pad on a cable is woken, its vibration switched on, and then rumble alone is sent") {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::switch_pro, HidBus::usb));
+    REQUIRE(device.play(tone(0.2), false));
+    CHECK(ended(device));
+    wait_for_neutral(pad);
+    const auto packets = pad->taken();
+    REQUIRE(packets.size() > 10);
+    for (std::size_t k = 0; k < 4; ++k) CHECK(packets[k] == switch_usb(kSwitchUsbCommands[k]));
+    CHECK(packets[4] == switch_subcommand(0, {}, kEnableVibration, 1));
+    CHECK(std::all_of(packets.begin() + 5, packets.end(), is_rumble));
+    RumbleFrame frame;
+    frame.low = 0.5;
+    CHECK(
+        std::equal(packets[6].begin() + 2, packets[6].end(), switch_rumble(0, frame).begin() + 2));
+    CHECK(pad->last_words == switch_rumble(0, {}));
+    CHECK(device.status().trouble.empty());
+}
+
+TEST_CASE("hid: counters go up by one a packet") {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
+    Drive drive = tone(0.5);
+    for (std::size_t n = 0; n < drive.samples.size(); ++n) {
+        drive.samples[n] *= static_cast<double>(n) / static_cast<double>(drive.samples.size());
+    }
+    REQUIRE(device.play(drive, false));
+    CHECK(ended(device));
+    wait_for_neutral(pad);
+    std::vector<int> counters;
+    for (const Packet& packet : pad->taken()) {
+        if (is_rumble(packet)) counters.push_back(packet[1]);
+    }
+    REQUIRE(counters.size() > 15);
+    for (std::size_t k = 1; k < counters.size(); ++k) {
+        CHECK(counters[k] == (counters[k - 1] + 1) % 16);
+    }
+}
+
+TEST_CASE("hid: a steady tone is repeated every 50 ms or so, and no sooner") {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
+    REQUIRE(device.play(tone(0.6), false));
+    CHECK(ended(device));
+    const std::lock_guard lock(pad->mutex);
+    std::vector<Clock::time_point> times;
+    for (std::size_t k = 0; k < pad->packets.size(); ++k) {
+        if (pad->packets[k][0] == 0x10) times.push_back(pad->times[k]);
+    }
+    // 0.6 s at a packet every second period of 30 ms.
+    CHECK(times.size() >= 8);
+    CHECK(times.size() <= 13 + kNeutralPackets);
+    for (std::size_t k = 1; k + kNeutralPackets < times.size(); ++k) {
+        CHECK(times[k] - times[k - 1] >= std::chrono::milliseconds(45));
+    }
+}
+
+TEST_CASE("hid: stop silences at once, also a loop") {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::switch_pro, HidBus::usb));
+    REQUIRE(device.play(tone(0.1), true));
+    REQUIRE(soon([&] { return pad->taken().size() > 15; }));
+    CHECK(device.status().playing);
+    CHECK(device.status().position_s <= 0.1);
+    const auto asked = Clock::now();
+    device.stop();
+    const Packet neutral = switch_rumble(0, {});
+    REQUIRE(soon([&] {
+        const Packet last = pad->taken().back();
+        return std::equal(last.begin() + 2, last.end(), neutral.begin() + 2);
+    }));
+    CHECK(Clock::now() - asked < std::chrono::milliseconds(200));  // 20 on an idle machine
+    CHECK(ended(device));
+    wait_for_neutral(pad);
+}
+
+TEST_CASE("hid: the device is silenced when it is given up in the middle of a play") {
+    const auto pad = std::make_shared<FakePad>();
+    {
+        HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
+        REQUIRE(device.play(tone(5.0), false));
+        REQUIRE(soon([&] { return pad->taken().size() > 3; }));
+    }
+    wait_for_neutral(pad);
+}
+
+TEST_CASE("hid: level nought is neutral, and half of it half as strong") {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
+    device.set_level(0.5);
+    REQUIRE(device.play(tone(0.2), false));
+    double peak = 0.0;
+    CHECK(soon([&] {
+        const DeviceStatus status = device.status();
+        peak = std::max(peak, status.peak);
+        return !status.playing;
+    }));
+    CHECK(std::abs(peak - 0.25) <= 0.01);
+    CHECK(device.status().peak == 0.0);
+    RumbleFrame half;
+    half.low = 0.25;
+    const auto packets = pad->taken();
+    REQUIRE(packets.size() > 3);
+    CHECK(std::equal(packets[2].begin() + 2, packets[2].end(), switch_rumble(0, half).begin() + 2));
+    wait_for_neutral(pad);
+    device.set_level(0.0);
+    REQUIRE(device.play(tone(0.2), false));
+    CHECK(ended(device));
+    const auto all = pad->taken();
+    for (std::size_t k = packets.size(); k < all.size(); ++k) {
+        const Packet neutral = switch_rumble(0, {});
+        CHECK(std::equal(all[k].begin() + 2, all[k].end(), neutral.begin() + 2));
+    }
+}
+
+TEST_CASE("hid: one that is unplugged is noticed, says so, and is refused until it is back") {
+    const auto pad = std::make_shared<FakePad>();
+    HidActuator which = actuator(ActuatorKind::joy_con, HidBus::bluetooth);
+    HidDevice device = device_on(pad, which);
+    REQUIRE(device.play(tone(5.0), false));
+    REQUIRE(soon([&] { return pad->taken().size() > 3; }));
+    {
+        const std::lock_guard lock(pad->mutex);
+        pad->is_there = false;
+    }
+    CHECK(ended(device));
+    CHECK(device.status().trouble == "the pad was unplugged, or is out of reach");
+    CHECK_FALSE(device.status().connected);
+    CHECK(device.play(tone(0.1), false).error().message == device.status().trouble);
+    {
+        const std::lock_guard lock(pad->mutex);
+        pad->is_there = true;
+    }
+    CHECK(soon([&] { return device.status().connected; }));
+    CHECK(device.play(tone(0.1), false));
+    CHECK(ended(device));
+    wait_for_neutral(pad);
+    CHECK(device.status().trouble.empty());
+}
+
+TEST_CASE("hid: one that does not confirm its vibration is said not to answer") {
+    const auto pad = std::make_shared<FakePad>();
+    pad->answers_at_all = false;
+    HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
+    REQUIRE(device.play(tone(0.1), false));
+    CHECK(ended(device));
+    CHECK(device.status().trouble == "the pad does not answer: disconnect it and connect it again");
+    for (const Packet& packet : pad->taken()) CHECK_FALSE(is_rumble(packet));
+}
+
+TEST_CASE("hid: where the kernel's driver has the pad, nothing but rumble is sent") {
+    const auto pad = std::make_shared<FakePad>();
+    pad->answers_at_all = false;
+    HidActuator which = actuator(ActuatorKind::switch_pro, HidBus::usb);
+    which.kernel_driver = "nintendo";
+    HidDevice device = device_on(pad, which);
+    REQUIRE(device.play(tone(0.1), false));
+    CHECK(ended(device));
+    wait_for_neutral(pad);
+    for (const Packet& packet : pad->taken()) CHECK(is_rumble(packet));
+}
+
+TEST_CASE("hid: a node that is not there, and one without permission, say what to do") {
+    HidActuator which = actuator(ActuatorKind::joy_con, HidBus::bluetooth);
+    which.path = "/dev/hidraw none";
+    CHECK(may_be_opened(which).error().message ==
+          "the pad is not there any more: connect it again");
+    HidDevice device(which);
+    CHECK(device.play(tone(0.1), false));
+    CHECK(ended(device));
+    CHECK_FALSE(device.status().connected);
+    CHECK_FALSE(device.play(tone(0.1), false));
+    CHECK_FALSE(open_hid_port("/dev/null"));  // a character device, but none of HID
+}
+
+TEST_CASE("hid: the rules that the program names are those of the file it comes with") {
+    std::ifstream file(std::string(kAssetsDir) + "/70-tactspace.rules");
+    std::stringstream text;
+    text << file.rdbuf();
+    HidActuator which;
+    for (const std::uint16_t vendor : {std::uint16_t{0x057e}, std::uint16_t{0x054c}}) {
+        which.vendor = vendor;
+        for (const HidBus bus : {HidBus::usb, HidBus::bluetooth}) {
+            which.bus = bus;
+            CHECK(text.str().find("\n" + udev_rule(which) + "\n") != std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("hid: an empty pattern, and one of no numbers, play silence") {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::switch_pro, HidBus::usb));
+    REQUIRE(device.play(Drive{}, true));
+    CHECK(ended(device));
+    REQUIRE(device.play(Drive{kModelRateHz, std::vector<double>(500, std::nan(""))}, false));
+    CHECK(ended(device));
+    wait_for_neutral(pad);
+    const Packet neutral = switch_rumble(0, {});
+    for (const Packet& packet : pad->taken()) {
+        if (is_rumble(packet)) {
+            CHECK(std::equal(packet.begin() + 2, packet.end(), neutral.begin() + 2));
+        }
+    }
+}
+
+}  // namespace hid_device_test

@@ -1,0 +1,116 @@
+#include "devices/rumble/motor_envelope.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/signal/waveform.h"
+
+namespace motor_envelope_test {
+
+using namespace tact;
+
+namespace {
+
+constexpr double kHopS = 0.015;
+
+Drive tone(double frequency_hz, double amplitude, double from_s, double to_s, double length_s) {
+    Drive drive;
+    drive.samples.resize(sample_count(length_s, kModelRateHz));
+    for (std::size_t n = 0; n < drive.samples.size(); ++n) {
+        const double t_s = static_cast<double>(n) / kModelRateHz;
+        if (t_s < from_s || t_s >= to_s) continue;
+        drive.samples[n] = amplitude * std::sin(2.0 * std::numbers::pi * frequency_hz * t_s);
+    }
+    return drive;
+}
+
+}  // namespace
+
+TEST_CASE("motors: the envelope of a steady sine is its amplitude") {
+    const Drive drive = tone(150.0, 0.6, 0.0, 1.0, 1.0);
+    const auto strengths = envelope(drive.samples, drive.rate_hz, kHopS);
+    REQUIRE(strengths.size() == 67);
+    for (std::size_t k = 3; k + 3 < strengths.size(); ++k) {
+        CHECK(std::abs(strengths[k] - 0.6) <= 0.012);
+    }
+}
+
+TEST_CASE("motors: low tones are the strong motor's, high ones the weak one's") {
+    const auto low = motor_pair_frames(tone(40.0, 0.8, 0.0, 0.6, 0.6), kHopS);
+    const auto high = motor_pair_frames(tone(300.0, 0.8, 0.0, 0.6, 0.6), kHopS);
+    CHECK(low[20].low > 0.8);
+    CHECK(low[20].high == 0.0);
+    CHECK(high[20].low == 0.0);
+    CHECK(high[20].high > 0.8);
+}
+
+TEST_CASE("motors: after it has come up to speed a motor's strength is the envelope") {
+    for (const Motor& motor : {kStrongMotor, kWeakMotor}) {
+        for (const double strength : {0.05, 0.3, 0.7, 1.0}) {
+            const std::vector<double> steady(80, strength);
+            double speed = 0.0;
+            for (const double duty : motor_duties(motor, steady, kHopS)) {
+                CHECK(duty >= 0.0);
+                CHECK(duty <= 1.0);
+                speed = speed_after(motor, speed, duty, kHopS);
+            }
+            CHECK(std::abs(speed * speed - strength) <= 0.01 * strength);
+        }
+    }
+}
+
+TEST_CASE("motors: full duty brings a motor up sooner than its steady duty would") {
+    const std::vector<double> step(20, 0.25);
+    const auto duties = motor_duties(kStrongMotor, step, kHopS);
+    CHECK(duties[0] == 1.0);
+    double driven = 0.0;
+    double waited = 0.0;
+    const double steady = duties.back();
+    for (std::size_t k = 0; k < 3; ++k) {
+        driven = speed_after(kStrongMotor, driven, duties[k], kHopS);
+        waited = speed_after(kStrongMotor, waited, steady, kHopS);
+    }
+    CHECK(driven > 0.45);
+    CHECK(waited < 0.3);
+    // And never longer than 40 ms beyond what the envelope asks for, in hops of 15 ms.
+    CHECK(std::ranges::count_if(duties, [&](double d) { return d > steady + 1e-9; }) <= 3);
+}
+
+TEST_CASE("motors: an envelope that falls brakes by no duty at all, and silence stays silent") {
+    std::vector<double> falling(20, 1.0);
+    falling.resize(40, 0.2);
+    const auto duties = motor_duties(kStrongMotor, falling, kHopS);
+    CHECK(duties[20] == 0.0);
+    for (const double duty : motor_duties(kStrongMotor, std::vector<double>(10, 0.0), kHopS)) {
+        CHECK(duty == 0.0);
+    }
+    CHECK(motor_pair_frames(Drive{}, kHopS).empty());
+}
+
+TEST_CASE("motors: a faint end does not flutter on and off") {
+    Drive drive = tone(150.0, 0.04, 0.0, 1.0, 1.0);
+    for (const RumbleFrame& frame : intensity_frames(drive, kHopS)) CHECK(frame.low == 0.0);
+    // The same faintness goes on where it follows something stronger.
+    for (std::size_t n = 0; n < 3000; ++n) drive.samples[n] *= 10.0;
+    const auto frames = intensity_frames(drive, kHopS);
+    CHECK(frames[10].low > 0.35);
+    for (std::size_t k = 30; k < 60; ++k) CHECK(std::abs(frames[k].low - 0.04) < 0.005);
+}
+
+TEST_CASE("motors: what is split off below an edge is not delayed") {
+    const Drive drive = tone(30.0, 1.0, 0.3, 0.7, 1.0);
+    const auto low = below(drive.samples, kMotorSplitHz, drive.rate_hz);
+    double same = 0.0;
+    double later = 0.0;
+    for (std::size_t n = 4000; n < 6000; ++n) {
+        same = std::max(same, std::abs(low[n] - drive.samples[n]));
+        later = std::max(later, std::abs(low[n] - drive.samples[n - 10]));
+    }
+    CHECK(same < 0.02);
+    CHECK(later > 0.15);
+}
+
+}  // namespace motor_envelope_test

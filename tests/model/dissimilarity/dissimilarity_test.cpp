@@ -1,0 +1,70 @@
+#include "model/dissimilarity/dissimilarity.h"
+
+#include "tests/support/golden.h"
+
+namespace dissimilarity_test {
+
+using namespace tact;
+using golden::Json;
+
+TEST_CASE("dissimilarity: condensed order is (1,2),(1,3)..(2,3).. and back") {
+    for (const std::size_t n : {2UL, 3UL, 12UL, 100UL}) {
+        std::size_t index = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = i + 1; j < n; ++j, ++index) {
+                CHECK(pair_index(n, i, j) == index);
+                CHECK(pair_at(n, index) == std::pair{i, j});
+            }
+        }
+        CHECK(index == pair_count(n));
+    }
+    // Where squares no longer fit a double's 53 bits evenly.
+    const std::size_t n = 10'000;
+    for (const std::size_t index :
+         {0UL, 9'998UL, 9'999UL, 25'000'000UL, 49'994'998UL, 49'994'999UL}) {
+        const auto [i, j] = pair_at(n, index);
+        CHECK(pair_index(n, i, j) == index);
+    }
+}
+
+TEST_CASE("dissimilarity: symmetric, with a zero diagonal") {
+    const Dissimilarity d{3, {1.0, 2.0, 3.0}};
+    CHECK(d(0, 1) == 1.0);
+    CHECK(d(1, 0) == 1.0);
+    CHECK(d(2, 1) == 3.0);
+    CHECK(d(2, 2) == 0.0);
+}
+
+TEST_CASE("ranks: ties share their average") {
+    CHECK(average_ranks(std::vector<double>{10, 20, 20, 40}) ==
+          std::vector<double>{1.0, 2.5, 2.5, 4.0});
+    CHECK(average_ranks({}).empty());
+    CHECK(average_ranks(std::vector<double>{0.0, 0.0}) == std::vector<double>{1.5, 1.5});
+}
+
+TEST_CASE("ranks: a rank counts the smaller values and half of the equal ones") {
+    // -20..20 in a scattered order, each several times.
+    std::vector<double> values(500);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        values[k] = static_cast<double>(k * k % 41) - 20.0;
+    }
+    const std::vector<double> ranks = average_ranks(values);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const auto less = std::ranges::count_if(values, [&](double v) { return v < values[k]; });
+        const auto equal = std::ranges::count(values, values[k]);
+        // 1 + less .. less + equal share their mean: halves are exact.
+        CHECK(ranks[k] == static_cast<double>(2 * less + equal + 1) / 2.0);
+    }
+    std::vector<double> replaced = values;
+    replace_by_ranks(replaced);
+    CHECK(replaced == ranks);
+}
+
+TEST_CASE("ranks: rounding noise makes no order") {
+    const std::vector<double> noisy{1.0, 1.0 + 1e-15, 1.0 - 2e-16};
+    CHECK(average_ranks(noisy) == std::vector<double>{2.0, 2.0, 2.0});
+    // A part in 1e6 is a difference.
+    CHECK(average_ranks(std::vector<double>{1.0, 1.000001}) == std::vector<double>{1.0, 2.0});
+}
+
+}  // namespace dissimilarity_test

@@ -1,0 +1,205 @@
+#include "model/dtw/dtw.h"
+
+#include <bit>
+#include <chrono>
+#include <mutex>
+#include <random>
+#include <thread>
+
+#include "tests/support/dtw_textbook.h"
+#include "tests/support/golden.h"
+
+namespace dtw_test {
+
+using namespace tact;
+using golden::Json;
+
+namespace {
+
+// A wandering signal of both signs, as raw waveforms have.
+std::vector<double> wandering(std::size_t length, unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> step;
+    std::vector<double> signal(length);
+    double value = 0.0;
+    for (double& sample : signal) sample = value = 0.9 * value + step(random);
+    return signal;
+}
+
+std::vector<SignalPair> neighbours(const std::vector<std::vector<double>>& signals) {
+    std::vector<SignalPair> pairs;
+    for (std::size_t k = 0; k + 1 < signals.size(); ++k) {
+        pairs.push_back({signals[k], signals[k + 1]});
+    }
+    return pairs;
+}
+
+std::vector<double> textbook(const std::vector<SignalPair>& pairs) {
+    std::vector<double> distances;
+    for (const auto& [a, b] : pairs) distances.push_back(dtw_textbook(a, b));
+    return distances;
+}
+
+// Equal as 64 bits each: == would take -0 for 0.
+bool same_bits(const std::vector<double>& got, const std::vector<double>& expected) {
+    return std::ranges::equal(got, expected, {}, std::bit_cast<std::uint64_t, double>,
+                              std::bit_cast<std::uint64_t, double>);
+}
+
+// With every way of computing: one by one and side by side happen for 1 and for many threads.
+void check_all_ways(const std::vector<SignalPair>& pairs) {
+    const auto expected = textbook(pairs);
+    for (const DtwKernel& kernel : dtw_kernels()) {
+        CAPTURE(kernel.name);
+        for (const int threads : {1, 2, 4}) {
+            CAPTURE(threads);
+            CHECK(same_bits(dtw(pairs, {.threads = threads}, kernel), expected));
+        }
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+            CAPTURE(k);
+            CHECK(same_bits(dtw(std::span(pairs).subspan(k, 1), {}, kernel), {expected[k]}));
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("dtw: distances equal the independent program's") {
+    const Json dtw_json = golden::read("dtw.json");
+    const Json& cases = dtw_json.at("cases");
+    REQUIRE(cases.size() > 20);
+    for (const Json& c : cases) {
+        const std::vector<double> x = c.at("x");
+        const std::vector<double> y = c.at("y");
+        const double expected = c.at("distance");
+        // The path sums at most 80 terms; each may round once in another order.
+        CHECK(std::abs(dtw(x, y) - expected) <= 1e-12 * std::max(1.0, expected));
+        CHECK(std::abs(dtw(y, x) - expected) <= 1e-12 * std::max(1.0, expected));
+        CHECK(std::abs(dtw_textbook(x, y) - expected) <= 1e-12 * std::max(1.0, expected));
+    }
+}
+
+TEST_CASE("dtw: constants are apart by their difference on every step of the longer one") {
+    CHECK(dtw(std::vector<double>(3, 2.0), std::vector<double>(4, 5.0)) == 12.0);
+}
+
+TEST_CASE("dtw: waiting is free") {
+    const std::vector<double> once{0, 1, 2, 1, 0};
+    const std::vector<double> slow{0, 0, 1, 1, 1, 2, 1, 0, 0, 0};
+    CHECK(dtw(once, slow) == 0.0);
+    CHECK(dtw(once, once) == 0.0);
+}
+
+TEST_CASE("dtw: nothing is as far from something as can be, and at nothing from nothing") {
+    const std::vector<double> nothing;
+    const std::vector<double> something{1.0};
+    CHECK(dtw(nothing, nothing) == 0.0);
+    CHECK(std::isinf(dtw(something, {})));
+    CHECK(std::isinf(dtw({}, something)));
+    check_all_ways({{nothing, nothing}, {something, nothing}, {nothing, something}});
+    CHECK(dtw(std::vector<SignalPair>{}).empty());
+}
+
+TEST_CASE("dtw: every length gives the textbook's bits, whatever strips it fills") {
+    // Strips have 5 to 64 rows: lengths around them, and each as rows and as columns.
+    for (std::size_t length = 1; length <= 70; ++length) {
+        CAPTURE(length);
+        const auto a = wandering(length, 1);
+        for (const std::size_t other : {std::size_t{1}, std::size_t{7}, length, std::size_t{65}}) {
+            const auto b = wandering(other, 2);
+            check_all_ways({{a, b}, {b, a}});
+        }
+    }
+}
+
+TEST_CASE("dtw: any number of pairs gives the textbook's bits, whatever registers it fills") {
+    std::vector<std::vector<double>> signals;
+    for (unsigned k = 0; k < 37; ++k) {
+        signals.push_back(wandering(33, k));
+        check_all_ways(neighbours(signals));
+    }
+}
+
+TEST_CASE("dtw: pairs of different shapes keep their places") {
+    std::vector<std::vector<double>> signals;
+    for (unsigned k = 0; k < 60; ++k) signals.push_back(wandering(20 + (7 * k) % 5, k));
+    check_all_ways(neighbours(signals));
+}
+
+TEST_CASE("dtw: a second at 10 kHz, and a sample around it, gives the textbook's bits") {
+    std::vector<std::vector<double>> signals;
+    for (const std::size_t length : {9'999, 10'000, 10'001}) {
+        signals.push_back(wandering(length, static_cast<unsigned>(length)));
+    }
+    const std::vector<SignalPair> pairs{{signals[0], signals[1]}, {signals[1], signals[2]}};
+    const auto expected = textbook(pairs);
+    for (const DtwKernel& kernel : dtw_kernels()) {
+        CAPTURE(kernel.name);
+        CHECK(same_bits(dtw(pairs, {}, kernel), expected));
+        // As many equal pairs as lie side by side, so that none is taken alone.
+        const std::vector<SignalPair> full(kernel.many_pairs.pairs, pairs[0]);
+        const std::vector<double> same(full.size(), expected[0]);
+        CHECK(same_bits(dtw(full, {.threads = 1}, kernel), same));
+    }
+}
+
+TEST_CASE("dtw: tiny, huge and equal numbers give the textbook's bits") {
+    auto tiny = wandering(50, 1);
+    auto huge = wandering(50, 2);
+    for (double& value : tiny) value *= 1e-308;  // many of these are subnormal
+    for (double& value : huge) value *= 1e305;   // and sums of these stay finite
+    const std::vector<double> zeros(50, 0.0);
+    const std::vector<double> negative_zeros(50, -0.0);
+    check_all_ways({{tiny, tiny}, {tiny, huge}, {huge, zeros}, {zeros, negative_zeros}});
+    CHECK(dtw(zeros, negative_zeros) == 0.0);
+    CHECK_FALSE(std::signbit(dtw(zeros, negative_zeros)));
+}
+
+TEST_CASE("dtw: progress climbs to one, by the pairs that are done") {
+    std::vector<std::vector<double>> signals;
+    for (unsigned k = 0; k < 30; ++k) signals.push_back(wandering(50, k));
+    const auto pairs = neighbours(signals);
+    std::mutex mutex;
+    std::vector<double> shares;
+    dtw(pairs, {.threads = 2, .progress = [&](double share) {
+                    const std::scoped_lock lock(mutex);
+                    shares.push_back(share);
+                }});
+    REQUIRE_FALSE(shares.empty());
+    std::ranges::sort(shares);  // threads may report out of turn
+    CHECK(shares.front() > 0.0);
+    CHECK(shares.back() == 1.0);
+    CHECK(std::ranges::adjacent_find(shares) == shares.end());
+}
+
+TEST_CASE("dtw: a stop ends a long comparison at once") {
+    std::stop_source stop;
+    stop.request_stop();
+    const std::vector<double> large(100'000, 1.0);  // 1e10 cells: minutes, if not stopped
+    CHECK(std::isinf(dtw(large, large, stop.get_token())));
+    const std::vector<SignalPair> pairs(9, {large, large});
+    for (const double distance : dtw(pairs, {.threads = 2, .stop = stop.get_token()})) {
+        CHECK(std::isinf(distance));
+    }
+}
+
+TEST_CASE("dtw: a stop in the middle of long comparisons ends them") {
+    const std::vector<double> large(100'000, 1.0);
+    const std::vector<SignalPair> pairs(32, {large, large});  // half a minute, if not stopped
+    for (const DtwKernel& kernel : dtw_kernels()) {
+        CAPTURE(kernel.name);
+        std::stop_source stop;
+        std::jthread soon([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            stop.request_stop();
+        });
+        const auto begin = std::chrono::steady_clock::now();
+        const auto distances = dtw(pairs, {.threads = 2, .stop = stop.get_token()}, kernel);
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+        CHECK(std::ranges::all_of(distances, [](double d) { return std::isinf(d); }));
+        // A strip is about 1 ms at this length; the rest is for a machine with other things to do.
+        CHECK(taken.count() < 2.0);
+    }
+}
+
+}  // namespace dtw_test

@@ -1,0 +1,168 @@
+#include "model/io/people/study_file.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "tests/support/temporary_folder.h"
+
+namespace study_file_test {
+
+using namespace tact;
+
+namespace {
+
+StudyHeader header() {
+    StudyHeader header;
+    header.program = "tactspace 9.9";
+    header.set_name = "three";
+    header.set_fingerprint = "0123456789abcdef";
+    header.patterns = {"low", "mid, loud", "h\u00f6h \"x\""};
+    header.design.repetitions = 2;
+    header.design.consent = "I agree.";
+    header.seed = 0xfedcba9876543210U;
+    header.device = {"memory", "uncalibrated", "pink noise at 0.3 on ears"};
+    header.participant = {"P1", {{"age", "27"}, {"hand", "left"}}};
+    header.consented = true;
+    header.begun = "2026-01-02T03:04:05Z";
+    return header;
+}
+
+const PairAnswer kAnswer{{0, 2}, 54.0, 1, 3, 6.25, "2026-01-02T03:05:00Z"};
+const PairAnswer kOther{{1, 1}, 99.0, 2, 1, 3.5, "2026-01-02T03:06:00Z"};
+
+StudyLog begun(const std::filesystem::path& path) {
+    auto log = StudyLog::begin(path, header());
+    REQUIRE_MESSAGE(log, (log ? "" : log.error().message));
+    return *std::move(log);
+}
+
+std::string fault_of(const std::string& text) {
+    const auto record = parse_study(text, "P1.jsonl");
+    REQUIRE_FALSE(record);
+    return record.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("study file: what is written is read back, line by line") {
+    const TemporaryFolder folder;
+    const auto path = folder.path / "P1.jsonl";
+    {
+        StudyLog log = begun(path);
+        CHECK(read_study_file(path)->header == header());
+        REQUIRE(log.append(answer_line(header(), 0, kAnswer)));
+        CHECK(read_study_file(path)->answers == std::vector{kAnswer});
+        REQUIRE(log.append(answer_line(header(), 1, kOther)));
+    }
+    const auto record = read_study_file(path);
+    REQUIRE(record);
+    CHECK(*record == StudyRecord{header(), {kAnswer, kOther}, {}, false});
+}
+
+TEST_CASE("study file: torn anywhere in its last line, it loses that line alone and goes on") {
+    const TemporaryFolder folder;
+    const auto whole = folder.path / "P1.jsonl";
+    {
+        StudyLog log = begun(whole);
+        REQUIRE(log.append(answer_line(header(), 0, kAnswer)));
+        REQUIRE(log.append(answer_line(header(), 1, kOther)));
+    }
+    const std::string bytes = bytes_of(whole);
+    const std::size_t second = bytes.rfind('\n', bytes.size() - 2) + 1;
+    for (std::size_t cut = second; cut <= bytes.size(); ++cut) {
+        CAPTURE(cut - second);
+        const auto path = folder.write("torn.jsonl", bytes.substr(0, cut));
+        const auto record = read_study_file(path);
+        REQUIRE(record);
+        const bool all = cut + 1 >= bytes.size();  // but the end of the line
+        CHECK(record->answers.size() == (all ? 2 : 1));
+        {
+            auto log = StudyLog::resume(path, *record);
+            REQUIRE(log);
+            REQUIRE(log->append(answer_line(header(), 1, kOther)));
+        }
+        const auto after = read_study_file(path);
+        REQUIRE(after);
+        CHECK_FALSE(after->is_torn);
+        CHECK(after->answers.size() == (all ? 3 : 2));
+        CHECK(after->answers.back() == kOther);
+    }
+}
+
+TEST_CASE("study file: nobody's file is written over, or by two at once") {
+    const TemporaryFolder folder;
+    const auto path = folder.path / "P1.jsonl";
+    const StudyLog log = begun(path);
+    const std::string before = bytes_of(path);
+    const auto again = StudyLog::begin(path, header());
+    REQUIRE_FALSE(again);
+    CHECK(contains(again.error().message, "expected another code for participant \"P1\""));
+    CHECK(bytes_of(path) == before);
+    const auto second = StudyLog::resume(path, *read_study_file(path));
+    REQUIRE_FALSE(second);
+    CHECK(contains(second.error().message, "another tactspace is writing it"));
+    CHECK_FALSE(StudyLog::begin(folder.path / "no" / "such.jsonl", header()));
+}
+
+TEST_CASE("study file: it goes on only where it was left") {
+    const TemporaryFolder folder;
+    const auto path = folder.path / "P1.jsonl";
+    { StudyLog log = begun(path); }
+    StudyRecord other = *read_study_file(path);
+    other.answers.push_back(kAnswer);
+    REQUIRE_FALSE(StudyLog::resume(path, other));
+    other = *read_study_file(path);
+    other.header.participant.code = "P2";
+    REQUIRE_FALSE(StudyLog::resume(path, other));
+}
+
+TEST_CASE("study file: sorting rounds are read back, whatever was left out") {
+    StudyHeader head = header();
+    head.kind = StudyKind::sorting;
+    const SortingAnswer answer{2, {0, kUnsorted, 1}, 41.0, "2026-01-02T03:05:00Z"};
+    const std::string text = header_line(head) + "\n" + answer_line(head, 0, answer) + "\n";
+    const auto record = parse_study(text, "P1.jsonl");
+    REQUIRE(record);
+    CHECK(record->sortings == std::vector{answer});
+}
+
+TEST_CASE("study file: a wrong line is named") {
+    const std::string head = header_line(header()) + "\n";
+    const std::string line = answer_line(header(), 0, kAnswer);
+    CHECK(fault_of("") == "P1.jsonl: is empty, expected the study of a participant");
+    CHECK(contains(fault_of("{\"a\":1}\n"), "P1.jsonl:1"));
+    CHECK(contains(fault_of(head + "{torn\n" + line + "\n"), "P1.jsonl:2"));
+    std::string odd = line;
+    odd.replace(odd.find("\"low\""), 5, "\"who\"");
+    CHECK(
+        contains(fault_of(head + odd + "\n"), "P1.jsonl:2: /left: expected the name of a pattern"));
+    odd = line;
+    odd.replace(odd.find("54"), 2, "154");
+    CHECK(contains(fault_of(head + odd + "\n"), "/rating"));
+    CHECK(contains(fault_of(head + "{\"left\":\"low\",\"right\":\"low\"}\n"), "/rating"));
+}
+
+TEST_CASE("study file: codes become names of files that cannot leave their folder") {
+    CHECK(study_file_name("P1") == "P1.jsonl");
+    CHECK(study_file_name("../a b") == "___a_b.jsonl");
+    CHECK(study_file_name("...") == "");
+}
+
+TEST_CASE("study file: a folder gives its participants in natural order") {
+    const TemporaryFolder folder;
+    CHECK_FALSE(read_study_folder(folder.path));
+    CHECK_FALSE(read_study_folder(folder.path / "none"));
+    for (const char* code : {"P10", "P2"}) {
+        StudyHeader head = header();
+        head.participant.code = code;
+        folder.write(study_file_name(code), header_line(head) + "\n");
+    }
+    folder.write("notes.txt", "not a study");
+    const auto records = read_study_folder(folder.path);
+    REQUIRE(records);
+    REQUIRE(records->size() == 2);
+    CHECK((*records)[0].header.participant.code == "P2");
+}
+
+}  // namespace study_file_test

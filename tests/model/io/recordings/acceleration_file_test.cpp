@@ -1,0 +1,228 @@
+#include "model/io/recordings/acceleration_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/signal/resample.h"
+#include "model/text/numbers.h"
+#include "tests/support/golden.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wave_bytes.h"
+
+namespace acceleration_file_test {
+
+using namespace tact;
+
+namespace {
+
+using Samples = std::vector<double>;
+
+Samples sine(double frequency_hz, double rate_hz, std::size_t count, double amplitude = 1.0) {
+    Samples samples;
+    for (std::size_t n = 0; n < count; ++n) {
+        const double t = static_cast<double>(n) / rate_hz;
+        samples.push_back(amplitude * std::sin(2.0 * std::numbers::pi * frequency_hz * t));
+    }
+    return samples;
+}
+
+// A whole number of periods of 100 Hz at 10 kHz, in rows of text.
+std::string table(const std::string& heading, const std::string& separator, double time_unit_s,
+                  double offset, double scale, std::size_t axes = 1) {
+    const Samples samples = sine(100.0, 1e4, 500);
+    std::string text = heading;
+    for (std::size_t n = 0; n < samples.size(); ++n) {
+        if (time_unit_s > 0.0) text += shortest_digits(static_cast<double>(n) * 1e-4 / time_unit_s);
+        for (std::size_t a = 0; a < axes; ++a) {
+            if (a > 0 || time_unit_s > 0.0) text += separator;
+            text += shortest_digits(offset + scale * (a == 0 ? samples[n] : 0.0));
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+std::string with_decimal_commas(std::string text) {
+    for (char& c : text) c = c == '.' ? ',' : c;
+    return text;
+}
+
+struct Case {
+    TemporaryFolder folder;
+
+    Expected<Recording> read(const std::string& text, const AccelerationOptions& options = {},
+                             const std::string& name = "a.csv") const {
+        return read_acceleration_file(folder.write(name, text), options);
+    }
+    std::string fault(const std::string& text, const AccelerationOptions& options = {}) const {
+        const auto recording = read(text, options);
+        REQUIRE_FALSE(recording);
+        return recording.error().message;
+    }
+};
+
+// The sine of table() in g.
+void check_is_the_sine(const Expected<Recording>& recording) {
+    REQUIRE_MESSAGE(recording, recording.error().message);
+    CHECK(recording->waveform.rate_hz == kModelRateHz);
+    CHECK(golden::worst_difference(recording->waveform.samples_g, sine(100.0, 1e4, 500)) < 1e-12);
+}
+
+bool says(const Recording& recording, const std::string& part) {
+    return std::ranges::any_of(recording.remarks,
+                               [&](const std::string& remark) { return contains(remark, part); });
+}
+
+}  // namespace
+
+TEST_CASE("acceleration file: however it is written, the same motion comes out") {
+    const Case file;
+    AccelerationOptions at_10khz;
+    at_10khz.rate_hz = 1e4;
+    check_is_the_sine(file.read(table("", "", 0.0, 0.0, 1.0), at_10khz));
+    check_is_the_sine(file.read(table("time,a\n", ",", 1.0, 0.0, 1.0)));
+    check_is_the_sine(file.read(table("time [ms];acc (g)\n", ";", 1e-3, 0.0, 1.0)));
+    check_is_the_sine(file.read(table("t_us\ta_g\n", "\t", 1e-6, 0.0, 1.0)));
+    check_is_the_sine(file.read(table("", " ", 1.0, 0.0, 1.0)));
+    check_is_the_sine(file.read(table("Logger 7\n# 3 axes\n\nTime (s),Acc (m/s^2)\n", ",", 1.0, 0.0,
+                                      kStandardGravityMPerS2)));
+    check_is_the_sine(file.read(with_decimal_commas(table("t;x\n", ";", 1e-3, 0.0, 1.0))));
+    check_is_the_sine(
+        file.read("\xEF\xBB\xBF" + table("# made, today\nt,x\n", ",", 1.0, 0.0, 1.0)));
+}
+
+TEST_CASE("acceleration file: gravity and a sensor's offset are no vibration") {
+    const Case file;
+    check_is_the_sine(file.read(table("t,x (g)\n", ",", 1.0, 1.0, 1.0)));
+    AccelerationOptions adxl;
+    adxl.unit = AccelerationUnit::volt;
+    adxl.sensitivity_v_per_g = 0.4;
+    adxl.offset_v = 0.9;
+    check_is_the_sine(file.read(table("t,out\n", ",", 1.0, 0.9, 0.4), adxl));
+    CHECK(says(*file.read(table("t,x\n", ",", 1.0, 0.0, 1.0)), "taken as g"));
+    CHECK_FALSE(says(*file.read(table("t,x (g)\n", ",", 1.0, 0.0, 1.0)), "taken as g"));
+}
+
+TEST_CASE("acceleration file: three axes are one of the same energy, or one is chosen") {
+    const Case file;
+    const std::string text = table("t,x,y,z\n", ",", 1.0, 0.0, 1.0, 3);
+    check_is_the_sine(file.read(text));
+    CHECK(says(*file.read(text), "DFT321"));
+    AccelerationOptions second;
+    second.axis = 2;
+    CHECK(peak_g(file.read(text, second)->waveform) == 0.0);
+    second.axis = 4;
+    CHECK(contains(file.fault(text, second), "expected axis 4, got a file of 3"));
+    CHECK(contains(file.fault("t,x,y\n0,1,1\n0.001,2,2\n"), "expected 1 or 3 axes, got 2"));
+}
+
+TEST_CASE("acceleration file: columns beside the axes are passed over") {
+    const Case file;
+    const auto recording = file.read(
+        "sample,time (ms),acc_x,acc_y,acc_z,temperature\n1,0,1,0,0,20\n2,0.1,-1,0,0,20\n");
+    REQUIRE_MESSAGE(recording, recording.error().message);
+    CHECK(std::abs(recording->waveform.samples_g[0] - 1.0) < 1e-12);
+    CHECK(std::abs(recording->waveform.samples_g[1] + 1.0) < 1e-12);
+}
+
+TEST_CASE("acceleration file: times without a unit are seconds, unless no rate would be") {
+    const Case file;
+    CHECK(says(*file.read(table("t,x\n", ",", 1e-3, 0.0, 1.0)), "times taken as ms"));
+    CHECK_FALSE(says(*file.read(table("t,x\n", ",", 1.0, 0.0, 1.0)), "times taken"));
+}
+
+TEST_CASE("acceleration file: uneven times are evened, little ones let be") {
+    const Case file;
+    const auto text = [](double jitter) {
+        std::string rows = "t,x (g)\n";
+        for (std::size_t n = 0; n < 1000; ++n) {
+            const double t = 1e-4 * (static_cast<double>(n) + (n % 2 == 1 ? jitter : 0.0));
+            rows += shortest_digits(t) + "," +
+                    shortest_digits(std::sin(2.0 * std::numbers::pi * 50.0 * t)) + "\n";
+        }
+        return rows;
+    };
+    CHECK_FALSE(says(*file.read(text(0.004)), "evened"));
+    const auto evened = file.read(text(0.3));
+    CHECK(says(*evened, "evened out"));
+    // Straight lines stray from a sine by up to (w h)^2 / 8, h a step.
+    const auto expected = file.read(text(0.0));
+    REQUIRE(evened->waveform.samples_g.size() == expected->waveform.samples_g.size());
+    const auto inner = [](const Samples& all) { return Samples(all.begin() + 50, all.end() - 50); };
+    CHECK(golden::worst_difference(inner(evened->waveform.samples_g),
+                                   inner(expected->waveform.samples_g)) < 3e-3);
+}
+
+TEST_CASE("acceleration file: a slow logger is resampled, and what it cannot say is said") {
+    const Case file;
+    AccelerationOptions phone;
+    phone.rate_hz = 400.0;
+    std::string text = "x (g)\n";
+    const Samples slow = sine(50.0, 400.0, 400);
+    for (const double sample : slow) text += shortest_digits(sample) + "\n";
+    const auto recording = file.read(text, phone);
+    REQUIRE_MESSAGE(recording, recording.error().message);
+    CHECK(recording->waveform.samples_g.size() == 10'000);
+    CHECK(says(*recording, "nothing above 160 Hz"));
+    const Samples expected = sine(50.0, 1e4, 10'000);
+    for (std::size_t n = 2000; n < 8000; ++n) {
+        REQUIRE(std::abs(recording->waveform.samples_g[n] - expected[n]) < 1e-4);
+    }
+}
+
+TEST_CASE("acceleration file: what is no recording is refused by its line") {
+    const Case file;
+    AccelerationOptions rate;
+    rate.rate_hz = 1e4;
+    CHECK(contains(file.fault("x\n1\nnan\n", rate), "a.csv:3: expected a finite number"));
+    CHECK(contains(file.fault("nan,1\n0.1,2\n"), "a.csv:1: expected a time"));
+    CHECK(contains(file.fault("t,x\n0,1\n0.001,2,3\n"), "a.csv:3: expected 2 columns"));
+    CHECK(contains(file.fault("t,x\n0,1\n0.001,\n"), "a.csv:3: expected a finite number"));
+    CHECK(contains(file.fault("t,x\n0,1\n0.001,2\n0.001,2\n"), "a.csv:4: expected a later time"));
+    CHECK(file.read("t,x\n0,1\n0.001,2\n0.001,2\n", rate));
+    CHECK(contains(file.fault("x\n1\n2\n"), "expected a time column or a rate"));
+    CHECK(contains(file.fault(""), "expected a line of numbers"));
+    CHECK(contains(file.fault("only words\n"), "expected a line of numbers"));
+    rate.rate_hz = 50.0;
+    CHECK(contains(file.fault("1\n2\n", rate), "expected a rate of 100 Hz to 10 MHz, got 50 Hz"));
+    rate.rate_hz = 100.0;
+    std::string long_one;
+    for (int n = 0; n <= 6000; ++n) long_one += "0\n";
+    CHECK(contains(file.fault(long_one, rate), "expected at most 60 s"));
+    CHECK(contains(file.fault("1e300\n-1e300\n", rate), "at most 1,000,000 g"));
+}
+
+TEST_CASE("acceleration file: WAV of three channels is three axes") {
+    const Case file;
+    WaveBytes wave;
+    wave.channels = 3;
+    wave.is_float = true;
+    wave.bits = 64;
+    for (const double sample : sine(100.0, 1e4, 500)) {
+        wave.samples.insert(wave.samples.end(), {0.0, sample / 8.0 + 0.25, 0.0});
+    }
+    AccelerationOptions options;
+    options.full_scale = 8.0;
+    check_is_the_sine(file.read(wave.file(), options, "a.WAV"));
+    options.unit = AccelerationUnit::m_per_s2;
+    options.full_scale = 8.0 * kStandardGravityMPerS2;
+    check_is_the_sine(file.read(wave.file(), options, "a.wav"));
+    CHECK(says(*file.read(wave.file(), {}, "a.wav"), "full scale taken as 1 g"));
+    file.folder.write("b.wav.json", "{\"scale_g\": 8}");
+    check_is_the_sine(file.read(wave.file(), {}, "b.wav"));
+}
+
+TEST_CASE("acceleration file: a clipped signal is told from a slow one of few digits") {
+    Samples clipped = sine(100.0, 1e4, 1000, 3.0);
+    for (double& sample : clipped) sample = std::clamp(sample, -2.0, 2.0);
+    CHECK(samples_at_rail(clipped) > 300);
+    Samples coarse = sine(20.0, 1e4, 1000);
+    for (double& sample : coarse) sample = std::round(sample * 127.0);
+    CHECK(samples_at_rail(coarse) == 0);
+    CHECK(samples_at_rail(sine(100.0, 1e4, 1000)) == 0);
+    CHECK(samples_at_rail(Samples(10, 0.0)) == 0);
+    CHECK(samples_at_rail({}) == 0);
+}
+
+}  // namespace acceleration_file_test

@@ -1,0 +1,208 @@
+#include "model/io/recordings/wave_file.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wave_bytes.h"
+
+namespace wave_file_test {
+
+using namespace tact;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<double> sine(double frequency_hz, double rate_hz, std::size_t count) {
+    std::vector<double> samples(count);
+    for (std::size_t n = 0; n < count; ++n) {
+        samples[n] = 0.5 * std::sin(2.0 * std::numbers::pi * frequency_hz * static_cast<double>(n) /
+                                    rate_hz);
+    }
+    return samples;
+}
+
+Recording read(const fs::path& path, const RecordingOptions& options = {}) {
+    auto recording = read_wave_file(path, options);
+    REQUIRE_MESSAGE(recording, (recording ? "" : recording.error().message));
+    CHECK(recording->waveform.rate_hz == kModelRateHz);
+    return *std::move(recording);
+}
+
+std::string fault(const fs::path& path, const RecordingOptions& options = {}) {
+    const auto recording = read_wave_file(path, options);
+    REQUIRE_FALSE(recording);
+    CHECK(recording.error().message.starts_with(path.string()));
+    return recording.error().message.substr(path.string().size());
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& b, std::size_t margin) {
+    REQUIRE(a.size() == b.size());
+    double largest = 0.0;
+    for (std::size_t n = margin; n + margin < a.size(); ++n) {
+        largest = std::max(largest, std::abs(a[n] - b[n]));
+    }
+    return largest;
+}
+
+bool has(const Recording& recording, const std::string& remark) {
+    return std::ranges::count(recording.remarks, remark) == 1;
+}
+
+}  // namespace
+
+TEST_CASE("wave file: every usual encoding gives the same vibration, to its own precision") {
+    const TemporaryFolder folder;
+    WaveBytes wave;
+    wave.samples = sine(150.0, 10'000.0, 1001);
+    const auto check = [&](int bits, bool is_float, double tolerance) {
+        CAPTURE(bits);
+        wave.bits = bits;
+        wave.is_float = is_float;
+        const Recording recording = read(folder.write("a.wav", wave.file()));
+        CHECK(difference(recording.waveform.samples_g, wave.samples, 0) <= tolerance);
+        CHECK(recording.remarks == std::vector<std::string>{"full scale taken as 1 g"});
+    };
+    for (const int bits : {8, 16, 24, 32})
+        check(bits, false, std::ldexp(1.0, -bits));  // half a step
+    check(32, true, 1e-7);
+    check(64, true, 0.0);
+}
+
+TEST_CASE("wave file: another rate is resampled, and said") {
+    const TemporaryFolder folder;
+    WaveBytes wave{11'025, 1, 64, true, sine(150.0, 11'025.0, 11'025)};
+    const Recording recording = read(folder.write("a.wav", wave.file()));
+    CHECK(has(recording, "resampled from 11,025 Hz to 10,000 Hz"));
+    // Far below 0.1 % of amplitude or frequency; 100 ms at either end belong to the filter.
+    CHECK(difference(recording.waveform.samples_g, sine(150.0, 10'000.0, 10'000), 1000) <= 1e-6);
+}
+
+TEST_CASE("wave file: of several channels the first is read, unless another is asked for") {
+    const TemporaryFolder folder;
+    WaveBytes wave;
+    wave.channels = 2;
+    wave.samples = {0.5, -0.25, 0.125, 0.75};
+    const fs::path file = folder.write("stereo.wav", wave.file());
+    const Recording first = read(file);
+    CHECK(first.waveform.samples_g == std::vector<double>{0.5, 0.125});
+    CHECK(has(first, "first of 2 channels used"));
+    const Recording second = read(file, {1.0, 1});
+    CHECK(second.waveform.samples_g == std::vector<double>{-0.25, 0.75});
+    CHECK(second.remarks.empty());
+    CHECK(fault(file, {1.0, 2}) == ": expected channel 3, got a file of 2");
+}
+
+TEST_CASE("wave file: the scale is the caller's, else the sidecar's, else 1 g") {
+    const TemporaryFolder folder;
+    WaveBytes wave;
+    wave.samples = {0.5, -0.25};
+    const fs::path file = folder.write("a.wav", wave.file());
+    CHECK(read(file).scale_g == 1.0);
+    folder.write("a.wav.json", "{\"scale_g\": 4, \"made by\": \"someone\"}");
+    const Recording sidecar = read(file);
+    CHECK(sidecar.scale_g == 4.0);
+    CHECK(sidecar.waveform.samples_g == std::vector<double>{2.0, -1.0});
+    CHECK(sidecar.remarks.empty());
+    CHECK(read(file, {2.0, {}}).waveform.samples_g == std::vector<double>{1.0, -0.5});
+
+    folder.write("a.wav.json", "{\"scale_g\": \"big\"}");
+    CHECK(contains(fault(file), ".json: /scale_g: expected a number from"));
+    folder.write("a.wav.json", "{\"scale_g\": ");
+    CHECK(contains(fault(file), ".json, line 1"));
+    folder.write("a.wav.json", "{\"channel\": 2}");
+    CHECK(fault(file) == ": expected channel 2, got a file of 1");
+}
+
+TEST_CASE("wave file: one that is shorter than its header says is refused wherever it is cut") {
+    const TemporaryFolder folder;
+    WaveBytes wave;
+    wave.samples = sine(100.0, 10'000.0, 200);
+    const std::string whole = wave.file();
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+        CAPTURE(length);
+        CHECK_FALSE(read_wave_file(folder.write("cut.wav", whole.substr(0, length))));
+    }
+    CHECK(fault(folder.write("cut.wav", whole.substr(0, whole.size() - 100))) ==
+          ": is truncated: expected 400 bytes of samples, as its header says, got 300");
+    CHECK(read(folder.write("whole.wav", whole)).waveform.samples_g.size() == 200);
+}
+
+TEST_CASE("wave file: no sample, no number and no minute too many") {
+    const TemporaryFolder folder;
+    WaveBytes wave;
+    CHECK(fault(folder.write("a.wav", wave.file())) == ": expected at least one sample, got none");
+
+    wave = {10'000, 2, 32, true, {0.0, 0.0, 1.0, 0.0, 0.5, std::nan("")}};
+    const fs::path file = folder.write("a.wav", wave.file());
+    CHECK(contains(fault(file, {1.0, 1}), ": sample 3 is nan, expected a finite number"));
+    CHECK(read(file).waveform.samples_g.size() == 3);
+    wave.samples[2] = std::numeric_limits<double>::infinity();
+    CHECK(contains(fault(folder.write("a.wav", wave.file())), ": sample 2 is inf"));
+
+    wave = {100, 1, 8, false, std::vector<double>(6000)};
+    CHECK(read(folder.write("a.wav", wave.file())).waveform.samples_g.size() == 600'000);
+    wave.samples.push_back(0.0);
+    CHECK(contains(fault(folder.write("a.wav", wave.file())), ": expected at most 60 s"));
+    wave = {99, 1, 8, false, {0.0}};
+    CHECK(contains(fault(folder.write("a.wav", wave.file())), "expected a rate of 100 Hz"));
+    wave = {192'000, 1, 16, false, {0.0}};
+    CHECK(contains(fault(folder.write("a.wav", wave.file())), "at least one sample at 10 kHz"));
+}
+
+TEST_CASE("wave file: what is no WAV file is refused") {
+    const TemporaryFolder folder;
+    CHECK(
+        contains(fault(folder.write("a.wav", "fLaC....................")), "expected a WAV file"));
+    CHECK(fault(folder.path / "none.wav") == ": there is no such file");
+    CHECK(fault(folder.path) == ": is a folder, expected a file");
+}
+
+TEST_CASE(
+    "wave file: written and read again, the samples are the same to the precision of the file") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path / "\u9707\u52a8 1.wav";
+    const Waveform waveform{kModelRateHz, sine(150.0, 10'000.0, 500)};
+    const auto check = [&](WaveEncoding encoding, double scale_g, double tolerance_g) {
+        REQUIRE(write_wave_file(file, waveform, {encoding, scale_g}));
+        const Recording recording = read(file);
+        CHECK(recording.scale_g == scale_g);
+        CHECK(difference(recording.waveform.samples_g, waveform.samples_g, 0) <= tolerance_g);
+    };
+    check(WaveEncoding::float32, 1.0, 1e-7);
+    CHECK_FALSE(fs::exists(file.string() + ".json"));
+    check(WaveEncoding::float32, 3.0, 1e-7);
+    check(WaveEncoding::int16, 2.0, 2.0 * std::ldexp(1.0, -16));
+    check(WaveEncoding::int24, 0.5, 0.5 * std::ldexp(1.0, -23));  // the peak is full scale
+    check(WaveEncoding::float32, 1.0, 1e-7);                      // the sidecar follows
+}
+
+TEST_CASE("wave file: a peak beyond full scale is refused rather than cut off") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path / "a.wav";
+    const auto written =
+        write_wave_file(file, {kModelRateHz, {0.0, -2.5}}, {WaveEncoding::int16, 2.0});
+    REQUIRE_FALSE(written);
+    CHECK(written.error().message ==
+          file.string() + ": expected a peak within the full scale of 2 g, got 2.5 g");
+    CHECK(file_count(folder.path) == 0);
+    CHECK(write_wave_file(file, {kModelRateHz, {0.0, -2.5}}, {WaveEncoding::float32, 1.0}));
+    CHECK(read(file).waveform.samples_g == std::vector<double>{0.0, -2.5});
+}
+
+TEST_CASE(
+    "wave file: the same waveform gives the same bytes, and a failed save leaves the old ones") {
+    const TemporaryFolder folder;
+    const Waveform waveform{kModelRateHz, sine(150.0, 10'000.0, 50)};
+    REQUIRE(write_wave_file(folder.path / "a.wav", waveform));
+    REQUIRE(write_wave_file(folder.path / "b.wav", waveform));
+    CHECK(bytes_of(folder.path / "a.wav") == bytes_of(folder.path / "b.wav"));
+    CHECK_FALSE(write_wave_file(folder.path / "a.wav" / "below.wav", waveform));
+    CHECK(bytes_of(folder.path / "a.wav") == bytes_of(folder.path / "b.wav"));
+    CHECK(file_count(folder.path) == 2);
+}
+
+}  // namespace wave_file_test

@@ -1,0 +1,59 @@
+#include "model/pattern/rhythm.h"
+
+#include "tests/support/golden.h"
+
+namespace rhythm_test {
+
+using namespace tact;
+
+TEST_CASE("rhythm: x starts a note, = holds it, - rests") {
+    const auto found = notes({"x=x---x-", 0.125}, 1.0);
+    CHECK(found == std::vector<Note>{{0.0, 0.25}, {0.25, 0.125}, {0.75, 0.125}});
+}
+
+TEST_CASE("rhythm: no text is one note throughout") {
+    CHECK(notes({}, 2.5) == std::vector<Note>{{0.0, 2.5}});
+}
+
+TEST_CASE("rhythm: the text repeats to fill the duration, and the last note is cut there") {
+    const auto found = notes({"x=-", 0.25}, 1.0);
+    CHECK(found == std::vector<Note>{{0.0, 0.5}, {0.75, 0.25}});
+}
+
+TEST_CASE("rhythm: all rests are no notes") { CHECK(notes({"----", 0.1}, 1.0).empty()); }
+
+TEST_CASE("rhythm: text that is none is named with the step at fault") {
+    CHECK(rhythm_fault("x=x---x-").empty());
+    CHECK(rhythm_fault("").empty());
+    CHECK(rhythm_fault("xqx") == "step 2 is not one of x, = and -");
+    CHECK(rhythm_fault("=x") == "step 1 is =, which must follow x or =");
+    CHECK(rhythm_fault("x-=") == "step 3 is =, which must follow x or =");
+    CHECK(rhythm_fault(std::string(257, 'x')).find("at most 256") != std::string::npos);
+}
+
+TEST_CASE("rhythm: evenness is that of the Fourier transform of its onsets") {
+    const golden::Json all = golden::read("design.json", "evenness");
+    for (const auto& [text, expected] : all.items()) {
+        CHECK_MESSAGE(std::abs(evenness(text) - expected.get<double>()) < 1e-14, text);
+    }
+    CHECK(evenness("") == 0.0);
+    CHECK(evenness("----") == 0.0);
+}
+
+TEST_CASE("rhythm: evenness is 1 of equal gaps, whatever the notes' lengths and the rotation") {
+    for (const char* text : {"x---", "x-x-", "-x-x", "x=-x=-", "xxxx"}) {
+        CHECK(std::abs(evenness(text) - 1.0) < 1e-15);
+    }
+    CHECK(std::abs(evenness("x--x--x-") - evenness("-x--x--x")) < 1e-15);
+    CHECK(evenness("xxx-----") < evenness("xx-x----"));
+}
+
+TEST_CASE("rhythm: a note drawn from one step to another replaces what was there") {
+    CHECK(with_note("--------", 2, 4) == "--x==---");
+    CHECK(with_note("x=x=x=--", 2, 2) == "x=x-x=--");
+    CHECK(with_note("x===----", 1, 2) == "xx=-----");
+    CHECK(with_note("x-x=-x=-", 1, 5) == "xx====--");
+    CHECK(onsets("-x=xx-") == std::vector<std::size_t>{1, 3, 4});
+}
+
+}  // namespace rhythm_test

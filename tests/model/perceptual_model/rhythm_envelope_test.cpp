@@ -1,0 +1,47 @@
+#include "model/perceptual_model/rhythm_envelope.h"
+
+#include "tests/support/golden.h"
+
+namespace rhythm_envelope_test {
+
+using namespace tact;
+
+TEST_CASE("envelope: silence stays silent, constants become one after 10 ms") {
+    const std::vector<double> silence(300, 0.0);
+    CHECK(rhythm_envelope(silence, {}) == silence);
+    const auto constant = rhythm_envelope(std::vector<double>(300, -2.0), {});
+    CHECK(constant[0] == 0.01);
+    CHECK(constant[98] < 1.0);
+    CHECK(constant[99] == 1.0);
+    CHECK(constant[299] == 1.0);
+}
+
+TEST_CASE("envelope: amplitude twins are the same, unless taken raw") {
+    const auto quiet = golden::noise(1, 2000, 0.5).samples_g;
+    const auto loud = golden::noise(1, 2000, 1.0).samples_g;  // exactly twice
+    CHECK(rhythm_envelope(quiet, {}) == rhythm_envelope(loud, {}));
+    EnvelopeParams raw;
+    raw.scale = EnvelopeScale::raw;
+    CHECK(rhythm_envelope(quiet, raw) != rhythm_envelope(loud, raw));
+}
+
+TEST_CASE("envelope: a centred window answers 5 ms earlier than a causal one") {
+    std::vector<double> click(400, 0.0);
+    click[200] = 1.0;
+    EnvelopeParams centred;
+    centred.alignment = EnvelopeAlignment::centred;
+    const auto causal_envelope = rhythm_envelope(click, {});
+    const auto centred_envelope = rhythm_envelope(click, centred);
+    CHECK(causal_envelope[199] == 0.0);
+    CHECK(causal_envelope[200] > 0.0);
+    CHECK(centred_envelope[149] == 0.0);
+    CHECK(centred_envelope[150] > 0.0);
+    CHECK(centred_envelope[250] == 0.0);
+}
+
+TEST_CASE("envelope: decimation keeps the mean, also of the last short block") {
+    CHECK(decimated(std::vector<double>{1, 3, 5, 7, 10}, 2) == std::vector<double>{2, 6, 10});
+    CHECK(decimated({}, 10).empty());
+}
+
+}  // namespace rhythm_envelope_test

@@ -1,0 +1,64 @@
+#include "model/physiology/mechanoreceptor.h"
+
+#include "assets/assets.h"
+#include "tests/support/golden.h"
+
+namespace mechanoreceptor_test {
+
+using namespace tact;
+using golden::Json;
+
+TEST_CASE("mechanoreceptor: tables equal the independent program's, at and between knots") {
+    const Json receptors = golden::read("tables.json").at("receptors");
+    for (const Receptor receptor : kReceptors) {
+        const Json& points = receptors.at(traits(receptor).afferent);
+        REQUIRE(points.size() > 10);
+        for (const Json& point : points) {
+            const double f_hz = point.at("f_hz");
+            CAPTURE(f_hz);
+            const std::size_t c = index_of(receptor);
+            CHECK(std::abs(at(default_tables().slope[c], f_hz) - double(point.at("slope"))) <=
+                  1e-9);
+            CHECK(std::abs(at(default_tables().threshold[c], f_hz) -
+                           double(point.at("threshold_log10_um"))) <= 1e-9);
+        }
+    }
+}
+
+TEST_CASE("mechanoreceptor: grid intervals are those of the paper, to its digits") {
+    CHECK(std::abs(grid_interval_mm(Receptor::meissner) - 0.845) <= 5e-4);
+    CHECK(std::abs(grid_interval_mm(Receptor::pacinian) - 2.236) <= 5e-4);
+    CHECK(std::abs(grid_interval_mm(Receptor::merkel) - 1.195) <= 5e-4);
+    CHECK(std::abs(grid_interval_mm(Receptor::ruffini) - 3.162) <= 5e-4);
+}
+
+TEST_CASE("mechanoreceptor: a curve is constant beyond its outermost knots") {
+    const Curve curve{{10.0, 100.0}, {1.0, 3.0}};
+    CHECK(at(curve, 1.0) == 1.0);
+    CHECK(at(curve, 1000.0) == 3.0);
+    CHECK(std::abs(at(curve, std::sqrt(1000.0)) - 2.0) <= 1e-12);
+}
+
+TEST_CASE("mechanoreceptor: a damaged table is refused with its line") {
+    const std::string slopes(asset("physiology/firing_rate_slopes.csv"));
+    const std::string thresholds(asset("physiology/absolute_thresholds.csv"));
+    REQUIRE(parse_tables(slopes, thresholds));
+
+    const auto refusal = [&](const std::string& csv) {
+        const auto answer = parse_tables(csv, thresholds);
+        REQUIRE_FALSE(answer);
+        return answer.error().message;
+    };
+    const std::string head = "receptor,frequency_hz,slope_imp_per_s_per_log10um\n";
+    CHECK(refusal("receptor,frequency_hz\n") ==
+          "slope table, line 1: expected a column slope_imp_per_s_per_log10um");
+    CHECK(refusal(head + "FA1,10,abc\n") ==
+          "slope table, line 2: expected a number as slope_imp_per_s_per_log10um");
+    CHECK(refusal(head + "FA1,10,nan\n").find("line 2") != std::string::npos);
+    CHECK(refusal(head + "FA1,10,1\nFA1,5,1\n") ==
+          "slope table, line 3: expected frequencies that ascend");
+    CHECK(refusal(head + "FA9,10,1\n").find("FA1, FA2, SA1, SA2") != std::string::npos);
+    CHECK(refusal(head + "FA1,10,1\n") == "slope table: expected at least one line for FA2");
+}
+
+}  // namespace mechanoreceptor_test

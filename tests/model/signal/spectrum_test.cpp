@@ -1,0 +1,56 @@
+#include "model/signal/spectrum.h"
+
+#include <numbers>
+#include <thread>
+
+#include "model/signal/waveform.h"
+#include "tests/support/golden.h"
+
+namespace spectrum_test {
+
+using namespace tact;
+
+TEST_CASE("spectrum: a sine on a bin gives its amplitude there and nothing elsewhere") {
+    const Spectrum spectrum = amplitude_spectrum(render(Pattern{}).samples_g, kModelRateHz);
+    CHECK(frequency_hz(spectrum, 150) == 150.0);
+    CHECK(std::abs(spectrum.amplitude_g[150] - 1.0) <= 1e-12);
+    for (std::size_t k = 0; k < spectrum.amplitude_g.size(); ++k) {
+        if (k != 150) CHECK(spectrum.amplitude_g[k] <= 1e-12);
+    }
+}
+
+TEST_CASE("spectrum: energy is kept (Parseval), for even, odd and prime lengths") {
+    for (const std::size_t n : {1000UL, 1001UL, 997UL, 2UL, 1UL}) {
+        const auto samples = golden::noise(9, n, 1.0).samples_g;
+        const Spectrum spectrum = amplitude_spectrum(samples, kModelRateHz);
+        double in_time = 0.0;
+        for (const double sample : samples) in_time += sample * sample / static_cast<double>(n);
+        double in_frequency = 0.0;
+        for (std::size_t k = 0; k < spectrum.amplitude_g.size(); ++k) {
+            const double power = spectrum.amplitude_g[k] * spectrum.amplitude_g[k];
+            in_frequency += k == 0 || 2 * k == n ? power : power / 2.0;
+        }
+        CHECK(std::abs(in_time - in_frequency) <= 1e-12);
+    }
+}
+
+TEST_CASE("spectrum: nothing has no spectrum") {
+    CHECK(amplitude_spectrum({}, kModelRateHz).amplitude_g.empty());
+}
+
+TEST_CASE("spectrum: the same bits from several threads at once") {
+    const auto samples = golden::noise(11, 3000, 1.0).samples_g;
+    const auto expected = amplitude_spectrum(samples, kModelRateHz).amplitude_g;
+    std::vector<std::vector<double>> results(4);
+    {
+        std::vector<std::jthread> threads;
+        for (auto& result : results) {
+            threads.emplace_back([&result, &samples] {
+                result = amplitude_spectrum(samples, kModelRateHz).amplitude_g;
+            });
+        }
+    }
+    for (const auto& result : results) CHECK(result == expected);
+}
+
+}  // namespace spectrum_test

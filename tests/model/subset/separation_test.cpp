@@ -1,0 +1,258 @@
+#include "model/subset/separation.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/map/clusters.h"
+#include "model/map/mds.h"
+#include "model/perceptual_model/perceptual_model.h"
+#include "model/subset/set_subset.h"
+#include "model/subset/subset_stability.h"
+
+namespace separation_test {
+
+using namespace tact;
+
+namespace {
+
+// Short ones: DTW is quadratic. The first two are nearly alike.
+PatternSet short_set() {
+    PatternSet set;
+    set.duration_s = 0.2;
+    const auto add = [&set](const char* name, double carrier_hz, double modulation_hz, double g) {
+        Pattern pattern;
+        pattern.duration_s = 0.2;
+        pattern.amplitude_g = g;
+        pattern.carriers[0].frequency_hz = carrier_hz;
+        pattern.modulation.frequency_hz = modulation_hz;
+        Vibration vibration;
+        vibration.name = name;
+        vibration.source = pattern;
+        set.vibrations.push_back(vibration);
+    };
+    add("a", 150.0, 0.0, 1.0);
+    add("b", 155.0, 0.0, 1.0);
+    add("c", 60.0, 0.0, 1.6);
+    add("d", 250.0, 20.0, 1.0);
+    add("e", 80.0, 10.0, 0.5);
+    return set;
+}
+
+Prediction predicted(const PatternSet& set) { return *predict(model_waveforms(set), set.model); }
+
+Dissimilarity on_a_line(const std::vector<double>& x) {
+    Dissimilarity result{x.size(), {}};
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        for (std::size_t j = i + 1; j < x.size(); ++j) {
+            result.condensed.push_back(std::abs(x[i] - x[j]));
+        }
+    }
+    return result;
+}
+
+double nearest(const Dissimilarity& pm, std::size_t place) {
+    double least = 1e300;
+    for (std::size_t k = 0; k < pm.size; ++k) {
+        if (k != place) least = std::min(least, pm(place, k));
+    }
+    return least;
+}
+
+}  // namespace
+
+TEST_CASE("confusable: pairs up to the threshold, the closest first, no more than asked for") {
+    const Dissimilarity line = on_a_line({0.0, 1.0, 3.0, 7.0});
+    const auto pairs = confusable_pairs(line, 3.0, 10);
+    REQUIRE(pairs.size() == 3);
+    CHECK(pairs[0] == ConfusablePair{0, 1, 1.0});
+    CHECK(pairs[1] == ConfusablePair{1, 2, 2.0});
+    CHECK(pairs[2] == ConfusablePair{0, 2, 3.0});
+    CHECK(confusable_pairs(line, 3.0, 1) == std::vector{ConfusablePair{0, 1, 1.0}});
+    CHECK(among(line, std::vector<std::size_t>{0, 2, 3}).condensed ==
+          std::vector<double>{3.0, 7.0, 4.0});
+    CHECK(threshold_at(line, 0.0) == 1.0);
+    CHECK(threshold_at(line, 1.0) == 7.0);
+    CHECK(std::isnan(threshold_at({1, {}}, 0.5)));
+}
+
+TEST_CASE("separation: each change brings the pattern's PM to all others above the threshold") {
+    const PatternSet set = short_set();
+    const Prediction prediction = predicted(set);
+    const double threshold = prediction.pm(0, 1);
+    REQUIRE(nearest(prediction.pm, 1) <= threshold);
+    const auto all = separations(set, prediction, 1, threshold);
+    REQUIRE(all);
+    REQUIRE_FALSE(all->empty());
+    double steps = 0.0;
+    for (const Separation& one : *all) {
+        CAPTURE(traits(one.parameter).key);
+        PatternSet changed = set;
+        auto& pattern = std::get<Pattern>(changed.vibrations[1].source);
+        CHECK(value_of(pattern, one.parameter) == one.from);
+        pattern = with_value(pattern, one.parameter, one.to);
+        const Dissimilarity pm = predicted(changed).pm;
+        CHECK(nearest(pm, 1) == one.nearest);
+        CHECK(pm(1, one.nearest_to) == one.nearest);
+        CHECK(one.nearest > threshold);
+        CHECK(one.steps >= steps);  // the smallest first
+        steps = one.steps;
+    }
+}
+
+TEST_CASE("separation: from a subset alone, changes are found that do not part it from all") {
+    const PatternSet set = short_set();
+    const Prediction prediction = predicted(set);
+    SeparationOptions options;
+    options.from = {1, 2, 3};  // the pattern itself is among them
+    const double threshold = prediction.pm(1, 2);
+    const auto all = separations(set, prediction, 1, threshold, options);
+    REQUIRE(all);
+    REQUIRE_FALSE(all->empty());
+    bool only_from_these = false;
+    for (const Separation& one : *all) {
+        CAPTURE(traits(one.parameter).key);
+        PatternSet changed = set;
+        auto& pattern = std::get<Pattern>(changed.vibrations[1].source);
+        pattern = with_value(pattern, one.parameter, one.to);
+        const Dissimilarity pm = predicted(changed).pm;
+        CHECK(std::min(pm(1, 2), pm(1, 3)) == one.nearest);
+        CHECK(one.nearest > threshold);
+        CHECK((one.nearest_to == 2 || one.nearest_to == 3));
+        only_from_these |= nearest(pm, 1) <= threshold;
+    }
+    CHECK(only_from_these);
+}
+
+TEST_CASE("separation: the same on one and on four threads; none when stopped") {
+    const PatternSet set = short_set();
+    const Prediction prediction = predicted(set);
+    SeparationOptions options;
+    options.threads = 1;
+    const auto one = separations(set, prediction, 0, prediction.pm(0, 1), options);
+    options.threads = 4;
+    CHECK(separations(set, prediction, 0, prediction.pm(0, 1), options) == one);
+    std::stop_source stop;
+    stop.request_stop();
+    options.stop = stop.get_token();
+    CHECK_FALSE(separations(set, prediction, 0, prediction.pm(0, 1), options));
+}
+
+TEST_CASE("pattern parameters: steps go up and down again, and stay in range") {
+    for (const PatternParameter parameter : kPatternParameters) {
+        CAPTURE(traits(parameter).key);
+        const Range range = traits(parameter).range;
+        const double middle = std::clamp(1.0, range.low, range.high);
+        const double up = stepped(parameter, middle, 1.0);
+        CHECK(up >= middle);
+        if (up < range.high) CHECK(std::abs(stepped(parameter, up, -1.0) - middle) <= 1e-12);
+        CHECK(stepped(parameter, middle, 1000.0) == range.high);
+        CHECK(stepped(parameter, middle, -1000.0) == range.low);
+    }
+    CHECK(stepped(PatternParameter::modulation, 0.0, 1.0) == 1.0);  // off, then 1 Hz
+    CHECK(stepped(PatternParameter::modulation, 1.0, -1.0) == 0.0);
+    Pattern plain;
+    CHECK_FALSE(value_of(plain, PatternParameter::second_carrier));
+    CHECK_FALSE(value_of(plain, PatternParameter::depth));
+    CHECK(with_value(plain, PatternParameter::second_carrier, 80.0) == plain);
+    CHECK(value_of(with_value(plain, PatternParameter::attack, 0.25), PatternParameter::attack) ==
+          0.25);
+}
+
+TEST_CASE("clusters: near ones together, numbered by their first; as many as asked for") {
+    const Dissimilarity line = on_a_line({0.0, 10.0, 0.1, 10.2, 20.0});
+    CHECK(clusters(line, 3) == std::vector<std::size_t>{0, 1, 0, 1, 2});
+    CHECK(clusters(line, 1) == std::vector<std::size_t>(5, 0));
+    CHECK(clusters(line, 9) == std::vector<std::size_t>{0, 1, 2, 3, 4});
+    CHECK(clusters({0, {}}, 2).empty());
+    CHECK(clusters({1, {}}, 2) == std::vector<std::size_t>{0});
+}
+
+TEST_CASE("clusters: average linkage joins by means, not by nearest neighbours") {
+    // scipy.cluster.hierarchy: fcluster(average([1, 2.6, 4.4, 1.6, 3.4, 1.8]), 2, "maxclust") gives
+    // 1 1 2 2; with single() 1 1 1 2.
+    CHECK(clusters(on_a_line({0.0, 1.0, 2.6, 4.4}), 2) == std::vector<std::size_t>{0, 0, 1, 1});
+}
+
+TEST_CASE("stability: draws without any uncertainty all pick the same, and no point moves") {
+    const PatternSet set = short_set();
+    const Prediction prediction = predicted(set);
+    const SubsetProblem problem = subset_problem(set, 3, SubsetObjective::max_min);
+    const Subset subset = most_distinct_subset(prediction.pm, problem)->best;
+    MdsParams mds = standard_mds_params(5, 3);
+    const PerceptualSpace space = nonmetric_mds(prediction.pm, mds);
+    StabilityParams params;
+    params.draws = 3;
+    params.threshold_db = 0.0;
+    params.weight_step = 0.0;
+    params.toss_choices = false;
+    CHECK(drawn_params(set.model, params, 2) == set.model);
+    const auto certain = subset_stability(set, problem, subset, space.points, params);
+    REQUIRE(certain);
+    const double sum = [&] {
+        double all = 0.0;
+        for (const double share : certain->share_picked) all += share;
+        return all;
+    }();
+    CHECK(std::abs(sum - 3.0) <= 1e-12);  // three members in every draw
+    for (const double share : certain->share_picked) CHECK((share == 0.0 || share == 1.0));
+    for (const Eigen::Matrix3d& spread : certain->spread) CHECK(spread.norm() <= 1e-16);
+
+    params = {};
+    params.draws = 6;
+    params.threads = 1;
+    const auto one = subset_stability(set, problem, subset, space.points, params);
+    params.threads = 4;
+    const auto four = subset_stability(set, problem, subset, space.points, params);
+    REQUIRE(one);
+    REQUIRE(four);
+    CHECK(one->share_picked == four->share_picked);
+    CHECK(one->spread == four->spread);
+    double moved = 0.0;
+    for (const Eigen::Matrix3d& spread : one->spread) {
+        CHECK((spread - spread.transpose()).norm() <= 1e-15);
+        moved += spread.trace();
+    }
+    CHECK(moved > 0.0);
+    std::stop_source stop;
+    stop.request_stop();
+    params.stop = stop.get_token();
+    CHECK_FALSE(subset_stability(set, problem, subset, space.points, params));
+}
+
+TEST_CASE("stability: drawn thresholds stay within their decibels, and every draw is another") {
+    const PerceptualModelParams params;
+    const StabilityParams stability;
+    for (std::size_t draw = 0; draw < 50; ++draw) {
+        const PerceptualModelParams drawn = drawn_params(params, stability, draw);
+        for (const Receptor type : kReceptors) {
+            const auto& before = params.coding.tables.threshold[index_of(type)].value;
+            const auto& after = drawn.coding.tables.threshold[index_of(type)].value;
+            for (std::size_t k = 0; k < before.size(); ++k) {
+                CHECK(std::abs(after[k] - before[k]) <= 6.0 / 20.0 + 1e-12);
+            }
+            CHECK(drawn.channel_weight[index_of(type)] >= 0.0);
+        }
+        CHECK_FALSE(drawn == drawn_params(params, stability, draw + 1));
+        CHECK(drawn == drawn_params(params, stability, draw));
+    }
+}
+
+TEST_CASE("part of a set: its patterns and their ratings, by names") {
+    PatternSet set = short_set();
+    set.vibrations[1].locked = true;
+    set.vibrations[4].dropped = true;
+    const SubsetProblem problem = subset_problem(set, 3, SubsetObjective::max_sum);
+    CHECK(problem.keep == std::vector<std::size_t>{1});
+    CHECK(problem.drop == std::vector<std::size_t>{4});
+    set.ratings.push_back({"P1", {"e", "d", "b", "a"}, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}, {}, {}});
+    set.ratings.push_back({"P2", {"d", "c"}, {7.0}, {}, {}});
+    const PatternSet part = part_of(set, std::vector<std::size_t>{0, 1, 4});
+    CHECK(names_of(part) == std::vector<std::string>{"a", "b", "e"});
+    REQUIRE(part.ratings.size() == 1);  // of one pattern nothing is left to say
+    CHECK(part.ratings[0].labels == std::vector<std::string>{"a", "b", "e"});
+    CHECK(part.ratings[0].condensed == std::vector<double>{6.0, 3.0, 2.0});
+}
+
+}  // namespace separation_test

@@ -1,0 +1,170 @@
+#include "model/text/atomic_file.h"
+
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+
+#include "tests/support/temporary_folder.h"
+
+namespace atomic_file_test {
+
+using namespace tact;
+namespace fs = std::filesystem;
+
+namespace {
+
+unsigned mode_of(const fs::path& path) {
+    struct stat about {};
+    REQUIRE(::stat(path.c_str(), &about) == 0);
+    return about.st_mode & 07777;
+}
+
+// While it lives, files cannot grow beyond some bytes: what a full disk is like.
+struct NoMoreThan {
+    rlimit old{};
+
+    explicit NoMoreThan(rlim_t bytes) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &old);
+        const rlimit small{bytes, old.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~NoMoreThan() {
+        setrlimit(RLIMIT_FSIZE, &old);
+        std::signal(SIGXFSZ, SIG_DFL);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("atomic file: what is written is what is read") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path / "\u9707\u52a8 and blanks.json";
+    const std::string bytes("a\0\xFF\n", 4);
+    REQUIRE(write_atomically(file, bytes));
+    CHECK(*read_text_file(file) == bytes);
+    REQUIRE(write_atomically(file, ""));
+    CHECK(read_text_file(file)->empty());
+    CHECK(file_count(folder.path) == 1);
+}
+
+TEST_CASE("atomic file: pieces become one file, and only by commit") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("old.csv", "old");
+    {
+        auto abandoned = AtomicFile::open(file);
+        REQUIRE(abandoned);
+        REQUIRE(abandoned->append("half of it"));
+        CHECK(bytes_of(file) == "old");
+        CHECK(file_count(folder.path) == 2);
+    }
+    CHECK(bytes_of(file) == "old");
+    CHECK(file_count(folder.path) == 1);
+
+    auto complete = AtomicFile::open(file);
+    REQUIRE(complete->append("one,"));
+    REQUIRE(complete->append("two"));
+    REQUIRE(complete->commit());
+    CHECK(bytes_of(file) == "one,two");
+    CHECK(file_count(folder.path) == 1);
+}
+
+TEST_CASE(
+    "atomic file: when the disk is full, the old file stays whole and nothing is left behind") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("set.json", "old");
+    const std::string much(100'000, 'x');
+    const auto written = [&] {
+        const NoMoreThan limit(1000);
+        return write_atomically(file, much);
+    }();
+    REQUIRE_FALSE(written);
+    CHECK(written.error().message == file.string() + ": cannot be written: File too large");
+    CHECK(bytes_of(file) == "old");
+    CHECK(file_count(folder.path) == 1);
+}
+
+TEST_CASE("atomic file: a device is written to, not replaced") {
+    const auto written = write_atomically("/dev/full", "x");
+    REQUIRE_FALSE(written);
+    CHECK(written.error().message == "/dev/full: cannot be written: No space left on device");
+    CHECK(write_atomically("/dev/null", "x"));
+    CHECK(fs::is_character_file("/dev/null"));
+}
+
+TEST_CASE(
+    "atomic file: where there is no way to write, the sentence gives the path and the reason") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("file", "old");
+    const auto fault = [](const fs::path& path) {
+        const auto written = write_atomically(path, "new");
+        REQUIRE_FALSE(written);
+        return written.error().message;
+    };
+    CHECK(fault(file / "below") ==
+          (file / "below").string() + ": cannot be written: Not a directory");
+    CHECK(contains(fault(folder.path / "no" / "such"), "No such file or directory"));
+    CHECK(contains(fault(folder.path), "Is a directory"));
+    CHECK_FALSE(write_atomically("/proc/none.json", "x"));
+    if (::geteuid() != 0) {  // permissions do not bind root
+        fs::permissions(file, fs::perms::owner_read);
+        CHECK(contains(fault(file), "Permission denied"));
+        fs::permissions(folder.path, fs::perms::owner_read | fs::perms::owner_exec);
+        CHECK(contains(fault(folder.path / "new"), "Permission denied"));
+        fs::permissions(folder.path, fs::perms::owner_all);
+    }
+    CHECK(bytes_of(file) == "old");
+}
+
+TEST_CASE("atomic file: a link stays a link, and its target is what changes") {
+    const TemporaryFolder folder;
+    const fs::path target = folder.write("real/target.json", "old");
+    fs::create_symlink("real/target.json", folder.path / "link");
+    fs::create_symlink("link", folder.path / "link to link");
+    REQUIRE(write_atomically(folder.path / "link to link", "new"));
+    CHECK(bytes_of(target) == "new");
+    CHECK(fs::is_symlink(folder.path / "link"));
+    CHECK(fs::is_symlink(folder.path / "link to link"));
+
+    fs::create_symlink(folder.path / "real" / "new.json", folder.path / "dangling");
+    REQUIRE(write_atomically(folder.path / "dangling", "made"));
+    CHECK(bytes_of(folder.path / "real" / "new.json") == "made");
+
+    fs::create_symlink("circle", folder.path / "circle");
+    const auto circle = write_atomically(folder.path / "circle", "x");
+    REQUIRE_FALSE(circle);
+    CHECK(contains(circle.error().message, "symbolic links"));
+}
+
+TEST_CASE("atomic file: the mode of a file is kept, a new one gets the usual mode") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("shared", "old");
+    ::chmod(file.c_str(), 0640);
+    REQUIRE(write_atomically(file, "new"));
+    CHECK(mode_of(file) == 0640);
+
+    const fs::path usual = folder.write("by the system", "");
+    REQUIRE(write_atomically(folder.path / "by us", ""));
+    CHECK(mode_of(folder.path / "by us") == mode_of(usual));
+}
+
+TEST_CASE("atomic file: reading refuses what is no file, by name") {
+    const TemporaryFolder folder;
+    const auto missing = read_text_file(folder.path / "none.json");
+    REQUIRE_FALSE(missing);
+    CHECK(missing.error().message ==
+          (folder.path / "none.json").string() + ": there is no such file");
+    const auto is_folder = read_text_file(folder.path);
+    REQUIRE_FALSE(is_folder);
+    CHECK(is_folder.error().message == folder.path.string() + ": is a folder, expected a file");
+
+    const fs::path huge = folder.write("huge", "");
+    fs::resize_file(huge, kMaxFileBytes + 1);  // sparse
+    const auto too_long = read_text_file(huge);
+    REQUIRE_FALSE(too_long);
+    CHECK(too_long.error().message == huge.string() + ": expected at most 1,073,741,824 bytes");
+}
+
+}  // namespace atomic_file_test

@@ -1,0 +1,54 @@
+#include "model/text/csv.h"
+
+#include <doctest/doctest.h>
+
+namespace csv_test {
+
+using namespace tact;
+
+namespace {
+
+using Records = std::vector<std::vector<std::string>>;
+
+Records all(std::string_view text, char separator = ',') {
+    CsvReader reader{text, 1, separator};
+    Records records;
+    for (CsvRecord record = next_record(reader); record.line != 0; record = next_record(reader)) {
+        records.push_back(record.fields);
+    }
+    return records;
+}
+
+}  // namespace
+
+TEST_CASE("csv: fields, empty ones too, with either line end") {
+    const Records expected{{"", "a", "b c"}, {"1", "", " 2 "}};
+    CHECK(all(",a,b c\n1,, 2 \n") == expected);
+    CHECK(all(",a,b c\r\n\r\n1,, 2 ") == expected);
+    CHECK(all("").empty());
+    CHECK(all("\n \n").empty());
+}
+
+TEST_CASE("csv: within quotes, commas, quotes and line ends are text") {
+    CHECK(all("\"a,b\",\"say \"\"x\"\"\"\n") == Records{{"a,b", "say \"x\""}});
+    CHECK(all("\"two\nlines\",x\ny,z\n") == Records{{"two\nlines", "x"}, {"y", "z"}});
+    CHECK(all("\"two\r\nlines\",x\r\n") == Records{{"two\r\nlines", "x"}});
+    CHECK(all("a\"b,c\n") == Records{{"a\"b", "c"}});
+}
+
+TEST_CASE("csv: lines are counted through quotes, and an open quote is noticed") {
+    CsvReader reader{"a\n\"1\n2\n3\",b\n\nc\n\"open\n", 1, ','};
+    CHECK(next_record(reader).line == 1);
+    CHECK(next_record(reader).line == 2);
+    CHECK(next_record(reader).line == 6);
+    const CsvRecord open = next_record(reader);
+    CHECK(open.line == 7);
+    CHECK(open.is_quote_open);
+    CHECK(next_record(reader).line == 0);
+}
+
+TEST_CASE("csv: runs of blanks separate bare numbers") {
+    CHECK(all("  0 1.5\t2 \r\n1 0 3\n", ' ') == Records{{"0", "1.5", "2"}, {"1", "0", "3"}});
+}
+
+}  // namespace csv_test

@@ -1,0 +1,174 @@
+// The program without a screen: its real frames, found and clicked by the names of its widgets.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <map>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include "app/document/editing.h"
+#include "app/map/map_follow.h"
+#include "app/window/frame.h"
+#include "tests/support/headless_window.h"
+
+namespace tact {
+
+// Short patterns: the laws of the interface hold for any, and DTW is quadratic.
+inline PatternSet short_patterns(std::size_t count) {
+    PatternSet set;
+    set.name = "test";
+    set.duration_s = 0.1;
+    for (std::size_t k = 0; k < count; ++k) {
+        Pattern pattern;
+        pattern.duration_s = 0.1;
+        pattern.carriers[0].frequency_hz = 60.0 + 50.0 * static_cast<double>(k % 5);
+        pattern.modulation.frequency_hz = 10.0 * static_cast<double>(k % 3);
+        Vibration vibration;
+        vibration.name = "p" + std::to_string(k + 1);
+        vibration.source = pattern;
+        set.vibrations.push_back(vibration);
+    }
+    return set;
+}
+
+struct Place {
+    ImVec2 min, max;
+    std::string value;
+
+    ImVec2 middle() const { return (min + max) * 0.5F; }
+};
+
+struct Program {
+    HeadlessWindow window;
+    App app = make_app();
+    std::map<std::string, Place> places;  // of the last frame
+
+    explicit Program(const PatternSet& set) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.DisplaySize = {1600.0F, 1000.0F};
+        io.Fonts->Clear();
+        app.document = {set, {}, set};
+        app.committed = std::make_shared<const PatternSet>(set);
+        // Any name but none: the frame then notes where things are, and nothing is written.
+        app.rects.file = "/dev/null/no such file";
+        make_theme(app);
+        settle();
+    }
+
+    void frame() {
+        window.frame([this] {
+            draw_frame(app, window.input.pressed, window.now_s);
+            read_places();
+        });
+    }
+
+    void settle() {
+        while (pending(window.input)) frame();
+        for (int k = 0; k < 4; ++k) frame();
+    }
+
+    const Place& at(const std::string& name) const {
+        const auto found = places.find(name);
+        REQUIRE_MESSAGE(found != places.end(), "nothing on screen is called " << name);
+        return found->second;
+    }
+    bool shows(const std::string& name) const { return places.contains(name); }
+
+    void click(const std::string& name) {
+        window.click(at(name).middle());
+        settle();
+    }
+
+    void drag(ImVec2 from, ImVec2 to, int steps) {
+        window.move(from);
+        window.button(true);
+        settle();
+        for (int k = 1; k <= steps; ++k) {
+            window.move(from + (to - from) * (static_cast<float>(k) / static_cast<float>(steps)));
+            settle();
+        }
+        window.button(false);
+        settle();
+    }
+
+    void press(char32_t sign, bool ctrl = false, bool shift = false) {
+        const auto modifier = [this](int code, bool down) {
+            push(window.input, {window.now_s, KeyChange{code, down, false, 0}});
+        };
+        if (ctrl) modifier(key::kLeftControl, true);
+        if (shift) modifier(key::kLeftShift, true);
+        const bool letter = sign >= 'a' && sign <= 'z';
+        window.press(static_cast<int>(letter ? sign - 'a' + 'A' : sign), sign);
+        if (shift) modifier(key::kLeftShift, false);
+        if (ctrl) modifier(key::kLeftControl, false);
+        settle();
+    }
+
+    void press_key(int code) {
+        window.press(code);
+        settle();
+    }
+
+    // Frames until the map on screen is the exact one of the document.
+    void wait_for_exact_map() {
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (map_state(app) != MapState::exact) {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            frame();
+        }
+    }
+
+    // Frames until the stages on screen are those of the patterns as they are; starts the jobs.
+    void wait_for_stages() {
+        if (!app.full_job) make_jobs(app);
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        const auto arrived = [this] {
+            if (!app.stages || app.stages->request != app.stages_asked) return false;
+            if (app.pinned.empty()) return true;
+            return app.pinned_stages && app.pinned_stages->request == app.pinned_asked;
+        };
+        do {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            frame();
+        } while (!arrived());
+        settle();
+    }
+
+    void hover(ImVec2 at) {
+        window.move(at);
+        settle();
+    }
+
+    const Pattern& pattern(std::size_t index) const {
+        return std::get<Pattern>(app.document.set.vibrations[index].source);
+    }
+
+  private:
+    void read_places() {
+        places.clear();
+        std::istringstream lines(app.rects.written);
+        for (std::string line; std::getline(lines, line);) {
+            std::istringstream cells(line);
+            std::string name;
+            Place place;
+            std::getline(cells, name, '\t');
+            cells >> place.min.x >> place.min.y >> place.max.x >> place.max.y;
+            cells.get();
+            std::getline(cells, place.value);
+            places[name] = place;
+        }
+    }
+};
+
+// With its jobs, and the stages of the current pattern on screen.
+struct ProgramWithStages : Program {
+    explicit ProgramWithStages(const PatternSet& set) : Program(set) { wait_for_stages(); }
+    ~ProgramWithStages() { stop_jobs(app); }
+};
+
+}  // namespace tact

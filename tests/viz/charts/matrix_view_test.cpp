@@ -1,0 +1,178 @@
+#include "viz/charts/matrix_view.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "model/dissimilarity/dissimilarity.h"
+#include "tests/support/presence.h"
+#include "viz/drawing/colormap.h"
+
+namespace tact::matrix_view_test {
+namespace {
+
+struct Example {
+    std::vector<std::string> labels;
+    std::vector<double> condensed;
+};
+
+// |i - j|, so that every value is known.
+Example example(std::size_t n) {
+    Example result;
+    for (std::size_t i = 0; i < n; ++i) {
+        result.labels.push_back("pattern " + std::to_string(i));
+        for (std::size_t j = i + 1; j < n; ++j) {
+            result.condensed.push_back(static_cast<double>(j - i));
+        }
+    }
+    return result;
+}
+
+const Rect kArea{{12, 12}, {528, 388}};
+
+MatrixScene scene_of(const Example& e) {
+    return {.condensed = e.condensed, .labels = e.labels, .quantity = "PM"};
+}
+
+Image picture(const MatrixScene& scene, std::optional<ImVec2> mouse = std::nullopt,
+              MatrixAction* action = nullptr, MatrixLayout* layout = nullptr,
+              int* vertices = nullptr) {
+    return draw_picture(540, 400, {.mouse_px = mouse}, [&](const Theme& theme) {
+        const MatrixAction result = draw_matrix("matrix", theme, kArea, scene);
+        if (action != nullptr) *action = result;
+        if (layout != nullptr) *layout = matrix_layout(theme, kArea, scene);
+        if (vertices != nullptr) *vertices = ImGui::GetWindowDrawList()->VtxBuffer.Size;
+    });
+}
+
+}  // namespace
+
+TEST_CASE("matrix: the cells of 2, 12, 100 and 1000 patterns stay inside the pane") {
+    for (const std::size_t n : {2U, 12U, 100U, 1000U}) {
+        const Example e = example(n);
+        MatrixLayout layout;
+        const Image image = picture(scene_of(e), std::nullopt, nullptr, &layout);
+        CHECK(kArea.contains(layout.cells));
+        CHECK(layout.cells.width() > 100.0F);
+        CHECK(count_pixels(image, layout.cells, viridis(1.0), 30) >= 2);
+        CHECK(count_pixels(image, layout.cells, dark_theme(1.0F).pane) <
+              0.2F * layout.cells.width() * layout.cells.height());
+    }
+}
+
+TEST_CASE("matrix: a thousand patterns cost no more cells than the bound") {
+    const Example e = example(1000);
+    int vertices = 0;
+    picture(scene_of(e), std::nullopt, nullptr, nullptr, &vertices);
+    // Four a cell, and a few thousand for names and scale.
+    CHECK(vertices <= static_cast<int>(4 * kMostCells * kMostCells) + 10'000);
+}
+
+TEST_CASE("matrix: a cell has the colour of its value") {
+    const Example e = example(12);
+    MatrixLayout layout;
+    const Image image = picture(scene_of(e), std::nullopt, nullptr, &layout);
+    for (const auto& [i, j] : {Pair{0, 11}, {3, 5}, {10, 2}}) {
+        // A corner of the cell, away from its number.
+        const auto x =
+            static_cast<int>(layout.cells.min.x + static_cast<float>(j) * layout.cell_px + 3.0F);
+        const auto y =
+            static_cast<int>(layout.cells.min.y + static_cast<float>(i) * layout.cell_px + 3.0F);
+        CHECK(pixel(image, x, y) ==
+              viridis(std::abs(static_cast<double>(i) - static_cast<double>(j)) / 11.0));
+    }
+}
+
+TEST_CASE("matrix: the mouse over a cell names its row and its column") {
+    for (const std::size_t n : {2U, 12U, 100U, 1000U}) {
+        const Example e = example(n);
+        MatrixLayout layout;
+        picture(scene_of(e), std::nullopt, nullptr, &layout);
+        const Pair wanted{n - 1, n / 2 - 1};
+        const ImVec2 mouse =
+            layout.cells.min + ImVec2{(static_cast<float>(wanted.second) + 0.5F) * layout.cell_px,
+                                      (static_cast<float>(wanted.first) + 0.5F) * layout.cell_px};
+        MatrixAction action;
+        picture(scene_of(e), mouse, &action);
+        REQUIRE(action.hovered.has_value());
+        // The mouse moves by whole pixels: that many rows is what it can tell apart.
+        const auto rows = static_cast<std::size_t>(std::ceil(1.0F / layout.cell_px)) - 1;
+        CHECK(wanted.first - action.hovered->first <= rows);
+        CHECK(wanted.second - action.hovered->second <= rows);
+        CHECK_FALSE(action.clicked.has_value());
+    }
+}
+
+TEST_CASE("matrix: the diagonal and the margin are no pairs") {
+    const Example e = example(6);
+    MatrixLayout layout;
+    picture(scene_of(e), std::nullopt, nullptr, &layout);
+    MatrixAction action;
+    picture(scene_of(e), layout.cells.min + ImVec2{5, 5}, &action);
+    CHECK_FALSE(action.hovered.has_value());
+    picture(scene_of(e), ImVec2{520, 380}, &action);
+    CHECK_FALSE(action.hovered.has_value());
+}
+
+TEST_CASE("matrix: unknown pairs leave a field, and less than two patterns nothing") {
+    Example e = example(3);
+    e.condensed[0] = NAN;
+    MatrixLayout layout;
+    const Image image = picture(scene_of(e), std::nullopt, nullptr, &layout);
+    const int x = static_cast<int>(layout.cells.min.x + 1.5F * layout.cell_px);
+    const int y = static_cast<int>(layout.cells.min.y + 0.5F * layout.cell_px);
+    CHECK(pixel(image, x, y) == dark_theme(1.0F).field);
+    const Example one = example(1);
+    picture(scene_of(one));
+}
+
+TEST_CASE("matrix: few patterns have all their names, many only some") {
+    MatrixLayout few;
+    MatrixLayout many;
+    const Example twelve = example(12);
+    const Example thousand = example(1000);
+    picture(scene_of(twelve), std::nullopt, nullptr, &few);
+    picture(scene_of(thousand), std::nullopt, nullptr, &many);
+    CHECK(few.label_step == 1);
+    CHECK(few.column_labels);
+    CHECK(many.label_step > 20);
+    CHECK_FALSE(many.column_labels);
+}
+
+TEST_CASE("matrix: names of one or two letters are shown") {
+    for (const char* stem : {"", "k"}) {
+        Example e = example(6);
+        for (std::size_t i = 0; i < 6; ++i) {
+            e.labels[i] = stem + std::string(1, static_cast<char>('A' + i));
+        }
+        MatrixLayout layout;
+        const Image image = picture(scene_of(e), std::nullopt, nullptr, &layout);
+        for (std::size_t i = 0; i < 6; ++i) {
+            const float top = layout.cells.min.y + static_cast<float>(i) * layout.cell_px;
+            const Rect beside{{kArea.min.x, top}, {layout.cells.min.x, top + layout.cell_px}};
+            CHECK(count_pixels(image, beside, dark_theme(1.0F).dim_text, 60) >= 5);
+        }
+    }
+}
+
+TEST_CASE("matrix: where all pairs are equal none is bright, except that nothing is apart") {
+    Example e = example(4);
+    const auto first_pair = [&e] {
+        MatrixLayout layout;
+        const Image image = picture(scene_of(e), std::nullopt, nullptr, &layout);
+        return pixel(image, static_cast<int>(layout.cells.min.x + layout.cell_px + 3.0F),
+                     static_cast<int>(layout.cells.min.y + 3.0F));
+    };
+    std::fill(e.condensed.begin(), e.condensed.end(), 3.5);
+    CHECK(first_pair() == dark_theme(1.0F).hover);
+    std::fill(e.condensed.begin(), e.condensed.end(), 0.0);
+    CHECK(first_pair() == viridis(0.0));
+    // A single pair is equal to itself, which says nothing.
+    e = example(2);
+    CHECK(first_pair() == viridis(1.0));
+}
+
+}  // namespace tact::matrix_view_test

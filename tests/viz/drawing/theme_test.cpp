@@ -1,0 +1,57 @@
+#include "viz/drawing/theme.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+#include "viz/drawing/colour.h"
+
+namespace tact::theme_test {
+
+TEST_CASE("theme: text of every kind stands out from its ground by 4.5 in both themes") {
+    for (const Theme& theme : {dark_theme(1.0F), light_theme(1.0F)}) {
+        for (const ImU32 ground : {theme.pane, theme.background}) {
+            CHECK(contrast(theme.text, ground) >= 4.5);
+            CHECK(contrast(theme.dim_text, ground) >= 4.5);
+            CHECK(contrast(theme.accent, ground) >= 4.5);
+            CHECK(contrast(theme.warning, ground) >= 4.5);
+            CHECK(contrast(theme.error, ground) >= 4.5);
+        }
+        for (const ImU32 ground : {theme.field, theme.hover}) {
+            CHECK(contrast(theme.text, ground) >= 4.5);
+            CHECK(contrast(theme.dim_text, ground) >= 4.5);
+        }
+        for (const ImU32 receptor : theme.receptor) CHECK(contrast(receptor, theme.pane) >= 4.5);
+    }
+}
+
+// 3 is what WCAG asks of graphics; yellow on white and black on black are the known traps. Two
+// light colours, sky blue and orange, would turn muddy beyond 3 on white.
+TEST_CASE("theme: every pattern's colour can be seen on the pane in both themes") {
+    for (const Theme& theme : {dark_theme(1.0F), light_theme(1.0F)}) {
+        for (const ImU32 colour : theme.pattern) CHECK(contrast(colour, theme.pane) >= 2.7);
+    }
+}
+
+TEST_CASE("theme: the first sixteen patterns all look different") {
+    const Theme theme = dark_theme(1.0F);
+    for (std::size_t i = 0; i < 16; ++i) {
+        CHECK(pattern_look(theme, i).ring == (i >= 8));
+        for (std::size_t j = 0; j < i; ++j) CHECK(pattern_look(theme, i) != pattern_look(theme, j));
+    }
+}
+
+TEST_CASE("theme: all sizes grow with the scale") {
+    const Theme one = dark_theme(1.0F);
+    const Theme two = dark_theme(2.0F);
+    CHECK(two.padding_px == 2.0F * one.padding_px);
+    CHECK(two.hairline_px == 2.0F * one.hairline_px);
+    ImGuiStyle small;
+    ImGuiStyle large;
+    apply(one, small);
+    apply(two, large);
+    CHECK(large.FramePadding.x == 2.0F * small.FramePadding.x);
+    CHECK(large.WindowBorderSize == 0.0F);
+}
+
+}  // namespace tact::theme_test

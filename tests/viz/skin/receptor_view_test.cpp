@@ -1,0 +1,278 @@
+#include "viz/skin/receptor_view.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "tests/support/headless_window.h"
+#include "tests/support/presence.h"
+#include "viz/drawing/colour.h"
+
+namespace tact::receptor_view_test {
+namespace {
+
+const Rect kArea{{10, 10}, {230, 270}};
+
+struct Example {
+    Activation activation{.rate_hz = 190.0, .slope_sum = 80.0};
+    ReceptorGrid grid;
+    Receptor receptor;
+
+    Example(Receptor type, double radius_mm) : receptor(type) {
+        activation.radius_mm = radius_mm;
+        if (radius_mm <= 0.0) activation = {};
+        // The slope that makes the rate zero at the radius.
+        if (radius_mm > kHotZoneMm) {
+            activation.slope_sum = activation.rate_hz / (2.0 * std::log10(radius_mm / kHotZoneMm));
+        }
+        grid = receptor_grid(activation, type, 1.0, FireSharing::total);
+    }
+
+    ReceptorScene scene() const {
+        return {.receptor = receptor, .grid = &grid, .activation = activation};
+    }
+    ImVec2 place(const ReceptorLayout& layout, const ReceptorScene& shown, std::size_t i) const {
+        const GridReceptor& r = grid.receptors[i];
+        return to_pixel(layout.skin, grid.x_mm(r), grid.y_mm(r), shown_value(shown, r.distance_mm));
+    }
+};
+
+struct Drawn {
+    Image image;
+    ReceptorAction action;
+    ReceptorLayout layout;
+    int vertices = 0;
+};
+
+Drawn drawn(const ReceptorScene& scene, const PictureOptions& options = {},
+            const Rect& area = kArea) {
+    Drawn result;
+    const auto side = [&](float end) { return static_cast<int>(end + 10.0F); };
+    result.image =
+        draw_picture(side(area.max.x), side(area.max.y), options, [&](const Theme& theme) {
+            result.action = draw_receptors("receptors", theme, area, scene);
+            result.layout = receptor_layout(theme, area, scene);
+            result.vertices = ImGui::GetWindowDrawList()->VtxBuffer.Size;
+        });
+    return result;
+}
+
+Theme theme_of(const PictureOptions& options) {
+    return options.dark ? dark_theme(options.scale) : light_theme(options.scale);
+}
+
+}  // namespace
+
+TEST_CASE("receptor view: each type shows in its own colour, in both themes") {
+    for (const Receptor receptor : kReceptors) {
+        for (const bool dark : {true, false}) {
+            const PictureOptions options{.dark = dark};
+            const Example e(receptor, 6.0);
+            const Drawn d = drawn(e.scene(), options);
+            const ImU32 hue = theme_of(options).receptor[index_of(receptor)];
+            CHECK(count_pixels(d.image, d.layout.map, hue, 12) > 8);
+        }
+    }
+}
+
+TEST_CASE("receptor view: distances are to scale, and the same for all types") {
+    const Drawn meissner = drawn(Example(Receptor::meissner, 5.0).scene());
+    const Drawn ruffini = drawn(Example(Receptor::ruffini, 9.0).scene());
+    CHECK(meissner.layout.skin.px_per_mm == ruffini.layout.skin.px_per_mm);
+    const SkinView& view = meissner.layout.skin;
+    const ImVec2 a = to_pixel(view, -3.0, 1.0);
+    const ImVec2 b = to_pixel(view, 1.0, 4.0);
+    // 3-4-5 mm; float pixels.
+    CHECK(std::abs(std::hypot(a.x - b.x, a.y - b.y) - 5.0F * view.px_per_mm) <= 1e-3F);
+    CHECK(std::abs(2.0F * 10.5F * view.px_per_mm - meissner.layout.map.width()) <= 1e-3F);
+}
+
+TEST_CASE("receptor view: the common extent holds the fingertip and every activated receptor") {
+    PerReceptor<Activation> activation{};
+    CHECK(common_extent_mm(activation) >= kFingertipLengthMm / 2.0);
+    activation[1] = Example(Receptor::pacinian, 14.0).activation;
+    CHECK(common_extent_mm(activation) >= 14.0);
+}
+
+TEST_CASE("receptor view: a receptor that fires stands out, and fades back") {
+    for (const bool dark : {true, false}) {
+        const PictureOptions options{.dark = dark};
+        const Example e(Receptor::meissner, 5.0);
+        const Theme theme = theme_of(options);
+        const auto contrasting = [&](float strength) {
+            std::vector<float> flash(e.grid.receptors.size(), 0.0F);
+            flash[flash.size() / 2] = strength;
+            ReceptorScene scene = e.scene();
+            scene.flash = flash;
+            const Drawn d = drawn(scene, options);
+            const ImVec2 at = e.place(d.layout, scene, flash.size() / 2);
+            return contrast(pixel(d.image, static_cast<int>(at.x), static_cast<int>(at.y)),
+                            theme.pane);
+        };
+        CHECK(contrasting(1.0F) > 1.4 * contrasting(0.0F));
+        CHECK(contrasting(0.5F) < contrasting(1.0F));
+        CHECK(contrasting(0.5F) > contrasting(0.0F));
+    }
+}
+
+TEST_CASE("receptor view: the mouse over a receptor names it, flat, tilted and between") {
+    for (const float scale : {1.0F, 2.0F}) {
+        const Rect area{kArea.min * scale, kArea.max * scale};
+        for (const float tilted : {0.0F, 0.5F, 1.0F}) {
+            const Example e(Receptor::ruffini, 9.0);
+            ReceptorScene scene = e.scene();
+            scene.tilted = tilted;
+            PictureOptions options{.scale = scale};
+            const Drawn quiet = drawn(scene, options, area);
+            CHECK_FALSE(quiet.action.hovered.has_value());
+            for (std::size_t i = 0; i < e.grid.receptors.size(); i += 5) {
+                options.mouse_px = e.place(quiet.layout, scene, i);
+                const Drawn d = drawn(scene, options, area);
+                REQUIRE(d.action.hovered.has_value());
+                CHECK(*d.action.hovered == i);
+                CHECK(same(d.action.hovered_at, *options.mouse_px));
+                CHECK_FALSE(d.action.clicked.has_value());
+            }
+        }
+    }
+}
+
+TEST_CASE("receptor view: a click on a receptor names it, one beside all says so") {
+    const Example e(Receptor::pacinian, 6.0);
+    const Theme theme = dark_theme(1.0F);
+    const ReceptorLayout layout = [&] {
+        HeadlessWindow window;
+        ReceptorLayout result;
+        window.settle([&] { result = receptor_layout(theme, kArea, e.scene()); });
+        return result;
+    }();
+    const auto click = [&](ImVec2 at) {
+        HeadlessWindow window;
+        ReceptorAction seen;
+        const auto draw = [&] {
+            ImGui::SetNextWindowPos({0, 0});
+            ImGui::SetNextWindowSize({300, 300});
+            ImGui::Begin("pane", nullptr, ImGuiWindowFlags_NoDecoration);
+            const ReceptorAction now = draw_receptors("receptors", theme, kArea, e.scene());
+            if (now.clicked) seen.clicked = now.clicked;
+            seen.clicked_empty = seen.clicked_empty || now.clicked_empty;
+            ImGui::End();
+        };
+        window.move(at);
+        window.settle(draw);
+        window.click(at);
+        window.settle(draw);
+        return seen;
+    };
+    const ReceptorAction on = click(e.place(layout, e.scene(), 4));
+    CHECK(on.clicked == 4U);
+    CHECK_FALSE(on.clicked_empty);
+    const ReceptorAction beside = click(layout.map.min + ImVec2{3, 3});
+    CHECK_FALSE(beside.clicked.has_value());
+    CHECK(beside.clicked_empty);
+}
+
+TEST_CASE("receptor view: a type below threshold keeps its centre, without its full colour") {
+    const Example silent(Receptor::merkel, 0.0);
+    CHECK(silent.grid.receptors.size() == 1);
+    const Drawn d = drawn(silent.scene());
+    const ImU32 hue = dark_theme(1.0F).receptor[index_of(Receptor::merkel)];
+    CHECK(count_pixels(d.image, d.layout.map, hue, 12) == 0);
+    ReceptorScene nothing = silent.scene();
+    nothing.grid = nullptr;
+    // The centre's mark is the difference; the words beneath differ too.
+    CHECK(drawn(nothing).image != d.image);
+    CHECK(shown_value(silent.scene(), 0.0) == 0.0);
+}
+
+TEST_CASE("receptor view: without a result there is a fingertip with words, and nothing to pick") {
+    const ReceptorScene scene{.receptor = Receptor::merkel};
+    PictureOptions options{.mouse_px = kArea.centre()};
+    const Drawn d = drawn(scene, options);
+    CHECK_FALSE(d.action.hovered.has_value());
+    const Theme theme = dark_theme(1.0F);
+    CHECK(count_pixels(d.image, d.layout.map, skin_colour(theme), 12) > 2000);
+    CHECK(count_pixels(d.image, d.layout.caption, theme.dim_text, 40) > 30);
+}
+
+TEST_CASE("receptor view: stale receptors step back") {
+    const Example e(Receptor::meissner, 5.0);
+    ReceptorScene scene = e.scene();
+    const ImU32 hue = dark_theme(1.0F).receptor[0];
+    const Drawn fresh = drawn(scene);
+    scene.stale = true;
+    const Drawn stale = drawn(scene);
+    CHECK(count_pixels(fresh.image, fresh.layout.map, hue, 12) > 100);
+    CHECK(count_pixels(stale.image, stale.layout.map, hue, 12) == 0);
+}
+
+TEST_CASE("receptor view: marks, words and stems stay inside the area, however narrow") {
+    const Example e(Receptor::pacinian, 18.0);  // farther than the map reaches
+    for (const float scale : {1.0F, 2.0F}) {
+        for (const float tilted : {0.0F, 1.0F}) {
+            for (const ImVec2 size : {ImVec2{40, 200}, {90, 100}, {160, 60}, {220, 260}}) {
+                ReceptorScene scene = e.scene();
+                scene.tilted = tilted;
+                scene.selected = 0;
+                const Rect area = rect_at({10.0F, 10.0F}, size * scale);
+                const PictureOptions options{.scale = scale};
+                const Drawn d = drawn(scene, options, area);
+                CHECK(count_strays(d.image, area, theme_of(options).pane) == 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("receptor view: in the tilted view a stronger value stands higher, and it eases in") {
+    const Example e(Receptor::meissner, 6.0);
+    for (const auto quantity : {ReceptorQuantity::rate, ReceptorQuantity::amplitude}) {
+        ReceptorScene scene = e.scene();
+        scene.quantity = quantity;
+        CHECK(shown_value(scene, 0.0) == 1.0);
+        CHECK(shown_value(scene, kHotZoneMm) == 1.0);
+        CHECK(shown_value(scene, 3.0) < 1.0);
+        CHECK(shown_value(scene, 5.0) < shown_value(scene, 3.0));
+    }
+    const Rect square{{0, 0}, {200, 200}};
+    const SkinView flat = skin_view(square, 10.0, 0.0F);
+    const SkinView hardly = skin_view(square, 10.0, 0.001F);
+    const SkinView tilted = skin_view(square, 10.0, 1.0F);
+    const ImVec2 before = to_pixel(flat, 4.0, -5.0, 1.0);
+    const ImVec2 after = to_pixel(hardly, 4.0, -5.0, 1.0);
+    CHECK(std::hypot(before.x - after.x, before.y - after.y) < 0.5F);
+    CHECK(to_pixel(tilted, 0.0, 0.0, 1.0).y < to_pixel(tilted, 0.0, 0.0, 0.4).y - 30.0F);
+    CHECK(same(to_pixel(flat, 1.0, 2.0, 1.0), to_pixel(flat, 1.0, 2.0, 0.0)));
+}
+
+// V(r) = v (1.5 / r)^2: a quarter at twice the hot zone's radius.
+TEST_CASE("receptor view: the wave's amplitude is a quarter at 3 mm") {
+    const Example e(Receptor::meissner, 6.0);
+    ReceptorScene scene = e.scene();
+    scene.quantity = ReceptorQuantity::amplitude;
+    CHECK(std::abs(shown_value(scene, 3.0) - 0.25) <= 1e-12);
+}
+
+TEST_CASE("receptor view: hundreds of receptors, all firing, cost a few quads each") {
+    const Example e(Receptor::meissner, 12.0);
+    const auto n = static_cast<int>(e.grid.receptors.size());
+    REQUIRE(n > 600);
+    const std::vector<float> flash(e.grid.receptors.size(), 1.0F);
+    ReceptorScene scene = e.scene();
+    scene.half_extent_mm = 12.5;
+    scene.flash = flash;
+    // A mark and its glow; words, fingertip and circles are a few thousand.
+    CHECK(drawn(scene).vertices <= 8 * n + 4'000);
+}
+
+TEST_CASE("receptor view: an area without room draws nothing and does not fail") {
+    const Example e(Receptor::meissner, 5.0);
+    for (const ImVec2 size : {ImVec2{0, 0}, {1, 50}, {50, 1}, {7, 7}, {12, 12}}) {
+        const Rect area = rect_at({10, 10}, size);
+        const Drawn d = drawn(e.scene(), {}, area);
+        CHECK(count_strays(d.image, area, dark_theme(1.0F).pane) == 0);
+    }
+}
+
+}  // namespace tact::receptor_view_test

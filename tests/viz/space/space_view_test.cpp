@@ -1,0 +1,248 @@
+#include "viz/space/space_view.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tests/support/presence.h"
+
+namespace tact::space_view_test {
+namespace {
+
+const Rect kPane{{0, 0}, {600, 400}};
+
+struct Example {
+    std::vector<std::string> labels;
+    std::vector<PatternLook> looks;
+    Eigen::MatrixXd points;
+};
+
+Example example(int n, int dimensions) {
+    std::mt19937 random(7);
+    std::normal_distribution<double> value;
+    Example result;
+    result.points.resize(n, dimensions);
+    for (int i = 0; i < n; ++i) {
+        result.labels.push_back("pattern " + std::to_string(i));
+        result.looks.push_back(pattern_look(dark_theme(1.0F), static_cast<std::size_t>(i)));
+        for (int k = 0; k < dimensions; ++k) result.points(i, k) = value(random);
+    }
+    return result;
+}
+
+SpaceScene scene_of(const Example& e) {
+    return {.labels = e.labels, .looks = e.looks, .points = &e.points};
+}
+
+Image picture(const SpaceScene& scene, std::optional<ImVec2> mouse = std::nullopt,
+              SpaceAction* action = nullptr) {
+    return draw_picture(600, 400, {.mouse_px = mouse}, [&](const Theme& theme) {
+        SpaceCamera camera;
+        const SpaceAction result = draw_space("space", theme, kPane, scene, camera);
+        if (action != nullptr) *action = result;
+    });
+}
+
+// A window with one space, driven by hand: every call of frame() is one frame.
+struct Bench {
+    ImGuiContext* before = ImGui::GetCurrentContext();
+    ImGuiContext* own = ImGui::CreateContext();
+    Theme theme = dark_theme(1.0F);
+    SpaceCamera camera;
+
+    Bench() {
+        ImGui::SetCurrentContext(own);
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = {600, 400};
+        theme.fonts = load_fonts(*io.Fonts, 1.0F, "");
+    }
+    ~Bench() {
+        ImGui::DestroyContext(own);
+        ImGui::SetCurrentContext(before);
+    }
+    Bench(const Bench&) = delete;
+    Bench& operator=(const Bench&) = delete;
+
+    SpaceAction frame(const SpaceScene& scene, ImVec2 mouse, int button_down = -1,
+                      float wheel = 0.0F) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.DeltaTime = 1.0F / 60.0F;
+        io.MousePos = mouse;
+        io.MouseWheel = wheel;
+        for (int b = 0; b < 3; ++b) io.MouseDown[b] = b == button_down;
+        ImGui::NewFrame();
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({600, 400});
+        ImGui::Begin("bench", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+        const SpaceAction action = draw_space("space", theme, kPane, scene, camera);
+        ImGui::End();
+        ImGui::Render();
+        return action;
+    }
+
+    ImVec2 place_of(const Example& e, Eigen::Index i) const {
+        return project(camera, fit(e.points), kPane, point_of(e.points, i)).at;
+    }
+};
+
+// The point nearest to the eye: nothing hides it.
+Eigen::Index front(const Example& e) {
+    Eigen::Index best = 0;
+    double depth = -10;
+    for (Eigen::Index i = 0; i < e.points.rows(); ++i) {
+        const double d = project({}, fit(e.points), kPane, point_of(e.points, i)).depth;
+        if (d > depth) {
+            depth = d;
+            best = i;
+        }
+    }
+    return best;
+}
+
+const ImVec2 kEmpty{30, 30};
+
+}  // namespace
+
+TEST_CASE("space view: 1, 12 and 1000 patterns all show, in 2-D and 3-D") {
+    for (const int dimensions : {2, 3}) {
+        for (const int n : {1, 12, 1000}) {
+            const Example e = example(n, dimensions);
+            const Image image = picture(scene_of(e));
+            const ImU32 pane = dark_theme(1.0F).pane;
+            CHECK(600 * 400 - count_pixels(image, kPane, pane, 12) > 60 * std::min(n, 100));
+        }
+    }
+}
+
+TEST_CASE("space view: a click on a point selects it, a double click plays it") {
+    const Example e = example(12, 3);
+    Bench bench;
+    const auto i = static_cast<std::size_t>(front(e));
+    const ImVec2 at = bench.place_of(e, front(e));
+    bench.frame(scene_of(e), at);
+    CHECK(bench.frame(scene_of(e), at).hovered == i);
+    CHECK_FALSE(bench.frame(scene_of(e), at, 0).clicked.has_value());
+    CHECK(bench.frame(scene_of(e), at).clicked == i);
+    CHECK(bench.frame(scene_of(e), at, 0).double_clicked == i);
+}
+
+TEST_CASE("space view: a drag on empty space orbits, even over points, and is no click") {
+    const Example e = example(12, 3);
+    Bench bench;
+    bench.frame(scene_of(e), kEmpty);
+    bench.frame(scene_of(e), kEmpty);
+    bench.frame(scene_of(e), kEmpty, 0);
+    const SpaceCamera before = bench.camera;
+    for (int step = 1; step <= 20; ++step) {
+        const float way = 15.0F * static_cast<float>(step);
+        const SpaceAction action = bench.frame(scene_of(e), kEmpty + ImVec2{way, way / 2}, 0);
+        CHECK_FALSE(action.hovered.has_value());
+        CHECK(action.camera_changed);
+    }
+    const SpaceAction released = bench.frame(scene_of(e), kEmpty + ImVec2{300, 150});
+    CHECK_FALSE(released.clicked_empty);
+    CHECK_FALSE(released.clicked.has_value());
+    CHECK(bench.camera.yaw_rad > before.yaw_rad + 1.0);
+    CHECK(bench.camera.pitch_rad > before.pitch_rad);
+    CHECK(bench.camera.zoom == before.zoom);
+}
+
+TEST_CASE("space view: a drag that begins on a point leaves the camera alone") {
+    const Example e = example(12, 3);
+    Bench bench;
+    const ImVec2 at = bench.place_of(e, front(e));
+    bench.frame(scene_of(e), at);
+    bench.frame(scene_of(e), at);
+    bench.frame(scene_of(e), at, 0);
+    bench.frame(scene_of(e), at + ImVec2{50, 0}, 0);
+    CHECK_FALSE(bench.frame(scene_of(e), at + ImVec2{50, 0}).clicked.has_value());
+    CHECK(bench.camera == SpaceCamera{});
+}
+
+TEST_CASE("space view: a flat map is moved, not turned, by a drag") {
+    const Example e = example(12, 2);
+    Bench bench;
+    bench.frame(scene_of(e), kEmpty);
+    bench.frame(scene_of(e), kEmpty);
+    bench.frame(scene_of(e), kEmpty, 0);
+    const ImVec2 before = bench.place_of(e, 0);
+    bench.frame(scene_of(e), kEmpty + ImVec2{40, 25}, 0);
+    const ImVec2 after = bench.place_of(e, 0);
+    // Float pixels.
+    CHECK(std::abs(after.x - before.x - 40.0F) <= 1e-2F);
+    CHECK(std::abs(after.y - before.y - 25.0F) <= 1e-2F);
+}
+
+TEST_CASE("space view: right drag pans, the wheel zooms at the mouse, a double click resets") {
+    const Example e = example(12, 3);
+    Bench bench;
+    bench.frame(scene_of(e), kEmpty);
+    bench.frame(scene_of(e), kEmpty);
+    bench.frame(scene_of(e), kEmpty, 1);
+    bench.frame(scene_of(e), kEmpty + ImVec2{30, 0}, 1);
+    bench.frame(scene_of(e), kEmpty);
+    CHECK(bench.camera.pan_x > 0.1);
+    bench.frame(scene_of(e), kEmpty, -1, 2.0F);
+    CHECK(std::abs(bench.camera.zoom - 1.15 * 1.15) <= 1e-9);
+    bench.frame(scene_of(e), kEmpty);
+    CHECK(bench.frame(scene_of(e), kEmpty, 0).hovered == std::nullopt);
+    CHECK(bench.frame(scene_of(e), kEmpty).clicked_empty);
+    bench.frame(scene_of(e), kEmpty, 0);
+    bench.frame(scene_of(e), kEmpty);
+    CHECK(bench.camera == SpaceCamera{});
+}
+
+TEST_CASE("space view: the selected point and the hovered one are joined, with their distance") {
+    const Example e = example(12, 3);
+    SpaceScene scene = scene_of(e);
+    scene.selected = 3;
+    scene.pointed = 8;
+    std::size_t asked = 0;
+    scene.dissimilarity = [&](std::size_t a, std::size_t b) {
+        ++asked;
+        CHECK(a == 3);
+        CHECK(b == 8);
+        return 10.2;
+    };
+    const Image image = picture(scene);
+    CHECK(asked == 2);  // once a frame
+    CHECK(count_pixels(image, kPane, dark_theme(1.0F).hover) > 200);
+}
+
+TEST_CASE("space view: points without coordinates are left out, not drawn at random") {
+    Example e = example(12, 3);
+    e.points.row(4).setConstant(NAN);
+    SpaceScene scene = scene_of(e);
+    scene.selected = 4;
+    const std::vector<std::vector<std::size_t>> paths{{3, 4, 5}};
+    scene.paths = paths;
+    picture(scene);
+    e.points.setConstant(NAN);
+    picture(scene);
+}
+
+TEST_CASE("space view: an empty set draws a floor and does not fail") {
+    const Example e = example(0, 3);
+    picture(scene_of(e));
+}
+
+TEST_CASE("space view: beside a subset of many points the others are a cloud without names") {
+    for (const int n : {12, 90}) {
+        const Example e = example(n, 3);
+        Example nameless = e;
+        for (std::size_t k = 2; k < nameless.labels.size(); ++k) nameless.labels[k].clear();
+        const std::vector<std::size_t> chosen{0, 1};
+        SpaceScene named = scene_of(e);
+        SpaceScene bare = scene_of(nameless);
+        named.chosen = bare.chosen = chosen;
+        CHECK((picture(named) == picture(bare)) == (n == 90));
+        named.chosen = bare.chosen = {};
+        CHECK(picture(named) != picture(bare));
+    }
+}
+
+}  // namespace tact::space_view_test

@@ -1,0 +1,50 @@
+// Two numbers of every pair as points, with a monotone fit where there is one: predictions against
+// ratings, or a Shepard diagram.
+//
+// Source    Shepard 1962; the fit is Kruskal's, drawn as the steps it is.
+// Input     x and y of every pair, NaN: not drawn; disparities in the same order
+// Output    the pair under the mouse and the pair clicked
+// Valid     any number; above kMostScatterPoints an even choice of them is drawn, and said so
+// Left out  zooming, several series.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viz/drawing/geometry.h"
+#include "viz/drawing/theme.h"
+
+namespace tact {
+
+inline constexpr std::size_t kMostScatterPoints = 5000;
+
+struct ScatterScene {
+    std::span<const double> x{};
+    std::span<const double> y{};
+    std::span<const double> fitted{};  // monotone in x; empty: none
+    std::string_view x_title{};        // below the axis
+    std::string_view y_title{};        // above the axis
+    std::string_view corner{};         // in the lower right corner
+    std::optional<std::size_t> selected{};
+    std::function<std::vector<std::string>(std::size_t)> readout{};  // lines on a pair
+    bool stale = false;
+};
+
+struct ScatterAction {
+    std::optional<std::size_t> hovered{};
+    std::optional<std::size_t> clicked{};
+};
+
+ScatterAction draw_scatter(const char* id, const Theme& theme, const Rect& area,
+                           const ScatterScene& scene);
+
+// Where a point is on the screen: for tests of what is drawn.
+ImVec2 scatter_point(const Theme& theme, const Rect& area, const ScatterScene& scene,
+                     std::size_t index);
+
+}  // namespace tact

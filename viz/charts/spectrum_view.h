@@ -1,0 +1,45 @@
+// Which components of a vibration the four receptor types can feel: displacement over frequency,
+// against the types' thresholds.
+//
+// Source    thresholds: the model's own tables, so that the picture and the prediction agree.
+// Input     an amplitude spectrum in g; 1-500 Hz of it are shown
+// Output    the component under the mouse
+// Left out  phase, components below 1e-9 g (the model ignores them too).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/physiology/activation.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+struct SpectrumScene {
+    std::span<const Component> components{};         // by ascending frequency
+    const PerReceptor<Curve>* thresholds = nullptr;  // log10 um; never null
+    ImU32 colour = 0;                                // of components that are felt
+    bool stale = false;
+};
+
+struct SpectrumAction {
+    std::optional<std::size_t> hovered{};  // index of a component
+};
+
+SpectrumAction draw_spectrum(const char* id, const Theme& theme, const Rect& area,
+                             const SpectrumScene& scene);
+
+// 20 log10 of the peak displacement in um; -infinity for silence.
+double level_db(const Component& component);
+
+// For each receptor type: does any component reach its threshold?
+PerReceptor<bool> reached(std::span<const Component> components,
+                          const PerReceptor<Curve>& thresholds);
+
+// Tops of labels of equal height that want to start at `wanted`, moved apart so that none overlap,
+// all within [low, high] if they fit there. Keeps the order of `wanted`.
+std::vector<float> spread(std::span<const float> wanted, float height, float low, float high);
+
+}  // namespace tact

@@ -1,0 +1,56 @@
+#include "viz/drawing/colormap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "viz/drawing/colour.h"
+
+namespace tact {
+namespace {
+
+constexpr int kSteps = 256;
+using Table = std::array<ImU32, kSteps>;
+
+// Evenly spaced control points to one colour a step.
+template <std::size_t n>
+Table interpolated(const std::array<std::uint32_t, n>& control_hex) {
+    Table table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const float at = static_cast<float>(i) / (kSteps - 1) * static_cast<float>(n - 1);
+        const std::size_t below = std::min(static_cast<std::size_t>(at), n - 2);
+        table[i] = mixed(rgb(control_hex[below]), rgb(control_hex[below + 1]),
+                         at - static_cast<float>(below));
+    }
+    return table;
+}
+
+ImU32 step_of(const Table& table, double t) {
+    const double inside = t > 0.0 ? std::min(t, 1.0) : 0.0;  // NaN compares false
+    return table[static_cast<std::size_t>(std::lround(inside * (kSteps - 1)))];
+}
+
+}  // namespace
+
+ImU32 viridis(double t) {
+    static const Table table = interpolated(
+        std::array<std::uint32_t, 11>{0x440154, 0x482475, 0x414487, 0x355F8D, 0x2A788E, 0x21918C,
+                                      0x22A884, 0x44BF70, 0x7AD151, 0xBDDF26, 0xFDE725});
+    return step_of(table, t);
+}
+
+ImU32 cividis(double t) {
+    static const Table table = interpolated(std::array<std::uint32_t, 9>{
+        0x00224E, 0x123570, 0x3B496C, 0x575D6D, 0x707173, 0x8A8678, 0xA59C74, 0xC3B369, 0xFEE838});
+    return step_of(table, t);
+}
+
+ImU32 diverging(double t) {
+    static const Table table = interpolated(
+        std::array<std::uint32_t, 5>{0x0072B2, 0x7FB8DC, 0xF7F7F7, 0xF0B27A, 0xD55E00});
+    return step_of(table, std::isnan(t) ? 0.5 : (t + 1.0) / 2.0);
+}
+
+}  // namespace tact

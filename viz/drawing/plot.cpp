@@ -1,0 +1,308 @@
+#include "viz/drawing/plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+namespace {
+
+constexpr std::size_t kFewestTicks = 3;
+constexpr std::size_t kMostTicks = 5;
+
+bool few_enough(std::size_t count) { return count >= kFewestTicks && count <= kMostTicks; }
+
+std::vector<double> multiples_of(double step, double low, double high) {
+    std::vector<double> ticks;
+    const double slack = step * 1e-9;  // a bound that is a multiple but for rounding counts
+    for (double k = std::ceil((low - slack) / step); k * step <= high + slack; k += 1.0) {
+        ticks.push_back(k == 0.0 ? 0.0 : k * step);  // no minus zero
+    }
+    return ticks;
+}
+
+std::vector<double> linear_ticks(double low, double high) {
+    // From fine to coarse: the finest step that gives no more than five.
+    const double decade = std::pow(10.0, std::floor(std::log10((high - low) / 10.0)));
+    std::vector<double> ticks;
+    for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0, 20.0}) {
+        ticks = multiples_of(factor * decade, low, high);
+        if (few_enough(ticks.size())) break;
+    }
+    return ticks;
+}
+
+std::vector<double> logarithmic_ticks(double low, double high) {
+    const int first = static_cast<int>(std::floor(std::log10(low)));
+    const int last = static_cast<int>(std::ceil(std::log10(high)));
+    const std::array<std::vector<double>, 3> mantissas{std::vector<double>{1.0},
+                                                       std::vector<double>{1.0, 3.0},
+                                                       std::vector<double>{1.0, 2.0, 5.0}};
+    for (const auto& mantissa : mantissas) {
+        // More than five decades: every second one, or third ...
+        const int stride = std::max(1, (last - first + 4) / 5);
+        std::vector<double> ticks;
+        for (int exponent = first; exponent <= last; exponent += stride) {
+            for (const double m : mantissa) {
+                const double tick = m * std::pow(10.0, exponent);
+                if (tick >= low * (1 - 1e-9) && tick <= high * (1 + 1e-9)) ticks.push_back(tick);
+            }
+        }
+        if (few_enough(ticks.size())) return ticks;
+    }
+    return linear_ticks(low, high);
+}
+
+// One column of a strip at x: soft edge, top, bottom, soft edge.
+struct StripColumn {
+    float x;
+    float top;
+    float bottom;
+};
+
+// A band between two lines with edges that fade over one pixel, or do not in vector pictures.
+void draw_strip(ImDrawList& list, std::span<const StripColumn> columns, ImU32 colour) {
+    if (columns.size() < 2) return;
+    const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
+    const ImU32 clear = colour & ~IM_COL32_A_MASK;
+    const float soft = (list.Flags & ImDrawListFlags_AntiAliasedFill) != 0 ? 0.5F : 0.0F;
+    // Batches keep within the 16-bit indices of one draw command.
+    constexpr std::size_t kBatch = 4096;
+    for (std::size_t begin = 0; begin + 1 < columns.size(); begin += kBatch) {
+        const std::size_t count = std::min(kBatch + 1, columns.size() - begin);
+        const int quads = static_cast<int>(count - 1) * 3;
+        list.PrimReserve(quads * 6, static_cast<int>(count) * 4);
+        const unsigned base = list._VtxCurrentIdx;
+        for (const StripColumn& c : columns.subspan(begin, count)) {
+            list.PrimWriteVtx({c.x, c.top - soft}, uv, clear);
+            list.PrimWriteVtx({c.x, c.top + soft}, uv, colour);
+            list.PrimWriteVtx({c.x, c.bottom - soft}, uv, colour);
+            list.PrimWriteVtx({c.x, c.bottom + soft}, uv, clear);
+        }
+        for (unsigned i = 0; i + 1 < count; ++i) {
+            for (unsigned band = 0; band < 3; ++band) {
+                const unsigned a = base + 4 * i + band;
+                for (const unsigned v : {a, a + 4, a + 5, a, a + 5, a + 1}) {
+                    list.PrimWriteIdx(static_cast<ImDrawIdx>(v));
+                }
+            }
+        }
+    }
+}
+
+void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
+                  std::span<const double> samples, double rate_hz, ImU32 colour, TraceStyle style) {
+    const auto count = static_cast<std::size_t>(std::ceil(plot.area.width()));
+    const auto columns = extremes(samples, plot.x.low * rate_hz, plot.x.high * rate_hz, count);
+    const float half_px = style == TraceStyle::line ? theme.trace_px / 2.0F : 0.0F;
+    std::vector<StripColumn> strip;
+    strip.reserve(columns.size());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const double time_s = plot.x.low + (static_cast<double>(i) + 0.5) *
+                                               (plot.x.high - plot.x.low) /
+                                               static_cast<double>(columns.size());
+        // Beyond the signal there is nothing to draw.
+        if (time_s < 0.0 || time_s * rate_hz > static_cast<double>(samples.size())) continue;
+        Extremes e = columns[i];
+        if (style == TraceStyle::filled) e = {std::min(0.0, e.low), std::max(0.0, e.high)};
+        strip.push_back({to_pixel(plot.x, time_s), to_pixel(plot.y, e.high) - half_px,
+                         to_pixel(plot.y, e.low) + half_px});
+    }
+    draw_strip(list, strip, colour);
+}
+
+void draw_polyline(ImDrawList& list, const Theme& theme, const Plot& plot,
+                   std::span<const double> samples, double rate_hz, ImU32 colour) {
+    const double last_index = static_cast<double>(samples.size()) - 1.0;
+    const double first = std::clamp(std::floor(plot.x.low * rate_hz), 0.0, last_index);
+    const double last = std::clamp(std::ceil(plot.x.high * rate_hz), 0.0, last_index);
+    std::vector<ImVec2> points;
+    for (auto i = static_cast<std::size_t>(first); i <= static_cast<std::size_t>(last); ++i) {
+        points.push_back(
+            {to_pixel(plot.x, static_cast<double>(i) / rate_hz), to_pixel(plot.y, samples[i])});
+    }
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, theme.trace_px);
+}
+
+}  // namespace
+
+float to_pixel(const Axis& axis, double value) {
+    double t = 0.0;
+    if (axis.scale == Scale::logarithmic) {
+        t = std::log(value / axis.low) / std::log(axis.high / axis.low);
+    } else {
+        t = (value - axis.low) / (axis.high - axis.low);
+    }
+    return axis.low_px + static_cast<float>(t) * (axis.high_px - axis.low_px);
+}
+
+double to_value(const Axis& axis, float pixel) {
+    const double t =
+        static_cast<double>(pixel - axis.low_px) / static_cast<double>(axis.high_px - axis.low_px);
+    if (axis.scale == Scale::logarithmic) return axis.low * std::pow(axis.high / axis.low, t);
+    return axis.low + t * (axis.high - axis.low);
+}
+
+std::vector<double> round_ticks(double low, double high, Scale scale) {
+    if (!std::isfinite(low) || !std::isfinite(high) || low >= high) return {};
+    // Bounds apart by rounding alone have no numbers between them to stop at.
+    if (high - low <= 1e-12 * std::max(std::abs(low), std::abs(high))) return {};
+    if (scale == Scale::logarithmic && low > 0.0) return logarithmic_ticks(low, high);
+    return linear_ticks(low, high);
+}
+
+std::string tick_text(double value) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%.6g", value);
+    std::string result = text.data();
+    // A true minus sign is as wide as a plus and is not taken for a hyphen.
+    if (result.front() == '-') result.replace(0, 1, "−");
+    return result;
+}
+
+std::string significant(double value, int digits) {
+    if (!std::isfinite(value)) return "–";
+    const double size = std::abs(value);
+    const int lead = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) : 0;
+    const int decimals = std::clamp(digits - 1 - lead, 0, 12);
+    std::array<char, 400> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+    std::string result = text.data();
+    if (result.front() == '-') result.replace(0, 1, "−");
+    return result;
+}
+
+std::string grouped(double value, int digits) {
+    std::string text = significant(value, digits);
+    const std::size_t point = std::min(text.find('.'), text.size());
+    const std::size_t first = text.find_first_of("0123456789");
+    if (first == std::string::npos) return text;
+    // No-break spaces: a plain one would let the number be broken in two.
+    for (std::size_t at = point; at > first + 3;) text.insert(at -= 3, "\u00a0");
+    return text;
+}
+
+std::vector<double> ticks_apart(const Axis& axis, float apart_px) {
+    std::vector<double> ticks = round_ticks(axis.low, axis.high, axis.scale);
+    while (ticks.size() > 2 &&
+           std::abs(to_pixel(axis, ticks[1]) - to_pixel(axis, ticks[0])) < apart_px) {
+        const auto zero = std::find(ticks.begin(), ticks.end(), 0.0);
+        const auto offset = zero == ticks.end() ? 0 : (zero - ticks.begin()) % 2;
+        std::vector<double> kept;
+        for (auto i = static_cast<std::size_t>(offset); i < ticks.size(); i += 2) {
+            kept.push_back(ticks[i]);
+        }
+        ticks = std::move(kept);
+    }
+    return ticks;
+}
+
+Plot plot_within(const Rect& outer, const Theme& theme, Axis x, Axis y, const PlotLabels& labels) {
+    const float text_px = font_or_current(theme.fonts.small).FontSize;
+    Plot plot{outer, outer, x, y};
+    if (labels.y_grid) {
+        float widest = 0.0F;
+        for (const double tick : round_ticks(y.low, y.high, y.scale)) {
+            widest = std::max(widest, text_size(theme.fonts.small, tick_text(tick)).x);
+        }
+        plot.area.min.x += widest + theme.gap_px;
+        plot.area.min.y += text_px * 0.5F;
+        if (!labels.y_unit.empty()) plot.area.min.y += 0.9F * text_px;
+    }
+    if (!labels.x_unit.empty()) plot.area.max.y -= text_px + theme.gap_px * 0.75F;
+    plot.x.low_px = plot.area.min.x;
+    plot.x.high_px = plot.area.max.x;
+    plot.y.low_px = plot.area.max.y;
+    plot.y.high_px = plot.area.min.y;
+    return plot;
+}
+
+void draw_axes(ImDrawList& list, const Theme& theme, const Plot& plot, const PlotLabels& labels) {
+    const ImFont* font = theme.fonts.small;
+    const float text_px = font_or_current(font).FontSize;
+    const Rect& area = plot.area;
+    if (labels.y_grid) {
+        const float right = area.min.x - theme.gap_px * 0.75F;
+        for (const double tick : ticks_apart(plot.y, 1.4F * text_px)) {
+            const float y = to_pixel(plot.y, tick);
+            draw_level_line(list, y, area.min.x, area.max.x, theme.hairline_px,
+                            faded(theme.line, 0.7F));
+            const std::string text = tick_text(tick);
+            const ImVec2 corner{right - text_size(font, text).x, y - text_px * 0.55F};
+            draw_text(list, font, corner, theme.dim_text, text);
+        }
+        // Above the highest number, flush with the numbers or, if it is longer, with the edge.
+        const float left = std::max(plot.outer.min.x, right - text_size(font, labels.y_unit).x);
+        draw_text(list, font, {left, plot.outer.min.y - 0.15F * text_px}, theme.dim_text,
+                  labels.y_unit);
+    }
+    if (labels.x_unit.empty()) return;
+    const auto ticks = ticks_apart(plot.x, 4.0F * text_px);
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        std::string text = tick_text(ticks[i]);
+        const float number_px = text_size(font, text).x;
+        if (i + 1 == ticks.size()) text += " " + std::string{labels.x_unit};
+        const float x = to_pixel(plot.x, ticks[i]);
+        const float left = std::min(x - number_px / 2.0F, area.max.x - text_size(font, text).x);
+        draw_upright_line(list, x, area.max.y, area.max.y + 3.0F * theme.scale, theme.hairline_px,
+                          theme.line);
+        draw_text(list, font, {left, area.max.y + 5.0F * theme.scale}, theme.dim_text, text);
+    }
+}
+
+void draw_zero_line(ImDrawList& list, const Theme& theme, const Plot& plot) {
+    if (plot.y.low > 0.0 || plot.y.high < 0.0 || plot.y.scale == Scale::logarithmic) return;
+    draw_level_line(list, to_pixel(plot.y, 0.0), plot.area.min.x, plot.area.max.x,
+                    theme.hairline_px, mixed(theme.line, theme.dim_text, 0.4F));
+}
+
+void draw_cursor_line(ImDrawList& list, const Theme& theme, const Plot& plot, double x,
+                      ImU32 colour) {
+    if (x < plot.x.low || x > plot.x.high) return;
+    const float x_px = to_pixel(plot.x, x);
+    const float reach = 2.0F * theme.scale;
+    // A draw command of its own: where just the line moved, no more than it is painted again.
+    list.PushClipRect({x_px - reach, plot.area.min.y}, {x_px + reach, plot.area.max.y}, true);
+    draw_upright_line(list, x_px, plot.area.min.y, plot.area.max.y, theme.hairline_px, colour);
+    list.PopClipRect();
+}
+
+std::vector<Extremes> extremes(std::span<const double> samples, double first, double last,
+                               std::size_t columns) {
+    if (samples.empty() || columns == 0 || !(first < last)) return {};
+    const double last_index = static_cast<double>(samples.size()) - 1.0;
+    const double step = (last - first) / static_cast<double>(columns);
+    std::vector<Extremes> result(columns);
+    for (std::size_t c = 0; c < columns; ++c) {
+        const double from = first + static_cast<double>(c) * step;
+        const auto begin =
+            static_cast<std::size_t>(std::clamp(std::ceil(from) - 1.0, 0.0, last_index));
+        const auto end =
+            static_cast<std::size_t>(std::clamp(std::ceil(from + step) - 1.0, 0.0, last_index));
+        const auto [low, high] = std::minmax_element(
+            samples.begin() + static_cast<std::ptrdiff_t>(begin),
+            samples.begin() + static_cast<std::ptrdiff_t>(std::max(begin, end)) + 1);
+        result[c] = {*low, *high};
+    }
+    return result;
+}
+
+void draw_signal(ImDrawList& list, const Theme& theme, const Plot& plot,
+                 std::span<const double> samples, double rate_hz, ImU32 colour, TraceStyle style) {
+    if (samples.empty() || plot.area.empty() || !(plot.x.low < plot.x.high)) return;
+    const double samples_per_pixel =
+        (plot.x.high - plot.x.low) * rate_hz / static_cast<double>(plot.area.width());
+    list.PushClipRect(plot.area.min, plot.area.max, true);
+    if (style == TraceStyle::line && samples_per_pixel < 1.0) {
+        draw_polyline(list, theme, plot, samples, rate_hz, colour);
+    } else {
+        draw_columns(list, theme, plot, samples, rate_hz, colour, style);
+    }
+    list.PopClipRect();
+}
+
+}  // namespace tact

@@ -1,0 +1,64 @@
+// The look: every colour and size of the program, in a dark and a light version.
+//
+// Source    ui.md; patterns: Okabe & Ito 2008.
+// Left out  high-contrast and user-made themes.
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+#include <cstddef>
+
+#include "model/physiology/mechanoreceptor.h"
+#include "viz/drawing/fonts.h"
+
+namespace tact {
+
+inline constexpr std::size_t kPatternColourCount = 8;
+
+struct Theme {
+    bool is_dark = true;
+    float scale = 1.0F;  // of everything below
+    Fonts fonts;         // empty until load_fonts; ImGui's current font then
+
+    ImU32 background = 0;  // of the window, between panes
+    ImU32 pane = 0;        // under all content
+    ImU32 field = 0;       // of sliders, inputs, empty matrix cells
+    ImU32 hover = 0;
+    ImU32 line = 0;  // separators, grid
+    ImU32 text = 0;
+    ImU32 dim_text = 0;  // units, axis labels
+    ImU32 accent = 0;
+    ImU32 warning = 0;
+    ImU32 error = 0;
+    PerReceptor<ImU32> receptor{};
+    std::array<ImU32, kPatternColourCount> pattern{};
+
+    float padding_px = 0;   // inside a pane
+    float gap_px = 0;       // between neighbours
+    float rounding_px = 0;  // of frames
+    float pane_rounding_px = 0;
+    float splitter_px = 0;
+    float hairline_px = 0;  // the thinnest line
+    float trace_px = 0;     // a curve
+    float mark_px = 0;      // radius of a legend mark
+};
+
+// `scale` multiplies every size; 1 on an ordinary screen.
+Theme dark_theme(float scale);
+Theme light_theme(float scale);
+
+// Makes stock widgets look like the rest.
+void apply(const Theme& theme, ImGuiStyle& style);
+
+// The mark of the i-th pattern: eight colours in order, then the same ones as rings.
+struct PatternLook {
+    ImU32 colour = 0;
+    bool ring = false;
+
+    bool operator==(const PatternLook&) const = default;
+};
+
+PatternLook pattern_look(const Theme& theme, std::size_t index);
+
+}  // namespace tact

@@ -1,0 +1,282 @@
+#include "viz/skin/network_view.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+
+#include "viz/drawing/colormap.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+#include "viz/skin/network_caption.h"
+
+namespace tact {
+namespace {
+
+constexpr float kDotCellPx = 5.0F;    // cells this large carry a dot at the cap, smaller an outline
+constexpr float kSeamCellPx = 10.0F;  // cells this large are told apart
+
+ImU32 over_colours(float opacity) { return faded(IM_COL32_WHITE, opacity); }
+
+// Edges on whole pixels, so that there are no seams between cells.
+float edge(float from, float cell_px, int cells) {
+    return std::round(from + static_cast<float>(cells) * cell_px);
+}
+
+Rect cell_rect(const NetworkLayout& layout, const NetworkScene& scene, const NetworkCell& cell) {
+    const Rect& map = layout.maps[cell.layer];
+    const int half = scene.layers[cell.layer].half_width;
+    const int column = cell.column + half;
+    const int row = cell.row + half;
+    return {
+        {edge(map.min.x, layout.cell_px, column), edge(map.min.y, layout.cell_px, row)},
+        {edge(map.min.x, layout.cell_px, column + 1), edge(map.min.y, layout.cell_px, row + 1)}};
+}
+
+void add_rect(ImDrawList& list, const Rect& r, ImU32 colour) {
+    list.PrimReserve(6, 4);
+    list.PrimRect(r.min, r.max, colour);
+}
+
+void draw_cells(ImDrawList& list, const Theme& theme, const NetworkLayout& layout,
+                const NetworkScene& scene, std::size_t k) {
+    const RelayLayer& layer = scene.layers[k];
+    const bool told_apart = layout.cell_px >= kSeamCellPx * theme.scale;
+    const float seam = told_apart ? theme.hairline_px : 0.0F;
+    const auto colour_at = [&](int column, int row) {
+        return activity_colour(layer.at(column, row), scene.cap);
+    };
+    for (int row = -layer.half_width; row <= layer.half_width; ++row) {
+        for (int column = -layer.half_width; column <= layer.half_width;) {
+            const ImU32 colour = colour_at(column, row);
+            int end = column + 1;
+            while (!told_apart && end <= layer.half_width && colour_at(end, row) == colour) ++end;
+            const Rect first = cell_rect(layout, scene, {k, column, row});
+            const Rect last = cell_rect(layout, scene, {k, end - 1, row});
+            add_rect(list, {first.min, last.max - ImVec2{seam, seam}}, colour);
+            column = end;
+        }
+    }
+}
+
+// The border of the cells for which `inside` holds, `width_px` wide, within those cells.
+template <class Inside>
+void draw_border(ImDrawList& list, const NetworkLayout& layout, const NetworkScene& scene,
+                 std::size_t k, Inside inside, float width_px, ImU32 colour) {
+    const int half = scene.layers[k].half_width;
+    for (int row = -half; row <= half; ++row) {
+        for (int column = -half; column <= half; ++column) {
+            if (!inside(column, row)) continue;
+            const Rect r = cell_rect(layout, scene, {k, column, row});
+            if (!inside(column, row - 1)) {
+                add_rect(list, {r.min, {r.max.x, r.min.y + width_px}}, colour);
+            }
+            if (!inside(column, row + 1)) {
+                add_rect(list, {{r.min.x, r.max.y - width_px}, r.max}, colour);
+            }
+            if (!inside(column - 1, row)) {
+                add_rect(list, {r.min, {r.min.x + width_px, r.max.y}}, colour);
+            }
+            if (!inside(column + 1, row)) {
+                add_rect(list, {{r.max.x - width_px, r.min.y}, r.max}, colour);
+            }
+        }
+    }
+}
+
+// A saturated cell says less than its colour: how much more came in is lost.
+void draw_cap_marks(ImDrawList& list, const Theme& theme, const NetworkLayout& layout,
+                    const NetworkScene& scene, std::size_t k) {
+    const RelayLayer& layer = scene.layers[k];
+    const ImU32 ink = faded(readable_on(viridis(1.0)), 0.75F);
+    const auto capped = [&](int column, int row) {
+        return scene.cap > 0.0 && layer.at(column, row) >= scene.cap;
+    };
+    if (layout.cell_px < kDotCellPx * theme.scale) {
+        draw_border(list, layout, scene, k, capped, theme.hairline_px, ink);
+        return;
+    }
+    const float radius = std::max(0.9F * theme.scale, 0.11F * layout.cell_px);
+    for (int row = -layer.half_width; row <= layer.half_width; ++row) {
+        for (int column = -layer.half_width; column <= layer.half_width; ++column) {
+            if (!capped(column, row)) continue;
+            draw_disc(list, theme, cell_rect(layout, scene, {k, column, row}).centre(), radius,
+                      ink);
+        }
+    }
+}
+
+// White on a dark edge reads on every colour of the map.
+void draw_cone(ImDrawList& list, const Theme& theme, const NetworkLayout& layout,
+               const NetworkScene& scene, std::size_t k) {
+    if (k + 1 >= scene.layers.size()) return;  // the centre alone: its ring says so
+    const int half = scene.layers[k].half_width;
+    const auto inside = [&](int column, int row) {
+        return std::max(std::abs(column), std::abs(row)) <= half &&
+               reaches_centre(scene, {k, column, row});
+    };
+    draw_border(list, layout, scene, k, inside, 2.0F * theme.hairline_px,
+                faded(IM_COL32_BLACK, 0.55F));
+    draw_border(list, layout, scene, k, inside, theme.hairline_px, over_colours(0.95F));
+}
+
+void draw_centre_ring(ImDrawList& list, const Theme& theme, const NetworkLayout& layout,
+                      const NetworkScene& scene, std::size_t k) {
+    const Rect cell = cell_rect(layout, scene, {k, 0, 0});
+    const float radius = std::max(0.72F * layout.cell_px, 3.0F * theme.scale);
+    list.AddCircle(cell.centre(), radius, faded(IM_COL32_BLACK, 0.6F), 0, 3.0F * theme.scale);
+    list.AddCircle(cell.centre(), radius, over_colours(1.0F), 0, 1.5F * theme.scale);
+}
+
+// Between neighbours: activity goes from left to right.
+void draw_arrow(ImDrawList& list, const Theme& theme, const Rect& from, const Rect& to) {
+    const float room = to.min.x - from.max.x;
+    const float size = 3.0F * theme.scale;
+    if (room < 3.0F * size || std::abs(from.centre().y - to.centre().y) > 1.0F) return;
+    const ImVec2 tip{(from.max.x + to.min.x) / 2.0F + size / 2.0F, from.centre().y};
+    list.AddTriangleFilled({tip.x - size, tip.y - size}, tip, {tip.x - size, tip.y + size},
+                           theme.dim_text);
+}
+
+void draw_cell_frame(ImDrawList& list, const Theme& theme, const NetworkLayout& layout,
+                     const NetworkScene& scene, const NetworkCell& cell) {
+    if (cell.layer >= scene.layers.size()) return;
+    const Rect r = cell_rect(layout, scene, cell);
+    const float out = theme.scale;
+    list.AddRect(r.min - ImVec2{out, out}, r.max + ImVec2{out, out}, theme.pane, 0.0F, 0,
+                 4.0F * theme.scale);
+    list.AddRect(r.min - ImVec2{out, out}, r.max + ImVec2{out, out}, theme.text, 0.0F, 0,
+                 2.0F * theme.scale);
+}
+
+NetworkAction read_mouse(const char* id, const Rect& area, const NetworkLayout& layout,
+                         const NetworkScene& scene) {
+    ImGui::SetCursorScreenPos(area.min);
+    const bool clicked = ImGui::InvisibleButton(id, area.size());
+    NetworkAction action;
+    if (!ImGui::IsItemHovered()) return action;
+    action.hovered = cell_at(layout, scene, ImGui::GetIO().MousePos);
+    if (clicked) action.clicked = action.hovered;
+    return action;
+}
+
+int largest_half_width(const NetworkScene& scene) {
+    int largest = 0;
+    for (const RelayLayer& layer : scene.layers) largest = std::max(largest, layer.half_width);
+    return largest;
+}
+
+// A grid of places for maps, and the cell size that fits there.
+struct Slots {
+    std::size_t columns = 1;
+    ImVec2 size{0, 0};        // of one place, with its caption
+    float caption_px = 0.0F;  // 0 where words do not fit
+    float cell_px = 0.0F;
+};
+
+Slots slots_for(const Theme& theme, const Rect& area, std::size_t count, std::size_t rows,
+                int cells) {
+    const float gap = 1.5F * theme.gap_px;
+    const float text_px = font_or_current(theme.fonts.small).FontSize;
+    Slots slots;
+    slots.columns = (count + rows - 1) / rows;
+    const auto in_row = static_cast<float>(slots.columns);
+    const auto in_column = static_cast<float>(rows);
+    slots.size = {(area.width() - (in_row - 1.0F) * gap) / in_row,
+                  (area.height() - (in_column - 1.0F) * 0.5F * gap) / in_column};
+    const bool words = slots.size.x >= 4.0F * text_px && slots.size.y >= 5.0F * text_px;
+    slots.caption_px = words ? 2.6F * text_px : 0.0F;
+    const float room = std::min(slots.size.x, slots.size.y - slots.caption_px);
+    const float cell_px = std::min(room / static_cast<float>(cells), 24.0F * theme.scale);
+    // Whole pixels where that costs little.
+    slots.cell_px = cell_px >= 4.0F ? std::floor(cell_px) : std::max(0.0F, cell_px);
+    return slots;
+}
+
+}  // namespace
+
+bool reaches_centre(const NetworkScene& scene, const NetworkCell& cell) {
+    const auto layers_left = static_cast<int>(scene.layers.size() - 1 - cell.layer);
+    return std::abs(cell.column) + std::abs(cell.row) <= layers_left;
+}
+
+NetworkLayout network_layout(const Theme& theme, const Rect& area, const NetworkScene& scene) {
+    NetworkLayout layout;
+    const std::size_t count = scene.layers.size();
+    if (count == 0) return layout;
+    const float text_px = font_or_current(theme.fonts.small).FontSize;
+    Rect maps = area;
+    if (area.height() >= 100.0F * theme.scale) {
+        layout.legend = {{area.min.x, area.max.y - 1.25F * text_px}, area.max};
+        maps.max.y = layout.legend.min.y - 0.4F * text_px;
+    }
+    const int cells = 2 * largest_half_width(scene) + 1;
+    Slots best;
+    for (std::size_t rows = 1; rows <= count; ++rows) {
+        const Slots slots = slots_for(theme, maps, count, rows, cells);
+        if (slots.cell_px > best.cell_px) best = slots;
+    }
+    if (best.cell_px <= 0.0F) return {};
+    layout.cell_px = best.cell_px;
+    const float side = best.cell_px * static_cast<float>(cells);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t whole_rows = k / best.columns;
+        const auto column = static_cast<float>(k % best.columns);
+        const auto row = static_cast<float>(whole_rows);
+        const ImVec2 corner = maps.min + ImVec2{column * (best.size.x + 1.5F * theme.gap_px),
+                                                row * (best.size.y + 0.75F * theme.gap_px)};
+        const float own = best.cell_px * static_cast<float>(2 * scene.layers[k].half_width + 1);
+        const ImVec2 first{std::round(corner.x + (best.size.x - own) / 2.0F),
+                           std::round(corner.y + (side - own) / 2.0F)};
+        layout.maps.push_back(rect_at(first, {own, own}));
+        layout.captions.push_back(
+            rect_at({corner.x, corner.y + side}, {best.size.x, best.caption_px}));
+    }
+    return layout;
+}
+
+std::optional<NetworkCell> cell_at(const NetworkLayout& layout, const NetworkScene& scene,
+                                   ImVec2 at) {
+    for (std::size_t k = 0; k < layout.maps.size(); ++k) {
+        const Rect& map = layout.maps[k];
+        if (!map.contains(at) || layout.cell_px <= 0.0F) continue;
+        const int half = scene.layers[k].half_width;
+        const auto place = [&](float offset_px) {
+            return std::clamp(static_cast<int>(offset_px / layout.cell_px) - half, -half, half);
+        };
+        return NetworkCell{k, place(at.x - map.min.x), place(at.y - map.min.y)};
+    }
+    return std::nullopt;
+}
+
+NetworkAction draw_network(const char* id, const Theme& theme, const Rect& area,
+                           const NetworkScene& scene) {
+    assert(scene.names.size() == scene.layers.size() && "one name for each layer");
+    if (area.width() < 1.0F || area.height() < 1.0F) return {};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (scene.layers.empty()) {
+        draw_empty(list, theme, area, "Relay network", "not computed yet");
+        return {};
+    }
+    const NetworkLayout layout = network_layout(theme, area, scene);
+    if (layout.cell_px <= 0.0F) return {};
+    const NetworkAction action = read_mouse(id, area, layout, scene);
+
+    list.PushClipRect(area.min, area.max, true);
+    for (std::size_t k = 0; k < scene.layers.size(); ++k) {
+        draw_cells(list, theme, layout, scene, k);
+        draw_cap_marks(list, theme, layout, scene, k);
+        draw_cone(list, theme, layout, scene, k);
+        draw_centre_ring(list, theme, layout, scene, k);
+        if (scene.stale) draw_stale(list, theme, layout.maps[k], ImGui::GetTime());
+        draw_layer_caption(list, theme, layout.captions[k], scene, k);
+        if (k > 0) draw_arrow(list, theme, layout.maps[k - 1], layout.maps[k]);
+    }
+    draw_network_legend(list, theme, layout.legend, scene);
+    const std::optional<NetworkCell> pointed = action.hovered ? action.hovered : scene.pointed;
+    if (pointed) draw_cell_frame(list, theme, layout, scene, *pointed);
+    list.PopClipRect();
+    return action;
+}
+
+}  // namespace tact

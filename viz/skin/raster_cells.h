@@ -1,0 +1,38 @@
+// One channel of a raster as cells or single spikes, and its population rate. Private to the raster
+// view.
+#pragma once
+
+#include <array>
+
+#include "model/common/units.h"
+#include "model/physiology/spike_train.h"
+#include "viz/skin/raster_bins.h"
+
+namespace tact {
+
+inline constexpr int kShades = 16;
+
+// What to draw with, and where.
+struct RasterInk {
+    ImDrawList& list;
+    const Theme& theme;
+    const Plot& plot;
+    ImU32 full;                               // of the most spikes
+    std::array<ImU32, kShades + 1> shades{};  // by strength, 0: none
+};
+
+RasterInk raster_ink(ImDrawList& list, const Theme& theme, const Plot& plot, ImU32 full);
+
+// The visible steps of a channel; no columns if there are none.
+RasterWindow window_of(const Plot& plot, const RasterChannel& channel);
+
+// The window's receptors within `place`: cells as strong as their mean count, strongest at
+// `largest` spikes a step; single spikes, as the model spreads them, where steps are wide enough.
+void draw_rows(const RasterInk& ink, const Rect& place, const RasterChannel& channel,
+               RasterWindow window, int largest);
+
+// Impulses per second of all receptors of the type, up to the largest of the whole signal.
+void draw_rate(const RasterInk& ink, const Rect& place, const RasterWindow& window,
+               const RasterTotals& all);
+
+}  // namespace tact

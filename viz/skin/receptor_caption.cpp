@@ -1,0 +1,116 @@
+#include "viz/skin/receptor_caption.h"
+
+#include <cmath>
+#include <string>
+
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+namespace {
+
+constexpr float kFaintest = 0.30F;  // of the type's colour, at a value of 0
+
+// The type's mark and name, and how many receptors are activated, about the middle of the caption.
+void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const ReceptorScene& scene) {
+    const ImFont* font = theme.fonts.regular;
+    const float mark_px = 3.2F * theme.mark_px;
+    const float room = line.width() - mark_px;
+    const std::string name = shortened(font, traits(scene.receptor).name, room);
+    std::string count;
+    if (scene.grid != nullptr && scene.activation.radius_mm > 0.0) {
+        count = "  " + std::to_string(scene.grid->activated);
+    }
+    const float name_px = text_size(font, name).x;
+    if (name_px + text_size(font, count).x > room) count.clear();
+    const float width = mark_px + name_px + text_size(font, count).x;
+    const float left = line.centre().x - width / 2.0F;
+    const float text_px = font_or_current(font).FontSize;
+    const ImU32 hue = theme.receptor[index_of(scene.receptor)];
+    draw_receptor_mark(list, theme, {left + theme.mark_px, line.min.y + 0.55F * text_px},
+                       0.9F * theme.mark_px, scene.receptor, hue);
+    draw_text(list, font, {left + mark_px, line.min.y}, hue, name);
+    draw_text(list, font, {left + mark_px + name_px, line.min.y}, theme.text, count);
+}
+
+// What there is to say, the radius only where it fits.
+std::string state_text(const ReceptorScene& scene, const ImFont* font, float room_px) {
+    if (scene.grid == nullptr) return shortened(font, "not computed yet", room_px);
+    if (scene.activation.radius_mm <= 0.0) return shortened(font, "below threshold", room_px);
+    if (scene.silent) return shortened(font, "nothing in its band", room_px);
+    const std::string rate = significant(scene.activation.rate_hz) + " imp/s";
+    const std::string both = rate + ", " + significant(scene.activation.radius_mm, 2) + " mm";
+    return text_size(font, both).x <= room_px ? both : shortened(font, rate, room_px);
+}
+
+void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line,
+                 const ReceptorScene& scene) {
+    constexpr int kSteps = 24;
+    const bool rates = scene.quantity == ReceptorQuantity::rate;
+    const double largest = scene.largest_hz > 0.0 ? scene.largest_hz : scene.activation.rate_hz;
+    const std::string high = rates ? significant(largest) + " imp/s" : "amplitude at the probe";
+    const ImFont* font = theme.fonts.small;
+    const float text_px = font_or_current(font).FontSize;
+    const float gap = 0.6F * theme.gap_px;
+    const float bar_px = 44.0F * theme.scale;
+    const float low_px = text_size(font, "0").x;
+    const float width = low_px + bar_px + text_size(font, high).x + 2.0F * gap;
+    if (width > line.width()) return;
+    const float left = std::round(line.centre().x - width / 2.0F);
+    draw_text(list, font, {left, line.min.y}, theme.dim_text, "0");
+    const Rect bar = rect_at({left + low_px + gap, line.min.y + 0.3F * text_px},
+                             {bar_px, std::round(0.5F * text_px)});
+    for (int i = 0; i < kSteps; ++i) {
+        const float from = std::round(bar.min.x + bar_px * static_cast<float>(i) / kSteps);
+        const float to = std::round(bar.min.x + bar_px * static_cast<float>(i + 1) / kSteps);
+        list.AddRectFilled({from, bar.min.y}, {to, bar.max.y},
+                           value_colour(theme, scene.receptor, (i + 0.5) / kSteps));
+    }
+    draw_text(list, font, {bar.max.x + gap, line.min.y}, theme.dim_text, high);
+}
+
+}  // namespace
+
+float caption_line_px(const Theme& theme) {
+    return 1.25F * font_or_current(theme.fonts.small).FontSize;
+}
+
+ImU32 value_colour(const Theme& theme, Receptor receptor, double value) {
+    return mixed(skin_colour(theme), theme.receptor[index_of(receptor)],
+                 kFaintest + (1.0F - kFaintest) * static_cast<float>(value));
+}
+
+void draw_caption(ImDrawList& list, const Theme& theme, const Rect& caption,
+                  const ReceptorScene& scene) {
+    if (caption.empty()) return;
+    const float text_px = caption_line_px(theme);
+    Rect line = rect_at(caption.min, {caption.width(), 1.15F * text_px});
+    draw_name(list, theme, line, scene);
+    line = rect_at({line.min.x, line.max.y}, {line.width(), text_px});
+    const ImFont* font = theme.fonts.small;
+    const std::string state = state_text(scene, font, line.width());
+    draw_text(list, font, {line.centre().x - text_size(font, state).x / 2.0F, line.min.y},
+              theme.dim_text, state);
+    line = rect_at({line.min.x, line.max.y}, {line.width(), text_px});
+    const bool fires = scene.grid != nullptr && scene.activation.radius_mm > 0.0;
+    if (fires && line.max.y <= caption.max.y + 0.5F) draw_legend(list, theme, line, scene);
+}
+
+void draw_scale_bar(ImDrawList& list, const Theme& theme, const Rect& map, float px_per_mm) {
+    const float room = 0.24F * map.width();
+    double length_mm = 0.0;
+    for (const double candidate_mm : {1.0, 2.0, 5.0, 10.0}) {
+        if (static_cast<float>(candidate_mm) * px_per_mm <= room) length_mm = candidate_mm;
+    }
+    const std::string text = tick_text(length_mm) + " mm";
+    if (length_mm <= 0.0 || text_size(theme.fonts.small, text).x > 1.4F * room) return;
+    const ImVec2 left{map.min.x + 2.0F * theme.scale, map.max.y - 2.0F * theme.scale};
+    const float length = static_cast<float>(length_mm) * px_per_mm;
+    draw_level_line(list, left.y, left.x, left.x + length, 1.5F * theme.scale, theme.dim_text);
+    const float text_px = font_or_current(theme.fonts.small).FontSize;
+    draw_text(list, theme.fonts.small, {left.x, left.y - text_px - 3.0F * theme.scale},
+              theme.dim_text, text);
+}
+
+}  // namespace tact

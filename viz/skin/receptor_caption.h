@@ -1,0 +1,23 @@
+// The words, the colour scale and the scale bar of a map of receptors. Private to the receptor
+// view.
+#pragma once
+
+#include "viz/skin/receptor_view.h"
+
+namespace tact {
+
+// Height of one line of the caption.
+float caption_line_px(const Theme& theme);
+
+// Opaque colour of a value of 0..1: what lies behind a mark must not change it.
+ImU32 value_colour(const Theme& theme, Receptor receptor, double value);
+
+// Name and number of receptors; rate and radius or why there are none; if it fits, what the colours
+// stand for.
+void draw_caption(ImDrawList& list, const Theme& theme, const Rect& caption,
+                  const ReceptorScene& scene);
+
+// A bar of a round number of mm in the lower left corner, which the fingertip leaves free.
+void draw_scale_bar(ImDrawList& list, const Theme& theme, const Rect& map, float px_per_mm);
+
+}  // namespace tact

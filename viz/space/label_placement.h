@@ -1,0 +1,39 @@
+// Names beside points, so that none covers another name or another point.
+//
+// Greedy by priority over eight places around each point. Not the most names possible (that is
+// NP-hard, and simulated annealing would make names jump while the map turns), but the important
+// ones always come first.
+//
+// Source    candidate places: Imhof 1975; greedy point-feature labelling: Christensen, Marks &
+//           Shieber 1995.
+// Left out  leader lines.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "viz/drawing/geometry.h"
+#include "viz/space/space_camera.h"
+
+namespace tact {
+
+struct LabelRequest {
+    std::size_t disc = 0;  // the point it names
+    ImVec2 size{0, 0};
+};
+
+struct LabelField {
+    std::span<const Disc> discs{};     // every point, whether named or not
+    std::span<const Rect> occupied{};  // other things that no name may cover
+    Rect pane;                         // names stay inside
+    float gap_px = 3.0F;               // between a point and its name
+};
+
+// For each request, most important first: where its name goes, or nothing if it fits nowhere.
+// Cost is bounded: places that are looked at times the points near them.
+std::vector<std::optional<Rect>> place_labels(std::span<const LabelRequest> requests,
+                                              const LabelField& field);
+
+}  // namespace tact

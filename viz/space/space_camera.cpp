@@ -1,0 +1,172 @@
+#include "viz/space/space_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tact {
+namespace {
+
+double half_side_px(const Rect& pane) {
+    return std::max(1.0, static_cast<double>(std::min(pane.width(), pane.height())) / 2.0);
+}
+
+// Pixels of one radius at zoom 1, and what of Y is in the middle of the pane.
+struct Framing {
+    double radius_px;
+    double middle;
+};
+
+Framing framed(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane) {
+    constexpr double kFilled = 0.92;  // the rest is for the sizes of points
+    const double half_width = kFilled * std::max(1.0, static_cast<double>(pane.width()) / 2.0);
+    const double half_height = kFilled * std::max(1.0, static_cast<double>(pane.height()) / 2.0);
+    const double r = fit.cylinder_radius;
+    const double h = fit.cylinder_half_height;
+    constexpr double e = kEyeDistance;
+    if (fit.flat) return {std::min(half_width, half_height) / r, 0.0};
+    const double ball = e / std::sqrt(e * e - 1.0);
+    const double c = std::cos(camera.pitch_rad);
+    const double s = std::sin(camera.pitch_rad);
+    const double under_root = std::pow(e - h * std::abs(s), 2) - std::pow(r * c, 2);
+    const double widest = std::min(ball, r * e / std::sqrt(under_root));
+    double lowest = 0.0;
+    double highest = 0.0;
+    for (const double z : {-h, h}) {
+        for (const double away : {-r, r}) {
+            const double y = (c * z + s * away) * e / (e - (s * z - c * away));
+            lowest = std::max(-ball, std::min(lowest, y));
+            highest = std::min(ball, std::max(highest, y));
+        }
+    }
+    return {std::min(half_width / widest, 2.0 * half_height / (highest - lowest)),
+            (highest + lowest) / 2.0};
+}
+
+bool finite(const Eigen::Vector3d& p) { return p.allFinite(); }
+
+// Shrinks the ball around the bounding box's centre toward the smallest one (Ritter 1990: move the
+// centre a little toward the farthest point, again and again; Badoiu & Clarkson 2003 for the
+// steps).
+void enclose(const Eigen::MatrixXd& points, SpaceFit& result) {
+    for (int step = 0; step <= 60; ++step) {
+        Eigen::Vector3d farthest = result.centre;
+        double distance = 0.0;
+        for (Eigen::Index i = 0; i < points.rows(); ++i) {
+            const Eigen::Vector3d p = point_of(points, i);
+            if (!finite(p) || (p - result.centre).norm() <= distance) continue;
+            distance = (p - result.centre).norm();
+            farthest = p;
+        }
+        result.radius = distance;
+        if (step < 60) result.centre += (farthest - result.centre) / (step + 2.0);
+    }
+}
+
+}  // namespace
+
+Eigen::Vector3d point_of(const Eigen::MatrixXd& points, Eigen::Index i) {
+    return {points.cols() > 0 ? points(i, 0) : 0.0, points.cols() > 1 ? points(i, 1) : 0.0,
+            points.cols() > 2 ? points(i, 2) : 0.0};
+}
+
+SpaceFit fit(const Eigen::MatrixXd& points) {
+    SpaceFit result;
+    result.flat = points.cols() < 3;
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(HUGE_VAL);
+    Eigen::Vector3d high = -low;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        const Eigen::Vector3d p = point_of(points, i);
+        if (!finite(p)) continue;
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    if (!(low.x() <= high.x())) return result;
+    result.centre = (low + high) / 2.0;
+    result.floor = low.z();
+    enclose(points, result);
+    if (result.radius <= 1e-12) {
+        result.radius = 1.0;
+        return result;
+    }
+    result.cylinder_radius = 0.0;
+    result.cylinder_half_height = 0.0;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        const Eigen::Vector3d q = (point_of(points, i) - result.centre) / result.radius;
+        if (!finite(q)) continue;
+        result.cylinder_radius = std::max(result.cylinder_radius, q.head<2>().norm());
+        result.cylinder_half_height = std::max(result.cylinder_half_height, std::abs(q.z()));
+    }
+    // A map that is one upright line would otherwise fill the pane's height and more.
+    result.cylinder_radius = std::max(result.cylinder_radius, 0.1);
+    return result;
+}
+
+Eigen::Vector3d turned(const SpaceCamera& camera, bool flat, const Eigen::Vector3d& direction) {
+    const double yaw = flat ? 0.0 : camera.yaw_rad;
+    const double pitch = flat ? std::numbers::pi / 2.0 : camera.pitch_rad;
+    const double right = std::cos(yaw) * direction.x() - std::sin(yaw) * direction.y();
+    const double away = std::sin(yaw) * direction.x() + std::cos(yaw) * direction.y();
+    return {right, std::cos(pitch) * direction.z() + std::sin(pitch) * away,
+            std::sin(pitch) * direction.z() - std::cos(pitch) * away};
+}
+
+Projected project(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
+                  const Eigen::Vector3d& point) {
+    const Eigen::Vector3d q = turned(camera, fit.flat, (point - fit.centre) / fit.radius);
+    // Far outside the ball (a ghost of another map) nothing may come behind the eye.
+    const double near = std::min(q.z(), 0.75 * kEyeDistance);
+    const double scale = fit.flat ? 1.0 : kEyeDistance / (kEyeDistance - near);
+    const Framing framing = framed(camera, fit, pane);
+    const double px = camera.zoom * framing.radius_px;
+    const ImVec2 middle = pane.centre();
+    const double half = half_side_px(pane);
+    return {{middle.x + static_cast<float>(camera.pan_x * half + px * q.x() * scale),
+             middle.y +
+                 static_cast<float>(camera.pan_y * half - px * (q.y() * scale - framing.middle))},
+            q.z(),
+            scale};
+}
+
+std::optional<std::size_t> pick(std::span<const Disc> discs,
+                                std::span<const std::size_t> front_to_back, ImVec2 at,
+                                float reach_px) {
+    std::optional<std::size_t> nearest;
+    float best = reach_px;
+    for (const std::size_t i : front_to_back) {
+        const ImVec2 away = discs[i].centre - at;
+        const float gap = std::hypot(away.x, away.y) - discs[i].radius;
+        if (gap <= 0.0F) return i;
+        if (gap < best) {
+            best = gap;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+void zoom_at(SpaceCamera& camera, const Rect& pane, ImVec2 mouse, double factor) {
+    const double zoom = std::clamp(camera.zoom * factor, kLeastZoom, kMostZoom);
+    const double ratio = zoom / camera.zoom;
+    const double half = half_side_px(pane);
+    const double x = static_cast<double>(mouse.x - pane.centre().x) / half;
+    const double y = static_cast<double>(mouse.y - pane.centre().y) / half;
+    camera.pan_x = x - (x - camera.pan_x) * ratio;
+    camera.pan_y = y - (y - camera.pan_y) * ratio;
+    camera.zoom = zoom;
+}
+
+void orbit(SpaceCamera& camera, ImVec2 drag_px, float scale) {
+    constexpr double kRadPerPx = 0.008;
+    constexpr double kMostPitch = std::numbers::pi / 2.0;
+    camera.yaw_rad += static_cast<double>(drag_px.x / scale) * kRadPerPx;
+    camera.pitch_rad = std::clamp(
+        camera.pitch_rad + static_cast<double>(drag_px.y / scale) * kRadPerPx, -0.2, kMostPitch);
+}
+
+void pan(SpaceCamera& camera, const Rect& pane, ImVec2 drag_px) {
+    camera.pan_x += static_cast<double>(drag_px.x) / half_side_px(pane);
+    camera.pan_y += static_cast<double>(drag_px.y) / half_side_px(pane);
+}
+
+}  // namespace tact

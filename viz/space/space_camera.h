@@ -1,0 +1,89 @@
+// Looking at a map of points: where each appears on the screen, and which one is under the mouse.
+//
+//     q = (p - centre) / radius                  all points within the unit ball
+//     (x, y, depth) = q turned by yaw about D3, then tilted by pitch
+//     (X, Y) = (x, y) E / (E - depth)            E = distance of the eye
+//     screen = middle + pan + zoom fit (X, -(Y - mid))
+//
+// fit and mid are the largest scale and the shift at which no point leaves the pane at zoom 1,
+// whatever the yaw, so that the map does not breathe while it is turned. Two bounds hold at once,
+// both found by maximising over the yaw:
+//     ball       |X|, |Y| <= E / sqrt(E^2 - 1)
+//     cylinder   of radius r and half height h: |X| <= r E / sqrt((E - h sin p)^2 - (r cos p)^2),
+//                Y between its values at the front's lower and the back's upper edge
+//
+// Left out  roll, a moving centre of rotation.
+#pragma once
+
+#include <imgui.h>
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "viz/drawing/geometry.h"
+
+namespace tact {
+
+inline constexpr double kEyeDistance = 4.0;  // in radii of the map
+inline constexpr double kLeastZoom = 0.2;
+inline constexpr double kMostZoom = 40.0;
+
+struct SpaceCamera {
+    double yaw_rad = -0.45;
+    double pitch_rad = 0.55;  // 0: from the side; pi/2: from above
+    double zoom = 1.0;
+    double pan_x = 0.0;  // in half sides of the pane's smaller extent
+    double pan_y = 0.0;
+    bool orbiting = false;  // a drag that began on empty space is under way
+
+    bool operator==(const SpaceCamera&) const = default;
+};
+
+// Where a map lies: maps of 2 and of 3 dimensions alike, points that are not finite left out.
+struct SpaceFit {
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    double radius = 1.0;  // of the ball around all points; 1 for fewer than two different ones
+    double cylinder_radius = 1.0;  // of the upright cylinder around them, in ball radii
+    double cylinder_half_height = 1.0;
+    double floor = 0.0;  // lowest D3
+    bool flat = false;   // 2-D: seen from above, without perspective; the camera's turn is ignored
+};
+
+SpaceFit fit(const Eigen::MatrixXd& points);
+
+// Row i as a point in space; D3 = 0 in 2-D.
+Eigen::Vector3d point_of(const Eigen::MatrixXd& points, Eigen::Index i);
+
+// A direction as the eye sees it: (right, up, toward the eye). `flat`: from straight above.
+Eigen::Vector3d turned(const SpaceCamera& camera, bool flat, const Eigen::Vector3d& direction);
+
+struct Projected {
+    ImVec2 at{0, 0};
+    double depth = 0.0;  // -1 (far) to 1 (near)
+    double scale = 1.0;  // of sizes there, 1 in the middle
+};
+
+Projected project(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
+                  const Eigen::Vector3d& point);
+
+struct Disc {
+    ImVec2 centre{0, 0};
+    float radius = 0.0F;
+};
+
+// The disc under a point: the first in `front_to_back` that contains it, else the nearest within
+// `reach_px` of an edge.
+std::optional<std::size_t> pick(std::span<const Disc> discs,
+                                std::span<const std::size_t> front_to_back, ImVec2 at,
+                                float reach_px);
+
+// Zooms by a factor so that what is under the mouse stays there.
+void zoom_at(SpaceCamera& camera, const Rect& pane, ImVec2 mouse, double factor);
+
+void orbit(SpaceCamera& camera, ImVec2 drag_px, float scale);
+void pan(SpaceCamera& camera, const Rect& pane, ImVec2 drag_px);
+
+}  // namespace tact

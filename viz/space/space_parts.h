@@ -1,0 +1,30 @@
+// The parts a space is drawn from. Private to the space view.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "viz/space/space_stage.h"
+
+namespace tact {
+
+// Behind the points (space_ground.cpp). The cross of axes returns what it covers.
+void draw_floor(const SpaceStage& stage, const SpaceCamera& camera);
+void draw_drop_lines(const SpaceStage& stage, const SpaceCamera& camera);
+Rect draw_axes_cross(const SpaceStage& stage, const SpaceCamera& camera);
+
+// The points and what joins and surrounds them (space_points.cpp).
+void draw_paths(const SpaceStage& stage);
+void draw_links(const SpaceStage& stage);
+void draw_spread(const SpaceStage& stage, const SpaceCamera& camera);
+void draw_ghosts(const SpaceStage& stage, const SpaceCamera& camera);
+void draw_points(const SpaceStage& stage, std::optional<std::size_t> hovered);
+
+// What is written over them (space_names.cpp): names where they have room beside what is occupied,
+// and the dissimilarity of a pair, whose plate is returned.
+void draw_pair_line(const SpaceStage& stage, std::size_t a, std::size_t b);
+Rect draw_pair_value(const SpaceStage& stage, std::size_t a, std::size_t b);
+void draw_names(const SpaceStage& stage, std::span<const Rect> occupied,
+                std::optional<std::size_t> hovered);
+
+}  // namespace tact

@@ -1,0 +1,121 @@
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+#include "viz/space/space_parts.h"
+
+namespace tact {
+
+namespace {
+
+// The part of a covariance that is seen: J C J', J the change of the place on the screen along each
+// axis of the map.
+Eigen::Matrix2d seen_covariance(const SpaceStage& stage, const SpaceCamera& camera, std::size_t i) {
+    const Eigen::Vector3d p = point_of(*stage.scene.points, static_cast<Eigen::Index>(i));
+    const double step = 1e-3 * stage.fit.radius;
+    Eigen::Matrix<double, 2, 3> change;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Eigen::Vector3d moved = p + step * Eigen::Vector3d::Unit(axis);
+        const ImVec2 way = project(camera, stage.fit, stage.pane, moved).at - stage.projected[i].at;
+        change.col(axis) = Eigen::Vector2d(way.x, way.y) / step;
+    }
+    return change * stage.scene.spread[i] * change.transpose();
+}
+
+}  // namespace
+
+void draw_paths(const SpaceStage& stage) {
+    for (const auto& path : stage.scene.paths) {
+        for (std::size_t k = 1; k < path.size(); ++k) {
+            const std::size_t a = path[k - 1];
+            const std::size_t b = path[k];
+            if (!somewhere(stage, a) || !somewhere(stage, b)) continue;
+            const float strength = 0.35F * (presence(stage, a) + presence(stage, b));
+            stage.list.AddLine(stage.discs[a].centre, stage.discs[b].centre,
+                               toned(stage, stage.theme.dim_text, strength),
+                               stage.theme.hairline_px);
+        }
+    }
+}
+
+// Pairs that are too close, thin and in the colour of a warning.
+void draw_links(const SpaceStage& stage) {
+    for (const SpaceLink& link : stage.scene.links) {
+        if (!somewhere(stage, link.a) || !somewhere(stage, link.b)) continue;
+        const float strength = std::min(presence(stage, link.a), presence(stage, link.b));
+        stage.list.AddLine(stage.discs[link.a].centre, stage.discs[link.b].centre,
+                           toned(stage, stage.theme.warning, 0.3F + 0.6F * strength),
+                           stage.theme.hairline_px);
+    }
+}
+
+// Around where each point might be as well: half of a normal distribution in two dimensions lies
+// within sqrt(2 ln 2) standard deviations.
+void draw_spread(const SpaceStage& stage, const SpaceCamera& camera) {
+    if (stage.scene.spread.size() != stage.discs.size()) return;
+    constexpr double kHalf = 1.17741;
+    constexpr int kCorners = 32;
+    for (const std::size_t i : stage.front_to_back) {
+        const Eigen::LLT<Eigen::Matrix2d> root(seen_covariance(stage, camera, i) +
+                                               1e-9 * Eigen::Matrix2d::Identity());
+        if (root.info() != Eigen::Success) continue;
+        const Eigen::Matrix2d half = kHalf * Eigen::Matrix2d(root.matrixL());
+        std::array<ImVec2, kCorners> corners;
+        for (int k = 0; k < kCorners; ++k) {
+            const double angle = 2.0 * std::acos(-1.0) * k / kCorners;
+            const Eigen::Vector2d at = half * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+            corners[static_cast<std::size_t>(k)] =
+                stage.discs[i].centre +
+                ImVec2{static_cast<float>(at.x()), static_cast<float>(at.y())};
+        }
+        const float strength = presence(stage, i);
+        const ImU32 colour = stage.scene.looks[i].colour;
+        stage.list.AddConvexPolyFilled(corners.data(), kCorners, faded(colour, 0.10F * strength));
+        stage.list.AddPolyline(corners.data(), kCorners, faded(colour, 0.5F * strength),
+                               ImDrawFlags_Closed, stage.theme.hairline_px);
+    }
+}
+
+// Where the points were, and the way each has come.
+void draw_ghosts(const SpaceStage& stage, const SpaceCamera& camera) {
+    if (stage.scene.ghosts == nullptr || stage.scene.ghost_opacity <= 0.0) return;
+    const auto opacity = static_cast<float>(std::min(1.0, stage.scene.ghost_opacity));
+    const auto rows =
+        std::min(static_cast<std::size_t>(stage.scene.ghosts->rows()), stage.scene.labels.size());
+    for (std::size_t i = 0; i < rows; ++i) {
+        const Eigen::Vector3d p = point_of(*stage.scene.ghosts, static_cast<Eigen::Index>(i));
+        if (!p.allFinite() || !somewhere(stage, i)) continue;
+        const ImVec2 at = project(camera, stage.fit, stage.pane, p).at;
+        const ImU32 ink = faded(stage.scene.looks[i].colour, 0.45F * opacity);
+        stage.list.AddLine(at, stage.discs[i].centre, faded(ink, 0.7F), stage.theme.hairline_px);
+        stage.list.AddCircle(at, stage.discs[i].radius, ink, 0, stage.theme.hairline_px);
+    }
+}
+
+void draw_points(const SpaceStage& stage, std::optional<std::size_t> hovered) {
+    const Theme& theme = stage.theme;
+    const float edge = 1.5F * theme.scale;
+    for (auto it = stage.front_to_back.rbegin(); it != stage.front_to_back.rend(); ++it) {
+        const std::size_t i = *it;
+        const Disc& d = stage.discs[i];
+        const bool marked = asked_for(stage, hovered, i);
+        if (marked || stage.chosen[i]) {
+            const ImU32 ring = stage.scene.selected == i ? theme.accent : theme.text;
+            const float wider = marked ? 4.0F : 3.0F;
+            draw_disc(stage.list, theme, d.centre, d.radius + wider * theme.scale,
+                      toned(stage, ring, marked ? 1.0F : presence(stage, i)));
+            draw_disc(stage.list, theme, d.centre, d.radius + edge, theme.pane);
+        } else {
+            // A rim of the pane keeps neighbours apart.
+            draw_disc(stage.list, theme, d.centre, d.radius + edge * 0.7F, theme.pane);
+        }
+        PatternLook look = stage.scene.looks[i];
+        look.colour = toned(stage, look.colour, marked ? 1.0F : presence(stage, i));
+        draw_pattern_mark(stage.list, theme, d.centre, d.radius, look, theme.pane);
+    }
+}
+
+}  // namespace tact

@@ -1,0 +1,84 @@
+#include "viz/space/space_stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/drawing/colour.h"
+
+namespace tact {
+namespace {
+
+// Fewer points are larger: a dozen should look like objects, a thousand like a cloud.
+float base_radius_px(const Theme& theme, std::size_t n) {
+    const float crowd =
+        std::clamp(std::log10(static_cast<float>(std::max<std::size_t>(n, 1)) / 20.0F), 0.0F, 2.0F);
+    return theme.scale * (7.0F - 2.0F * crowd);
+}
+
+}  // namespace
+
+SpaceStage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene) {
+    return {list, theme, pane, scene, fit(*scene.points), {}, {}, {}, {}, {}};
+}
+
+float nearness(const SpaceStage& stage, std::size_t i) {
+    return static_cast<float>(std::clamp((stage.projected[i].depth + 1.0) / 2.0, 0.0, 1.0));
+}
+
+float presence(const SpaceStage& stage, std::size_t i) {
+    const float depth = stage.fit.flat ? 1.0F : 0.5F + 0.5F * nearness(stage, i);
+    if (stage.faint[i]) return 0.2F * depth;
+    return stage.scene.chosen.empty() || stage.chosen[i] ? depth : 0.55F * depth;
+}
+
+ImU32 toned(const SpaceStage& stage, ImU32 colour, float strength) {
+    return mixed(stage.theme.pane, colour, strength);
+}
+
+bool somewhere(const SpaceStage& stage, std::size_t i) { return stage.discs[i].radius > 0.0F; }
+
+bool visible(const SpaceStage& stage, const Disc& disc) {
+    const Rect near = inset(stage.pane, -disc.radius);
+    return std::isfinite(disc.centre.x) && std::isfinite(disc.centre.y) &&
+           near.contains(disc.centre);
+}
+
+bool asked_for(const SpaceStage& stage, std::optional<std::size_t> hovered, std::size_t i) {
+    return hovered == i || stage.scene.selected == i;
+}
+
+bool is_cloud(const SpaceStage& stage, std::size_t i) {
+    constexpr std::size_t kMany = 40;
+    return stage.discs.size() > kMany && !stage.scene.chosen.empty() && !stage.chosen[i];
+}
+
+void place_points(SpaceStage& stage, const SpaceCamera& camera) {
+    const std::size_t n = stage.scene.labels.size();
+    const float base = base_radius_px(stage.theme, n);
+    stage.projected.resize(n);
+    stage.discs.resize(n);
+    stage.front_to_back.clear();
+    stage.chosen.assign(n, false);
+    for (const std::size_t i : stage.scene.chosen) stage.chosen[i] = true;
+    stage.faint.assign(n, false);
+    for (const std::size_t i : stage.scene.faint) stage.faint[i] = true;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Eigen::Vector3d p = point_of(*stage.scene.points, static_cast<Eigen::Index>(i));
+        if (!p.allFinite()) {
+            // Nowhere; out of the way of names and mouse.
+            stage.discs[i] = {{-1e6F, -1e6F}, 0.0F};
+            continue;
+        }
+        stage.projected[i] = project(camera, stage.fit, stage.pane, p);
+        const float near = stage.fit.flat ? 1.0F : 0.7F + 0.6F * nearness(stage, i);
+        stage.discs[i] = {stage.projected[i].at, base * near};
+        if (visible(stage, stage.discs[i])) stage.front_to_back.push_back(i);
+    }
+    std::stable_sort(stage.front_to_back.begin(), stage.front_to_back.end(),
+                     [&](std::size_t a, std::size_t b) {
+                         if (is_cloud(stage, a) != is_cloud(stage, b)) return is_cloud(stage, b);
+                         return stage.projected[a].depth > stage.projected[b].depth;
+                     });
+}
+
+}  // namespace tact

@@ -1,0 +1,123 @@
+#include "viz/space/space_view.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+#include "viz/space/space_parts.h"
+
+namespace tact {
+namespace {
+
+constexpr float kClickSlackPx = 4.0F;  // a hand is never quite still
+
+// Turns the mouse into camera moves and clicks. Drags are taken from the frame's own movement, so
+// they work whatever moved the mouse.
+SpaceAction read_mouse(const char* id, const Theme& theme, const Rect& pane, SpaceStage& stage,
+                       SpaceCamera& camera) {
+    ImGui::SetCursorScreenPos(pane.min);
+    ImGui::InvisibleButton(id, pane.size(),
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    const bool hovered = ImGui::IsItemHovered();
+    const bool active = ImGui::IsItemActive();
+    const ImGuiIO& io = ImGui::GetIO();
+    const SpaceCamera before = camera;
+    SpaceAction action;
+    if (hovered && !camera.orbiting) {
+        action.hovered =
+            pick(stage.discs, stage.front_to_back, io.MousePos, kClickSlackPx * theme.scale);
+    }
+    if (ImGui::IsItemActivated()) {
+        camera.orbiting = io.MouseDown[ImGuiMouseButton_Left] && !action.hovered;
+    }
+    const bool dragged = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >
+                         std::pow(kClickSlackPx * theme.scale, 2);
+    if (active && camera.orbiting && dragged) {
+        stage.fit.flat ? pan(camera, pane, io.MouseDelta)
+                       : orbit(camera, io.MouseDelta, theme.scale);
+    } else if (active &&
+               (io.MouseDown[ImGuiMouseButton_Right] || io.MouseDown[ImGuiMouseButton_Middle])) {
+        pan(camera, pane, io.MouseDelta);
+    }
+    if (hovered && io.MouseWheel != 0.0F) {
+        ImGui::SetItemUsingMouseWheel();
+        zoom_at(camera, pane, io.MousePos, std::pow(1.15, static_cast<double>(io.MouseWheel)));
+    }
+    if (ImGui::IsItemDeactivated() && io.MouseReleased[ImGuiMouseButton_Left] && !dragged) {
+        if (camera.orbiting) action.clicked_empty = hovered;
+        if (!camera.orbiting) action.clicked = action.hovered;
+    }
+    const bool right_dragged = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] >
+                               std::pow(kClickSlackPx * theme.scale, 2);
+    if (hovered && io.MouseReleased[ImGuiMouseButton_Right] && !right_dragged) {
+        action.right_clicked = action.hovered;
+    }
+    if (hovered && io.MouseDoubleClicked[ImGuiMouseButton_Left]) {
+        action.double_clicked = action.hovered;
+        if (!action.hovered) camera = SpaceCamera{.orbiting = camera.orbiting};
+    }
+    if (!active) camera.orbiting = false;
+    if (action.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (active && !action.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    SpaceCamera now = camera;
+    now.orbiting = before.orbiting;
+    action.camera_changed = now != before;
+    return action;
+}
+
+// While the mouse is over empty space: what it can do there. Returns what it covers.
+Rect draw_hint(const SpaceStage& stage, const SpaceAction& action) {
+    if (action.hovered || !ImGui::IsItemHovered() || ImGui::IsItemActive()) return {};
+    const Theme& theme = stage.theme;
+    const char* text = stage.fit.flat ? "drag to move, wheel to zoom, double click to reset"
+                                      : "drag to turn, wheel to zoom, double click to reset";
+    const ImVec2 size = text_size(theme.fonts.small, text);
+    const float left = stage.pane.max.x - size.x - theme.gap_px;
+    if (left < stage.pane.min.x + stage.pane.width() * 0.3F) return {};
+    const Rect place = rect_at({left, stage.pane.max.y - size.y - theme.gap_px}, size);
+    draw_text(stage.list, theme.fonts.small, place.min, toned(stage, theme.dim_text, 0.8F), text);
+    return place;
+}
+
+}  // namespace
+
+SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
+                       const SpaceScene& scene, SpaceCamera& camera) {
+    assert(scene.points != nullptr && "a space has points");
+    assert(scene.labels.size() == static_cast<std::size_t>(scene.points->rows()) &&
+           scene.looks.size() == scene.labels.size() && "one name and one look for each point");
+    if (pane.width() < 1.0F || pane.height() < 1.0F) return {};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    SpaceStage stage = staged(list, theme, pane, scene);
+    place_points(stage, camera);
+    const SpaceAction action = read_mouse(id, theme, pane, stage, camera);
+    if (action.camera_changed) place_points(stage, camera);
+    const std::optional<std::size_t> hovered = action.hovered ? action.hovered : scene.pointed;
+
+    list.PushClipRect(pane.min, pane.max, true);
+    draw_floor(stage, camera);
+    draw_drop_lines(stage, camera);
+    draw_paths(stage);
+    draw_spread(stage, camera);
+    draw_links(stage);
+    draw_ghosts(stage, camera);
+    std::array<Rect, 3> occupied{draw_axes_cross(stage, camera), draw_hint(stage, action), Rect{}};
+    const bool pair = hovered && scene.selected && *hovered != *scene.selected &&
+                      std::max(*hovered, *scene.selected) < scene.labels.size() &&
+                      somewhere(stage, *hovered) && somewhere(stage, *scene.selected);
+    if (pair) draw_pair_line(stage, *scene.selected, *hovered);
+    draw_points(stage, hovered);
+    if (pair) occupied[2] = draw_pair_value(stage, *scene.selected, *hovered);
+    draw_names(stage, occupied, hovered);
+    if (scene.stale) draw_stale(list, theme, pane, ImGui::GetTime());
+    list.PopClipRect();
+    return action;
+}
+
+}  // namespace tact

@@ -1,0 +1,64 @@
+// The perceptual space: patterns as points, far apart where people would tell them apart.
+//
+// Input     a 2-D or 3-D map with names and looks; the camera, which the mouse changes
+// Output    the point under the mouse and what was clicked
+// Valid     any n; names of at most kMostNames points are looked at
+// Left out  easing between maps (the caller moves the points), lassos.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viz/drawing/theme.h"
+#include "viz/space/space_camera.h"
+
+namespace tact {
+
+inline constexpr std::size_t kMostNames = 200;
+
+struct SpaceLink {
+    std::size_t a = 0;
+    std::size_t b = 0;
+};
+
+struct SpaceScene {
+    std::span<const std::string> labels{};              // n
+    std::span<const PatternLook> looks{};               // n
+    const Eigen::MatrixXd* points = nullptr;            // n x 2 or n x 3; never null
+    const Eigen::MatrixXd* ghosts = nullptr;            // where the points were before, or null
+    double ghost_opacity = 0.0;                         // 1: just left, 0: gone
+    std::span<const std::vector<std::size_t>> paths{};  // points to join, along a parameter
+    std::span<const std::size_t> chosen{};              // a subset, ringed; others step back
+    std::span<const std::size_t> faint{};               // filtered out: they step back farther
+    std::span<const SpaceLink> links{};                 // pairs that are too close
+    std::span<const Eigen::Matrix3d> spread{};          // covariance of each point, or empty
+    std::optional<std::size_t> selected{};
+    std::optional<std::size_t> pointed{};                             // pointed at elsewhere
+    std::function<double(std::size_t, std::size_t)> dissimilarity{};  // may be empty
+    std::string_view quantity{};                                      // what it is: "PM"
+    bool stale = false;
+};
+
+struct SpaceAction {
+    std::optional<std::size_t> hovered{};
+    std::optional<std::size_t> clicked{};  // on release, without a drag
+    std::optional<std::size_t> double_clicked{};
+    std::optional<std::size_t> right_clicked{};  // on release, without a drag
+    bool clicked_empty = false;                  // a click beside all points
+    bool camera_changed = false;
+};
+
+// Ellipses hold half of where a point might be, by a normal distribution.
+//
+// Left drag on empty space orbits (pans in 2-D), middle or right drag pans, the wheel zooms at the
+// mouse, a double click on empty space resets the camera.
+SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
+                       const SpaceScene& scene, SpaceCamera& camera);
+
+}  // namespace tact
