@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "app/calibrate/calibrate_dialog.h"
 #include "app/calibrate/calibrate_state.h"
 #include "app/calibrate/measuring_response.h"
 #include "app/play/playing.h"
+#include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
-#include "app/window/dialogs.h"
-#include "app/window/panels.h"
 #include "viz/charts/response_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

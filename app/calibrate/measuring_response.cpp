@@ -61,15 +61,7 @@ void leave_for_files(App& app) {
 
 }  // namespace
 
-bool can_be_calibrated(const App& app) {
-    const std::optional<DeviceInfo> device = chosen_device(app);
-    return device && device->kind == DeviceKind::audio;
-}
-
-void calibrate_dialog(App& app) {
-    if (!app.calibrate) app.calibrate = std::make_shared<CalibrateState>();
-    app.dialog = Dialog::calibrate;
-}
+void calibrate_dialog(App& app) { app.dialog = Dialog::calibrate; }
 
 void play_calibration_signal(App& app) {
     if (!can_sound(app)) return;
@@ -123,7 +115,6 @@ void look_at_recording(App& app) {
 }
 
 void follow_calibrate(App& app) {
-    if (!app.calibrate) return;
     CalibrateState& state = *app.calibrate;
     if (state.comes_back && !app.chooser.is_open && app.dialog == Dialog::none) {
         state.comes_back = false;

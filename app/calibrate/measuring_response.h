@@ -13,9 +13,6 @@
 
 namespace tact {
 
-// Only an output of sound is driven in proportion; a controller is told in packets.
-bool can_be_calibrated(const App& app);
-
 void calibrate_dialog(App& app);
 
 // The signal on the chosen device, whatever the level of the bar: its levels are shares of full

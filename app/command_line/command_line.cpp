@@ -4,7 +4,6 @@
 
 #include "app/command_line/interrupt.h"
 #include "app/command_line/options.h"
-#include "app/window/main_window.h"
 
 namespace tact {
 
@@ -32,13 +31,13 @@ struct Commands {
 
 }  // namespace
 
-int run_command_line(int argc, const char* const* argv) {
+int run_command_line(int argc, const char* const* argv, RunWindow run_window) {
     CLI::App app("Shape vibrations and see which ones people will tell apart.", "tactspace");
     app.set_version_flag("--version", TACT_VERSION);
     std::vector<std::filesystem::path> sets;
     app.add_option("SET", sets, std::string("opens the window on it: ") + kSetHelp);
     Commands commands;
-    Chosen chosen = [&sets] { return run_main_window(sets); };
+    Chosen chosen = [&sets, run_window] { return run_window(sets); };
     add_predict_command(app, commands.predict, chosen);
     add_space_command(app, commands.space, chosen);
     add_stages_command(app, commands.stages, chosen);

@@ -4,11 +4,7 @@
 
 #include "app/compare/check_findings.h"
 #include "app/document/editing.h"
-#include "app/document/files.h"
 #include "app/map/map_follow.h"
-#include "app/measured/import_follow.h"
-#include "app/ui/file_question.h"
-#include "model/io/people/ratings_file.h"
 #include "model/map/procrustes.h"
 #include "model/set/set_ratings.h"
 
@@ -98,61 +94,21 @@ ShownComparison shown_comparison(const App& app) {
 bool comparison_waits(const App& app) {
     const ComparePanelState& state = app.compare;
     if (state.cancelled && state.cancelled_at == app.revision) return true;
-    return app.document.set.vibrations.size() > kMostUnaskedComparison && !state.compute_large;
+    return app.document.set.vibrations.size() > kMostUnaskedComparison &&
+           state.compute_large_of != app.document_number;
 }
 
 void ask_for_comparison(App& app) {
     app.compare.cancelled = false;
-    app.compare.compute_large = true;
+    app.compare.compute_large_of = app.document_number;
     app.compare.of.reset();
 }
 
 void cancel_comparison(App& app) {
     app.compare.cancelled = true;
     app.compare.cancelled_at = app.revision;
-    app.compare.compute_large = false;
+    app.compare.compute_large_of = 0;
     if (app.comparison_job) app.comparison_job->cancel();
-}
-
-std::optional<ChosenPair> chosen_pair(const App& app) {
-    const std::size_t count = app.document.set.vibrations.size();
-    const std::size_t current = app.selection.current;
-    if (count < 2 || current >= count) return std::nullopt;
-    const auto partner = place_named(app.document.set, app.partner);
-    if (partner && partner != current) return ChosenPair{current, *partner, PartnerKind::chosen};
-    const auto pinned = place_named(app.document.set, app.pinned);
-    if (pinned && pinned != current) return ChosenPair{current, *pinned, PartnerKind::pinned};
-    ChosenPair pair{current, current == 0 ? 1U : 0U, PartnerKind::closest};
-    if (!app.map.shown) return pair;
-    const PatternSet& mapped = *app.map.shown->request.set;
-    const Dissimilarity& pm = app.map.shown->prediction.pm;
-    const auto row = place_named(mapped, app.document.set.vibrations[current].name);
-    std::optional<std::size_t> closest;
-    for (std::size_t k = 0; row && k < pm.size; ++k) {
-        const bool closer = !closest || pm(*row, k) < pm(*row, *closest);
-        if (k != *row && closer && place_named(app.document.set, mapped.vibrations[k].name)) {
-            closest = k;
-        }
-    }
-    if (closest) pair.partner = *place_named(app.document.set, mapped.vibrations[*closest].name);
-    return pair;
-}
-
-std::optional<std::pair<std::size_t, std::size_t>> rows_in_map(const App& app,
-                                                               const ChosenPair& pair) {
-    const PatternSet& mapped = *app.map.shown->request.set;
-    const auto& all = app.document.set.vibrations;
-    const auto a = place_named(mapped, all[pair.current].name);
-    const auto b = place_named(mapped, all[pair.partner].name);
-    if (!a || !b) return std::nullopt;
-    return std::pair{*a, *b};
-}
-
-void choose_pair(App& app, std::size_t current, std::size_t partner) {
-    if (partner >= app.document.set.vibrations.size()) return;
-    select_only(app, current);
-    app.partner = app.document.set.vibrations[partner].name;
-    app.set_panel.scroll_to_current = true;
 }
 
 std::optional<Eigen::MatrixXd> people_over_map(const App& app) {
@@ -163,48 +119,6 @@ std::optional<Eigen::MatrixXd> people_over_map(const App& app) {
         return std::nullopt;
     }
     return procrustes(people, app.map.to).aligned;
-}
-
-void load_ratings_dialog(App& app) {
-    ask_for_file(app,
-                 {.purpose = ChooserPurpose::load_ratings,
-                  .use = ChooserUse::open,
-                  .title = "Load ratings: a table, or a folder with one for each participant",
-                  .extensions = {".csv", ".txt"},
-                  .folders_too = true},
-                 app.document.path.parent_path());
-}
-
-void load_ratings(App& app, const std::vector<std::filesystem::path>& paths) {
-    if (paths.empty()) return;
-    const Expected<LoadedRatings> loaded = read_ratings(paths, RatingScale::guess);
-    if (!loaded) return complain(app, loaded.error().message);
-    const std::string file = paths.front().filename().string();
-    Expected<RatingStudy> study = matched(loaded->study, names_of(app.document.set));
-    if (!study) {  // people rate the intended patterns, not what measures them
-        const PatternSet intended = one_side(app.document.set, Side::intended);
-        auto of_intended = matched(loaded->study, names_of(intended));
-        if (of_intended) study = std::move(of_intended);
-    }
-    if (!study) return complain(app, file + ": " + study.error().message);
-    app.document.set.ratings = kept_ratings(*study, file);
-    document_changed(app);
-    commit_step(app, "Load ratings");
-    app.bench = BenchTab::compare;
-    std::string text = "Ratings loaded from " + file;
-    for (const std::string& remark : loaded->remarks) text += "; " + remark;
-    say(app, text + ".");
-}
-
-void drop_paths(App& app, const std::vector<std::filesystem::path>& paths) {
-    const bool tables = !paths.empty() && std::ranges::all_of(paths, [](const auto& path) {
-        return extension_of(path) == ".csv";
-    });
-    if (tables && !read_ratings(paths, RatingScale::guess) && are_accelerations(paths)) {
-        return import_recordings(app, paths);
-    }
-    if (tables) return load_ratings(app, paths);
-    open_paths(app, paths);
 }
 
 }  // namespace tact

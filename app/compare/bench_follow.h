@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/map/pair.h"
 #include "app/window/app.h"
 
 namespace tact {
@@ -27,34 +28,8 @@ bool comparison_waits(const App& app);
 void ask_for_comparison(App& app);
 void cancel_comparison(App& app);
 
-// The current pattern and the one it is held against.
-enum class PartnerKind { chosen, pinned, closest };
-struct ChosenPair {
-    std::size_t current = 0;
-    std::size_t partner = 0;
-    PartnerKind kind = PartnerKind::chosen;
-};
-
-// Chosen by a click, else pinned, else the closest by PM. None with fewer than two patterns.
-std::optional<ChosenPair> chosen_pair(const App& app);
-
-// Their rows in the map on screen, which there must be; none where it leaves one of them out.
-std::optional<std::pair<std::size_t, std::size_t>> rows_in_map(const App& app,
-                                                               const ChosenPair& pair);
-
-// Makes the first pattern current and the second its partner.
-void choose_pair(App& app, std::size_t current, std::size_t partner);
-
 // The map of the ratings, laid over the one on screen: one row a pattern of the shown map. None
 // without ratings of its patterns, or while their comparison is under way.
 std::optional<Eigen::MatrixXd> people_over_map(const App& app);
-
-// Ratings into the document, as one step; an error changes nothing.
-void load_ratings_dialog(App& app);
-void load_ratings(App& app, const std::vector<std::filesystem::path>& paths);
-
-// What was dropped on the window: tables of ratings or of accelerations go to the open set, all
-// else is opened.
-void drop_paths(App& app, const std::vector<std::filesystem::path>& paths);
 
 }  // namespace tact

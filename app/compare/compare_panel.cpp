@@ -7,10 +7,12 @@
 #include <set>
 
 #include "app/compare/bench_follow.h"
+#include "app/compare/compare_panels.h"
 #include "app/compare/metric_choice.h"
+#include "app/document/rating_files.h"
+#include "app/document/shown_side.h"
 #include "app/measured/import_follow.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/charts/scatter_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "app/compare/check_findings.h"
+#include "app/compare/compare_panels.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {

@@ -4,10 +4,11 @@
 #include <cstdio>
 
 #include "app/compare/bench_follow.h"
+#include "app/compare/compare_panels.h"
 #include "app/compare/metric_choice.h"
 #include "app/map/map_follow.h"
+#include "app/map/pair.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "model/map/smacof.h"
 #include "viz/charts/scatter_view.h"
 #include "viz/drawing/marks.h"

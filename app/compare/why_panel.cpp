@@ -6,11 +6,13 @@
 #include <cstdio>
 
 #include "app/compare/bench_follow.h"
+#include "app/compare/compare_panels.h"
 #include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
 #include "app/map/map_follow.h"
+#include "app/map/pair.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

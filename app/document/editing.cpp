@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/map/map_follow.h"
 #include "app/ui/widgets.h"
 
 namespace tact {
@@ -32,7 +31,7 @@ void insert_after_current(App& app, std::vector<Vibration> fresh) {
         if (k == 0) app.selection.current = place;
         if (k > 0) app.selection.others.insert(place);
     }
-    app.set_panel.scroll_to_current = true;
+    app.selection.scroll_to_current = true;
     document_changed(app);
 }
 
@@ -61,7 +60,7 @@ std::vector<std::size_t> selected_indices(const App& app) {
 
 std::vector<std::size_t> listed_indices(const App& app) {
     const auto& all = app.document.set.vibrations;
-    const std::string wanted = lower_case(app.set_panel.search);
+    const std::string wanted = lower_case(app.selection.search);
     std::vector<std::size_t> indices;
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (lower_case(all[k].name).find(wanted) != std::string::npos) indices.push_back(k);
@@ -72,7 +71,6 @@ std::vector<std::size_t> listed_indices(const App& app) {
 void select_only(App& app, std::size_t index) {
     app.selection.current = index;
     app.selection.others.clear();
-    app.editor.rhythm_typing = false;
 }
 
 void toggle_selected(App& app, std::size_t index) {
@@ -94,10 +92,16 @@ void select_all(App& app) {
     }
 }
 
-void document_changed(App& app) {
-    ++app.revision;
-    request_maps(app);
+void choose_pair(App& app, std::size_t current, std::size_t partner) {
+    if (partner >= app.document.set.vibrations.size()) return;
+    select_only(app, current);
+    app.partner = app.document.set.vibrations[partner].name;
+    app.selection.scroll_to_current = true;
 }
+
+void document_changed(App& app) { ++app.revision; }
+
+void predictions_changed(App& app) { ++app.revision; }
 
 void commit_step(App& app, const std::string& label) {
     auto after = std::make_shared<const PatternSet>(app.document.set);

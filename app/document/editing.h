@@ -23,9 +23,13 @@ void select_only(App& app, std::size_t index);
 void toggle_selected(App& app, std::size_t index);
 void select_through(App& app, std::size_t index);  // everything between current and index
 void select_all(App& app);
+// Makes the first pattern current and the second its partner.
+void choose_pair(App& app, std::size_t current, std::size_t partner);
 
 // The document was changed, perhaps in the middle of a drag: the maps follow.
 void document_changed(App& app);
+// All that is predicted is asked for anew, though the document stays what it is.
+void predictions_changed(App& app);
 
 // A gesture ended: what changed since the last step becomes one.
 void commit_step(App& app, const std::string& label);

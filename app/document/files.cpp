@@ -4,9 +4,6 @@
 
 #include "app/document/autosave.h"
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
-#include "app/measured/import_follow.h"
-#include "app/play/playing.h"
 #include "app/ui/file_question.h"
 #include "assets/assets.h"
 #include "model/io/set/load.h"
@@ -41,23 +38,6 @@ std::filesystem::path keep_unsaved(App& app) {
     return aside ? *aside : std::filesystem::path();
 }
 
-// Another document takes the place of the open one. Undo does not reach across: a set brought back
-// by it would be saved over the wrong file.
-void show_document(App& app, Document document, std::string text) {
-    const std::filesystem::path aside = keep_unsaved(app);
-    if (!aside.empty()) text += " Unsaved changes before it are kept in " + aside.string();
-    app.document = std::move(document);
-    app.selection = {};
-    app.fonts_outdated = true;  // its names may need other glyphs
-    app.compute_large = false;
-    app.compare.compute_large = false;
-    app.partner.clear();
-    app.history.clear();
-    app.committed = std::make_shared<const PatternSet>(app.document.set);
-    document_changed(app);
-    say(app, text);
-}
-
 std::string joined(const std::vector<std::string>& remarks) {
     constexpr std::size_t kMost = 3;
     std::string text;
@@ -86,6 +66,22 @@ std::string document_title(const App& app) {
     if (title.empty()) title = file.empty() ? "Untitled" : file;
     if (!file.empty() && title != file) title += "  (" + file + ")";
     return title + (app.unsaved ? " \u2022" : "");
+}
+
+// Another document takes the place of the open one. Undo does not reach across: a set brought back
+// by it would be saved over the wrong file.
+void show_document(App& app, Document document, std::string text) {
+    const std::filesystem::path aside = keep_unsaved(app);
+    if (!aside.empty()) text += " Unsaved changes before it are kept in " + aside.string();
+    app.document = std::move(document);
+    app.selection = {};
+    app.fonts_outdated = true;  // its names may need other glyphs
+    ++app.document_number;      // what was asked for of the one before it is forgotten
+    app.partner.clear();
+    app.history.clear();
+    app.committed = std::make_shared<const PatternSet>(app.document.set);
+    document_changed(app);
+    say(app, text);
 }
 
 void new_document(App& app) { show_document(app, {}, "A new, empty set."); }
@@ -117,7 +113,7 @@ void save_as(App& app, const std::filesystem::path& path) {
         set.name = target.filename().string();
         if (set.name.ends_with(kSetEnding)) set.name.resize(set.name.size() - 15);
     }
-    const Expected<Done> stored = store_measurements(set, target, measured_folder(app));
+    const Expected<Done> stored = store_measurements(set, target, measured_folder(app.session));
     if (!stored) return complain(app, "Not saved: " + stored.error().message);
     const Expected<Done> written = write_set_file(target, set);
     if (!written) return complain(app, "Not saved: " + written.error().message);
@@ -178,69 +174,6 @@ void load_tables(App& app, const std::filesystem::path& path) {
     say(app, std::string(thresholds ? "Thresholds" : "Slopes") + " loaded from " + path.string());
 }
 
-Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>& paths) {
-    app.session = open_session(state_folder());
-    app.dark = app.session.theme != "light";
-    app.text_scale = std::clamp(static_cast<float>(app.session.text_scale), 0.75F, 2.0F);
-    restore_layout(app);
-    restore_devices(app);
-    if (!paths.empty()) {
-        const auto aside = set_autosave_aside(app.session);
-        open_paths(app, paths);
-        if (app.status.is_error) return Error{app.status.text};
-        if (aside && !aside->empty()) {
-            say(app, "Unsaved changes of the last session are kept in " + aside->string());
-        }
-        return Done{};
-    }
-    Restored restored = restore(app.session);
-    if (restored.document) {
-        Document document = *std::move(restored.document);
-        app.document.set = app.document.saved = {};
-        show_document(app, std::move(document), restored.remark);
-    } else {
-        open_example(app);
-    }
-    if (restored.is_error) complain(app, restored.remark);
-    return Done{};
-}
-
-void keep_layout(App& app) {
-    auto& kept = app.session.layout;
-    kept["left"] = static_cast<double>(app.layout.left);
-    kept["right"] = static_cast<double>(app.layout.right);
-    kept["left_split"] = static_cast<double>(app.layout.left_split);
-    kept["right_split"] = static_cast<double>(app.layout.right_split);
-    kept["yaw_rad"] = app.camera.yaw_rad;
-    kept["pitch_rad"] = app.camera.pitch_rad;
-    kept["zoom"] = app.camera.zoom;
-    kept["dimensions"] = app.dimensions;
-    kept["tour_step"] = static_cast<double>(app.tour.step.value_or(app.tour.left_at));
-    kept["motion"] = app.motion ? 1.0 : 0.0;
-}
-
-void restore_layout(App& app) {
-    const auto& kept = app.session.layout;
-    const auto value = [&kept](const char* name, double low, double high, double otherwise) {
-        const auto found = kept.find(name);
-        return found == kept.end() ? otherwise : std::clamp(found->second, low, high);
-    };
-    const auto share = [&](const char* name, float low, float high, float& target) {
-        target = static_cast<float>(value(name, static_cast<double>(low), static_cast<double>(high),
-                                          static_cast<double>(target)));
-    };
-    share("left", 0.14F, 0.40F, app.layout.left);
-    share("right", 0.18F, 0.58F, app.layout.right);
-    share("left_split", 0.15F, 0.80F, app.layout.left_split);
-    share("right_split", 0.20F, 0.85F, app.layout.right_split);
-    app.camera.yaw_rad = value("yaw_rad", -10.0, 10.0, app.camera.yaw_rad);
-    app.camera.pitch_rad = value("pitch_rad", -1.6, 1.6, app.camera.pitch_rad);
-    app.camera.zoom = value("zoom", kLeastZoom, kMostZoom, app.camera.zoom);
-    app.dimensions = value("dimensions", 2.0, 3.0, 3.0) < 2.5 ? 2 : 3;
-    app.tour.left_at = static_cast<std::size_t>(value("tour_step", 0.0, 10.0, 0.0));
-    app.motion = value("motion", 0.0, 1.0, 1.0) > 0.5;
-}
-
 void autosave_if_due(App& app) {
     if (app.unsaved_revision != app.revision) {
         app.unsaved = !(app.document.set == app.document.saved);
@@ -253,17 +186,6 @@ void autosave_if_due(App& app) {
     app.autosave_pending = false;
     const Expected<Done> written = autosave(app.session, app.document);
     if (!written) complain(app, "Unsaved changes cannot be kept: " + written.error().message);
-}
-
-void end_session(App& app) {
-    app.session.theme = app.dark ? "dark" : "light";
-    app.session.text_scale = static_cast<double>(app.text_scale);
-    app.session.document = app.document.path;
-    keep_layout(app);
-    keep_devices(app);
-    // Nobody is left to read a status line; the next start says what could not be kept.
-    (void)autosave(app.session, app.document);
-    (void)close_session(app.session);
 }
 
 }  // namespace tact

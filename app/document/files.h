@@ -27,16 +27,10 @@ void load_tables(App& app, const std::filesystem::path& path);
 void open_paths(App& app, const std::vector<std::filesystem::path>& paths);
 void save_as(App& app, const std::filesystem::path& path);
 
-// Starts with the paths, or takes up the session where it was left, or shows the example set. An
-// Error if the paths cannot be opened.
-Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>& paths);
+// Puts another document in the place of the open one, whose unsaved changes are kept aside.
+void show_document(App& app, Document document, std::string text);
 
-// Sizes of the panes and the camera, to and from the session.
-void keep_layout(App& app);
-void restore_layout(App& app);
-
-// Writes the autosave when it is due, and the session at the end.
+// Writes the autosave when it is due.
 void autosave_if_due(App& app);
-void end_session(App& app);
 
 }  // namespace tact

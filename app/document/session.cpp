@@ -222,4 +222,10 @@ std::vector<RecentFile> recent_files(const Session& session) {
     return files;
 }
 
+fs::path measured_folder(const Session& session) {
+    if (session.folder.empty()) return {};
+    std::error_code none;
+    return fs::weakly_canonical(session.folder / "measured", none);
+}
+
 }  // namespace tact

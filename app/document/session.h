@@ -70,4 +70,7 @@ struct RecentFile {
 
 std::vector<RecentFile> recent_files(const Session& session);
 
+// Where waveforms are until their set is saved; empty where nothing can be kept.
+std::filesystem::path measured_folder(const Session& session);
+
 }  // namespace tact

@@ -9,9 +9,8 @@
 
 #include "app/document/editing.h"
 #include "app/export/exports.h"
+#include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
-#include "app/window/dialogs.h"
-#include "app/window/view_pictures.h"
 
 namespace tact {
 
@@ -176,7 +175,7 @@ void draw_progress(App& app) {
     }
     ImGui::End();
     ImGui::PopStyleColor();
-    if (cancelled) cancel_animation(app);
+    app.exports.cancel_asked |= cancelled;
 }
 
 }  // namespace

@@ -6,11 +6,8 @@
 #include "app/document/editing.h"
 #include "app/document/folders.h"
 #include "app/physiology/stage_csv.h"
-#include "app/subset/subset_export.h"
-#include "app/subset/subset_state.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/file_question.h"
-#include "app/window/view_pictures.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
 
@@ -43,37 +40,21 @@ std::string as_played(const App& app) {
     return words.empty() ? "" : ", " + words;
 }
 
-void draw_waiting_picture(App& app) {
-    const fs::path file = std::exchange(app.exports.picture, {});
-    PictureSize size = app.exports.picture_size;
-    size.dark = app.dark;
-    size.format = extension_of(file) == ".svg" ? PictureFormat::svg : PictureFormat::png;
-    App still = still_view(app);
-    const Picture picture = view_picture(still, app.exports.view, app.playhead.at_s, size);
-    if (const Expected<Done> written = write_picture(file, picture); !written) {
-        return complain(app, "Not exported: " + written.error().message);
-    }
-    say(app, "Exported " + file.string());
-}
-
-void draw_next_frame(App& app) {
-    RunningAnimation& running = *app.exports.animation;
-    const FrameSequence& sequence = running.sequence;
-    const Picture picture = view_picture(running.still, running.view,
-                                         time_of_frame_s(sequence, running.done), running.size);
-    const auto written = write_picture(path_of_frame(sequence, running.done), picture);
-    if (!written) {
-        complain(app, "Export stopped: " + written.error().message);
-        app.exports.animation.reset();
-        return;
-    }
-    if (++running.done < sequence.frames) return;
-    say(app, "Exported " + std::to_string(sequence.frames) + " frames. A film: " +
-                 film_command(sequence.folder, running.size.width, running.size.height));
-    app.exports.animation.reset();
-}
-
 }  // namespace
+
+const char* name_of(PictureView view) {
+    switch (view) {
+        case PictureView::window:
+            return "window";
+        case PictureView::physiology:
+            return "physiology";
+        case PictureView::space:
+            return "space";
+        case PictureView::matrix:
+            return "matrix";
+    }
+    return "";
+}
 
 void export_view_dialog(App& app) { app.dialog = Dialog::export_view; }
 
@@ -148,37 +129,6 @@ void export_stages(App& app, const fs::path& folder) {
     }
     say(app, "Exported " + std::to_string(count) + (count == 1 ? " file" : " files") + " into " +
                  folder.string() + as_played(app));
-}
-
-void export_animation(App& app, const fs::path& folder) {
-    const ExportState& state = app.exports;
-    const FrameSequence sequence{folder, state.from_s, state.to_s, state.frames};
-    if (const Expected<Done> open = open_sequence(sequence); !open) {
-        return complain(app, "Not exported: " + open.error().message);
-    }
-    PictureSize size = state.frame_size;
-    size.dark = app.dark;
-    app.exports.animation = std::make_shared<RunningAnimation>(
-        RunningAnimation{still_view(app), state.moving_view, size, sequence, 0, app.time_s});
-}
-
-void cancel_animation(App& app) {
-    const RunningAnimation& running = *app.exports.animation;
-    say(app, "Export cancelled: " + std::to_string(running.done) + " of " +
-                 std::to_string(running.sequence.frames) + " frames are in " +
-                 running.sequence.folder.string());
-    app.exports.animation.reset();
-}
-
-bool is_exporting(const App& app) {
-    return app.exports.animation != nullptr || !app.exports.picture.empty() ||
-           !app.subset->export_to.empty();
-}
-
-void continue_exports(App& app) {
-    if (!app.subset->export_to.empty()) return continue_subset_export(app);
-    if (!app.exports.picture.empty()) return draw_waiting_picture(app);
-    if (app.exports.animation) draw_next_frame(app);
 }
 
 }  // namespace tact

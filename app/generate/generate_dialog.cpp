@@ -6,12 +6,13 @@
 #include <array>
 #include <utility>
 
+#include "app/document/pattern_looks.h"
+#include "app/generate/generate_dialog.h"
 #include "app/generate/generate_fields.h"
 #include "app/generate/generating.h"
 #include "app/jobs/time_left.h"
+#include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
-#include "app/window/dialogs.h"
-#include "app/window/panels.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"

@@ -6,11 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "app/compare/bench_follow.h"
-#include "app/measured/import_follow.h"
-#include "app/model_bench/training_follow.h"
-#include "app/study/study_follow.h"
-#include "app/subset/subset_follow.h"
+#include "app/document/shown_side.h"
 #include "model/map/procrustes.h"
 
 namespace tact {
@@ -101,41 +97,27 @@ void show_map(App& app, std::shared_ptr<const LiveMap> map) {
     app.map = std::move(next);
 }
 
-void make_jobs(App& app) {
+void make_map_jobs(App& app) {
     using MapJob = LatestJob<LiveMapRequest, LiveMap>;
-    using StagesJob = LatestJob<LiveStagesRequest, LiveStages>;
     app.preview_job = std::make_unique<MapJob>(JobPolicy::finish, LiveMapWork{}, app.wake);
     app.full_job =
         std::make_unique<MapJob>(JobPolicy::supersede, LiveMapWork{}, app.wake, is_same_work);
-    for (auto* job : {&app.stages_job, &app.pinned_job}) {
-        *job = std::make_unique<StagesJob>(JobPolicy::finish, compute_live_stages, app.wake);
-    }
-    make_bench_jobs(app);
-    make_subset_jobs(app);
-    make_training_job(app);
+    app.maps_asked = app.revision;  // until something changes or is asked for
 }
 
-void stop_jobs(App& app) {
-    stop_study(app);
-    app.generate.job.reset();
-    stop_import(app);
-    stop_subset_jobs(app);
-    stop_training(app);
-    app.findings_job.reset();
-    app.rendering.job.reset();
-    app.difference_job.reset();
-    app.comparison_job.reset();
-    app.full_job.reset();
-    app.preview_job.reset();
-    app.stages_job.reset();
-    app.pinned_job.reset();
+void take_maps(App& app) {
+    if (!app.full_job) return;
+    for (const auto* job : {app.preview_job.get(), app.full_job.get()}) {
+        if (auto map = job->latest(); is_news(app, map)) show_map(app, std::move(map));
+    }
 }
 
 void request_maps(App& app) {
     if (!app.full_job) return;  // a picture without a window computes its map itself
+    app.maps_asked = app.revision;
     app.map_cancelled = false;
     const PatternSet& set = app.document.set;
-    if (needs_asking(set) && !app.compute_large) {
+    if (needs_asking(set) && app.compute_large_of != app.document_number) {
         app.preview_job->cancel();
         app.full_job->cancel();
         return;
@@ -153,44 +135,14 @@ void request_maps(App& app) {
     app.preview_job->submit(request);
 }
 
-void predictions_changed(App& app) {
-    ++app.revision;
-    request_maps(app);
-}
-
-void take_answers(App& app) {
-    if (!app.full_job) return;
-    for (const auto* job : {app.preview_job.get(), app.full_job.get()}) {
-        if (auto map = job->latest(); is_news(app, map)) show_map(app, std::move(map));
-    }
-    if (auto stages = app.stages_job->latest()) app.stages = std::move(stages);
-    if (auto stages = app.pinned_job->latest()) app.pinned_stages = std::move(stages);
-    take_bench_answers(app);
-}
-
-void follow_current(App& app) {
-    const PatternSet& set = app.document.set;
-    if (!app.stages_job || app.selection.current >= set.vibrations.size()) return;
-    LiveStagesRequest request =
-        stages_request(set, app.selection.current, rendered_by(app.rendering));
-    if (request != app.stages_asked) {
-        app.stages_asked = request;
-        app.stages_job->submit(std::move(request));
-    }
-    const auto pinned = place_named(set, app.pinned);
-    if (!pinned) {
-        app.pinned.clear();
-        return;
-    }
-    request = stages_request(set, *pinned, rendered_by(app.rendering));
-    if (request == app.pinned_asked) return;
-    app.pinned_asked = request;
-    app.pinned_job->submit(std::move(request));
+void follow_map(App& app) {
+    if (app.maps_asked != app.revision) request_maps(app);
 }
 
 MapState map_state(const App& app) {
     const std::size_t count = app.document.set.vibrations.size();
-    if (needs_asking(app.document.set) && !app.compute_large) return MapState::too_large;
+    if (needs_asking(app.document.set) && app.compute_large_of != app.document_number)
+        return MapState::too_large;
     if (!app.map.shown || count == 0) return MapState::none;
     const LiveMapRequest& shown = app.map.shown->request;
     if (shown.revision != app.revision) return MapState::stale;

@@ -5,19 +5,15 @@
 
 namespace tact {
 
-// Starts the jobs, and ends them; the map of a very large set waits until asked for.
-void make_jobs(App& app);
-void stop_jobs(App& app);
+void make_map_jobs(App& app);
+
+// The map of a very large set waits until asked for.
 void request_maps(App& app);
-// All that is predicted is asked for anew, though the document stays what it is.
-void predictions_changed(App& app);
+// Asks anew where the document has changed since: once a frame, whoever changed it.
+void follow_map(App& app);
 
 // Takes what the jobs have finished, aligns it to what is shown and starts the transition.
-void take_answers(App& app);
-
-// Asks for the stages of the current and of the pinned vibration where they are not those that were
-// asked for last.
-void follow_current(App& app);
+void take_maps(App& app);
 
 // Puts a map on the screen, aligned to the one before it.
 void show_map(App& app, std::shared_ptr<const LiveMap> map);

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "app/document/editing.h"
-#include "app/subset/separation_follow.h"
-#include "app/subset/subset_follow.h"
 #include "app/ui/widgets.h"
 #include "model/map/clusters.h"
 #include "viz/drawing/colormap.h"
@@ -58,12 +56,11 @@ void colour_by(const App& app, PatternParameter parameter, std::vector<PatternLo
 }
 
 void colour_clusters(App& app, std::vector<PatternLook>& looks) {
-    SubsetState& state = *app.subset;
-    ShownClusters& known = state.clusters;
-    if (known.of != app.map.shown || known.count != state.look.clusters) {
-        known = {
-            app.map.shown, state.look.clusters,
-            clusters(app.map.shown->prediction.pm, static_cast<std::size_t>(state.look.clusters))};
+    ShownClusters& known = app.clusters;
+    const int count = app.map_look.clusters;
+    if (known.of != app.map.shown || known.count != count) {
+        known = {app.map.shown, count,
+                 clusters(app.map.shown->prediction.pm, static_cast<std::size_t>(count))};
     }
     for (std::size_t k = 0; k < looks.size() && k < known.group.size(); ++k) {
         looks[k] = pattern_look(app.theme, known.group[k]);
@@ -125,7 +122,7 @@ bool draw_parameter_choice(App& app, const char* label, std::optional<PatternPar
 }
 
 void draw_filter(App& app) {
-    MapLook& look = app.subset->look;
+    MapLook& look = app.map_look;
     if (draw_parameter_choice(app, "Only with", look.filter) && look.filter) {
         look.passes = reach_of(app, *look.filter).value_or(Range{0.0, 0.0});
     }
@@ -150,54 +147,36 @@ void draw_filter(App& app) {
 
 }  // namespace
 
-MapDecor map_decor(App& app, std::vector<PatternLook>& looks) {
-    MapDecor decor;
-    SubsetState& state = *app.subset;
-    const MapLook& look = state.look;
+MapDecor map_decor(App& app, const MapMarks& marks, std::vector<PatternLook>& looks) {
+    MapDecor decor{{}, {}, marks};
+    const MapLook& look = app.map_look;
     if (look.clusters > 1) {
         colour_clusters(app, looks);
     } else if (look.colour) {
         colour_by(app, *look.colour, looks);
     }
     if (look.path) {
-        if (state.paths.of != app.map.shown || state.paths.along != look.path) {
-            state.paths = {app.map.shown, look.path, paths_along(app, *look.path)};
+        if (app.paths.of != app.map.shown || app.paths.along != look.path) {
+            app.paths = {app.map.shown, look.path, paths_along(app, *look.path)};
         }
-        decor.paths = state.paths.paths;
+        decor.paths = app.paths.paths;
     }
     const auto& all = shown_vibrations(app);
     for (std::size_t k = 0; k < all.size() && look.filter; ++k) {
         const auto value = value_of(all[k], *look.filter);
         if (!value || !look.passes.contains(*value)) decor.faint.push_back(k);
     }
-    if (app.bench != BenchTab::subset) return decor;
-    const bool by_picked = state.too_close == TooClose::picked;
-    const Subset* subset = shown_subset(app);
-    if (subset && (state.view != SubsetView::confusable || by_picked)) {
-        decor.chosen = subset->members;
-    } else if (const auto opened = opened_rows(app);
-               opened && state.view == SubsetView::confusable) {
-        decor.chosen = {opened->first, opened->second};
-    }
-    if (state.view == SubsetView::confusable && look.show_pairs) {
-        for (const ConfusablePair& pair : too_close_pairs(app).pairs) {
-            decor.links.push_back({pair.a, pair.b});
-        }
-    }
+    if (!look.show_pairs) decor.marks.links.clear();
+    if (!look.show_spread) decor.marks.spread.clear();
     return decor;
 }
 
-void decorate(const App& app, const MapDecor& decor, SpaceScene& scene) {
+void decorate(const MapDecor& decor, SpaceScene& scene) {
     scene.paths = decor.paths;
-    scene.chosen = decor.chosen;
+    scene.chosen = decor.marks.chosen;
     scene.faint = decor.faint;
-    scene.links = decor.links;
-    const Stability* stability = shown_stability(app);
-    const bool wanted = app.bench == BenchTab::subset && app.subset->view == SubsetView::stability;
-    if (wanted && app.subset->look.show_spread && stability &&
-        app.subset->pick->request.map == app.map.shown) {
-        scene.spread = stability->spread;
-    }
+    scene.links = decor.marks.links;
+    scene.spread = decor.marks.spread;
 }
 
 void draw_map_look(App& app) {
@@ -209,7 +188,7 @@ void draw_map_look(App& app) {
     note_item(app.rects, "link:map look");
     draw_tooltip(app, "Colour, lines, filter and groups of the map.");
     if (!ImGui::BeginPopup("map look")) return;
-    MapLook& look = app.subset->look;
+    MapLook& look = app.map_look;
     if (!app.map.shown) {
         dim_text(app, "No map yet.");
         ImGui::EndPopup();
@@ -232,7 +211,7 @@ void draw_map_look(App& app) {
 }
 
 void draw_map_legend(const App& app, const Rect& area) {
-    const MapLook& look = app.subset->look;
+    const MapLook& look = app.map_look;
     if (!look.colour || look.clusters > 1 || !app.map.shown) return;
     const auto reach = reach_of(app, *look.colour);
     if (!reach) return;
@@ -270,23 +249,21 @@ void draw_map_legend(const App& app, const Rect& area) {
 void draw_point_menu(App& app, const SpaceAction& action,
                      const std::vector<std::optional<std::size_t>>& places) {
     if (action.right_clicked && places[*action.right_clicked]) {
-        app.subset->context = *places[*action.right_clicked];
+        app.map_menu_of = *places[*action.right_clicked];
         ImGui::OpenPopup("point menu");
     }
     if (!ImGui::BeginPopup("point menu")) return;
-    const std::size_t place = app.subset->context;
+    const std::size_t place = app.map_menu_of;
     if (place < app.document.set.vibrations.size()) {
         const Vibration& vibration = app.document.set.vibrations[place];
         dim_text(app, vibration.name);
-        const auto act = [&](const char* text, const char* note, void (*toggle)(App&)) {
-            const bool pressed = ImGui::MenuItem(text);
-            note_item(app.rects, note);
-            if (!pressed) return;
-            select_only(app, place);
-            toggle(app);
-        };
-        act(vibration.locked ? "Unlock" : "Lock: always pick it", "menu:lock", toggle_locked);
-        act(vibration.dropped ? "Take back" : "Drop: never pick it", "menu:drop", toggle_dropped);
+        const bool locks = ImGui::MenuItem(vibration.locked ? "Unlock" : "Lock: always pick it");
+        note_item(app.rects, "menu:lock");
+        const bool drops = ImGui::MenuItem(vibration.dropped ? "Take back" : "Drop: never pick it");
+        note_item(app.rects, "menu:drop");
+        if (locks || drops) select_only(app, place);
+        if (locks) toggle_locked(app);
+        if (drops) toggle_dropped(app);
     }
     ImGui::EndPopup();
 }

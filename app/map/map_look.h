@@ -1,4 +1,4 @@
-// What the map shows of the patterns' parameters and of the picked subset.
+// What the map shows of the patterns' parameters, and of what other rooms mark in it.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,24 @@
 
 namespace tact {
 
+// What other rooms lay over the map; rows of the shown map.
+struct MapMarks {
+    std::vector<std::size_t> chosen{};        // a subset: others step back
+    std::vector<SpaceLink> links{};           // pairs that are too close
+    std::vector<Eigen::Matrix3d> spread{};    // how sure each place is
+    std::optional<Eigen::MatrixXd> people{};  // the map of the ratings, laid over this one
+};
+
 // What a scene borrows while it is drawn.
 struct MapDecor {
     std::vector<std::vector<std::size_t>> paths;
-    std::vector<std::size_t> chosen;
     std::vector<std::size_t> faint;
-    std::vector<SpaceLink> links;
+    MapMarks marks;
 };
 
-// Rows of the shown map; looks are coloured anew where the person asked for that.
-MapDecor map_decor(App& app, std::vector<PatternLook>& looks);
-void decorate(const App& app, const MapDecor& decor, SpaceScene& scene);
+// Looks are coloured anew where the person asked for that.
+MapDecor map_decor(App& app, const MapMarks& marks, std::vector<PatternLook>& looks);
+void decorate(const MapDecor& decor, SpaceScene& scene);
 
 // The link that opens the choices, for the row of the map's controls.
 void draw_map_look(App& app);

@@ -2,11 +2,10 @@
 
 #include <cstdio>
 
-#include "app/compare/bench_follow.h"
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
+#include "app/map/matrix_panel.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/charts/matrix_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

@@ -2,14 +2,13 @@
 
 #include <cstdio>
 
-#include "app/compare/bench_follow.h"
 #include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
+#include "app/document/shown_side.h"
 #include "app/map/map_follow.h"
 #include "app/map/map_look.h"
-#include "app/measured/import_follow.h"
-#include "app/play/playing.h"
+#include "app/map/space_panel.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 #include "viz/space/space_view.h"
@@ -89,7 +88,7 @@ void draw_nothing(App& app, const Rect& area, MapState state) {
         ImGui::SetCursorScreenPos(
             {area.centre().x - 70.0F * app.theme.scale, area.centre().y + 60.0F * app.theme.scale});
         if (ImGui::Button("Compute anyway")) {
-            app.compute_large = true;
+            app.compute_large_of = app.document_number;
             document_changed(app);
         }
         note_item(app.rects, "button:compute anyway");
@@ -140,18 +139,18 @@ SpaceScene scene_of(const App& app, const std::vector<std::string>& labels,
     return scene;
 }
 
-void act(App& app, const SpaceAction& action,
-         const std::vector<std::optional<std::size_t>>& places) {
-    if (action.hovered && places[*action.hovered]) {
-        app.selection.hovered = app.play.hovered_in_map = places[*action.hovered];
-    }
-    if (action.double_clicked && places[*action.double_clicked]) {
-        play_once(app, *places[*action.double_clicked]);
-    }
+// A click selects; what else was done is for the frame.
+SpacePaneAction taken(App& app, const SpaceAction& action,
+                      const std::vector<std::optional<std::size_t>>& places) {
+    SpacePaneAction done;
+    if (action.hovered) done.hovered = places[*action.hovered];
+    if (done.hovered) app.selection.hovered = done.hovered;
+    if (action.double_clicked) done.double_clicked = places[*action.double_clicked];
     if (action.clicked && places[*action.clicked]) {
         select_only(app, *places[*action.clicked]);
-        app.set_panel.scroll_to_current = true;
+        app.selection.scroll_to_current = true;
     }
+    return done;
 }
 
 // Where every point is on the screen, for tests of the real window.
@@ -168,23 +167,23 @@ void note_points(App& app, const Rect& area, const std::vector<std::string>& lab
 
 }  // namespace
 
-void draw_space_panel(App& app) {
+SpacePaneAction draw_space_panel(App& app, const MapMarks& marks) {
     if (!app.as_picture) draw_controls(app);
     const MapState state = map_state(app);
     const Rect area = rest_of_pane();
-    if (area.empty()) return;
+    if (area.empty()) return {};
     const bool has_points = app.map.shown && app.map.to.rows() >= 2 &&
                             app.map.shown->space.verdict != MdsVerdict::constant;
     const bool constant = app.map.shown && app.map.to.rows() >= 2 && !has_points;
     if (constant && state != MapState::too_large) {
         draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "No map",
                    verdict_text(app.map.shown->space, app.document.set.vibrations.size()));
-        return;
+        return {};
     }
     if (!has_points || state == MapState::none || state == MapState::too_large ||
         app.document.set.vibrations.size() < 2) {
         draw_nothing(app, area, state);
-        return;
+        return {};
     }
     const auto places = places_in_document(app);
     std::vector<std::string> labels;
@@ -196,17 +195,17 @@ void draw_space_panel(App& app) {
                                   : PatternLook{app.theme.dim_text, true});
     }
     const Eigen::MatrixXd points = eased_points(app);
-    const MapDecor decor = map_decor(app, looks);
+    const MapDecor decor = map_decor(app, marks, looks);
     SpaceScene scene = scene_of(app, labels, looks, points, places);
-    decorate(app, decor, scene);
-    const auto people = app.show_people ? people_over_map(app) : std::nullopt;
+    decorate(decor, scene);
+    const auto& people = marks.people;
     if (people) {
         scene.ghosts = &*people;
         scene.ghost_opacity = 1.0;
         note_rect(app.rects, "overlay", area.min, area.max);
     }
     const SpaceAction action = draw_space("space", app.theme, area, scene, app.camera);
-    act(app, action, places);
+    const SpacePaneAction done = taken(app, action, places);
     if (!app.as_picture) draw_point_menu(app, action, places);
     draw_map_legend(app, area);
     note_points(app, area, labels, points);
@@ -216,6 +215,7 @@ void draw_space_panel(App& app) {
         draw_text(*ImGui::GetWindowDrawList(), app.theme.fonts.small, area.min, app.theme.warning,
                   shortened(app.theme.fonts.small, verdict, area.width()));
     }
+    return done;
 }
 
 }  // namespace tact

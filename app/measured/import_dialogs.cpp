@@ -7,9 +7,9 @@
 #include <string>
 
 #include "app/measured/import_follow.h"
+#include "app/ui/dialog.h"
 #include "app/ui/recording_fields.h"
 #include "app/ui/widgets.h"
-#include "app/window/dialogs.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

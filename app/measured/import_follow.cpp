@@ -100,7 +100,7 @@ void take(App& app, const std::vector<const Twin*>& twins, const std::string& la
         if (count++ == 0) select_only(app, at);
     }
     if (count == 0) return complain(app, "Nothing was added: its patterns are gone.");
-    app.set_panel.scroll_to_current = true;
+    app.selection.scroll_to_current = true;
     app.fonts_outdated = true;  // names may need other glyphs
     document_changed(app);
     commit_step(app, label);
@@ -159,12 +159,6 @@ void stop_import(App& app) {
     if (!app.import) return;
     app.import->import_job.reset();
     app.import->simulation_job.reset();
-}
-
-fs::path measured_folder(const App& app) {
-    if (app.session.folder.empty()) return {};
-    std::error_code none;
-    return fs::weakly_canonical(app.session.folder / "measured", none);
 }
 
 void follow_import(App& app) {
@@ -248,7 +242,7 @@ void look_at_recordings(App& app) {
 }
 
 void take_recordings(App& app) {
-    const fs::path folder = measured_folder(app);
+    const fs::path folder = measured_folder(app.session);
     if (folder.empty()) return complain(app, "Not imported: there is no folder to keep it in");
     app.import->import_job->submit(import_request(app, folder));
     app.import->taking = app.import->asked;
@@ -259,34 +253,12 @@ void look_at_simulation(App& app) {
 }
 
 void take_simulation(App& app) {
-    const fs::path folder = measured_folder(app);
+    const fs::path folder = measured_folder(app.session);
     if (folder.empty()) return complain(app, "Not simulated: there is no folder to keep it in");
     std::vector<std::size_t> places;
     if (!app.import->simulate_all) places = selected_indices(app);
     ask_for_simulation(app, simulation_request(app, places, folder));
     app.import->taking = app.import->asked;
-}
-
-Side shown_side(const App& app) { return app.import ? app.import->side : Side::both; }
-
-void show_side(App& app, Side side) {
-    if (shown_side(app) == side) return;
-    app.import->side = side;
-    document_changed(app);
-}
-
-PatternSet shown_set(const App& app) { return one_side(app.document.set, shown_side(app)); }
-
-std::string shown_patterns_text(const App& app) {
-    const std::size_t all = app.document.set.vibrations.size();
-    const Side side = shown_side(app);
-    if (side == Side::both) return std::to_string(all);
-    const auto count =
-        std::ranges::count_if(app.document.set.vibrations, [side](const Vibration& vibration) {
-            return measures_another(vibration) == (side == Side::measured);
-        });
-    return std::to_string(count) + " " + kSideNames[static_cast<std::size_t>(side)] + " of " +
-           std::to_string(all);
 }
 
 }  // namespace tact

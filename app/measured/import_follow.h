@@ -32,19 +32,6 @@ void take_recordings(App& app);
 void look_at_simulation(App& app);
 void take_simulation(App& app);
 
-// Where waveforms are until their set is saved; empty where nothing can be kept.
-std::filesystem::path measured_folder(const App& app);
-
-// The side of the set that is shown; changing it makes the maps anew.
-Side shown_side(const App& app);
-void show_side(App& app, Side side);
-
-// The part of the document that maps are made of.
-PatternSet shown_set(const App& app);
-
-// "24 patterns", "12 measured of 24".
-std::string shown_patterns_text(const App& app);
-
 void draw_import_dialogs(App& app);
 
 }  // namespace tact

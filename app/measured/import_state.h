@@ -52,7 +52,6 @@ struct SimulationAnswer {
 };
 
 struct ImportState {
-    Side side = Side::both;  // of the set: in the map, the matrix and what follows them
     std::vector<std::filesystem::path> files;
     std::vector<std::string> patterns;
     std::size_t shown = 0;  // the file whose signals are drawn

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "app/model_bench/kept_models.h"
+#include "app/model_bench/model_panel.h"
 #include "app/model_bench/trained_text.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 
 namespace tact {
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "app/document/editing.h"
+#include "app/model_bench/model_panel.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {

@@ -5,8 +5,8 @@
 
 #include "app/document/editing.h"
 #include "app/document/files.h"
+#include "app/model_bench/model_panel.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {

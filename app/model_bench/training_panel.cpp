@@ -5,11 +5,12 @@
 #include <cstdio>
 
 #include "app/compare/bench_follow.h"
+#include "app/document/rating_files.h"
 #include "app/jobs/time_left.h"
+#include "app/model_bench/model_panel.h"
 #include "app/model_bench/training_follow.h"
 #include "app/model_bench/training_views.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "model/common/parallel.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"

@@ -10,7 +10,6 @@
 #include "app/model_bench/training_follow.h"
 #include "app/model_bench/training_views.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "model/text/numbers.h"
 #include "viz/charts/profile_view.h"
 #include "viz/drawing/colour.h"

@@ -5,10 +5,9 @@
 #include <cstdio>
 
 #include "app/document/editing.h"
+#include "app/patterns/editor_panel.h"
 #include "app/patterns/pattern_fields.h"
-#include "app/subset/separation_follow.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -158,7 +157,7 @@ void draw_editor_panel(App& app) {
     draw_hint(app, "editor",
               "Drag a slider and watch the point move on the right. Type a number for an exact "
               "value; arrow keys nudge.");
-    if (is_too_close(app, vibration->name)) {
+    if (app.selection.too_close.contains(vibration->name)) {
         ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
         ImGui::TextWrapped("Too close to another pattern: see Subset, Too close.");
         ImGui::PopStyleColor();

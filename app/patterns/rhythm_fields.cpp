@@ -130,16 +130,18 @@ void draw_rhythm_links(App& app, const Pattern& pattern) {
 void draw_rhythm_fields(App& app, const Pattern& pattern) {
     EditorState& state = app.editor;
     draw_label(app, "Rhythm", 120.0F * app.theme.scale);
-    if (!state.rhythm_typing) state.rhythm_text = pattern.rhythm.text;
+    const std::string name = current_vibration(app)->name;
+    if (state.rhythm_typed_for != name) state.rhythm_text = pattern.rhythm.text;
     ImGui::SetNextItemWidth(-1.0F);
     const char* long_hint = "one note throughout; x=-x note, hold, rest";
     const bool has_room = button_width(long_hint) <= ImGui::GetContentRegionAvail().x;
     ImGui::InputTextWithHint("##rhythm", has_room ? long_hint : "one note", &state.rhythm_text);
     draw_tooltip(app, "x note, = hold, - rest; the text repeats. Empty: one note throughout.");
     note_item(app.rects, "rhythm", pattern.rhythm.text);
-    state.rhythm_typing = ImGui::IsItemActive();
+    const bool is_typing = ImGui::IsItemActive();
+    state.rhythm_typed_for = is_typing ? name : std::string();
     const std::string fault = rhythm_fault(state.rhythm_text);
-    if (state.rhythm_typing && fault.empty() && state.rhythm_text != pattern.rhythm.text) {
+    if (is_typing && fault.empty() && state.rhythm_text != pattern.rhythm.text) {
         edit_patterns(app, [&state](Pattern& p) { p.rhythm.text = state.rhythm_text; });
     }
     if (ImGui::IsItemDeactivatedAfterEdit()) {
@@ -151,7 +153,7 @@ void draw_rhythm_fields(App& app, const Pattern& pattern) {
                                                            : "\"" + pattern.rhythm.text + "\""));
         }
     }
-    if (state.rhythm_typing && !fault.empty()) {
+    if (is_typing && !fault.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.error));
         ImGui::TextWrapped("%s", fault.c_str());
         ImGui::PopStyleColor();

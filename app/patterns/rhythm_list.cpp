@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
-#include "app/window/dialogs.h"
 #include "model/pattern/rhythm_lists.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 #include "model/text/numbers.h"

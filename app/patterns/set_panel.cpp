@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "app/document/editing.h"
-#include "app/subset/separation_follow.h"
+#include "app/document/pattern_looks.h"
+#include "app/patterns/set_panel.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -61,7 +61,7 @@ void draw_toolbar(App& app) {
     ImGui::EndDisabled();
     flow_on(72.0F * app.theme.scale, app.theme.gap_px);
     ImGui::SetNextItemWidth(-1.0F);
-    ImGui::InputTextWithHint("##search", "Search", &app.set_panel.search);
+    ImGui::InputTextWithHint("##search", "Search", &app.selection.search);
     note_item(app.rects, "search");
 }
 
@@ -165,7 +165,7 @@ void draw_row_content(App& app, std::size_t index, const Rect& row, const RowPar
     const std::string shown =
         shortened(theme.fonts.regular, name, std::max(0.0F, end - name_begin - 5.0F * s));
     draw_text(list, theme.fonts.regular, {name_begin, text_y}, theme.text, shown);
-    if (is_too_close(app, vibration.name)) {
+    if (app.selection.too_close.contains(vibration.name)) {
         list.AddCircle({row.min.x + 12.0F * s, middle}, 9.0F * s, theme.warning, 0,
                        1.5F * theme.hairline_px);
     }
@@ -204,8 +204,8 @@ void draw_row(App& app, std::size_t index, const RowParts& parts) {
 }
 
 void scroll_to_current(App& app, const std::vector<std::size_t>& rows) {
-    if (!app.set_panel.scroll_to_current) return;
-    app.set_panel.scroll_to_current = false;
+    if (!app.selection.scroll_to_current) return;
+    app.selection.scroll_to_current = false;
     const auto place = std::ranges::find(rows, app.selection.current) - rows.begin();
     const float row_height = kPatternRowPx * app.theme.scale + ImGui::GetStyle().ItemSpacing.y;
     const float target = static_cast<float>(place) * row_height;
@@ -246,35 +246,6 @@ void draw_rows(App& app) {
 }
 
 }  // namespace
-
-void draw_thumbnail(App& app, const Rect& area, const Vibration& vibration, ImU32 colour) {
-    const Waveform* known = waveform_in_time(app.cache, vibration);
-    if (known == nullptr) return;
-    const Waveform& waveform = *known;
-    Plot plot;
-    plot.area = area;
-    const double length_s = std::max(duration_s(waveform), 1e-3);
-    // Silence needs a scale, too; a shared one would hide quiet patterns.
-    const double largest_g = std::max(peak_g(waveform), 1e-6);
-    plot.x = {0.0, length_s, Scale::linear, area.min.x, area.max.x};
-    plot.y = {-largest_g, largest_g, Scale::linear, area.max.y, area.min.y};
-    draw_signal(*ImGui::GetWindowDrawList(), app.theme, plot, waveform.samples_g, waveform.rate_hz,
-                colour, TraceStyle::line);
-}
-
-PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index) {
-    const auto own = parse_colour(set.vibrations[index].colour);
-    return own ? PatternLook{*own, false} : pattern_look(theme, index);
-}
-
-PatternLook look_of(const App& app, std::size_t index) {
-    return look_of(app.theme, app.document.set, index);
-}
-
-Rect rest_of_pane() {
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    return rect_at(corner, ImGui::GetContentRegionAvail());
-}
 
 void draw_set_panel(App& app) {
     draw_toolbar(app);

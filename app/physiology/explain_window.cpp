@@ -1,8 +1,8 @@
 // What one stage is about: in the body, in the model, and what neither says.
 
+#include "app/physiology/physiology_panel.h"
 #include "app/physiology/stages.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 
 namespace tact {
 

@@ -6,11 +6,11 @@
 #include <cstdio>
 
 #include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
+#include "app/physiology/physiology_panel.h"
 #include "app/physiology/stage_views.h"
 #include "app/timeline/time_rows.h"
-#include "app/tour/tour.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 
@@ -102,7 +102,8 @@ void draw_strip(App& app) {
     if (difference.a) ImGui::Dummy({1.0F, 1.0F * app.theme.scale});
 }
 
-void draw_pin_choice(App& app) {
+// True where the tour was asked for.
+bool draw_pin_choice(App& app, bool tour_begun) {
     const bool pinned = !app.pinned.empty();
     const std::string text = pinned ? "compared with " + app.pinned : "Compare with\u2026";
     if (link(app, "compare", text)) ImGui::OpenPopup("compare with");
@@ -114,9 +115,9 @@ void draw_pin_choice(App& app) {
         draw_tooltip(app, "Show one pattern again");
     }
     ImGui::SameLine(0.0F, 2.0F * app.theme.padding_px);
-    if (link(app, "tour", app.tour.left_at > 0 ? "Resume the tour" : "Tour")) start_tour(app);
+    const bool tour_asked = link(app, "tour", tour_begun ? "Resume the tour" : "Tour");
     note_item(app.rects, "start tour");
-    if (!ImGui::BeginPopup("compare with")) return;
+    if (!ImGui::BeginPopup("compare with")) return tour_asked;
     for (const Vibration& vibration : app.document.set.vibrations) {
         if (&vibration == current_vibration(app)) continue;
         if (ImGui::Selectable(vibration.name.c_str(), app.pinned == vibration.name)) {
@@ -125,6 +126,7 @@ void draw_pin_choice(App& app) {
         note_item(app.rects, "pin:" + vibration.name);
     }
     ImGui::EndPopup();
+    return tour_asked;
 }
 
 // ---- one stage's place ----
@@ -242,41 +244,43 @@ void draw_large(App& app, const std::vector<ShownStages>& patterns, Stage stage)
 
 }  // namespace
 
-void draw_physiology_panel(App& app) {
-    app.physiology.crosshair_last_s = app.physiology.crosshair_s;
-    app.physiology.crosshair_s.reset();
+bool draw_physiology_panel(App& app, bool tour_begun) {
+    app.crosshair_last_s = app.crosshair_s;
+    app.crosshair_s.reset();
     app.physiology.hovered_last = app.physiology.hovered;
     app.physiology.hovered.reset();
     const Vibration* vibration = current_vibration(app);
     if (vibration == nullptr) {
         draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(), "No vibration to show",
                    "Press New on the left to make one, or open a set.");
-        return;
+        return false;
     }
     const double duration_s = shown_duration_s(app);
     app.time_range = fitted(app.time_range, duration_s);
     app.playhead.at_s = std::clamp(app.playhead.at_s, 0.0, duration_s);
     const std::vector<ShownStages> patterns = shown_patterns(app);
     follow_difference(app, patterns);
+    bool tour_asked = false;
     if (!app.as_picture) {
         draw_hint(app, "physiology",
                   "Space plays silently, in slow motion; drag in any plot to move through time; a "
                   "stage's name opens it large.");
         draw_strip(app);
-        draw_pin_choice(app);
+        tour_asked = draw_pin_choice(app, tour_begun);
     }
     // The links above may have turned to another range.
     app.time_range = fitted(app.time_range, duration_s);
     if (patterns.empty()) {
         draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(), "Computing",
                    "The receptors and nerves of " + vibration->name + " are on their way.");
-        return;
+        return tour_asked;
     }
     if (app.physiology.open) {
         draw_large(app, patterns, *app.physiology.open);
     } else {
         draw_overview(app, patterns);
     }
+    return tour_asked;
 }
 
 }  // namespace tact

@@ -263,7 +263,7 @@ void draw_spike_stage(App& app, const ShownStages& shown, const Rect& area, cons
     scene.selected = spot(app.physiology.selected);
     scene.pointed = spot(app.physiology.hovered_last);
     scene.playhead_s = app.playhead.at_s;
-    scene.crosshair_s = app.physiology.crosshair_last_s;
+    scene.crosshair_s = app.crosshair_last_s;
     scene.stale = shown.stale;
     const std::string id = id_of(shown, "raster");
     const RasterAction action = draw_raster(id.c_str(), app.theme, area, scene);

@@ -9,7 +9,6 @@
 #include "app/physiology/stage_signals.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/charts/spectrum_view.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/window/frame.h"
-#include "app/window/panels.h"
+#include "app/document/pattern_looks.h"
 #include "model/signal/spectrum.h"
 #include "viz/charts/matrix_view.h"
 #include "viz/charts/spectrum_view.h"

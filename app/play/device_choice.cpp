@@ -4,8 +4,6 @@
 
 #include "app/document/editing.h"
 #include "app/play/playing.h"
-#include "app/study/study_follow.h"
-#include "devices/device/memory_device.h"
 #include "devices/device_list.h"
 
 namespace tact {
@@ -36,8 +34,7 @@ void refresh_devices(App& app) {
 void choose_device(App& app, const DeviceChoice& choice) {
     PlayState& play = app.play;
     if (choice == play.choice) return;
-    if (app.study && is_study_running(app))
-        return say(app, "A study is under way: its device stays");
+    if (play.held) return say(app, "A study is under way: its device stays");
     silence(app);
     const auto same = [](const std::string& id) {
         return [id](const DeviceChoice& other) { return other.id == id; };
@@ -50,7 +47,6 @@ void choose_device(App& app, const DeviceChoice& choice) {
     play.choice = choice;
     play.opened = {};
     play.device.reset();
-    if (app.study) app.study->device = std::make_shared<MemoryDevice>(false);
     play.status = {};
     if (!choice.id.empty()) app.playhead.speed = 1.0;
 }
@@ -96,6 +92,11 @@ std::string device_trouble(const App& app) {
     if (info) return info->trouble;
     return "It is not there: plug it in and refresh, or choose another. Until then everything "
            "plays silently.";
+}
+
+bool can_be_calibrated(const App& app) {
+    const std::optional<DeviceInfo> device = chosen_device(app);
+    return device && device->kind == DeviceKind::audio;
 }
 
 }  // namespace tact

@@ -2,12 +2,11 @@
 
 #include <cstdio>
 
-#include "app/calibrate/measuring_response.h"
 #include "app/play/calibrating.h"
+#include "app/play/play_panels.h"
 #include "app/play/playing.h"
+#include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
-#include "app/window/dialogs.h"
-#include "app/window/panels.h"
 #include "devices/device_list.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -141,7 +140,7 @@ constexpr Field kFullScale{
 
 void draw_calibration_links(App& app) {
     if (can_be_calibrated(app)) {
-        if (link(app, "calibrate", "Calibrate...")) calibrate_dialog(app);
+        if (link(app, "calibrate", "Calibrate...")) app.dialog = Dialog::calibrate;
         note_item(app.rects, "link:calibrate");
         draw_tooltip(app, "With an accelerometer on the actuator: how many g it gives");
         ImGui::SameLine(0.0F, app.theme.padding_px);

@@ -9,9 +9,9 @@
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/play/calibrating.h"
+#include "app/play/play_panels.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 

@@ -80,9 +80,9 @@ struct PlayState {
     std::string felt_on_hover;                  // until another one is pointed at
     double meter = 0.0;                         // of full scale; falls slowly
     bool clip_light = false;                    // until it is clicked
+    bool held = false;                          // a study is under way: its device stays
     bool focused = true;                        // the window, in the last frame
-    bool halted = false;   // Esc has stopped the device; the frame that takes it is still to come
-    bool escaped = false;  // Esc has silenced something in this frame
+    bool halted = false;  // Esc has stopped the device; the frame that takes it is still to come
 };
 
 }  // namespace tact

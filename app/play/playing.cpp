@@ -4,12 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "app/compare/bench_follow.h"
 #include "app/document/editing.h"
+#include "app/map/pair.h"
 #include "app/play/calibrating.h"
-#include "app/study/study_follow.h"
 #include "devices/audio/audio_host.h"
-#include "devices/device/memory_device.h"
 #include "devices/device_list.h"
 
 namespace tact {
@@ -74,7 +72,7 @@ void play_current(App& app) {
     app.playhead.at_s = 0.0;
     if (sounding.selects) {
         select_only(app, *place_named(app.document.set, vibration->name));
-        app.set_panel.scroll_to_current = true;
+        app.selection.scroll_to_current = true;
     }
     play_vibration(app, *vibration);
 }
@@ -154,7 +152,6 @@ void open_chosen(App& app) {
     play.opened = play.choice;
     if (device) {
         play.device = std::move(*device);
-        if (app.study && !is_study_running(app)) app.study->device = play.device;
     } else {
         play.device.reset();
         complain(app, device.error().message);
@@ -222,8 +219,6 @@ void make_sound(App& app) {
 
 void stop_sound(App& app) {
     silence(app);
-    // A study would keep it longer than its library lives.
-    if (app.study) app.study->device = std::make_shared<MemoryDevice>(false);
     app.play.device.reset();
     app.play.list_job.reset();
     app.play.drive_job.reset();
@@ -237,12 +232,12 @@ bool is_sounding(const App& app) { return app.play.sounding.has_value(); }
 void follow_focus(App& app, bool focused) {
     const bool is_lost = std::exchange(app.play.focused, focused) && !focused;
     const std::optional<DeviceInfo> device = chosen_device(app);
-    if (!is_lost || !device || device->kind != DeviceKind::hid || is_study_running(app)) return;
+    if (!is_lost || !device || device->kind != DeviceKind::hid || app.play.held) return;
     if (silence(app)) say(app, device->name + " is still: another window has the keys.");
 }
 
 void take_escape(App& app, bool is_pressed) {
-    app.play.escaped = is_pressed && (silence(app) || app.play.halted);
+    app.escape_taken = is_pressed && (silence(app) || app.play.halted);
     if (is_pressed) app.play.halted = false;
 }
 

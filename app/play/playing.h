@@ -46,6 +46,9 @@ std::string device_text(const App& app);
 // Why the chosen device does not play, or what to plug in; empty: all is well.
 std::string device_trouble(const App& app);
 
+// Only an output of sound is driven in proportion; a controller is told in packets.
+bool can_be_calibrated(const App& app);
+
 bool can_sound(const App& app);    // at 1x
 bool is_sounding(const App& app);  // or rests between two patterns
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/play/play_panels.h"
 #include "app/play/playing.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "devices/device/playback.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"

@@ -8,9 +8,9 @@
 #include "app/document/editing.h"
 #include "app/jobs/time_left.h"
 #include "app/map/map_follow.h"
+#include "app/play/play_panels.h"
 #include "app/play/playing.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 

@@ -2,9 +2,10 @@
 
 #include <Eigen/Core>
 
+#include "app/document/pattern_looks.h"
 #include "app/study/study_follow.h"
+#include "app/study/study_panels.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "model/map/procrustes.h"
 #include "viz/charts/matrix_view.h"
 #include "viz/drawing/marks.h"

@@ -12,8 +12,8 @@
 #include "app/document/editing.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_masking.h"
+#include "app/study/study_panels.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "model/set/set_study.h"
 
 namespace tact {

@@ -63,6 +63,21 @@ void stop_study(App& app) {
     stop_masking(*app.study);
 }
 
+void use_device(StudyState& study, const std::shared_ptr<Device>& device) {
+    if (study.run) return;
+    if (device) {
+        study.device = device;
+        study.has_window_device = true;
+    } else if (study.has_window_device) {
+        release_device(study);
+    }
+}
+
+void release_device(StudyState& study) {
+    study.device = std::make_shared<MemoryDevice>(false);
+    study.has_window_device = false;
+}
+
 void open_study(App& app) {
     app.study->is_open = true;
     app.layout.maximised.reset();

@@ -16,6 +16,12 @@ std::shared_ptr<StudyState> make_study();
 // Before the program ends: the job, sound, and the file of a run, which is complete as it is.
 void stop_study(App& app);
 
+// The device of the window, where there is one, becomes that of the study; a run keeps the one that
+// it began with.
+void use_device(StudyState& study, const std::shared_ptr<Device>& device);
+// At the end: a study would keep it longer than its library lives.
+void release_device(StudyState& study);
+
 // The view in place of the panes, and back.
 void open_study(App& app);
 void close_study(App& app);

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "app/study/study_follow.h"
+#include "app/study/study_panels.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 

@@ -76,6 +76,7 @@ struct StudyState {
     std::optional<MapSettling> settling;  // of the run, in adaptive order, as of its last pause
     std::size_t pressed_button = 0;       // last: 0 left, 1 right
     std::shared_ptr<Device> device;       // never null
+    bool has_window_device = false;       // it is the one that the window plays on
     std::shared_ptr<Device> masking;      // on the participant's headphones; null: nothing is
     std::string masking_fault;            // a sentence; empty: it sounds, or is not asked for
     bool masks = false;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/compare/bench_follow.h"
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/subset/subset_follow.h"
@@ -90,16 +89,6 @@ const TooClosePairs& too_close_pairs(App& app) {
     }
     find_pairs(pairs, *app.subset);
     return pairs;
-}
-
-bool is_too_close(const App& app, const std::string& name) {
-    const SubsetState& state = *app.subset;
-    if (app.bench != BenchTab::subset || state.view != SubsetView::confusable) return false;
-    if (!state.pairs.of) return false;
-    const auto& all = state.pairs.of->request.set->vibrations;
-    return std::ranges::any_of(state.pairs.pairs, [&](const ConfusablePair& pair) {
-        return all[pair.a].name == name || all[pair.b].name == name;
-    });
 }
 
 void open_pair(App& app, const std::string& a, const std::string& b) {

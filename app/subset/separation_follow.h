@@ -8,9 +8,6 @@ namespace tact {
 
 const TooClosePairs& too_close_pairs(App& app);
 
-// Whether the shown pairs have a pattern of that name, while the person looks at such pairs.
-bool is_too_close(const App& app, const std::string& name);
-
 // Opens a pair: it is shown in the other panes, and something may be asked about it.
 void open_pair(App& app, const std::string& a, const std::string& b);
 // The open one where the map on screen still has it; rows of the map, the first one less.

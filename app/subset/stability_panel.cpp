@@ -7,7 +7,6 @@
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_views.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {

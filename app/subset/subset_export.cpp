@@ -6,7 +6,6 @@
 
 #include "app/document/editing.h"
 #include "app/document/folders.h"
-#include "app/export/exports.h"
 #include "app/map/map_follow.h"
 #include "app/pictures/pictures.h"
 #include "app/rendering/rendered_set.h"

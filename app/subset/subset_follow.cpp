@@ -159,7 +159,6 @@ std::shared_ptr<SubsetState> still_subset(const SubsetState& state) {
     still->reference_b = state.reference_b;
     still->opened = state.opened;
     still->change_second = state.change_second;
-    still->look = state.look;
     still->asked = state.asked;
     still->curve_asked = state.curve_asked;
     still->cancelled = state.cancelled;

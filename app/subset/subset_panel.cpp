@@ -5,14 +5,15 @@
 
 #include "app/compare/bench_follow.h"
 #include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
 #include "app/map/map_follow.h"
 #include "app/play/playing.h"
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"
+#include "app/subset/subset_panel.h"
 #include "app/subset/subset_views.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 

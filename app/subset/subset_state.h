@@ -91,31 +91,6 @@ struct TooClosePairs {
     std::vector<ConfusablePair> pairs;                  // ... of which the closest are kept
 };
 
-// By what the map is coloured, joined and filtered.
-struct MapLook {
-    std::optional<PatternParameter> colour;
-    std::optional<PatternParameter> path;
-    int clusters = 0;  // 0: none
-    std::optional<PatternParameter> filter;
-    Range passes{0.0, 0.0};  // of the filter
-    bool show_pairs = true;
-    bool show_spread = true;
-};
-
-// Groups of the shown map, kept while it stays.
-struct ShownClusters {
-    std::shared_ptr<const LiveMap> of;
-    int count = 0;
-    std::vector<std::size_t> group;
-};
-
-// Patterns that differ in one number alone, in its order, as long as the map stays.
-struct ShownPaths {
-    std::shared_ptr<const LiveMap> of;
-    std::optional<PatternParameter> along;
-    std::vector<std::vector<std::size_t>> paths;
-};
-
 struct SubsetState {
     SubsetView view = SubsetView::pick;
     int count = 8;
@@ -132,10 +107,6 @@ struct SubsetState {
     std::optional<std::pair<std::string, std::string>> opened;  // names of a pair
     bool change_second = false;                                 // of the open pair
 
-    MapLook look;
-    ShownClusters clusters;
-    ShownPaths paths;
-    std::size_t context = 0;          // whose menu is open in the map
     std::filesystem::path export_to;  // when the frame is done
 
     // Null until the program has begun; the answers may be of an earlier document.

@@ -5,10 +5,10 @@
 
 #include "app/compare/bench_follow.h"
 #include "app/document/editing.h"
+#include "app/map/pair.h"
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_views.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

@@ -32,7 +32,7 @@ float time_axis_height(const App& app) {
 void take_time_gesture(App& app, const Rect& area, const TimeGesture& gesture) {
     if (gesture.scrubbed_s) app.playhead.at_s = *gesture.scrubbed_s;
     if (!gesture.hovered_s) return;
-    app.physiology.crosshair_s = gesture.hovered_s;
+    app.crosshair_s = gesture.hovered_s;
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel == 0.0F && io.MouseWheelH == 0.0F) return;
     const double duration_s = shown_duration_s(app);
@@ -60,7 +60,7 @@ void draw_time_row(App& app, const Rect& area, const TimeRow& row) {
     scene.value_axis = row.large;
     scene.left_room_px = row.large ? kValueRoomPx * app.theme.scale : 0.0F;
     scene.playhead_s = app.playhead.at_s;
-    scene.crosshair_s = app.physiology.crosshair_last_s;
+    scene.crosshair_s = app.crosshair_last_s;
     scene.stale = row.stale;
     const WaveAction action = draw_wave(row.id.c_str(), app.theme, area, scene);
     note_rect(app.rects, "plot:" + row.id, area.min, area.max);

@@ -16,31 +16,11 @@ namespace {
 // A pattern with two carriers and a slow modulation shows most; any other one serves.
 constexpr const char* kShownPattern = "LH-4-full";
 
-void show_stage(App& app, std::optional<Stage> stage, double speed) {
-    app.physiology.open = stage;
-    app.physiology.explained.reset();
-    app.pinned.clear();
-    app.time_range = {};
-    app.playhead = {.at_s = 0.0, .speed = speed, .playing = speed > 0.0, .loop = true};
-    if (speed <= 0.0) app.playhead.speed = 0.1;
-}
-
-void enter_start(App& app) {
+void show_most(App& app) {
     if (const auto place = place_named(app.document.set, kShownPattern)) select_only(app, *place);
     app.layout.left = 0.18F;
     app.layout.right = 0.26F;
     app.layout.maximised.reset();
-    show_stage(app, std::nullopt, 0.0);
-}
-
-void enter_spikes(App& app) {
-    show_stage(app, Stage::spikes, 0.01);
-    app.time_range = {0.0, 0.1};
-}
-
-void enter_central(App& app) {
-    show_stage(app, Stage::central, 0.01);
-    app.time_range = {0.0, 0.1};
 }
 
 // The pattern that PM puts farthest away, where that is known; else the next one.
@@ -58,60 +38,55 @@ std::string farthest(const App& app) {
     return all[best].name;
 }
 
-void enter_comparison(App& app) {
-    show_stage(app, std::nullopt, 0.1);
-    app.pinned = farthest(app);
-}
-
 constexpr std::array<TourStep, 11> kSteps{{
     {"A fingertip on a vibration",
      "In the middle is everything the model knows about one vibration, from the skin at the top to "
      "the cortex at the bottom. We will follow it down. Nothing here changes your set; leave "
      "whenever you like and come back through Help.",
-     enter_start},
+     {.begins = true}},
     {"The vibration",
      "This is what the skin under a small probe does: acceleration in g. The line that travels is "
      "the playhead. It moves ten times slower than life; drag it, or press Space to halt it.",
-     [](App& app) { show_stage(app, Stage::vibration, 0.1); }},
+     {.stage = Stage::vibration, .speed = 0.1}},
     {"What can be felt of it",
      "Its spectrum, as displacement. Each curve is the least that one receptor type notices. Where "
      "a bar rises above a curve, that type is driven; Pacinian corpuscles are the most sensitive "
      "near 250 Hz.",
-     [](App& app) { show_stage(app, Stage::spectrum, 0.0); }},
+     {.stage = Stage::spectrum}},
     {"Four filters",
      "The same vibration as each receptor type follows it. Meissner and Pacinian receptors answer "
      "to change, Merkel cells to what is slow, Ruffini endings to what stretches the skin.",
-     [](App& app) { show_stage(app, Stage::filtered, 0.1); }},
+     {.stage = Stage::filtered, .speed = 0.1}},
     {"Receptors in the skin",
      "Four maps of the fingertip, to scale, in slow motion a hundredfold. Every mark is a receptor "
      "that fires; it flashes with each spike. The wave fades beyond the hot zone of 1.5 mm, so "
      "receptors farther out fire less. Point at one for its numbers.",
-     [](App& app) { show_stage(app, Stage::receptors, 0.01); }},
+     {.stage = Stage::receptors, .speed = 0.01}},
     {"Spikes",
      "All receptors as rows, nearest to the probe on top; each tick is a spike. This is a tenth of "
      "the second: turn the wheel with Ctrl held to see more or less. Below, how many impulses each "
      "population sends.",
-     enter_spikes},
+     {.stage = Stage::spikes, .speed = 0.01, .range = {0.0, 0.1}}},
     {"Relay networks",
      "On the way up, neurons add what their neighbours send, three times over, and then sharpen it "
      "by inhibition. Cells that reach 50 impulses in 5 ms can do no more and are marked.",
-     [](App& app) { show_stage(app, Stage::networks, 0.01); }},
+     {.stage = Stage::networks, .speed = 0.01}},
     {"Four voices",
      "Of each network only the centre is heard on. These are its spikes, one row for each type.",
-     enter_central},
+     {.stage = Stage::central, .speed = 0.01, .range = {0.0, 0.1}}},
     {"The brain waveform",
      "The four voices, weighted and added: the model's prediction of what arrives in the cortex. "
      "Two vibrations are as different as these waveforms are. That number is called NC.",
-     [](App& app) { show_stage(app, Stage::brain, 0.1); }},
+     {.stage = Stage::brain, .speed = 0.1}},
     {"Rhythm",
      "Beside it runs the rhythm: how strong the vibration is from moment to moment. Two rhythms "
      "are compared with stretches of time forgiven. That number is called OC, and PM joins both.",
-     [](App& app) { show_stage(app, Stage::envelope, 0.1); }},
+     {.stage = Stage::envelope, .speed = 0.1}},
     {"Two vibrations compared",
      "Now a second pattern runs below the first, with their difference between them. The orange "
      "bars under the stages say how much the two do not have in common there: see where they part. "
      "Try other pairs through \u201cCompare with\u2026\u201d.",
-     enter_comparison},
+     {.speed = 0.1, .compares = true}},
 }};
 
 }  // namespace
@@ -120,7 +95,15 @@ std::span<const TourStep> tour_steps() { return kSteps; }
 
 void go_to_step(App& app, std::size_t step) {
     app.tour.step = std::min(step, kSteps.size() - 1);
-    kSteps[*app.tour.step].enter(app);
+    const TourScene& scene = kSteps[*app.tour.step].scene;
+    if (scene.begins) show_most(app);
+    app.physiology.open = scene.stage;
+    app.physiology.explained.reset();
+    app.time_range = scene.range;
+    const bool moves = scene.speed > 0.0;
+    app.playhead = {
+        .at_s = 0.0, .speed = moves ? scene.speed : 0.1, .playing = moves, .loop = true};
+    app.pinned = scene.compares ? farthest(app) : std::string();
 }
 
 void start_tour(App& app) {

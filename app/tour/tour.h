@@ -6,18 +6,30 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 
+#include "app/physiology/stages.h"
+#include "app/timeline/playhead.h"
 #include "viz/drawing/geometry.h"
 
 namespace tact {
 
 struct App;
 
+// Where a step happens.
+struct TourScene {
+    std::optional<Stage> stage{};  // large; none: all of them
+    double speed = 0.0;            // of the playhead; 0: it stands still
+    TimeRange range{};             // of no length: the whole pattern
+    bool begins = false;           // on the pattern that shows most, with room for the stages
+    bool compares = false;         // with the pattern that is farthest away
+};
+
 struct TourStep {
     const char* title;
     const char* text;
-    void (*enter)(App&);  // brings the program to where the step happens
+    TourScene scene{};
 };
 
 std::span<const TourStep> tour_steps();

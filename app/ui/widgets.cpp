@@ -371,4 +371,9 @@ bool link(const App& app, const char* id, const std::string& text) {
     return pressed;
 }
 
+Rect rest_of_pane() {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    return rect_at(corner, ImGui::GetContentRegionAvail());
+}
+
 }  // namespace tact

@@ -93,4 +93,7 @@ void draw_info_mark(const App& app, ImVec2 centre, bool lit);
 // Clickable text in the accent colour.
 bool link(const App& app, const char* id, const std::string& text);
 
+// What is left of the pane below the cursor.
+Rect rest_of_pane();
+
 }  // namespace tact

@@ -6,6 +6,8 @@
 #include "app/compare/bench_follow.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
+#include "app/document/rating_files.h"
+#include "app/document/shown_side.h"
 #include "app/export/exports.h"
 #include "app/generate/generating.h"
 #include "app/measured/import_follow.h"
@@ -14,6 +16,7 @@
 #include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"
 #include "app/tour/tour.h"
+#include "app/window/animation.h"
 
 namespace tact {
 
@@ -39,13 +42,13 @@ void step_selection(App& app, int step) {
     const int place = static_cast<int>(from - listed.begin()) - (hidden && step > 0 ? 1 : 0);
     const int next = std::clamp(place + step, 0, last);
     select_only(app, listed[static_cast<std::size_t>(next)]);
-    app.set_panel.scroll_to_current = true;
+    app.selection.scroll_to_current = true;
 }
 
 void start_rename(App& app) {
     app.set_panel.renaming = app.selection.current;
     app.set_panel.rename_text = current_vibration(app)->name;
-    app.set_panel.scroll_to_current = true;
+    app.selection.scroll_to_current = true;
 }
 
 template <int kSteps>
@@ -69,7 +72,7 @@ void rewind(App& app) {
 }
 
 void escape(App& app) {
-    if (app.play.escaped) return;
+    if (app.escape_taken) return;
     if (app.palette.open) {
         app.palette.open = false;
     } else if (app.exports.animation) {

@@ -3,18 +3,23 @@
 #include <algorithm>
 #include <array>
 
+#include "app/calibrate/calibrate_dialog.h"
 #include "app/calibrate/measuring_response.h"
 #include "app/compare/bench_follow.h"
 #include "app/document/files.h"
+#include "app/document/rating_files.h"
 #include "app/export/exports.h"
+#include "app/generate/generate_dialog.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/kept_models.h"
 #include "app/model_bench/training_follow.h"
 #include "app/play/calibrating.h"
+#include "app/play/play_panels.h"
 #include "app/study/study_follow.h"
 #include "app/subset/subset_export.h"
+#include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
-#include "app/window/panels.h"
+#include "app/window/animation.h"
 
 namespace tact {
 
@@ -118,58 +123,6 @@ void draw_chooser(App& app) {
 }
 
 }  // namespace
-
-void end_dialog(App& app) {
-    ImGui::Spacing();
-    const bool escape =
-        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !app.play.escaped;
-    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
-    if (ImGui::Button("Close") || escape || enter) {
-        app.dialog = Dialog::none;
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::PopStyleColor();
-    note_item(app.rects, "button:close");
-    ImGui::EndPopup();
-}
-
-bool begin_dialog(App& app, const char* title, float width_px) {
-    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(screen * 0.5F, ImGuiCond_Always, {0.5F, 0.5F});
-    const float width = std::min(width_px * app.theme.scale, screen.x * 0.9F);
-    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y * 0.9F});
-    ImGui::SetNextWindowSize({width, 0.0F});
-    return ImGui::BeginPopupModal(
-        title, nullptr,
-        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
-}
-
-ImU32 dialog_field(const Theme& theme) { return theme.is_dark ? theme.pane : theme.field; }
-
-bool draw_ends(App& app, const char* action, bool enabled) {
-    ImGui::Spacing();
-    const auto pressed = [](ImGuiKey which) {
-        return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false);
-    };
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
-    ImGui::BeginDisabled(!enabled);
-    const bool go = ImGui::Button(action) || (enabled && pressed(ImGuiKey_Enter));
-    ImGui::EndDisabled();
-    note_item(app.rects, "button:choose");
-    ImGui::SameLine();
-    const bool escape = pressed(ImGuiKey_Escape) && !app.play.escaped;
-    const bool leave = ImGui::Button("Cancel") || escape;
-    note_item(app.rects, "button:cancel");
-    ImGui::PopStyleColor();
-    if (go || leave) {
-        app.dialog = Dialog::none;
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::EndPopup();
-    return go;
-}
 
 void draw_dialogs(App& app) {
     draw_chooser(app);

@@ -7,25 +7,32 @@
 #include <optional>
 #include <utility>
 
+#include "app/calibrate/calibrate_state.h"
 #include "app/calibrate/measuring_response.h"
 #include "app/compare/bench_follow.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
+#include "app/document/pattern_looks.h"
 #include "app/export/exports.h"
 #include "app/map/map_follow.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/training_follow.h"
+#include "app/physiology/physiology_follow.h"
+#include "app/physiology/physiology_panel.h"
+#include "app/play/play_panels.h"
 #include "app/play/playing.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_pages.h"
 #include "app/subset/subset_follow.h"
+#include "app/subset/subset_marks.h"
 #include "app/subset/subset_state.h"
 #include "app/tour/tour.h"
 #include "app/ui/widgets.h"
+#include "app/window/animation.h"
 #include "app/window/columns.h"
 #include "app/window/commands.h"
 #include "app/window/dialogs.h"
-#include "app/window/panels.h"
+#include "app/window/jobs.h"
 #include "model/map/mds.h"
 #include "viz/drawing/marks.h"
 
@@ -141,13 +148,16 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.time_s = time_s;
     begin_thumbnails(app);
     take_escape(app, was_pressed(pressed, key::kEscape));
+    app.play.held = is_study_running(app);
     follow_sound(app);
+    use_device(*app.study, app.play.device);
     follow_playhead(app);
     follow_input_mode(app, pressed);
     take_answers(app);
     follow_progress(app);
     app.selection.hovered_last = app.selection.hovered;
     app.selection.hovered.reset();
+    app.selection.too_close = too_close_names(app);
     follow_import(app);
     follow_calibrate(app);
     follow_study(app);
@@ -180,6 +190,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     draw_tour(app, columns);
     draw_dialogs(app);
     draw_palette(app, pressed);
+    follow_map(app);
     follow_current(app);
     follow_bench(app);
     follow_subset(app);
@@ -199,7 +210,7 @@ bool wants_another_frame(const App& app) {
     return app.playhead.playing || is_sounding(app) || app.play.meter > 0.0 || app.cache.behind ||
            is_study_playing(app) || is_exporting(app) || tilts || is_moving(app) || hover_rests ||
            app.fonts_outdated || app.selection.hovered != app.selection.hovered_last ||
-           app.physiology.crosshair_s != app.physiology.crosshair_last_s;
+           app.crosshair_s != app.crosshair_last_s;
 }
 
 double next_wake_s(const App& app) {
@@ -220,15 +231,10 @@ App make_app() {
     app.committed = std::make_shared<const PatternSet>();
     app.study = make_study();
     app.import = make_import();
+    app.calibrate = std::make_shared<CalibrateState>();
     app.subset = std::make_shared<SubsetState>();
     app.training = std::make_shared<TrainingState>();
     return app;
-}
-
-std::string drawn_text(const PatternSet& set) {
-    std::string text = set.name;
-    for (const Vibration& vibration : set.vibrations) text += vibration.name + vibration.note;
-    return text;
 }
 
 void make_theme(App& app) {

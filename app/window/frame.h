@@ -28,9 +28,6 @@ bool is_bench_computing(const App& app);
 // An App with theme and layout, ready for start_session(); fonts are made by make_theme().
 App make_app();
 
-// All words of a set that are drawn: what fonts need glyphs for.
-std::string drawn_text(const PatternSet& set);
-
 // Theme, fonts and style for the current ImGui context, at app.content_scale x app.text_scale.
 // The atlas must be empty.
 void make_theme(App& app);

@@ -8,7 +8,11 @@
 #include "app/play/playing.h"
 #include "app/screen/window.h"
 #include "app/study/study_follow.h"
+#include "app/window/animation.h"
+#include "app/window/drop.h"
 #include "app/window/frame.h"
+#include "app/window/jobs.h"
+#include "app/window/session_layout.h"
 
 namespace tact {
 
@@ -85,6 +89,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     const Expected<Done> answer = run_window(options_of(app), client);
     stop.watch(nullptr);
     // The jobs end before what they wake does.
+    release_device(*app.study);
     stop_sound(app);
     stop_jobs(app);
     end_session(app);

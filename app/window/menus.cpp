@@ -7,6 +7,7 @@
 
 #include "app/document/editing.h"
 #include "app/document/files.h"
+#include "app/document/rating_files.h"
 #include "app/ui/widgets.h"
 #include "app/window/commands.h"
 #include "viz/drawing/marks.h"

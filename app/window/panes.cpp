@@ -5,14 +5,27 @@
 #include <utility>
 #include <vector>
 
+#include "app/compare/compare_panels.h"
 #include "app/document/editing.h"
+#include "app/document/shown_side.h"
 #include "app/map/map_follow.h"
+#include "app/map/matrix_panel.h"
+#include "app/map/space_panel.h"
 #include "app/measured/import_follow.h"
+#include "app/model_bench/model_panel.h"
+#include "app/patterns/editor_panel.h"
+#include "app/patterns/set_panel.h"
+#include "app/physiology/physiology_panel.h"
+#include "app/play/play_panels.h"
+#include "app/play/playing.h"
+#include "app/study/study_panels.h"
 #include "app/study/study_state.h"
+#include "app/subset/subset_panel.h"
+#include "app/tour/tour.h"
 #include "app/ui/widgets.h"
 #include "app/window/columns.h"
 #include "app/window/frame.h"
-#include "app/window/panels.h"
+#include "app/window/map_marks.h"
 #include "model/map/mds.h"
 
 namespace tact {
@@ -187,6 +200,12 @@ void draw_bench(App& app) {
     }
 }
 
+void draw_space(App& app) {
+    const SpacePaneAction done = draw_space_panel(app, map_marks(app));
+    app.play.hovered_in_map = done.hovered ? done.hovered : app.play.hovered_in_map;
+    if (done.double_clicked) play_once(app, *done.double_clicked);
+}
+
 void draw_content(App& app, Pane pane) {
     switch (pane) {
         case Pane::patterns:
@@ -194,9 +213,10 @@ void draw_content(App& app, Pane pane) {
         case Pane::editor:
             return draw_editor_panel(app);
         case Pane::physiology:
-            return draw_physiology_panel(app);
+            if (draw_physiology_panel(app, app.tour.left_at > 0)) start_tour(app);
+            return;
         case Pane::space:
-            return draw_space_panel(app);
+            return draw_space(app);
         case Pane::matrix:
             return draw_bench(app);
         case Pane::study_design:

@@ -5,14 +5,21 @@
 #include <cstdio>
 
 #include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
+#include "app/document/shown_side.h"
 #include "app/map/live_map.h"
 #include "app/map/map_follow.h"
+#include "app/map/matrix_panel.h"
+#include "app/map/space_panel.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/training_follow.h"
+#include "app/physiology/physiology_panel.h"
 #include "app/subset/subset_follow.h"
 #include "app/ui/widgets.h"
+#include "app/window/app.h"
 #include "app/window/frame.h"
-#include "app/window/panels.h"
+#include "app/window/map_marks.h"
+#include "app/window/still_view.h"
 
 namespace tact {
 
@@ -90,10 +97,10 @@ void draw_view(App& app, PictureView view) {
             return draw_frame(app, {}, 1.0);
         case PictureView::physiology:
             return draw_pane(app, Pane::physiology, area, physiology_title(app),
-                             [&app] { draw_physiology_panel(app); });
+                             [&app] { draw_physiology_panel(app, false); });
         case PictureView::space:
             return draw_pane(app, Pane::space, area, space_title(app),
-                             [&app] { draw_space_panel(app); });
+                             [&app] { draw_space_panel(app, map_marks(app)); });
         case PictureView::matrix:
             return draw_pane(
                 app, Pane::matrix, area,
@@ -104,22 +111,9 @@ void draw_view(App& app, PictureView view) {
 
 }  // namespace
 
-const char* name_of(PictureView view) {
-    switch (view) {
-        case PictureView::window:
-            return "window";
-        case PictureView::physiology:
-            return "physiology";
-        case PictureView::space:
-            return "space";
-        case PictureView::matrix:
-            return "matrix";
-    }
-    return "";
-}
-
-App opened_view(const PatternSet& set, const ViewChoice& choice) {
-    App app = make_app();
+std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& choice) {
+    auto view = std::make_shared<StillView>(make_app());
+    App& app = view->app;
     app.rects = {};
     app.motion = false;
     app.document = {set, {}, set};
@@ -130,19 +124,20 @@ App opened_view(const PatternSet& set, const ViewChoice& choice) {
         app.play.calibration = std::make_shared<const Calibration>(*calibration);
     }
     if (choice.view != PictureView::physiology) compute_map(app, set, choice.threads);
-    if (choice.pattern >= set.vibrations.size()) return app;
+    if (choice.pattern >= set.vibrations.size()) return view;
     app.selection.current = choice.pattern;
     app.stages = stages_of(stages_request(set, choice.pattern, choice.rendered_by));
     app.physiology.open = choice.stage;
     app.physiology.tilted = choice.tilted;
-    if (!choice.pinned) return app;
+    if (!choice.pinned) return view;
     app.pinned = set.vibrations[*choice.pinned].name;
     app.pinned_stages = stages_of(stages_request(set, *choice.pinned, choice.rendered_by));
-    return app;
+    return view;
 }
 
-App still_view(const App& app) {
-    App still = make_app();
+std::shared_ptr<StillView> still_view(const App& app) {
+    auto view = std::make_shared<StillView>(make_app());
+    App& still = view->app;
     still.rects = {};
     still.motion = false;
     still.document = app.document;
@@ -160,15 +155,17 @@ App still_view(const App& app) {
     still.playhead.playing = false;
     still.time_range = app.time_range;
     still.physiology = app.physiology;
-    still.physiology.crosshair_s.reset();
+    still.crosshair_s.reset();
     still.physiology.hovered.reset();
     still.physiology.explained.reset();
     still.map_cancelled = app.map_cancelled;
-    still.compute_large = app.compute_large;
-    still.import->side = shown_side(app);
+    still.document_number = app.document_number;
+    still.compute_large_of = app.compute_large_of;
+    still.side = app.side;
     still.subset = still_subset(*app.subset);
     still.training = still_training(*app.training);
     still.map = app.map;
+    still.map_look = app.map_look;
     still.camera = app.camera;
     still.dimensions = app.dimensions;
     still.matrix_quantity = app.matrix_quantity;
@@ -177,13 +174,14 @@ App still_view(const App& app) {
     still.rendering.on = app.rendering.on;
     still.rendering.by = app.rendering.by;
     still.rendering.shown = app.rendering.shown;
-    still.set_panel.search = app.set_panel.search;
+    still.selection.search = app.selection.search;
     still.session.dismissed_hints = app.session.dismissed_hints;
     bring_up_to_date(still);
-    return still;
+    return view;
 }
 
-Picture view_picture(App& still, PictureView view, double at_s, const PictureSize& size) {
+Picture view_picture(StillView& of, PictureView view, double at_s, const PictureSize& size) {
+    App& still = of.app;
     still.dark = size.dark;
     still.as_picture = view != PictureView::window;
     still.playhead.at_s = at_s;

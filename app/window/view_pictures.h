@@ -3,19 +3,18 @@
 // Exact     same input, same bytes.
 #pragma once
 
-#include <array>
+#include <memory>
 #include <optional>
 
+#include "app/export/export_state.h"
+#include "app/physiology/stages.h"
 #include "app/pictures/pictures.h"
-#include "app/window/app.h"
+#include "devices/calibration/rendering.h"
 
 namespace tact {
 
-inline constexpr std::array<PictureView, 4> kPictureViews{
-    PictureView::window, PictureView::physiology, PictureView::space, PictureView::matrix};
-
-// "physiology": on the command line and in file names.
-const char* name_of(PictureView view);
+struct App;
+struct StillView;  // a program that stands still
 
 // What a fresh view is to show of its set; places in set.vibrations.
 struct ViewChoice {
@@ -29,12 +28,12 @@ struct ViewChoice {
 };
 
 // The program as it would open on the set, with what the view shows computed.
-App opened_view(const PatternSet& set, const ViewChoice& choice);
+std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& choice);
 
 // The program as it is, but still: without jobs, files, hints and what the mouse does.
-App still_view(const App& app);
+std::shared_ptr<StillView> still_view(const App& app);
 
 // Draws a program from one of the two above, with its playhead at the time.
-Picture view_picture(App& still, PictureView view, double at_s, const PictureSize& size);
+Picture view_picture(StillView& still, PictureView view, double at_s, const PictureSize& size);
 
 }  // namespace tact

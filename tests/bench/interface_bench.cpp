@@ -21,6 +21,7 @@
 // Its checks are switched off here, and leave a variable behind.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+#include "app/window/jobs.h"
 #include "tests/support/program.h"
 #pragma GCC diagnostic pop
 

@@ -12,6 +12,7 @@
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/window/frame.h"
+#include "app/window/jobs.h"
 #include "tests/support/headless_window.h"
 
 namespace tact {

@@ -125,8 +125,8 @@ Expected<Picture> picture_of_view(const SnapshotCommand& command, const PatternS
     if (const auto within = check_time("--at", at_s, longest_s(set)); !within) {
         return within.error();
     }
-    App view = opened_view(set, *choice);
-    return view_picture(view, choice->view, at_s, size);
+    const auto view = opened_view(set, *choice);
+    return view_picture(*view, choice->view, at_s, size);
 }
 
 Expected<FrameSequence> sequence_of(const SnapshotCommand& command, double whole_s) {
@@ -152,7 +152,7 @@ Expected<Done> draw_sequence(const SnapshotCommand& command, const PictureSize& 
     const Expected<FrameSequence> sequence = sequence_of(command, longest_s(*set));
     if (!sequence) return sequence.error();
     if (const Expected<Done> open = open_sequence(*sequence); !open) return open;
-    App view = opened_view(*set, *choice);
+    const auto view = opened_view(*set, *choice);
     const auto progress = progress_line("drawing frames");
     for (int k = 0; k < sequence->frames; ++k) {
         if (interrupt.token().stop_requested()) {
@@ -160,7 +160,7 @@ Expected<Done> draw_sequence(const SnapshotCommand& command, const PictureSize& 
                          std::to_string(sequence->frames) + " frames written, each of them whole"};
         }
         const Picture picture =
-            view_picture(view, choice->view, time_of_frame_s(*sequence, k), size);
+            view_picture(*view, choice->view, time_of_frame_s(*sequence, k), size);
         const auto written = write_picture(path_of_frame(*sequence, k), picture);
         if (!written) return written;
         progress(static_cast<double>(k + 1) / static_cast<double>(sequence->frames));

@@ -5,7 +5,11 @@
 #include <sstream>
 
 #include "app/compare/bench_follow.h"
+#include "app/document/rating_files.h"
+#include "app/document/shown_side.h"
+#include "app/map/pair.h"
 #include "app/measured/import_follow.h"
+#include "app/window/jobs.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"

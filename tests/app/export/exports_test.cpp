@@ -5,7 +5,9 @@
 #include <set>
 
 #include "app/document/files.h"
+#include "app/window/animation.h"
 #include "app/window/commands.h"
+#include "app/window/still_view.h"
 #include "app/window/view_pictures.h"
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"
@@ -31,7 +33,7 @@ struct Exporting {
         exports.picture_size.height = exports.frame_size.height = 400;
         App& app = program.app;
         app.document.path = set_file;
-        app.stages = still_view(app).stages;
+        app.stages = still_view(app)->app.stages;
         program.settle();
     }
 
@@ -114,9 +116,9 @@ TEST_CASE("exports: a picture is of the program as it is, and leaves it so") {
     Exporting exporting;
     App& app = exporting.program.app;
     const auto draw = [&app] {
-        App still = still_view(app);
+        const auto still = still_view(app);
         PictureSize size{300, 400, 1.0F, app.dark, PictureFormat::png};
-        return std::get<Image>(view_picture(still, PictureView::physiology, 0.02, size));
+        return std::get<Image>(view_picture(*still, PictureView::physiology, 0.02, size));
     };
     const Image first = draw();
     CHECK((draw() == first));

@@ -1,5 +1,6 @@
 #include "app/map/map_follow.h"
 
+#include "app/window/jobs.h"
 #include "tests/support/program.h"
 
 namespace map_follow_test {

@@ -6,7 +6,10 @@
 
 #include "app/compare/bench_follow.h"
 #include "app/document/files.h"
+#include "app/document/shown_side.h"
 #include "app/map/map_follow.h"
+#include "app/map/pair.h"
+#include "app/window/jobs.h"
 #include "model/io/set/set_file.h"
 #include "model/text/numbers.h"
 #include "tests/support/program.h"

@@ -33,8 +33,8 @@ PatternSet three_patterns() {
 Picture window_picture(const PatternSet& set, int threads, const PictureSize& size) {
     ViewChoice choice;
     choice.threads = threads;
-    App view = opened_view(set, choice);
-    return view_picture(view, PictureView::window, 0.0, size);
+    const auto view = opened_view(set, choice);
+    return view_picture(*view, PictureView::window, 0.0, size);
 }
 
 std::size_t colours_in(const Image& image, const Rect& area) {

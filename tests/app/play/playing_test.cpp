@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/play/emergency_stop.h"
+#include "app/window/jobs.h"
 #include "devices/device/memory_device.h"
 #include "tests/support/program.h"
 

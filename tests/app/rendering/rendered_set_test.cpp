@@ -2,6 +2,7 @@
 
 #include "app/compare/live_comparison.h"
 #include "app/rendering/rendering_state.h"
+#include "app/window/jobs.h"
 #include "tests/support/program.h"
 
 namespace rendered_set_test {

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "app/study/study_follow.h"
+#include "app/window/jobs.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 

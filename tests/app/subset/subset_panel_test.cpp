@@ -6,6 +6,8 @@
 #include "app/compare/bench_follow.h"
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_follow.h"
+#include "app/subset/subset_marks.h"
+#include "app/window/jobs.h"
 #include "model/subset/set_subset.h"
 #include "tests/support/program.h"
 
@@ -122,7 +124,7 @@ TEST_CASE("subset panel: too close pairs are listed, and a separation is one ste
     CHECK(pairs.pairs.front().dissimilarity <= pairs.threshold);
     const auto& all = app.document.set.vibrations;
     const ConfusablePair pair = pairs.pairs.front();
-    CHECK(is_too_close(app, all[pair.a].name));
+    CHECK(too_close_names(app).contains(all[pair.a].name));
     bench.program.click("too close:" + all[pair.a].name + "|" + all[pair.b].name);
     bench.program.click("button:separate");
     bench.wait([&] { return !app.subset->separation_job->busy(); });

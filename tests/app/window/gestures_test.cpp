@@ -90,7 +90,7 @@ TEST_CASE("gestures: a rhythm left by a click on another row is a step of its ow
 
 TEST_CASE("gestures: Delete leaves what the search hides, and says so") {
     Program program(short_patterns(3));
-    program.app.set_panel.search = "p2";
+    program.app.selection.search = "p2";
     program.press_key(key::kDelete);
     CHECK(program.app.document.set == short_patterns(3));
     CHECK(program.app.status.text.find("search") != std::string::npos);
@@ -98,7 +98,7 @@ TEST_CASE("gestures: Delete leaves what the search hides, and says so") {
     program.press_key(key::kDelete);
     CHECK(program.app.document.set.vibrations.size() == 2);
     CHECK_FALSE(program.shows("row:p2"));
-    program.app.set_panel.search.clear();
+    program.app.selection.search.clear();
     program.press_key(key::kDelete);
     CHECK(program.app.document.set.vibrations.size() == 1);
 }
@@ -108,7 +108,7 @@ TEST_CASE("gestures: Down goes to the next pattern in the list, over what the se
     set.vibrations[1].name = "tap";
     set.vibrations[3].name = "tip";
     Program program(set);
-    program.app.set_panel.search = "t";
+    program.app.selection.search = "t";
     program.press_key(key::kDown);
     CHECK(program.app.selection.current == 1);
     program.press_key(key::kDown);

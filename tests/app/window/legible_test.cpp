@@ -1,6 +1,7 @@
 #include <array>
 
 #include "app/window/app.h"
+#include "app/window/jobs.h"
 #include "tests/support/program.h"
 
 namespace legible_test {

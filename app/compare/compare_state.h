@@ -1,0 +1,34 @@
+// What the tabs that compare show.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "app/map/live_map.h"
+#include "model/evaluation/metric.h"
+
+namespace tact {
+
+enum class CompareView { table, scatter, findings };
+
+// The points of the Shepard diagram, kept while its map stays what it is.
+struct ShepardFit {
+    std::shared_ptr<const void> owner;
+    const PerceptualSpace* of = nullptr;  // in the owner
+    std::vector<double> distances;        // in the map, of all pairs
+    std::vector<double> disparities;
+};
+
+struct ComparePanelState {
+    CompareView view = CompareView::table;
+    Metric metric = Metric::pm;          // whose scatter is shown, and whose Shepard diagram
+    bool shepard_of_people = false;      // instead
+    bool cancelled = false;              // by the person, until the next edit ...
+    std::uint64_t cancelled_at = 0;      // ... of this revision
+    std::uint64_t compute_large_of = 0;  // the document whose many patterns were asked for
+    std::shared_ptr<const LiveMap> of;   // what was asked for last
+    ShepardFit fit;
+};
+
+}  // namespace tact

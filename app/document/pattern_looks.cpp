@@ -1,0 +1,41 @@
+#include "app/document/pattern_looks.h"
+
+#include <algorithm>
+
+#include "app/document/vibration_cache.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index) {
+    const auto own = parse_colour(set.vibrations[index].colour);
+    return own ? PatternLook{*own, false} : pattern_look(theme, index);
+}
+
+PatternLook look_of(const App& app, std::size_t index) {
+    return look_of(app.theme, app.document.set, index);
+}
+
+void draw_thumbnail(App& app, const Rect& area, const Vibration& vibration, ImU32 colour) {
+    const Waveform* known = waveform_in_time(app.cache, vibration);
+    if (known == nullptr) return;
+    const Waveform& waveform = *known;
+    Plot plot;
+    plot.area = area;
+    const double length_s = std::max(duration_s(waveform), 1e-3);
+    // Silence needs a scale, too; a shared one would hide quiet patterns.
+    const double largest_g = std::max(peak_g(waveform), 1e-6);
+    plot.x = {0.0, length_s, Scale::linear, area.min.x, area.max.x};
+    plot.y = {-largest_g, largest_g, Scale::linear, area.max.y, area.min.y};
+    draw_signal(*ImGui::GetWindowDrawList(), app.theme, plot, waveform.samples_g, waveform.rate_hz,
+                colour, TraceStyle::line);
+}
+
+std::string drawn_text(const PatternSet& set) {
+    std::string text = set.name;
+    for (const Vibration& vibration : set.vibrations) text += vibration.name + vibration.note;
+    return text;
+}
+
+}  // namespace tact

@@ -1,0 +1,22 @@
+// What of the document the person is looking at.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace tact {
+
+// What of the document the person is looking at. Indices into document.set.vibrations.
+struct Selection {
+    std::size_t current = 0;                  // shown in the editor and the middle column
+    std::set<std::size_t> others;             // edited together with it
+    std::optional<std::size_t> hovered;       // in this frame, by any panel drawn so far
+    std::string search;                       // what the list is narrowed to
+    bool scroll_to_current = false;           // in the list, in the next frame
+    std::set<std::string> too_close{};        // names in pairs that are marked as too close
+    std::optional<std::size_t> hovered_last;  // in the last frame, by any panel
+};
+
+}  // namespace tact

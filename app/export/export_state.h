@@ -1,0 +1,46 @@
+// What the dialogs for export were left at, and what is on its way to files.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+
+#include "app/pictures/frame_sequence.h"
+#include "app/pictures/pictures.h"
+
+namespace tact {
+
+// What of the window is drawn as a picture.
+enum class PictureView { window, physiology, space, matrix };
+
+inline constexpr std::array<PictureView, 4> kPictureViews{
+    PictureView::window, PictureView::physiology, PictureView::space, PictureView::matrix};
+
+// "physiology": on the command line and in file names.
+const char* name_of(PictureView view);
+
+struct StillView;  // app/window/view_pictures.h
+
+struct RunningAnimation {
+    std::shared_ptr<StillView> still;  // what is drawn
+    PictureView view = PictureView::physiology;
+    PictureSize size;
+    FrameSequence sequence;
+    int done = 0;  // frames
+    double begun_s = 0.0;
+};
+
+struct ExportState {
+    PictureView view = PictureView::physiology;
+    PictureView moving_view = PictureView::physiology;
+    PictureSize picture_size;
+    PictureSize frame_size;
+    double from_s = 0.0;
+    double to_s = 0.0;  // 0: the end of the pattern
+    int frames = 150;
+    std::filesystem::path picture;  // to be drawn when the window's own frame is done
+    std::shared_ptr<RunningAnimation> animation;
+    bool cancel_asked = false;  // of the animation
+};
+
+}  // namespace tact

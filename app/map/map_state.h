@@ -1,0 +1,59 @@
+// The map on screen, and what is shown of it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/map/live_map.h"
+#include "model/pattern/pattern_parameter.h"
+
+namespace tact {
+
+// The map on screen eases from where its points were to where they are. What it is aligned to is
+// the last exact map: chained alignments of previews would slowly turn it.
+struct MapTransition {
+    std::shared_ptr<const LiveMap> shown;
+    std::shared_ptr<const LiveMap> anchor;  // the last exact one ...
+    Eigen::MatrixXd anchor_points;          // ... as it was shown
+    Eigen::MatrixXd from;                   // aligned positions, one row a pattern of `shown`
+    Eigen::MatrixXd to;
+    Eigen::MatrixXd ghost;  // of the anchor, row by row; NaN for new patterns
+    double since_s = -10.0;
+};
+
+enum class MatrixQuantity { pm, nc, oc };
+
+// How far the exact map is, and since when: what the time left is told from.
+struct MapProgress {
+    float share = 0.0F;
+    double since_s = 0.0;
+};
+
+// By what the map is coloured, joined and filtered.
+struct MapLook {
+    std::optional<PatternParameter> colour;
+    std::optional<PatternParameter> path;
+    int clusters = 0;  // 0: none
+    std::optional<PatternParameter> filter;
+    Range passes{0.0, 0.0};  // of the filter
+    bool show_pairs = true;
+    bool show_spread = true;
+};
+
+// Groups of the shown map, kept while it stays.
+struct ShownClusters {
+    std::shared_ptr<const LiveMap> of;
+    int count = 0;
+    std::vector<std::size_t> group;
+};
+
+// Patterns that differ in one number alone, in its order, as long as the map stays.
+struct ShownPaths {
+    std::shared_ptr<const LiveMap> of;
+    std::optional<PatternParameter> along;
+    std::vector<std::vector<std::size_t>> paths;
+};
+
+}  // namespace tact

@@ -1,0 +1,27 @@
+// The two patterns that are held against each other.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "app/window/app.h"
+
+namespace tact {
+
+// The current pattern and the one it is held against.
+enum class PartnerKind { chosen, pinned, closest };
+struct ChosenPair {
+    std::size_t current = 0;
+    std::size_t partner = 0;
+    PartnerKind kind = PartnerKind::chosen;
+};
+
+// Chosen by a click, else pinned, else the closest by PM. None with fewer than two patterns.
+std::optional<ChosenPair> chosen_pair(const App& app);
+
+// Their rows in the map on screen, which there must be; none where it leaves one of them out.
+std::optional<std::pair<std::size_t, std::size_t>> rows_in_map(const App& app,
+                                                               const ChosenPair& pair);
+
+}  // namespace tact

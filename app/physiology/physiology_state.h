@@ -1,0 +1,53 @@
+// What is opened, pointed at and compared in the stages of the model.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/physiology/live_stages.h"
+#include "app/physiology/stage_signals.h"
+#include "app/physiology/stages.h"
+
+namespace tact {
+
+// One receptor of one type: its place in the grid of the shown pattern.
+struct ReceptorPlace {
+    Receptor type = Receptor::pacinian;
+    std::size_t index = 0;
+
+    bool operator==(const ReceptorPlace&) const = default;
+};
+
+// The layers on screen, kept while neither the pattern nor the step changes.
+struct ShownLayers {
+    std::shared_ptr<const LiveStages> of;
+    std::size_t step = 0;
+    PerReceptor<std::vector<RelayLayer>> layers;
+};
+
+// Where two patterns part, kept while both stay what they are.
+struct ShownDifference {
+    std::shared_ptr<const LiveStages> a;
+    std::shared_ptr<const LiveStages> b;
+    StageDifferences stages;
+    std::array<std::vector<std::vector<double>>, kStages.size()> signals;  // a - b
+};
+
+struct PhysiologyState {
+    std::optional<Stage> open;              // fills the pane; none: all of them, small
+    std::optional<Stage> explained;         // its text is open beside it
+    Receptor network = Receptor::pacinian;  // whose layers the overview shows
+    bool network_chosen = false;            // by the person; else the strongest one
+    bool tilted = false;
+    double tilt_since_s = -10.0;
+    std::optional<ReceptorPlace> hovered;  // in this frame, in any view
+    std::optional<ReceptorPlace> hovered_last;
+    std::optional<ReceptorPlace> selected;
+    ShownLayers layers;
+    ShownLayers pinned_layers;
+    ShownDifference difference;
+};
+
+}  // namespace tact

@@ -1,0 +1,45 @@
+#include "app/subset/subset_marks.h"
+
+#include "app/subset/separation_follow.h"
+#include "app/subset/subset_follow.h"
+
+namespace tact {
+
+MapMarks subset_marks(App& app) {
+    MapMarks marks;
+    if (app.bench != BenchTab::subset || !app.map.shown) return marks;
+    const SubsetState& state = *app.subset;
+    const bool confusable = state.view == SubsetView::confusable;
+    const Subset* subset = shown_subset(app);
+    if (subset && (!confusable || state.too_close == TooClose::picked)) {
+        marks.chosen = subset->members;
+    } else if (const auto opened = opened_rows(app); opened && confusable) {
+        marks.chosen = {opened->first, opened->second};
+    }
+    if (confusable) {
+        for (const ConfusablePair& pair : too_close_pairs(app).pairs) {
+            marks.links.push_back({pair.a, pair.b});
+        }
+    }
+    const Stability* stability = shown_stability(app);
+    if (state.view == SubsetView::stability && stability &&
+        state.pick->request.map == app.map.shown) {
+        marks.spread.assign(stability->spread.begin(), stability->spread.end());
+    }
+    return marks;
+}
+
+std::set<std::string> too_close_names(const App& app) {
+    const SubsetState& state = *app.subset;
+    if (app.bench != BenchTab::subset || state.view != SubsetView::confusable) return {};
+    if (!state.pairs.of) return {};
+    const auto& all = state.pairs.of->request.set->vibrations;
+    std::set<std::string> names;
+    for (const ConfusablePair& pair : state.pairs.pairs) {
+        names.insert(all[pair.a].name);
+        names.insert(all[pair.b].name);
+    }
+    return names;
+}
+
+}  // namespace tact

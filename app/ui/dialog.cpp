@@ -1,0 +1,61 @@
+#include "app/ui/dialog.h"
+
+#include <algorithm>
+
+#include "app/ui/widgets.h"
+
+namespace tact {
+
+bool begin_dialog(App& app, const char* title, float width_px) {
+    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(screen * 0.5F, ImGuiCond_Always, {0.5F, 0.5F});
+    const float width = std::min(width_px * app.theme.scale, screen.x * 0.9F);
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y * 0.9F});
+    ImGui::SetNextWindowSize({width, 0.0F});
+    return ImGui::BeginPopupModal(
+        title, nullptr,
+        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
+}
+
+ImU32 dialog_field(const Theme& theme) { return theme.is_dark ? theme.pane : theme.field; }
+
+void end_dialog(App& app) {
+    ImGui::Spacing();
+    const bool escape =
+        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !app.escape_taken;
+    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
+    if (ImGui::Button("Close") || escape || enter) {
+        app.dialog = Dialog::none;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::PopStyleColor();
+    note_item(app.rects, "button:close");
+    ImGui::EndPopup();
+}
+
+bool draw_ends(App& app, const char* action, bool enabled) {
+    ImGui::Spacing();
+    const auto pressed = [](ImGuiKey which) {
+        return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false);
+    };
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
+    ImGui::BeginDisabled(!enabled);
+    const bool go = ImGui::Button(action) || (enabled && pressed(ImGuiKey_Enter));
+    ImGui::EndDisabled();
+    note_item(app.rects, "button:choose");
+    ImGui::SameLine();
+    const bool escape = pressed(ImGuiKey_Escape) && !app.escape_taken;
+    const bool leave = ImGui::Button("Cancel") || escape;
+    note_item(app.rects, "button:cancel");
+    ImGui::PopStyleColor();
+    if (go || leave) {
+        app.dialog = Dialog::none;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+    return go;
+}
+
+}  // namespace tact

@@ -1,0 +1,30 @@
+// How the panes share the window, and which of them is shown.
+#pragma once
+
+#include <optional>
+
+namespace tact {
+
+// What the lower right pane shows.
+enum class BenchTab { matrix, subset, compare, shepard, why, model, device };
+
+enum class Pane {
+    patterns,
+    editor,
+    physiology,
+    space,
+    matrix,
+    study_design,  // these three in the view of studies
+    study_people,
+    study_answers
+};
+
+struct Layout {
+    float left = 0.21F;  // share of the window's width
+    float right = 0.34F;
+    float left_split = 0.45F;  // share of the column's height above the splitter
+    float right_split = 0.58F;
+    std::optional<Pane> maximised;
+};
+
+}  // namespace tact

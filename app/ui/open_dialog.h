@@ -1,0 +1,40 @@
+// What may lie over the panes, and what a chosen path is for.
+#pragma once
+
+namespace tact {
+
+enum class Dialog {
+    none,
+    about,
+    keys,
+    devices,
+    calibrate,
+    export_view,
+    export_animation,
+    generate,
+    import_recordings,
+    simulate_measurement
+};
+
+// What a chosen path is for.
+enum class ChooserPurpose {
+    open_document,
+    save_document,
+    load_tables,
+    load_ratings,
+    load_calibration,
+    load_model,
+    save_model,
+    add_training_set,
+    save_calibration_signal,
+    open_calibration_recording,
+    import_recordings,
+    study_folder,
+    export_study,
+    export_view,
+    export_subset,
+    export_stages,
+    export_animation
+};
+
+}  // namespace tact

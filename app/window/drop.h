@@ -1,0 +1,15 @@
+// Files dropped on the window.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/window/app.h"
+
+namespace tact {
+
+// What was dropped on the window: tables of ratings or of accelerations go to the open set, all
+// else is opened.
+void drop_paths(App& app, const std::vector<std::filesystem::path>& paths);
+
+}  // namespace tact

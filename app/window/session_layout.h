@@ -1,0 +1,22 @@
+// Where the person left the window: sizes of panes, camera, looks, device, and the open document.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/window/app.h"
+#include "model/common/expected.h"
+
+namespace tact {
+
+// Starts with the paths, or takes up the session where it was left, or shows the example set. An
+// Error if the paths cannot be opened.
+Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>& paths);
+
+// Sizes of the panes and the camera, to and from the session.
+void keep_layout(App& app);
+void restore_layout(App& app);
+
+void end_session(App& app);
+
+}  // namespace tact
