@@ -18,18 +18,54 @@ bool is_drawn(const ScatterScene& scene, std::size_t k) {
     return std::isfinite(scene.x[k]) && std::isfinite(scene.y[k]);
 }
 
-// From the least to the most of the values, with 4 % of air; 0 stays where values begin near it.
-Axis axis_of(std::span<const double> values, std::span<const double> more) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const auto& list : {values, more}) {
-        for (const double value : list) {
-            if (!std::isfinite(value)) continue;
-            low = std::min(low, value);
-            high = std::max(high, value);
-        }
+constexpr std::size_t kFitSlices = 8192;  // finer than pixels
+
+void widen(std::optional<Range>& range, std::span<const double> values) {
+    for (const double value : values) {
+        if (!std::isfinite(value)) continue;
+        if (!range) range = Range{value, value};
+        range->low = std::min(range->low, value);
+        range->high = std::max(range->high, value);
     }
-    if (low > high) return {};
+}
+
+bool is_before(const FitPoint& a, const FitPoint& b) {
+    return a.x != b.x ? a.x < b.x : a.fitted < b.fitted;
+}
+
+// The least and the last point of each slice of x: of a monotone fit these hold all others between
+// them. One pass instead of a sort.
+std::vector<FitPoint> sliced(std::span<const double> x, std::span<const double> fitted,
+                             const Range& range) {
+    struct Slice {
+        FitPoint first;
+        FitPoint last;
+        bool any = false;
+    };
+    std::vector<Slice> slices(kFitSlices);
+    const double per_slice = range.high > range.low ? range.high - range.low : 1.0;
+    for (std::size_t k = 0; k < fitted.size(); ++k) {
+        const FitPoint point{x[k], fitted[k]};
+        if (!std::isfinite(point.x) || !std::isfinite(point.fitted)) continue;
+        const double share = (point.x - range.low) / per_slice;
+        Slice& slice = slices[static_cast<std::size_t>(share * (kFitSlices - 1))];
+        if (!slice.any || is_before(point, slice.first)) slice.first = point;
+        if (!slice.any || is_before(slice.last, point)) slice.last = point;
+        slice.any = true;
+    }
+    std::vector<FitPoint> fit;
+    for (const Slice& slice : slices) {
+        if (slice.any) fit.push_back(slice.first);
+        if (slice.any && slice.last != slice.first) fit.push_back(slice.last);
+    }
+    return fit;
+}
+
+// From the least to the most of the values, with 4 % of air; 0 stays where values begin near it.
+Axis axis_of(const std::optional<Range>& range) {
+    if (!range) return {};
+    double low = range->low;
+    const double high = range->high;
     if (low >= 0.0 && low < 0.3 * high) low = 0.0;
     // Values that differ in their last digits alone have no ticks between them.
     const double largest = std::max(std::abs(low), std::abs(high));
@@ -38,13 +74,18 @@ Axis axis_of(std::span<const double> values, std::span<const double> more) {
     return {.low = low == 0.0 ? -0.5 * air : low - air, .high = high + air};
 }
 
+ScatterSummary known_summary(const ScatterScene& scene) {
+    return scene.summary != nullptr ? *scene.summary : summary_of(scene.x, scene.y, scene.fitted);
+}
+
 // The title of x has a line of its own: ticks keep theirs.
-Plot plot_of(const Theme& theme, const Rect& area, const ScatterScene& scene) {
+Plot plot_of(const Theme& theme, const Rect& area, const ScatterScene& scene,
+             const ScatterSummary& summary) {
     const float text_px = font_or_current(theme.fonts.small).FontSize;
     Rect outer = area;
     outer.max.y -= text_px + 0.25F * theme.gap_px;
     outer.max.x -= kPointPx * theme.scale;
-    return plot_within(outer, theme, axis_of(scene.x, {}), axis_of(scene.y, scene.fitted),
+    return plot_within(outer, theme, axis_of(summary.x), axis_of(summary.y),
                        {.x_unit = " ", .y_unit = scene.y_title});
 }
 
@@ -52,23 +93,24 @@ ImVec2 at(const Plot& plot, double x, double y) {
     return {to_pixel(plot.x, x), to_pixel(plot.y, y)};
 }
 
-void draw_fit(ImDrawList& list, const Theme& theme, const Plot& plot, const ScatterScene& scene) {
-    std::vector<std::size_t> order;
-    for (std::size_t k = 0; k < scene.fitted.size(); ++k) {
-        if (is_drawn(scene, k) && std::isfinite(scene.fitted[k])) order.push_back(k);
-    }
-    std::ranges::stable_sort(order, [&scene](std::size_t a, std::size_t b) {
-        if (scene.x[a] != scene.x[b]) return scene.x[a] < scene.x[b];
-        return scene.fitted[a] < scene.fitted[b];
-    });
+// Of each pixel column the first and the last point, and the step between neighbours.
+std::vector<ImVec2> fit_line(const Plot& plot, std::span<const FitPoint> fit) {
     std::vector<ImVec2> line;
-    for (const std::size_t k : order) {
-        const ImVec2 next = at(plot, scene.x[k], scene.fitted[k]);
+    const auto step_to = [&line](ImVec2 next) {
         if (!line.empty() && line.back().y != next.y) line.push_back({next.x, line.back().y});
         line.push_back(next);
+    };
+    const auto pixel_of = [&](std::size_t k) { return at(plot, fit[k].x, fit[k].fitted); };
+    for (std::size_t k = 0; k < fit.size();) {
+        const ImVec2 first = pixel_of(k);
+        const float end_px = std::floor(first.x) + 1.0F;
+        std::size_t last = k;
+        while (last + 1 < fit.size() && to_pixel(plot.x, fit[last + 1].x) < end_px) ++last;
+        step_to(first);
+        if (last > k) step_to(pixel_of(last));
+        k = last + 1;
     }
-    list.AddPolyline(line.data(), static_cast<int>(line.size()), theme.warning, 0,
-                     1.5F * theme.scale);
+    return line;
 }
 
 // The nearest point in the mouse's reach.
@@ -126,15 +168,34 @@ std::size_t stride_of(const ScatterScene& scene) {
 
 }  // namespace
 
+ScatterSummary summary_of(std::span<const double> x, std::span<const double> y,
+                          std::span<const double> fitted) {
+    ScatterSummary summary;
+    widen(summary.x, x);
+    widen(summary.y, y);
+    widen(summary.y, fitted);
+    if (summary.x) summary.fit = sliced(x, fitted, *summary.x);
+    return summary;
+}
+
+std::vector<ImVec2> scatter_fit_line(const Theme& theme, const Rect& area,
+                                     const ScatterScene& scene) {
+    const ScatterSummary summary = known_summary(scene);
+    return fit_line(plot_of(theme, area, scene, summary), summary.fit);
+}
+
 ImVec2 scatter_point(const Theme& theme, const Rect& area, const ScatterScene& scene,
                      std::size_t index) {
-    return at(plot_of(theme, area, scene), scene.x[index], scene.y[index]);
+    return at(plot_of(theme, area, scene, known_summary(scene)), scene.x[index], scene.y[index]);
 }
 
 ScatterAction draw_scatter(const char* id, const Theme& theme, const Rect& area,
                            const ScatterScene& scene) {
     if (area.width() < 1.0F || area.height() < 1.0F) return {};
-    const Plot plot = plot_of(theme, area, scene);
+    const ScatterSummary own =
+        scene.summary == nullptr ? summary_of(scene.x, scene.y, scene.fitted) : ScatterSummary{};
+    const ScatterSummary& summary = scene.summary != nullptr ? *scene.summary : own;
+    const Plot plot = plot_of(theme, area, scene, summary);
     if (plot.area.empty()) return {};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImGui::SetCursorScreenPos(area.min);
@@ -143,7 +204,7 @@ ScatterAction draw_scatter(const char* id, const Theme& theme, const Rect& area,
     const std::size_t stride = stride_of(scene);
     draw_axes(list, theme, plot, {.x_unit = " ", .y_unit = scene.y_title});
     draw_points(list, theme, plot, scene, stride);
-    if (!scene.fitted.empty()) draw_fit(list, theme, plot, scene);
+    draw_path(list, fit_line(plot, summary.fit), theme.warning, 1.5F * theme.scale);
     draw_titles(list, theme, area, plot, scene, stride);
     ScatterAction action;
     if (over) action.hovered = nearest(theme, plot, scene, stride);

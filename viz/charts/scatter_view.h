@@ -4,7 +4,8 @@
 // Source    Shepard 1962; the fit is Kruskal's, drawn as the steps it is.
 // Input     x and y of every pair, NaN: not drawn; disparities in the same order
 // Output    the pair under the mouse and the pair clicked
-// Valid     any number; above kMostScatterPoints an even choice of them is drawn, and said so
+// Valid     any number; above kMostScatterPoints an even choice of them is drawn, and said so. The
+//           fit is drawn of all of them, as first and last point of each pixel column.
 // Left out  zooming, several series.
 #pragma once
 
@@ -16,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/common/range.h"
 #include "viz/drawing/geometry.h"
 #include "viz/drawing/theme.h"
 
@@ -23,13 +25,32 @@ namespace tact {
 
 inline constexpr std::size_t kMostScatterPoints = 5000;
 
+struct FitPoint {
+    double x = 0.0;
+    double fitted = 0.0;
+
+    bool operator==(const FitPoint&) const = default;
+};
+
+// What a drawing has to look at every pair for: 10,000 patterns have 5e7, too many for one frame.
+// A caller with so many keeps this beside its fit.
+struct ScatterSummary {
+    std::optional<Range> x{};     // none: no finite value
+    std::optional<Range> y{};     // of the values and the fit
+    std::vector<FitPoint> fit{};  // in order of x, then of the fit: all, or the ends of fine slices
+};
+
+ScatterSummary summary_of(std::span<const double> x, std::span<const double> y,
+                          std::span<const double> fitted);
+
 struct ScatterScene {
     std::span<const double> x{};
     std::span<const double> y{};
-    std::span<const double> fitted{};  // monotone in x; empty: none
-    std::string_view x_title{};        // below the axis
-    std::string_view y_title{};        // above the axis
-    std::string_view corner{};         // in the lower right corner
+    std::span<const double> fitted{};         // monotone in x; empty: none
+    const ScatterSummary* summary = nullptr;  // of these; null: made anew in each frame
+    std::string_view x_title{};               // below the axis
+    std::string_view y_title{};               // above the axis
+    std::string_view corner{};                // in the lower right corner
     std::optional<std::size_t> selected{};
     std::function<std::vector<std::string>(std::size_t)> readout{};  // lines on a pair
     bool stale = false;
@@ -46,5 +67,9 @@ ScatterAction draw_scatter(const char* id, const Theme& theme, const Rect& area,
 // Where a point is on the screen: for tests of what is drawn.
 ImVec2 scatter_point(const Theme& theme, const Rect& area, const ScatterScene& scene,
                      std::size_t index);
+
+// The corners of the fit's steps on the screen, at most six a pixel column: for tests as well.
+std::vector<ImVec2> scatter_fit_line(const Theme& theme, const Rect& area,
+                                     const ScatterScene& scene);
 
 }  // namespace tact

@@ -97,6 +97,15 @@ void draw_upright_line(ImDrawList& list, float x, float top, float bottom, float
     list.AddRectFilled({left, top}, {left + std::max(1.0F, std::round(width_px)), bottom}, colour);
 }
 
+void draw_path(ImDrawList& list, std::span<const ImVec2> points, ImU32 colour, float width_px) {
+    constexpr std::size_t kPiece = 2048;
+    for (std::size_t begin = 0; begin + 1 < points.size(); begin += kPiece) {
+        // Each piece begins where the one before it ended.
+        const std::size_t count = std::min(kPiece + 1, points.size() - begin);
+        list.AddPolyline(points.data() + begin, static_cast<int>(count), colour, 0, width_px);
+    }
+}
+
 std::string shortened(const ImFont* font, std::string_view text, float width_px) {
     if (text_size(font, text).x <= width_px) return std::string{text};
     std::size_t kept = 0;

@@ -35,6 +35,10 @@ void draw_level_line(ImDrawList& list, float y, float left, float right, float w
 void draw_upright_line(ImDrawList& list, float x, float top, float bottom, float width_px,
                        ImU32 colour);
 
+// An open line through any number of points. ImGui's own takes all of them at once on the stack and
+// joins them by 16-bit indices: a long one crashes, or ends in a chord back to its beginning.
+void draw_path(ImDrawList& list, std::span<const ImVec2> points, ImU32 colour, float width_px);
+
 // The longest beginning of the text that fits, with "…" where something was cut.
 std::string shortened(const ImFont* font, std::string_view text, float width_px);
 

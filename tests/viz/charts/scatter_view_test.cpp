@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "tests/support/headless_window.h"
 #include "tests/support/presence.h"
@@ -53,6 +56,102 @@ ImVec2 place(const ScatterScene& scene, std::size_t index) {
     ImVec2 at{0, 0};
     window.frame([&] { at = scatter_point(theme, kArea, scene, index); });
     return at;
+}
+
+// Pairs in no order, with a fit of steps: `level` pairs share each.
+struct Pairs {
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> fitted;
+
+    Pairs(std::size_t count, std::size_t level) {
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t place = k * 7919 % count;  // every place once: 7919 is prime
+            x.push_back(1.0 + 0.01 * static_cast<double>(place));
+            fitted.push_back(std::sqrt(static_cast<double>(place / level)));
+            y.push_back(fitted.back() + (k % 3 == 0 ? 0.2 : -0.1));
+        }
+    }
+    ScatterScene scene() const {
+        ScatterScene scene = scene_of(x, y);
+        scene.fitted = fitted;
+        return scene;
+    }
+};
+
+struct DrawnFit {
+    std::vector<ImVec2> line;   // the corners that are drawn
+    std::vector<ImVec2> whole;  // every pair's place on the fit, in order of x
+    float left = 0.0F;
+    float right = 0.0F;
+};
+
+DrawnFit fit_of(const Pairs& pairs) {
+    HeadlessWindow window;
+    const Theme theme = dark_theme(1.0F);
+    const ScatterScene scene = pairs.scene();
+    ScatterScene on_fit = scene;  // points where the fit is, on the same axes
+    const ScatterSummary summary = summary_of(pairs.x, pairs.y, pairs.fitted);
+    on_fit.y = pairs.fitted;
+    on_fit.summary = &summary;
+    DrawnFit result;
+    window.frame([&] {
+        result.line = scatter_fit_line(theme, kArea, scene);
+        for (std::size_t k = 0; k < pairs.x.size(); ++k) {
+            result.whole.push_back(scatter_point(theme, kArea, on_fit, k));
+        }
+    });
+    std::ranges::stable_sort(result.whole,
+                             [](ImVec2 a, ImVec2 b) { return a.x != b.x ? a.x < b.x : a.y > b.y; });
+    return result;
+}
+
+// How far the drawn line is from the fit at a pair, at most over the pixel column around it.
+float farthest_px(const DrawnFit& fit) {
+    float farthest = 0.0F;
+    std::size_t k = 0;
+    for (const ImVec2& pair : fit.whole) {
+        while (k + 1 < fit.line.size() && fit.line[k + 1].x < pair.x - 1.0F) ++k;
+        float highest = -1e9F;
+        float lowest = 1e9F;
+        for (std::size_t i = k; i < fit.line.size() && fit.line[i].x <= pair.x + 1.0F; ++i) {
+            highest = std::max(highest, fit.line[i].y);
+            lowest = std::min(lowest, fit.line[i].y);
+        }
+        farthest = std::max({farthest, pair.y - highest, lowest - pair.y});
+    }
+    return farthest;
+}
+
+// Of one frame with a view of these pairs.
+struct Cost {
+    int vertices = 0;
+    int most_in_a_command = 0;
+};
+
+Cost cost_of(const ScatterScene& scene, ImVec2 size) {
+    HeadlessWindow window;
+    ImGui::GetIO().DisplaySize = size;
+    const Theme theme = dark_theme(1.0F);
+    Cost cost;
+    const auto frame = [&] {
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize(size);
+        ImGui::Begin("w", nullptr, ImGuiWindowFlags_NoDecoration);
+        draw_scatter("s", theme, {{0, 0}, size}, scene);
+        const ImDrawList& list = *ImGui::GetWindowDrawList();
+        cost = {list.VtxBuffer.Size, 0};
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            for (unsigned i = 0; i < command.ElemCount; ++i) {
+                const int index = list.IdxBuffer[static_cast<int>(command.IdxOffset + i)];
+                cost.most_in_a_command = std::max(cost.most_in_a_command, index);
+                CHECK(static_cast<int>(command.VtxOffset) + index < list.VtxBuffer.Size);
+            }
+        }
+        ImGui::End();
+    };
+    window.settle(frame);
+    return cost;
 }
 
 }  // namespace
@@ -117,6 +216,58 @@ TEST_CASE("scatter: points and the monotone fit are seen in both themes") {
         CHECK(count_pixels(image, kArea, used.warning) > 100);
         CHECK(count_pixels(image, kArea, mixed(used.pane, used.accent, 0.8F)) > 20);
     }
+}
+
+// 2, 260 and 1,000 patterns; from 260 on one polyline of all pairs outgrew its indices.
+TEST_CASE("scatter: the fit is drawn where it is, from end to end, of any number of pairs") {
+    for (const std::size_t count : {1UL, 2UL, 5UL, 66UL, 33'670UL, 499'500UL}) {
+        for (const std::size_t level : {1UL, 3UL, 1000UL}) {
+            const DrawnFit fit = fit_of(Pairs(count, level));
+            REQUIRE_FALSE(fit.line.empty());
+            CHECK(same(fit.line.front(), fit.whole.front()));
+            CHECK(same(fit.line.back(), fit.whole.back()));
+            CHECK(fit.line.size() <= 6 * 400);
+            CHECK(farthest_px(fit) <= 1e-3F);
+            for (std::size_t k = 1; k < fit.line.size(); ++k) {
+                CHECK(fit.line[k].x >= fit.line[k - 1].x);
+                CHECK(fit.line[k].y <= fit.line[k - 1].y);
+                // Steps: level or upright.
+                const bool is_step =
+                    fit.line[k].x == fit.line[k - 1].x || fit.line[k].y == fit.line[k - 1].y;
+                CHECK(is_step);
+            }
+        }
+    }
+}
+
+TEST_CASE("scatter: where pairs are farther apart than pixels, every one is a corner of the fit") {
+    const DrawnFit fit = fit_of(Pairs(66, 3));
+    for (const ImVec2& pair : fit.whole) {
+        CHECK(std::ranges::any_of(fit.line, [&](ImVec2 corner) { return same(corner, pair); }));
+    }
+}
+
+TEST_CASE("scatter: no drawing outgrows ImGui's indices, in the widest picture either") {
+    const Pairs pairs(499'500, 1);
+    for (const ImVec2 size : {ImVec2{800, 600}, ImVec2{16'000, 900}}) {
+        const Cost cost = cost_of(pairs.scene(), size);
+        CHECK(cost.vertices > 1000);
+        CHECK(cost.vertices < 40.0F * size.x + 100'000.0F);
+        CHECK(cost.most_in_a_command < 65'536);
+    }
+}
+
+TEST_CASE("scatter: what a caller has kept of its pairs draws the same") {
+    const Pairs pairs(5000, 3);
+    const ScatterSummary summary = summary_of(pairs.x, pairs.y, pairs.fitted);
+    ScatterScene kept = pairs.scene();
+    kept.summary = &summary;
+    const auto picture = [](const ScatterScene& scene) {
+        return draw_picture(400, 300, {},
+                            [&](const Theme& theme) { draw_scatter("s", theme, kArea, scene); });
+    };
+    CHECK(picture(kept) == picture(pairs.scene()));
+    CHECK(summary_of({}, {}, {}).fit.empty());
 }
 
 }  // namespace scatter_view_test
