@@ -32,7 +32,7 @@ void draw_value_at(ImDrawList& list, const Theme& theme, const Plot& plot, const
     draw_disc(list, theme, at, 2.5F * theme.scale, trace.colour);
     const std::array<std::string, 2> lines{
         significant(value) + (scene.unit.empty() ? "" : " " + std::string{scene.unit}),
-        significant(time_s) + " s"};
+        place_text(plot.x, time_s) + " s"};
     draw_readout(list, theme, plot.area, mouse_px, lines);
 }
 

@@ -57,75 +57,18 @@ std::vector<double> logarithmic_ticks(double low, double high) {
     return linear_ticks(low, high);
 }
 
-// One column of a strip at x: soft edge, top, bottom, soft edge.
-struct StripColumn {
-    float x;
-    float top;
-    float bottom;
-};
-
-// A band between two lines with edges that fade over one pixel, or do not in vector pictures.
-void draw_strip(ImDrawList& list, std::span<const StripColumn> columns, ImU32 colour) {
-    if (columns.size() < 2) return;
-    const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
-    const ImU32 clear = colour & ~IM_COL32_A_MASK;
-    const float soft = (list.Flags & ImDrawListFlags_AntiAliasedFill) != 0 ? 0.5F : 0.0F;
-    // Batches keep within the 16-bit indices of one draw command.
-    constexpr std::size_t kBatch = 4096;
-    for (std::size_t begin = 0; begin + 1 < columns.size(); begin += kBatch) {
-        const std::size_t count = std::min(kBatch + 1, columns.size() - begin);
-        const int quads = static_cast<int>(count - 1) * 3;
-        list.PrimReserve(quads * 6, static_cast<int>(count) * 4);
-        const unsigned base = list._VtxCurrentIdx;
-        for (const StripColumn& c : columns.subspan(begin, count)) {
-            list.PrimWriteVtx({c.x, c.top - soft}, uv, clear);
-            list.PrimWriteVtx({c.x, c.top + soft}, uv, colour);
-            list.PrimWriteVtx({c.x, c.bottom - soft}, uv, colour);
-            list.PrimWriteVtx({c.x, c.bottom + soft}, uv, clear);
-        }
-        for (unsigned i = 0; i + 1 < count; ++i) {
-            for (unsigned band = 0; band < 3; ++band) {
-                const unsigned a = base + 4 * i + band;
-                for (const unsigned v : {a, a + 4, a + 5, a, a + 5, a + 1}) {
-                    list.PrimWriteIdx(static_cast<ImDrawIdx>(v));
-                }
-            }
-        }
-    }
+// A true minus sign is as wide as a plus and is not taken for a hyphen.
+std::string printed(const char* format, int digits, double value) {
+    std::array<char, 400> text{};
+    std::snprintf(text.data(), text.size(), format, digits, value);
+    std::string result = text.data();
+    if (result.front() == '-') result.replace(0, 1, "−");
+    return result;
 }
 
-void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
-                  std::span<const double> samples, double rate_hz, ImU32 colour, TraceStyle style) {
-    const auto count = static_cast<std::size_t>(std::ceil(plot.area.width()));
-    const auto columns = extremes(samples, plot.x.low * rate_hz, plot.x.high * rate_hz, count);
-    const float half_px = style == TraceStyle::line ? theme.trace_px / 2.0F : 0.0F;
-    std::vector<StripColumn> strip;
-    strip.reserve(columns.size());
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        const double time_s = plot.x.low + (static_cast<double>(i) + 0.5) *
-                                               (plot.x.high - plot.x.low) /
-                                               static_cast<double>(columns.size());
-        // Beyond the signal there is nothing to draw.
-        if (time_s < 0.0 || time_s * rate_hz > static_cast<double>(samples.size())) continue;
-        Extremes e = columns[i];
-        if (style == TraceStyle::filled) e = {std::min(0.0, e.low), std::max(0.0, e.high)};
-        strip.push_back({to_pixel(plot.x, time_s), to_pixel(plot.y, e.high) - half_px,
-                         to_pixel(plot.y, e.low) + half_px});
-    }
-    draw_strip(list, strip, colour);
-}
-
-void draw_polyline(ImDrawList& list, const Theme& theme, const Plot& plot,
-                   std::span<const double> samples, double rate_hz, ImU32 colour) {
-    const double last_index = static_cast<double>(samples.size()) - 1.0;
-    const double first = std::clamp(std::floor(plot.x.low * rate_hz), 0.0, last_index);
-    const double last = std::clamp(std::ceil(plot.x.high * rate_hz), 0.0, last_index);
-    std::vector<ImVec2> points;
-    for (auto i = static_cast<std::size_t>(first); i <= static_cast<std::size_t>(last); ++i) {
-        points.push_back(
-            {to_pixel(plot.x, static_cast<double>(i) / rate_hz), to_pixel(plot.y, samples[i])});
-    }
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, theme.trace_px);
+// What lies between ticks; of a logarithmic axis none is asked for.
+double step_between(const Axis& axis, std::span<const double> ticks) {
+    return axis.scale == Scale::linear && ticks.size() > 1 ? ticks[1] - ticks[0] : 0.0;
 }
 
 }  // namespace
@@ -155,13 +98,22 @@ std::vector<double> round_ticks(double low, double high, Scale scale) {
     return linear_ticks(low, high);
 }
 
-std::string tick_text(double value) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%.6g", value);
-    std::string result = text.data();
-    // A true minus sign is as wide as a plus and is not taken for a hyphen.
-    if (result.front() == '-') result.replace(0, 1, "−");
-    return result;
+std::string tick_text(double value) { return printed("%.*g", 6, value); }
+
+std::string tick_text(double value, double step) {
+    const double steps = step > 0.0 ? std::abs(value) / step : 0.0;
+    // Steps of 2.5 take a digit more.
+    const int digits = steps > 1.0 ? static_cast<int>(std::ceil(std::log10(steps))) + 2 : 6;
+    return printed("%.*g", std::clamp(digits, 6, 15), value);
+}
+
+std::string stepped(double value, double step) {
+    const double decimals = step > 0.0 ? std::ceil(-std::log10(step) - 1e-9) : 0.0;
+    return printed("%.*f", static_cast<int>(std::clamp(decimals, 0.0, 12.0)), value);
+}
+
+std::string place_text(const Axis& axis, double value) {
+    return stepped(value, std::abs(axis.high - axis.low) / 500.0);
 }
 
 std::string significant(double value, int digits) {
@@ -169,11 +121,7 @@ std::string significant(double value, int digits) {
     const double size = std::abs(value);
     const int lead = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) : 0;
     const int decimals = std::clamp(digits - 1 - lead, 0, 12);
-    std::array<char, 400> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-    std::string result = text.data();
-    if (result.front() == '-') result.replace(0, 1, "−");
-    return result;
+    return printed("%.*f", decimals, value);
 }
 
 std::string grouped(double value, int digits) {
@@ -206,8 +154,10 @@ Plot plot_within(const Rect& outer, const Theme& theme, Axis x, Axis y, const Pl
     Plot plot{outer, outer, x, y};
     if (labels.y_grid) {
         float widest = 0.0F;
-        for (const double tick : round_ticks(y.low, y.high, y.scale)) {
-            widest = std::max(widest, text_size(theme.fonts.small, tick_text(tick)).x);
+        const std::vector<double> ticks = round_ticks(y.low, y.high, y.scale);
+        for (const double tick : ticks) {
+            const std::string text = tick_text(tick, step_between(y, ticks));
+            widest = std::max(widest, text_size(theme.fonts.small, text).x);
         }
         plot.area.min.x += widest + theme.gap_px;
         plot.area.min.y += text_px * 0.5F;
@@ -227,11 +177,12 @@ void draw_axes(ImDrawList& list, const Theme& theme, const Plot& plot, const Plo
     const Rect& area = plot.area;
     if (labels.y_grid) {
         const float right = area.min.x - theme.gap_px * 0.75F;
-        for (const double tick : ticks_apart(plot.y, 1.4F * text_px)) {
+        const std::vector<double> ticks = ticks_apart(plot.y, 1.4F * text_px);
+        for (const double tick : ticks) {
             const float y = to_pixel(plot.y, tick);
             draw_level_line(list, y, area.min.x, area.max.x, theme.hairline_px,
                             faded(theme.line, 0.7F));
-            const std::string text = tick_text(tick);
+            const std::string text = tick_text(tick, step_between(plot.y, ticks));
             const ImVec2 corner{right - text_size(font, text).x, y - text_px * 0.55F};
             draw_text(list, font, corner, theme.dim_text, text);
         }
@@ -243,7 +194,7 @@ void draw_axes(ImDrawList& list, const Theme& theme, const Plot& plot, const Plo
     if (labels.x_unit.empty()) return;
     const auto ticks = ticks_apart(plot.x, 4.0F * text_px);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
-        std::string text = tick_text(ticks[i]);
+        std::string text = tick_text(ticks[i], step_between(plot.x, ticks));
         const float number_px = text_size(font, text).x;
         if (i + 1 == ticks.size()) text += " " + std::string{labels.x_unit};
         const float x = to_pixel(plot.x, ticks[i]);
@@ -289,20 +240,6 @@ std::vector<Extremes> extremes(std::span<const double> samples, double first, do
         result[c] = {*low, *high};
     }
     return result;
-}
-
-void draw_signal(ImDrawList& list, const Theme& theme, const Plot& plot,
-                 std::span<const double> samples, double rate_hz, ImU32 colour, TraceStyle style) {
-    if (samples.empty() || plot.area.empty() || !(plot.x.low < plot.x.high)) return;
-    const double samples_per_pixel =
-        (plot.x.high - plot.x.low) * rate_hz / static_cast<double>(plot.area.width());
-    list.PushClipRect(plot.area.min, plot.area.max, true);
-    if (style == TraceStyle::line && samples_per_pixel < 1.0) {
-        draw_polyline(list, theme, plot, samples, rate_hz, colour);
-    } else {
-        draw_columns(list, theme, plot, samples, rate_hz, colour, style);
-    }
-    list.PopClipRect();
 }
 
 }  // namespace tact

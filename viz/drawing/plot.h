@@ -41,6 +41,16 @@ std::vector<double> ticks_apart(const Axis& axis, float apart_px);
 // "0.25", "-40", "1000"; as many decimals as the value needs, at most 6 significant digits.
 std::string tick_text(double value);
 
+// The same with the digits that tell it from its neighbours a step away: "59.8925" of steps of
+// 0.0025.
+std::string tick_text(double value, double step);
+
+// With the decimals that a step takes, on all values alike: "59.90", "59.91" of steps of 0.01.
+std::string stepped(double value, double step);
+
+// A place on an axis as a read-out says it: to about a five-hundredth of what is in view.
+std::string place_text(const Axis& axis, double value);
+
 // `digits` significant digits without an exponent: "31.2", "0.0304".
 std::string significant(double value, int digits = 3);
 

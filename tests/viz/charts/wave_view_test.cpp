@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "tests/support/presence.h"
@@ -77,6 +78,61 @@ TEST_CASE("wave: an area without room draws nothing and does not fail") {
         draw_wave("none", theme, {{10, 10}, {10, 10}}, {});
         draw_wave("tiny", theme, {{10, 10}, {13, 12}}, {});
     });
+}
+
+// Counts of 5 ms steps, and the same as impulses at 10 kHz, as narrow as two pixels.
+TEST_CASE("wave: a bar is a rectangle at any size of text and width of the pane") {
+    const ImU32 ink = IM_COL32(255, 0, 200, 255);
+    std::vector<double> steps(200);
+    for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = k % 7 == 2 ? 50.0 : 20.0 * (k % 3);
+    std::vector<double> fine;
+    for (const double step : steps) fine.insert(fine.end(), 50, step);
+    for (const float scale : {0.75F, 1.0F, 1.25F, 1.5F, 2.0F, 2.5F}) {
+        for (const float width : {410.5F, 610.0F, 1389.0F}) {
+            for (const auto& [samples, rate_hz] :
+                 {std::pair{steps, 200.0}, std::pair{fine, 10'000.0}}) {
+                const WaveTrace trace{samples, rate_hz, ink, TraceStyle::filled};
+                const Rect area{{10, 10}, {10.0F + width, 110}};
+                const Image image = draw_picture(static_cast<int>(width) + 20, 120,
+                                                 {.scale = scale}, [&](const Theme& theme) {
+                                                     WaveScene scene{.traces = {&trace, 1}};
+                                                     scene.signed_values = false;
+                                                     scene.time_axis = scene.value_axis = false;
+                                                     draw_wave("wave", theme, area, scene);
+                                                 });
+                // Lower than any bar, and between the two kinds: upright sides have no slope.
+                for (const auto& [top, bottom] : {std::pair{80, 105}, {40, 65}, {20, 35}}) {
+                    int slanted = 0;
+                    for (int x = 10; x < static_cast<int>(area.max.x); ++x) {
+                        for (int y = top + 1; y < bottom; ++y) {
+                            if (pixel(image, x, y) != pixel(image, x, top)) ++slanted;
+                        }
+                    }
+                    CHECK_MESSAGE(slanted == 0, "scale ", scale, ", ", width, " px");
+                }
+                CHECK(count_pixels(image, {{10, 30}, {area.max.x, 31}}, ink) > width / 10.0F);
+            }
+        }
+    }
+}
+
+TEST_CASE("wave: the stroke of a crest is as thick as any other") {
+    const ImU32 ink = IM_COL32(255, 0, 200, 255);
+    for (const double rate_hz : {100.0, 10'000.0}) {
+        const std::vector<double> level(static_cast<std::size_t>(rate_hz), 1.0);
+        const auto inked = [&](double highest) {
+            const Image image = draw_picture(320, 60, {.scale = 2.0F}, [&](const Theme& theme) {
+                Plot plot;
+                plot.area = {{10, 20}, {310, 40}};
+                plot.x = {0.0, 1.0, Scale::linear, 10, 310};
+                plot.y = {-highest, highest, Scale::linear, 40, 20};
+                draw_signal(*ImGui::GetWindowDrawList(), theme, plot, level, rate_hz, ink,
+                            TraceStyle::line);
+            });
+            return count_pixels(image, whole(image), ink, 100);
+        };
+        CHECK(inked(1.0) == inked(2.0));
+    }
 }
 
 }  // namespace tact::wave_view_test

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace tact::plot_test {
@@ -110,6 +111,42 @@ TEST_CASE("plot: numbers read as a person would write them") {
     CHECK(grouped(999.6) == "1\u00a0000");
     CHECK(grouped(499500.0) == "499\u00a0500");
     CHECK(grouped(-1234567.0) == "−1\u00a0234\u00a0567");
+}
+
+// Deep in a long signal steps are small beside the values.
+TEST_CASE("plot: no two ticks read alike, and each reads as what it is") {
+    for (const double low : {0.0, 0.3, 9.99, 59.895, 599.87, -59.9}) {
+        for (double width = 100.0; width > 1e-5; width /= 3.1) {
+            const auto ticks = round_ticks(low, low + width);
+            REQUIRE(ticks.size() > 1);
+            const double step = ticks[1] - ticks[0];
+            for (const double tick : ticks) {
+                std::string text = tick_text(tick, step);
+                if (text.starts_with("−")) text.replace(0, 3, "-");
+                CHECK_MESSAGE(std::abs(std::stod(text) - tick) <= 1e-3 * step, text);
+            }
+        }
+    }
+    CHECK(tick_text(0.25, 0.25) == "0.25");
+    CHECK(tick_text(0.5, 0.25) == "0.5");
+    CHECK(tick_text(1000.0, 500.0) == "1000");
+    CHECK(tick_text(59.8925, 0.0025) == "59.8925");
+    CHECK(tick_text(0.0, 0.0) == "0");
+}
+
+TEST_CASE("plot: a place is read to a fraction of what is in view, early and late alike") {
+    CHECK(place_text({.low = 0.0, .high = 1.0}, 0.25317) == "0.253");
+    CHECK(place_text({.low = 0.0, .high = 60.0}, 31.256) == "31.3");
+    CHECK(place_text({.low = 59.895, .high = 59.9}, 59.8973149) == "59.89731");
+    CHECK(place_text({.low = -1.0, .high = 1.0}, -0.25) == "−0.250");
+    for (const double at : {0.1, 6.0, 59.9}) {
+        for (double length = 1.0; length > 1e-3; length *= 0.37) {
+            const Axis axis{.low = at - length, .high = at};
+            // Less than a pixel of the largest screen apart is alike, a hundredth of the view not.
+            CHECK(place_text(axis, at) != place_text(axis, at - 0.01 * length));
+        }
+    }
+    CHECK(stepped(3.0, 0.0) == "3");
 }
 
 }  // namespace tact::plot_test

@@ -1,0 +1,168 @@
+// Long signals as lines and bars, for plots of any width.
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+#include "viz/drawing/wave_body.h"
+
+namespace tact {
+namespace {
+
+// One column of a strip at x: soft edge, top, bottom, soft edge.
+struct StripColumn {
+    float x;
+    float top;
+    float bottom;
+};
+
+// A band between two lines with edges that fade over one pixel, or do not in vector pictures.
+void draw_strip(ImDrawList& list, std::span<const StripColumn> columns, ImU32 colour) {
+    if (columns.size() < 2) return;
+    const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
+    const ImU32 clear = colour & ~IM_COL32_A_MASK;
+    const float soft = (list.Flags & ImDrawListFlags_AntiAliasedFill) != 0 ? 0.5F : 0.0F;
+    // Batches keep within the 16-bit indices of one draw command.
+    constexpr std::size_t kBatch = 4096;
+    for (std::size_t begin = 0; begin + 1 < columns.size(); begin += kBatch) {
+        const std::size_t count = std::min(kBatch + 1, columns.size() - begin);
+        const int quads = static_cast<int>(count - 1) * 3;
+        list.PrimReserve(quads * 6, static_cast<int>(count) * 4);
+        const unsigned base = list._VtxCurrentIdx;
+        for (const StripColumn& c : columns.subspan(begin, count)) {
+            list.PrimWriteVtx({c.x, c.top - soft}, uv, clear);
+            list.PrimWriteVtx({c.x, c.top + soft}, uv, colour);
+            list.PrimWriteVtx({c.x, c.bottom - soft}, uv, colour);
+            list.PrimWriteVtx({c.x, c.bottom + soft}, uv, clear);
+        }
+        for (unsigned i = 0; i + 1 < count; ++i) {
+            for (unsigned band = 0; band < 3; ++band) {
+                const unsigned a = base + 4 * i + band;
+                for (const unsigned v : {a, a + 4, a + 5, a, a + 5, a + 1}) {
+                    list.PrimWriteIdx(static_cast<ImDrawIdx>(v));
+                }
+            }
+        }
+    }
+}
+
+// A quarter of a pixel, in values.
+double unseen(const Axis& axis) {
+    return 0.25 *
+           std::abs((axis.high - axis.low) / static_cast<double>(axis.high_px - axis.low_px));
+}
+
+// One column a pixel of what is in view; columns beyond the signal are left out.
+struct PixelColumns {
+    std::vector<Extremes> extremes;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+
+    double from_s(const Axis& time, std::size_t column) const {
+        return time.low + static_cast<double>(column) * (time.high - time.low) /
+                              static_cast<double>(extremes.size());
+    }
+};
+
+PixelColumns pixel_columns(const Plot& plot, std::span<const double> samples, double rate_hz,
+                           double widest_px) {
+    const auto count = static_cast<std::size_t>(std::ceil(plot.area.width()));
+    PixelColumns result{body_columns(samples, plot.x.low * rate_hz, plot.x.high * rate_hz, count,
+                                     {widest_px, unseen(plot.y)})};
+    const double per_column = (plot.x.high - plot.x.low) / static_cast<double>(count);
+    const double length_s = static_cast<double>(samples.size()) / rate_hz;
+    const auto middles_before = [&](double time_s) {
+        const double columns = std::ceil((time_s - plot.x.low) / per_column - 0.5);
+        return static_cast<std::size_t>(std::clamp(columns, 0.0, static_cast<double>(count)));
+    };
+    result.begin = middles_before(0.0);
+    result.end = std::max(result.begin, middles_before(length_s));
+    return result;
+}
+
+double samples_per_pixel(const Plot& plot, double rate_hz) {
+    return (plot.x.high - plot.x.low) * rate_hz / static_cast<double>(plot.area.width());
+}
+
+void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
+                  std::span<const double> samples, double rate_hz, ImU32 colour) {
+    constexpr double kWidestPx = 6.0;
+    const PixelColumns columns = pixel_columns(plot, samples, rate_hz, kWidestPx);
+    const float half_px = theme.trace_px / 2.0F;
+    const double half_s = 0.5 * (columns.from_s(plot.x, 1) - plot.x.low);
+    std::vector<StripColumn> strip;
+    for (std::size_t c = columns.begin; c < columns.end; ++c) {
+        const Extremes& e = columns.extremes[c];
+        strip.push_back({to_pixel(plot.x, columns.from_s(plot.x, c) + half_s),
+                         to_pixel(plot.y, e.high) - half_px, to_pixel(plot.y, e.low) + half_px});
+    }
+    draw_strip(list, strip, colour);
+}
+
+// From zero to each value for as long as it lasts: bars, with upright sides on whole pixels.
+void draw_steps(ImDrawList& list, const Plot& plot, std::span<const double> samples, double rate_hz,
+                ImU32 colour) {
+    std::vector<StripColumn> strip;
+    const auto add = [&](double from_s, double to_s, const Extremes& e) {
+        const float top = to_pixel(plot.y, std::max(0.0, e.high));
+        const float bottom = to_pixel(plot.y, std::min(0.0, e.low));
+        const float left = std::round(to_pixel(plot.x, from_s));
+        const float right = std::round(to_pixel(plot.x, to_s));
+        const bool goes_on = !strip.empty() && strip.back().top == top &&
+                             strip.back().bottom == bottom && strip.back().x == left;
+        if (!goes_on) strip.push_back({left, top, bottom});
+        if (goes_on && strip.size() > 1) strip.pop_back();
+        strip.push_back({right, top, bottom});
+    };
+    if (samples_per_pixel(plot, rate_hz) < 1.0) {
+        const double last_index = static_cast<double>(samples.size()) - 1.0;
+        const double first = std::clamp(std::floor(plot.x.low * rate_hz), 0.0, last_index);
+        const double last = std::clamp(std::ceil(plot.x.high * rate_hz), 0.0, last_index);
+        for (double i = first; i <= last; i += 1.0) {
+            const double value = samples[static_cast<std::size_t>(i)];
+            add(i / rate_hz, (i + 1.0) / rate_hz, {value, value});
+        }
+    } else {
+        constexpr double kWidestPx = 3.0;  // a pause of two pixels is seen beside a bar
+        const PixelColumns columns = pixel_columns(plot, samples, rate_hz, kWidestPx);
+        for (std::size_t c = columns.begin; c < columns.end; ++c) {
+            add(columns.from_s(plot.x, c), columns.from_s(plot.x, c + 1), columns.extremes[c]);
+        }
+    }
+    draw_strip(list, strip, colour);
+}
+
+void draw_polyline(ImDrawList& list, const Theme& theme, const Plot& plot,
+                   std::span<const double> samples, double rate_hz, ImU32 colour) {
+    const double last_index = static_cast<double>(samples.size()) - 1.0;
+    const double first = std::clamp(std::floor(plot.x.low * rate_hz), 0.0, last_index);
+    const double last = std::clamp(std::ceil(plot.x.high * rate_hz), 0.0, last_index);
+    std::vector<ImVec2> points;
+    for (auto i = static_cast<std::size_t>(first); i <= static_cast<std::size_t>(last); ++i) {
+        points.push_back(
+            {to_pixel(plot.x, static_cast<double>(i) / rate_hz), to_pixel(plot.y, samples[i])});
+    }
+    draw_path(list, points, colour, theme.trace_px);
+}
+
+}  // namespace
+
+void draw_signal(ImDrawList& list, const Theme& theme, const Plot& plot,
+                 std::span<const double> samples, double rate_hz, ImU32 colour, TraceStyle style) {
+    if (samples.empty() || plot.area.empty() || !(plot.x.low < plot.x.high)) return;
+    // Half a stroke above the highest crest is still the crest.
+    const float stroke_px = style == TraceStyle::line ? 0.5F * theme.trace_px + 0.5F : 0.0F;
+    list.PushClipRect({plot.area.min.x, plot.area.min.y - stroke_px},
+                      {plot.area.max.x, plot.area.max.y + stroke_px}, true);
+    if (style == TraceStyle::filled) {
+        draw_steps(list, plot, samples, rate_hz, colour);
+    } else if (samples_per_pixel(plot, rate_hz) < 1.0) {
+        draw_polyline(list, theme, plot, samples, rate_hz, colour);
+    } else {
+        draw_columns(list, theme, plot, samples, rate_hz, colour);
+    }
+    list.PopClipRect();
+}
+
+}  // namespace tact

@@ -1,0 +1,231 @@
+#include "viz/drawing/wave_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tact {
+namespace {
+
+constexpr double kSlicesPerColumn = 16.0;  // finer than that a wave is body anyhow
+constexpr double kUneven = 1.75;           // of neighbouring periods, to be one oscillation
+constexpr double kRim = 1.2;               // periods from an end to its first crest
+
+// The upper edge of a wave, or its lower edge upside down; times are in samples.
+struct Vertex {
+    double at;
+    double value;
+    bool bridged;  // the way here from the vertex before it is a straight line over a valley
+};
+
+using Edge = std::vector<Vertex>;
+
+// The crest between samples, by the parabola through three of them, if sample i is the highest of a
+// smooth hill. Beside a step or a click a parabola would overshoot.
+double crest_value(std::span<const double> samples, std::size_t i, double sign) {
+    const double top = sign * samples[i];
+    if (i < 1 || i + 1 >= samples.size()) return top;
+    const auto value = [&](std::size_t k) { return sign * samples[k]; };
+    const auto bend = [&](std::size_t k) { return 2.0 * value(k) - value(k - 1) - value(k + 1); };
+    const double middle = bend(i);
+    const auto like = [&](double other) { return other > 0.5 * middle && other < 2.0 * middle; };
+    if (value(i - 1) > top || value(i + 1) > top || !(middle > 0.0)) return top;
+    if (i > 1 && !like(bend(i - 1))) return top;
+    if (i + 2 < samples.size() && !like(bend(i + 1))) return top;
+    const double tilt = value(i + 1) - value(i - 1);
+    return top + tilt * tilt / (8.0 * middle);
+}
+
+// Samples [begin, end], each one or the most of each slice of them.
+Edge edge_of(std::span<const double> samples, std::size_t begin, std::size_t end,
+             std::size_t slices, double sign) {
+    Edge edge;
+    const std::size_t count = end - begin + 1;
+    slices = std::min(slices, count);
+    edge.reserve(slices);
+    for (std::size_t k = 0; k < slices; ++k) {
+        std::size_t most = begin + k * count / slices;
+        const std::size_t stop = begin + (k + 1) * count / slices;
+        for (std::size_t i = most + 1; i < stop; ++i) {
+            if (sign * samples[i] > sign * samples[most]) most = i;
+        }
+        edge.push_back({static_cast<double>(most), crest_value(samples, most, sign), false});
+    }
+    return edge;
+}
+
+// The first and the last vertex that are as high as the highest, and what lies between valleys.
+struct Crest {
+    std::size_t begin;
+    std::size_t end;
+    double at;
+};
+
+Crest crest_at(const Edge& edge, std::size_t top, double least) {
+    Crest crest{top, top, 0.0};
+    const double floor = edge[top].value - least;
+    while (crest.begin > 0 && edge[crest.begin - 1].value >= floor) --crest.begin;
+    while (crest.end + 1 < edge.size() && edge[crest.end + 1].value >= floor) ++crest.end;
+    crest.at = 0.5 * (edge[crest.begin].at + edge[crest.end].at);
+    return crest;
+}
+
+// Those with deeper valleys than `least` on both sides; the ends of the edge are none.
+std::vector<Crest> crests_of(const Edge& edge, double least) {
+    std::vector<Crest> crests;
+    bool is_rising = false;
+    std::size_t top = 0;
+    double bottom = edge.front().value;
+    for (std::size_t i = 1; i < edge.size(); ++i) {
+        const double value = edge[i].value;
+        if (!is_rising) {
+            bottom = std::min(bottom, value);
+            is_rising = value > bottom + least;
+            if (is_rising) top = i;
+        } else if (value > edge[top].value) {
+            top = i;
+        } else if (value < edge[top].value - least) {
+            crests.push_back(crest_at(edge, top, least));
+            is_rising = false;
+            bottom = value;
+        }
+    }
+    return crests;
+}
+
+double period_after(std::span<const Crest> crests, std::size_t k) {
+    return crests[k + 1].at - crests[k].at;
+}
+
+// Which valleys follow each other so closely that none is seen. A steady oscillation about as wide
+// as `widest` is narrow throughout or not at all: where one valley is, so are those after it that
+// are a little wider.
+std::vector<bool> narrow_valleys(std::span<const Crest> crests, double widest) {
+    constexpr double kSteady = 1.25;
+    const std::size_t count = crests.size() - 1;
+    std::vector<bool> narrow(count);
+    const auto like = [&](std::size_t k, std::size_t other, double uneven) {
+        const double beside = period_after(crests, other);
+        return beside <= kSteady * widest && period_after(crests, k) <= uneven * beside;
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+        narrow[k] =
+            period_after(crests, k) <= widest &&
+            ((k > 0 && like(k, k - 1, kUneven)) || (k + 1 < count && like(k, k + 1, kUneven)));
+    }
+    const auto spread = [&](std::size_t k, std::size_t from) {
+        if (narrow[k] || !narrow[from] || period_after(crests, k) > kSteady * widest) return;
+        narrow[k] = like(k, from, kSteady);
+    };
+    for (std::size_t k = 1; k < count; ++k) spread(k, k - 1);
+    for (std::size_t k = count; k-- > 1;) spread(k - 1, k);
+    return narrow;
+}
+
+// Fills the narrow valleys once; false if there was none. Before the first crest and after the last
+// one there is no other to go to: for about a period (a crest at the very end is none) the edge
+// goes on level.
+bool bridge(Edge& edge, double widest, double least) {
+    const std::vector<Crest> crests = crests_of(edge, least);
+    if (crests.size() < 3) return false;
+    const std::vector<bool> narrow = narrow_valleys(crests, widest);
+    bool any = false;
+    Edge filled;
+    const auto keep = [&](std::size_t begin, std::size_t end) {
+        const auto at = [&](std::size_t k) {
+            return edge.begin() + static_cast<std::ptrdiff_t>(k);
+        };
+        filled.insert(filled.end(), at(begin), at(end));
+    };
+    const Crest& head = crests.front();
+    const Crest& tail = crests.back();
+    if (head.begin > 0 && narrow.front() &&
+        head.at - edge.front().at <= kRim * period_after(crests, 0)) {
+        filled.push_back({edge.front().at, edge[head.begin].value, false});
+        edge[head.begin].bridged = true;
+    } else {
+        keep(0, head.begin);
+    }
+    for (std::size_t k = 0; k + 1 < crests.size(); ++k) {
+        keep(crests[k].begin, crests[k].end + 1);
+        if (!narrow[k]) {
+            keep(crests[k].end + 1, crests[k + 1].begin);
+            continue;
+        }
+        edge[crests[k + 1].begin].bridged = true;
+        any = true;
+    }
+    keep(tail.begin, tail.end + 1);
+    if (tail.end + 1 < edge.size() && narrow.back() &&
+        edge.back().at - tail.at <= kRim * period_after(crests, crests.size() - 2)) {
+        filled.push_back({edge.back().at, edge[tail.end].value, true});
+    } else {
+        keep(tail.end + 1, edge.size());
+    }
+    if (any) edge = std::move(filled);
+    return any;
+}
+
+// Raises each column to the crests within it: those of slices lie between samples.
+template <class Raise>
+void raise_to_crests(const Edge& edge, double first, double step, std::size_t columns,
+                     Raise raise) {
+    for (const Vertex& vertex : edge) {
+        const double column = std::floor((vertex.at - first) / step);
+        if (column < 0.0 || column >= static_cast<double>(columns)) continue;
+        raise(static_cast<std::size_t>(column), vertex.value);
+    }
+}
+
+// Raises each column to the highest bridge within it.
+template <class Raise>
+void raise_to_bridges(const Edge& edge, double first, double step, std::size_t columns,
+                      Raise raise) {
+    for (std::size_t i = 1; i < edge.size(); ++i) {
+        if (!edge[i].bridged) continue;
+        const Vertex& a = edge[i - 1];
+        const Vertex& b = edge[i];
+        const double last_column = static_cast<double>(columns) - 1.0;
+        const double from = std::max(0.0, std::floor((a.at - first) / step));
+        const double to = std::min(last_column, std::floor((b.at - first) / step));
+        const double slope = b.at > a.at ? (b.value - a.value) / (b.at - a.at) : 0.0;
+        for (double c = from; c <= to; c += 1.0) {
+            const double left = std::max(a.at, first + c * step);
+            const double right = std::min(b.at, first + (c + 1.0) * step);
+            const double highest = std::max(slope * (left - a.at), slope * (right - a.at));
+            raise(static_cast<std::size_t>(c), a.value + highest);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Extremes> body_columns(std::span<const double> samples, double first, double last,
+                                   std::size_t columns, const BodyScale& scale) {
+    std::vector<Extremes> result = extremes(samples, first, last, columns);
+    if (result.empty()) return result;
+    const double step = (last - first) / static_cast<double>(columns);
+    // What is beyond the view tells how what is at its rim goes on.
+    const double beyond = 4.0 * scale.widest * step;
+    const double last_index = static_cast<double>(samples.size()) - 1.0;
+    const auto begin =
+        static_cast<std::size_t>(std::clamp(std::floor(first - beyond), 0.0, last_index));
+    const auto end =
+        static_cast<std::size_t>(std::clamp(std::ceil(last + beyond), 0.0, last_index));
+    const auto slices = static_cast<std::size_t>(
+        kSlicesPerColumn * (static_cast<double>(columns) + 8.0 * scale.widest));
+    for (const double sign : {1.0, -1.0}) {
+        const auto raise = [&](std::size_t c, double value) {
+            Extremes& column = result[c];
+            if (sign > 0.0) column.high = std::max(column.high, value);
+            if (sign < 0.0) column.low = std::min(column.low, -value);
+        };
+        Edge edge = edge_of(samples, begin, end, slices, sign);
+        if (edge.size() == slices) raise_to_crests(edge, first, step, columns, raise);
+        while (bridge(edge, scale.widest * step, scale.least)) {
+        }
+        raise_to_bridges(edge, first, step, columns, raise);
+    }
+    return result;
+}
+
+}  // namespace tact

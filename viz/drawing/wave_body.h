@@ -1,0 +1,34 @@
+// A wave in pixel columns, drawn true where its periods are narrower than can be seen.
+//
+// The least and the most of each column alone is a lie there: with two to four columns a period
+// some columns miss the crest and some the trough, and a plain tone looks modulated. Where crests
+// follow each other within a few columns, the valleys between them are filled: by straight lines
+// from crest to crest, so that what is slower, as a modulation, is drawn as it is. Crests of crests
+// come next, until those left are far enough apart: of a sum of tones every period that is too
+// narrow becomes body, and no other.
+//
+// Input     samples of any number: one pass over those in view
+// Valid     a lone click, two of them, and pauses between bursts stay what they are: filled is only
+//           what repeats. Tones of more than eight samples a period have the crests between their
+//           samples.
+// Left out  logarithmic axes.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+struct BodyScale {
+    double widest = 6.0;  // columns of a period that is not seen as one
+    double least = 0.0;   // of values: what makes no difference on the screen
+};
+
+// As `extremes` (plot.h), which these columns contain.
+std::vector<Extremes> body_columns(std::span<const double> samples, double first, double last,
+                                   std::size_t columns, const BodyScale& scale);
+
+}  // namespace tact
