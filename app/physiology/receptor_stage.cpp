@@ -66,10 +66,11 @@ void draw_receptor_readout(App& app, const ShownStages& shown, const ReceptorPla
     std::array<std::string, 5> lines;
     lines[0] = std::string(traits(place.type).name) + ", " + significant(receptor.distance_mm) +
                " mm from the probe";
-    lines[1] = significant(receptor.rate_hz) + " imp/s mean";
-    lines[2] = "wave at " + significant(100.0 * fall) + " % of the probe's";
-    lines[3] = std::to_string(total_spikes(train)) + " spikes in all";
-    lines[4] = std::to_string(train[step_at(app, shown)]) + " in these 5 ms";
+    lines[1] = "fires " + std::to_string(total_spikes(train)) + " times in " +
+               tick_text(duration_s(shown.live->waveform)) + " s";
+    lines[2] = std::to_string(train[step_at(app, shown)]) + " in these 5 ms";
+    lines[3] = "rate by Eq. 2: " + significant(receptor.rate_hz) + " imp/s";
+    lines[4] = "wave at " + significant(100.0 * fall) + " % of the probe's";
     draw_readout(*ImGui::GetForegroundDrawList(), app.theme, bounds, at, lines);
     char exact[160];
     std::snprintf(exact, sizeof exact, "%s %zu %.17g %.17g %d", traits(place.type).afferent,
@@ -83,12 +84,22 @@ std::optional<std::size_t> of_type(const std::optional<ReceptorPlace>& place, Re
     return place->index;
 }
 
-double largest_rate_hz(const LiveStages& live) {
-    double largest = 0.0;
-    for (const Activation& activation : live.neural.code.activation) {
-        largest = std::max(largest, activation.rate_hz);
+// Of the receptor under the probe, counted as the raster shows it.
+std::optional<int> centre_spikes(const ChannelStages& channel) {
+    const auto centre =
+        std::ranges::min_element(channel.grid.receptors, {}, &GridReceptor::distance_mm);
+    const auto k = static_cast<std::size_t>(centre - channel.grid.receptors.begin());
+    if (k >= channel.spike_count.size()) return std::nullopt;
+    return total_spikes(channel.spike_count[k]);
+}
+
+// As fired, of all types.
+double largest_fired_hz(const LiveStages& live) {
+    int most = 0;
+    for (const ChannelStages& channel : live.neural.channel) {
+        most = std::max(most, centre_spikes(channel).value_or(0));
     }
-    return largest;
+    return most / std::max(duration_s(live.waveform), 1e-3);
 }
 
 float eased_tilt(const App& app) {
@@ -109,7 +120,9 @@ void draw_one_grid(App& app, const ShownStages& shown, Receptor type, const Rect
     scene.activation = live.neural.code.activation[c];
     scene.silent = channel.silent;
     scene.half_extent_mm = extent_mm;
-    scene.largest_hz = largest_rate_hz(live);
+    scene.largest_hz = largest_fired_hz(live);
+    scene.centre_spikes = centre_spikes(channel);
+    scene.duration_s = duration_s(live.waveform);
     scene.flash = flash;
     scene.tilted = eased_tilt(app);
     scene.selected = of_type(app.physiology.selected, type);

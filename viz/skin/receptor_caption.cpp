@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -34,21 +35,11 @@ void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const Rec
     draw_text(list, font, {left + mark_px + name_px, line.min.y}, theme.text, count);
 }
 
-// What there is to say, the radius only where it fits.
-std::string state_text(const ReceptorScene& scene, const ImFont* font, float room_px) {
-    if (scene.grid == nullptr) return shortened(font, "not computed yet", room_px);
-    if (scene.activation.radius_mm <= 0.0) return shortened(font, "below threshold", room_px);
-    if (scene.silent) return shortened(font, "nothing in its band", room_px);
-    const std::string rate = significant(scene.activation.rate_hz) + " imp/s";
-    const std::string both = rate + ", " + significant(scene.activation.radius_mm, 2) + " mm";
-    return text_size(font, both).x <= room_px ? both : shortened(font, rate, room_px);
-}
-
 void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line,
                  const ReceptorScene& scene) {
     constexpr int kSteps = 24;
     const bool rates = scene.quantity == ReceptorQuantity::rate;
-    const double largest = scene.largest_hz > 0.0 ? scene.largest_hz : scene.activation.rate_hz;
+    const double largest = scene.largest_hz > 0.0 ? scene.largest_hz : centre_hz(scene);
     const std::string high = rates ? significant(largest) + " imp/s" : "amplitude at the probe";
     const ImFont* font = theme.fonts.small;
     const float text_px = font_or_current(font).FontSize;
@@ -72,6 +63,25 @@ void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line,
 
 }  // namespace
 
+std::string receptor_state_text(const ReceptorScene& scene, const ImFont* font, float room_px) {
+    if (scene.grid == nullptr) return shortened(font, "not computed yet", room_px);
+    if (scene.activation.radius_mm <= 0.0) return shortened(font, "below threshold", room_px);
+    if (scene.silent) return shortened(font, "nothing in its band", room_px);
+    const std::string rate = significant(scene.activation.rate_hz) + " imp/s";
+    const std::string radius = ", " + significant(scene.activation.radius_mm, 2) + " mm";
+    std::vector<std::string> wordings{rate + radius, rate};
+    if (scene.centre_spikes) {
+        const std::string count = std::to_string(*scene.centre_spikes);
+        const std::string fires = "fires " + count + " in " + tick_text(scene.duration_s) + " s";
+        wordings = {"centre " + fires + " (rate by Eq. 2: " + rate + ")" + radius,
+                    "centre " + fires + radius, fires + radius, fires, count + " spikes"};
+    }
+    for (const std::string& wording : wordings) {
+        if (text_size(font, wording).x <= room_px) return wording;
+    }
+    return shortened(font, wordings.back(), room_px);
+}
+
 float caption_line_px(const Theme& theme) {
     return 1.25F * font_or_current(theme.fonts.small).FontSize;
 }
@@ -89,7 +99,7 @@ void draw_caption(ImDrawList& list, const Theme& theme, const Rect& caption,
     draw_name(list, theme, line, scene);
     line = rect_at({line.min.x, line.max.y}, {line.width(), text_px});
     const ImFont* font = theme.fonts.small;
-    const std::string state = state_text(scene, font, line.width());
+    const std::string state = receptor_state_text(scene, font, line.width());
     draw_text(list, font, {line.centre().x - text_size(font, state).x / 2.0F, line.min.y},
               theme.dim_text, state);
     line = rect_at({line.min.x, line.max.y}, {line.width(), text_px});

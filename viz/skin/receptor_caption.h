@@ -2,6 +2,8 @@
 // view.
 #pragma once
 
+#include <string>
+
 #include "viz/skin/receptor_view.h"
 
 namespace tact {
@@ -12,8 +14,12 @@ float caption_line_px(const Theme& theme);
 // Opaque colour of a value of 0..1: what lies behind a mark must not change it.
 ImU32 value_colour(const Theme& theme, Receptor receptor, double value);
 
-// Name and number of receptors; rate and radius or why there are none; if it fits, what the colours
-// stand for.
+// What a caption says of a type that fires, or why none does: as much as fits, and what can be
+// counted in the raster before what Eq. 2 gives.
+std::string receptor_state_text(const ReceptorScene& scene, const ImFont* font, float room_px);
+
+// Name and number of receptors; what they fire and the radius or why there are none; if it fits,
+// what the colours stand for.
 void draw_caption(ImDrawList& list, const Theme& theme, const Rect& caption,
                   const ReceptorScene& scene);
 

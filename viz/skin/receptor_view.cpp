@@ -185,15 +185,23 @@ ReceptorAction read_mouse(const char* id, const Theme& theme, const Rect& area, 
 
 }  // namespace
 
+double centre_hz(const ReceptorScene& scene) {
+    const bool is_known = scene.centre_spikes && scene.duration_s > 0.0;
+    return is_known ? *scene.centre_spikes / scene.duration_s : scene.activation.rate_hz;
+}
+
 double shown_value(const ReceptorScene& scene, double distance_mm) {
     if (scene.activation.radius_mm <= 0.0) return 0.0;
     if (scene.quantity == ReceptorQuantity::amplitude) {
         const double near = kHotZoneMm / std::max(distance_mm, kHotZoneMm);
         return near * near;
     }
-    const double largest = scene.largest_hz > 0.0 ? scene.largest_hz : scene.activation.rate_hz;
-    if (largest <= 0.0) return 0.0;
-    return std::clamp(rate_at_hz(scene.activation, distance_mm) / largest, 0.0, 1.0);
+    const double centre = centre_hz(scene);
+    const double largest = scene.largest_hz > 0.0 ? scene.largest_hz : centre;
+    if (largest <= 0.0 || scene.activation.rate_hz <= 0.0) return 0.0;
+    // Receptors share impulses in the ratio of their rates.
+    const double share = rate_at_hz(scene.activation, distance_mm) / scene.activation.rate_hz;
+    return std::clamp(share * centre / largest, 0.0, 1.0);
 }
 
 double common_extent_mm(const PerReceptor<Activation>& activation) {

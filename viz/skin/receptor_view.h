@@ -24,7 +24,7 @@ namespace tact {
 
 // What colour and, in the tilted view, height stand for.
 enum class ReceptorQuantity {
-    rate,      // mean rate, impulses/s
+    rate,      // impulses/s: as fired where that is known, else the mean rate of Eq. 2
     amplitude  // of the propagated wave, as a share of the probe's
 };
 
@@ -35,7 +35,11 @@ struct ReceptorScene {
     bool silent = false;           // next to no energy in the channel's band: none of them fires
     double half_extent_mm = 10.5;  // from the probe to the map's edge; the same in maps to compare
     ReceptorQuantity quantity = ReceptorQuantity::rate;
-    double largest_hz = 0.0;         // the rate of the strongest colour; 0: the centre's
+    double largest_hz = 0.0;  // the rate of the strongest colour; 0: the centre's
+    // How often the receptor under the probe fires in the whole signal, as a raster shows it. The
+    // model may share impulses out so that this is several times what Eq. 2's rate would give.
+    std::optional<int> centre_spikes{};
+    double duration_s = 1.0;         // of the signal
     std::span<const float> flash{};  // by receptor: 1 fires now, fading to 0; empty: none does
     float tilted = 0.0F;             // 0: seen from above; 1: from the side, values as heights
     std::optional<std::size_t> selected{};
@@ -64,6 +68,9 @@ struct ReceptorLayout {
 };
 
 ReceptorLayout receptor_layout(const Theme& theme, const Rect& area, const ReceptorScene& scene);
+
+// Impulses/s of the receptor under the probe: as fired, or by Eq. 2 if that is not known.
+double centre_hz(const ReceptorScene& scene);
 
 // 0..1: what a receptor's colour and height show.
 double shown_value(const ReceptorScene& scene, double distance_mm);

@@ -4,11 +4,16 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <string>
 #include <vector>
 
+#include "model/physiology/spike_train.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/presence.h"
 #include "viz/drawing/colour.h"
+#include "viz/skin/raster_view.h"
+#include "viz/skin/receptor_caption.h"
 
 namespace tact::receptor_view_test {
 namespace {
@@ -273,6 +278,66 @@ TEST_CASE("receptor view: an area without room draws nothing and does not fail")
         const Drawn d = drawn(e.scene(), {}, area);
         CHECK(count_strays(d.image, area, dark_theme(1.0F).pane) == 0);
     }
+}
+
+// The model may share impulses so that a receptor fires several times its rate by Eq. 2: what is
+// said first is what a student counts in the raster.
+TEST_CASE("receptor view: the number in the caption is the number of spikes in the raster") {
+    std::vector<double> fractions(100);
+    for (std::size_t i = 0; i < fractions.size(); ++i) {
+        fractions[i] = static_cast<double>((i + 1) * (i + 1)) / 1e4;
+    }
+    for (const double factor : {0.2, 1.8}) {
+        const Example e(Receptor::pacinian, 6.0);
+        const std::vector<std::vector<int>> train{
+            spike_counts(fractions, factor * e.activation.rate_hz, WindowSplit::halves)};
+        const std::array<RasterChannel, 1> channels{{{Receptor::pacinian, train, {}}}};
+        int seen = 0;
+        for (double from_s = 0.0; from_s < 0.95; from_s += 0.2) {
+            RasterLayout layout;
+            const Image image = draw_picture(2020, 60, {}, [&](const Theme& theme) {
+                const RasterScene scene{.channels = channels,
+                                        .start_s = from_s,
+                                        .end_s = from_s + 0.2,
+                                        .names_px = 0.0F,
+                                        .time_axis = false,
+                                        .rates = false};
+                const Rect area{{10, 10}, {2010, 50}};
+                draw_raster("raster", theme, area, scene);
+                layout = raster_layout(theme, area, scene);
+            });
+            const int y = static_cast<int>(layout.bands[0].rows.centre().y);
+            const ImU32 hue = dark_theme(1.0F).receptor[1];
+            for (int x = 10; x < 2010; ++x) {
+                seen += pixel(image, x, y) == hue && pixel(image, x - 1, y) != hue ? 1 : 0;
+            }
+        }
+        ReceptorScene scene = e.scene();
+        scene.centre_spikes = std::accumulate(train[0].begin(), train[0].end(), 0);
+        scene.duration_s = 1.0;
+        CHECK(seen == *scene.centre_spikes);
+        CHECK(centre_hz(scene) == seen);
+        draw_picture(100, 100, {}, [&](const Theme& theme) {
+            const ImFont* font = theme.fonts.small;
+            const std::string count = std::to_string(seen);
+            CHECK(receptor_state_text(scene, font, 1000.0F) ==
+                  "centre fires " + count + " in 1 s (rate by Eq. 2: 190 imp/s), 6.0 mm");
+            CHECK(receptor_state_text(scene, font, 100.0F) == "fires " + count + " in 1 s");
+        });
+    }
+}
+
+TEST_CASE("receptor view: colour and height go by what fires where that is known") {
+    const Example e(Receptor::meissner, 5.0);
+    ReceptorScene scene = e.scene();
+    scene.largest_hz = 400.0;
+    CHECK(shown_value(scene, 0.0) == doctest::Approx(190.0 / 400.0));
+    scene.centre_spikes = 300;
+    scene.duration_s = 1.5;
+    CHECK(shown_value(scene, 0.0) == doctest::Approx(0.5));
+    CHECK(shown_value(scene, 3.0) == doctest::Approx(0.5 * rate_at_hz(e.activation, 3.0) / 190.0));
+    scene.centre_spikes = 0;
+    CHECK(shown_value(scene, 0.0) == 0.0);
 }
 
 }  // namespace tact::receptor_view_test
