@@ -68,7 +68,7 @@ ScatterAction draw_scatter(const char* id, const Theme& theme, const Rect& area,
 ImVec2 scatter_point(const Theme& theme, const Rect& area, const ScatterScene& scene,
                      std::size_t index);
 
-// The corners of the fit's steps on the screen, at most six a pixel column: for tests as well.
+// The corners of the fit's steps on the screen, at most four a pixel column: for tests as well.
 std::vector<ImVec2> scatter_fit_line(const Theme& theme, const Rect& area,
                                      const ScatterScene& scene);
 

@@ -226,7 +226,7 @@ TEST_CASE("scatter: the fit is drawn where it is, from end to end, of any number
             REQUIRE_FALSE(fit.line.empty());
             CHECK(same(fit.line.front(), fit.whole.front()));
             CHECK(same(fit.line.back(), fit.whole.back()));
-            CHECK(fit.line.size() <= 6 * 400);
+            CHECK(fit.line.size() <= 4 * 400);
             CHECK(farthest_px(fit) <= 1e-3F);
             for (std::size_t k = 1; k < fit.line.size(); ++k) {
                 CHECK(fit.line[k].x >= fit.line[k - 1].x);

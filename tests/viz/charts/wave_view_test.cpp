@@ -84,11 +84,12 @@ TEST_CASE("wave: an area without room draws nothing and does not fail") {
 TEST_CASE("wave: a bar is a rectangle at any size of text and width of the pane") {
     const ImU32 ink = IM_COL32(255, 0, 200, 255);
     std::vector<double> steps(200);
-    for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = k % 7 == 2 ? 50.0 : 20.0 * (k % 3);
+    for (std::size_t k = 0; k < steps.size(); ++k)
+        steps[k] = k % 7 == 2 ? 50.0 : 20.0 * static_cast<double>(k % 3);
     std::vector<double> fine;
     for (const double step : steps) fine.insert(fine.end(), 50, step);
-    for (const float scale : {0.75F, 1.0F, 1.25F, 1.5F, 2.0F, 2.5F}) {
-        for (const float width : {410.5F, 610.0F, 1389.0F}) {
+    for (const float scale : {0.75F, 1.5F, 2.5F}) {
+        for (const float width : {410.5F, 610.0F}) {
             for (const auto& [samples, rate_hz] :
                  {std::pair{steps, 200.0}, std::pair{fine, 10'000.0}}) {
                 const WaveTrace trace{samples, rate_hz, ink, TraceStyle::filled};
@@ -101,7 +102,7 @@ TEST_CASE("wave: a bar is a rectangle at any size of text and width of the pane"
                                                      draw_wave("wave", theme, area, scene);
                                                  });
                 // Lower than any bar, and between the two kinds: upright sides have no slope.
-                for (const auto& [top, bottom] : {std::pair{80, 105}, {40, 65}, {20, 35}}) {
+                for (const auto& [top, bottom] : {std::pair{80, 105}, {40, 65}, {18, 31}}) {
                     int slanted = 0;
                     for (int x = 10; x < static_cast<int>(area.max.x); ++x) {
                         for (int y = top + 1; y < bottom; ++y) {
