@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -10,6 +11,8 @@
 namespace tact {
 
 namespace {
+
+constexpr double kLeastContrast = 3.0;  // of graphics, WCAG 2.1
 
 // The part of a covariance that is seen: J C J', J the change of the place on the screen along each
 // axis of the map.
@@ -43,7 +46,10 @@ void draw_paths(const SpaceStage& stage) {
 
 // Pairs that are too close, thin and in the colour of a warning.
 void draw_links(const SpaceStage& stage) {
-    for (const SpaceLink& link : stage.scene.links) {
+    const std::size_t count = stage.scene.links.size();
+    const std::size_t shown = std::min(count, kMostLinks);
+    for (std::size_t k = 0; k < shown; ++k) {
+        const SpaceLink& link = stage.scene.links[k * count / shown];
         if (!somewhere(stage, link.a) || !somewhere(stage, link.b)) continue;
         const float strength = std::min(presence(stage, link.a), presence(stage, link.b));
         stage.list.AddLine(stage.discs[link.a].centre, stage.discs[link.b].centre,
@@ -58,7 +64,8 @@ void draw_spread(const SpaceStage& stage, const SpaceCamera& camera) {
     if (stage.scene.spread.size() != stage.discs.size()) return;
     constexpr double kHalf = 1.17741;
     constexpr int kCorners = 32;
-    for (const std::size_t i : stage.front_to_back) {
+    const std::size_t shown = std::min(stage.front_to_back.size(), kMostSpreads);
+    for (const std::size_t i : std::span(stage.front_to_back).first(shown)) {
         const Eigen::LLT<Eigen::Matrix2d> root(seen_covariance(stage, camera, i) +
                                                1e-9 * Eigen::Matrix2d::Identity());
         if (root.info() != Eigen::Success) continue;
@@ -109,8 +116,12 @@ void draw_points(const SpaceStage& stage, std::optional<std::size_t> hovered) {
                       toned(stage, ring, marked ? 1.0F : presence(stage, i)));
             draw_disc(stage.list, theme, d.centre, d.radius + edge, theme.pane);
         } else {
-            // A rim of the pane keeps neighbours apart.
-            draw_disc(stage.list, theme, d.centre, d.radius + edge * 0.7F, theme.pane);
+            // A rim of the pane keeps neighbours apart; the ends of colour maps need one to be
+            // seen.
+            const bool is_seen =
+                contrast(stage.scene.looks[i].colour, theme.pane) >= kLeastContrast;
+            draw_disc(stage.list, theme, d.centre, d.radius + edge * 0.7F,
+                      is_seen ? theme.pane : toned(stage, theme.dim_text, presence(stage, i)));
         }
         PatternLook look = stage.scene.looks[i];
         look.colour = toned(stage, look.colour, marked ? 1.0F : presence(stage, i));

@@ -2,7 +2,8 @@
 //
 // Input     a 2-D or 3-D map with names and looks; the camera, which the mouse changes
 // Output    the point under the mouse and what was clicked
-// Valid     any n; names of at most kMostNames points are looked at
+// Valid     any n; names of at most kMostNames points are looked at. Of more links than kMostLinks
+//           and more ellipses than kMostSpreads an even choice and the foremost ones are drawn.
 // Left out  easing between maps (the caller moves the points), lassos.
 #pragma once
 
@@ -21,6 +22,8 @@
 namespace tact {
 
 inline constexpr std::size_t kMostNames = 200;
+inline constexpr std::size_t kMostLinks = 4000;   // lines; more would be a blot, and too slow
+inline constexpr std::size_t kMostSpreads = 500;  // ellipses
 
 struct SpaceLink {
     std::size_t a = 0;

@@ -2,12 +2,15 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "tests/support/presence.h"
+#include "viz/drawing/colormap.h"
+#include "viz/drawing/colour.h"
 
 namespace tact::space_view_test {
 namespace {
@@ -242,6 +245,56 @@ TEST_CASE("space view: beside a subset of many points the others are a cloud wit
         CHECK((picture(named) == picture(bare)) == (n == 90));
         named.chosen = bare.chosen = {};
         CHECK(picture(named) != picture(bare));
+    }
+}
+
+TEST_CASE("space: ten thousand points with all their lines and ellipses are bounded work") {
+    const Example e = example(10'000, 3);
+    const std::vector<Eigen::Matrix3d> spread(10'000, 0.01 * Eigen::Matrix3d::Identity());
+    std::vector<SpaceLink> links;
+    for (std::size_t k = 0; k < 1'000'000; ++k) links.push_back({k % 10'000, k * 31 % 10'000});
+    SpaceScene scene = scene_of(e);
+    scene.links = links;
+    scene.spread = spread;
+    int vertices = 0;
+    int links_alone = 0;
+    for (int* count : {&vertices, &links_alone}) {
+        draw_picture(600, 400, {}, [&](const Theme& theme) {
+            SpaceCamera camera;
+            draw_space("space", theme, kPane, scene, camera);
+            *count = ImGui::GetWindowDrawList()->VtxBuffer.Size;
+        });
+        scene.spread = {};
+    }
+    // Rim, mark and ring of each point; a line's and an ellipse's few dozen; names.
+    CHECK(vertices < 12 * 10'000 + 8 * 4'000 + 200 * 500 + 50'000);
+    CHECK(links_alone > 8 * 10'000 + 4 * 4'000);
+    CHECK(links_alone < vertices);
+}
+
+TEST_CASE("space: a point of any colour of the map stands out from the pane") {
+    for (const bool dark : {true, false}) {
+        for (const double value : {0.0, 0.2, 0.5, 1.0}) {
+            Example e = example(1, 2);  // flat: in space what is far steps back
+            e.looks[0] = {viridis(value), false};
+            e.labels[0] = "";
+            Theme used;
+            const Image image = draw_picture(600, 400, {.dark = dark}, [&](const Theme& theme) {
+                used = theme;
+                SpaceCamera camera;
+                draw_space("space", theme, kPane, scene_of(e), camera);
+            });
+            const ImVec2 middle = kPane.centre();
+            double most = 0.0;
+            for (int x = -20; x <= 20; ++x) {
+                for (int y = -20; y <= 20; ++y) {
+                    const ImU32 seen = pixel(image, static_cast<int>(middle.x) + x,
+                                             static_cast<int>(middle.y) + y);
+                    most = std::max(most, contrast(seen, used.pane));
+                }
+            }
+            CHECK_MESSAGE(most >= 3.0, "viridis ", value);
+        }
     }
 }
 
