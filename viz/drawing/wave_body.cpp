@@ -35,25 +35,34 @@ double crest_value(std::span<const double> samples, std::size_t i, double sign) 
     return top + tilt * tilt / (8.0 * middle);
 }
 
-// Samples [begin, end], each one or the most of each slice of them.
-Edge edge_of(std::span<const double> samples, std::size_t begin, std::size_t end,
-             std::size_t slices, double sign) {
-    Edge edge;
+struct Edges {
+    Edge upper;
+    Edge lower;  // upside down
+};
+
+// Of samples [begin, end], each one or the most and the least of each slice of them.
+Edges edges_of(std::span<const double> samples, std::size_t begin, std::size_t end,
+               std::size_t slices) {
     const std::size_t count = end - begin + 1;
     slices = std::min(slices, count);
-    edge.reserve(slices);
+    Edges edges;
+    edges.upper.reserve(slices);
+    edges.lower.reserve(slices);
+    const auto add = [&](Edge& edge, std::size_t i, double sign) {
+        edge.push_back({static_cast<double>(i), crest_value(samples, i, sign), false});
+    };
     for (std::size_t k = 0; k < slices; ++k) {
-        std::size_t most = begin + k * count / slices;
-        const std::size_t stop = begin + (k + 1) * count / slices;
-        for (std::size_t i = most + 1; i < stop; ++i) {
-            if (sign * samples[i] > sign * samples[most]) most = i;
-        }
-        edge.push_back({static_cast<double>(most), crest_value(samples, most, sign), false});
+        const std::size_t first = begin + k * count / slices;
+        const auto slice = samples.subspan(first, begin + (k + 1) * count / slices - first);
+        const auto [least, most] = std::ranges::minmax_element(slice);
+        add(edges.upper, first + static_cast<std::size_t>(most - slice.begin()), 1.0);
+        add(edges.lower, first + static_cast<std::size_t>(least - slice.begin()), -1.0);
     }
-    return edge;
+    return edges;
 }
 
-// The first and the last vertex that are as high as the highest, and what lies between valleys.
+// A top between two valleys: its first and its last vertex that are about as high as the highest,
+// and the middle between them.
 struct Crest {
     std::size_t begin;
     std::size_t end;
@@ -213,13 +222,14 @@ std::vector<Extremes> body_columns(std::span<const double> samples, double first
         static_cast<std::size_t>(std::clamp(std::ceil(last + beyond), 0.0, last_index));
     const auto slices = static_cast<std::size_t>(
         kSlicesPerColumn * (static_cast<double>(columns) + 8.0 * scale.widest));
+    Edges edges = edges_of(samples, begin, end, slices);
     for (const double sign : {1.0, -1.0}) {
         const auto raise = [&](std::size_t c, double value) {
             Extremes& column = result[c];
             if (sign > 0.0) column.high = std::max(column.high, value);
             if (sign < 0.0) column.low = std::min(column.low, -value);
         };
-        Edge edge = edge_of(samples, begin, end, slices, sign);
+        Edge& edge = sign > 0.0 ? edges.upper : edges.lower;
         if (edge.size() == slices) raise_to_crests(edge, first, step, columns, raise);
         while (bridge(edge, scale.widest * step, scale.least)) {
         }
