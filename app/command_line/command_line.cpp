@@ -4,6 +4,7 @@
 
 #include "app/command_line/interrupt.h"
 #include "app/command_line/options.h"
+#include "model/common/thrown.h"
 
 namespace tact {
 
@@ -28,6 +29,15 @@ struct Commands {
     ImportCommand import;
     MeasureCommand measure;
 };
+
+// What a command throws for want of memory is a sentence like any other.
+Expected<Done> outcome_of(const Chosen& chosen) {
+    try {
+        return chosen();
+    } catch (...) {
+        return thrown_error();
+    }
+}
 
 }  // namespace
 
@@ -60,7 +70,7 @@ int run_command_line(int argc, const char* const* argv, RunWindow run_window) {
     } catch (const CLI::ParseError& fault) {
         return app.exit(fault) == 0 ? 0 : 2;
     }
-    const Expected<Done> answer = chosen();
+    const Expected<Done> answer = outcome_of(chosen);
     if (answer) return 0;
     std::cerr << "tactspace: " << answer.error().message << "\n";
     const int interrupted = interrupted_exit_code();

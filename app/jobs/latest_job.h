@@ -9,8 +9,8 @@
 //
 // Input     requests, from one thread
 // Output    answers as immutable snapshots; latest() at the top of a frame, held while drawing
-// Left out  queues, several workers (the work itself may use more threads), exceptions: the work
-//           must not throw.
+//           What the work throws, such as for want of memory, is no answer; failure() says why
+// Left out  queues, several workers (the work itself may use more threads)
 #pragma once
 
 #include <atomic>
@@ -20,10 +20,12 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <thread>
 #include <utility>
 
 #include "app/jobs/background.h"
+#include "model/common/thrown.h"
 
 namespace tact {
 
@@ -75,6 +77,12 @@ class LatestJob {
     // Of the running request, 0 to 1.
     float progress() const { return progress_.load(std::memory_order_relaxed); }
 
+    // Why the last request that ended has no answer though nobody stopped it; else empty.
+    std::string failure() const {
+        const std::lock_guard lock(mutex_);
+        return failure_;
+    }
+
     // The newest answer, whole; null before the first.
     std::shared_ptr<const Answer> latest() const {
         const std::lock_guard lock(mutex_);
@@ -100,9 +108,22 @@ class LatestJob {
         give_way_to_interface();
         while (const std::optional<Request> request = next(quit)) {
             const std::stop_token stop = running_.get_token();
-            publish(work_(*request, stop, progress_), stop);
+            std::string failure;
+            std::shared_ptr<const Answer> answer;
+            try {
+                answer = answer_to(*request, stop);
+            } catch (...) {
+                failure = thrown_error().message;
+            }
+            publish(std::move(answer), std::move(failure), stop);
             if (wake_) wake_();
         }
+    }
+
+    std::shared_ptr<const Answer> answer_to(const Request& request, const std::stop_token& stop) {
+        std::optional<Answer> answer = work_(request, stop, progress_);
+        if (!answer) return nullptr;
+        return std::make_shared<const Answer>(*std::move(answer));
     }
 
     // Waits for a request; none when the job ends.
@@ -117,24 +138,26 @@ class LatestJob {
     }
 
     // After a stop was asked for, an answer may be one to a question nobody asks any more.
-    void publish(std::optional<Answer> answer, const std::stop_token& stop) {
-        std::shared_ptr<const Answer> snapshot;
-        if (answer) snapshot = std::make_shared<const Answer>(*std::move(answer));
+    void publish(std::shared_ptr<const Answer> answer, std::string failure,
+                 const std::stop_token& stop) {
         const std::lock_guard lock(mutex_);
-        if (snapshot && !stop.stop_requested()) latest_ = std::move(snapshot);
         is_running_ = false;
+        if (stop.stop_requested()) return;
+        if (answer) latest_ = std::move(answer);
+        failure_ = std::move(failure);
     }
 
     JobPolicy policy_;
     Work work_;
     std::function<void()> wake_;
     Same same_;
-    mutable std::mutex mutex_;  // guards the next five; never held while the work runs
+    mutable std::mutex mutex_;  // guards the next six; never held while the work runs
     std::optional<Request> waiting_;
     std::optional<Request> current_;  // the running one, or the last
     std::stop_source running_;
     bool is_running_ = false;
     std::shared_ptr<const Answer> latest_;
+    std::string failure_;
     std::condition_variable_any changed_;
     std::atomic<float> progress_ = 0.0F;
     std::jthread thread_;  // last: starts when all else is there and is joined before it goes

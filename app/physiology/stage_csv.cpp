@@ -142,13 +142,15 @@ void add_layer_rows(Table& table, Receptor receptor, std::size_t step, std::size
     }
 }
 
-std::string layers_csv(const NeuralCodingStages& stages) {
+// Made step by step: of a long vibration, all layers of all steps are gigabytes.
+std::string layers_csv(const StageValues& values) {
     Table table("receptor,step,layer,column,row,value");
     for (const Receptor receptor : kReceptors) {
-        const auto& steps = stages.channel[index_of(receptor)].layers;
-        for (std::size_t step = 0; step < steps.size(); ++step) {
-            for (std::size_t k = 0; k < steps[step].size(); ++k) {
-                add_layer_rows(table, receptor, step, k, steps[step][k]);
+        const std::size_t c = index_of(receptor);
+        for (std::size_t step = 0; step < values.neural.code.central_count[c].size(); ++step) {
+            const auto layers = relay_layers(values.neural.channel[c], step, values.model.coding);
+            for (std::size_t k = 0; k < layers.size(); ++k) {
+                add_layer_rows(table, receptor, step, k, layers[k]);
             }
         }
     }
@@ -212,8 +214,7 @@ constexpr auto kFiles = std::to_array<StageFile>({
      [](const StageValues& values) { return receptors_csv(values.neural); }},
     {Stage::spikes, "spikes.csv",
      [](const StageValues& values) { return spikes_csv(values.neural); }},
-    {Stage::networks, "layers.csv",
-     [](const StageValues& values) { return layers_csv(values.neural); }},
+    {Stage::networks, "layers.csv", layers_csv},
     {Stage::central, "central.csv",
      [](const StageValues& values) { return central_csv(values.neural.code); }},
     {Stage::brain, "brain_waveform.csv", brain_csv},
@@ -223,7 +224,7 @@ constexpr auto kFiles = std::to_array<StageFile>({
 }  // namespace
 
 StageValues stage_values(const Waveform& waveform, const PerceptualModelParams& model) {
-    return {waveform, model, neural_coding_stages(waveform, model.coding)};
+    return {waveform, model, neural_coding_stages(waveform, model.coding, KeepLayers::none)};
 }
 
 std::vector<std::string> stage_csv_names(Stage stage) {

@@ -18,10 +18,10 @@ namespace tact {
 struct StageValues {
     Waveform waveform;
     PerceptualModelParams model;
-    NeuralCodingStages neural;  // with the layers of every step
+    NeuralCodingStages neural;  // without layers
 };
 
-// `waveform` at 10 kHz. Tens of MB for strong tones, see KeepLayers.
+// `waveform` at 10 kHz.
 StageValues stage_values(const Waveform& waveform, const PerceptualModelParams& model);
 
 struct CsvFile {

@@ -9,7 +9,9 @@ namespace tact {
 
 // Calls work(index) once for every index in [0, count), each on some thread, until a stop is
 // asked for. threads = 0: all cores. Returns when all are done or stopped; true if all were done.
-// `work` must not throw.
+//
+// What `work` throws, such as for want of memory, ends the work and is thrown again here: of
+// several exceptions the one of the lowest index, for any number of threads.
 bool parallel_for(std::size_t count, int threads, std::stop_token stop,
                   const std::function<void(std::size_t)>& work);
 

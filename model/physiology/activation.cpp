@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/common/portable.h"
 #include "model/common/units.h"
 
 namespace tact {
@@ -45,20 +46,22 @@ Activation activation(const std::vector<Component>& components, Receptor recepto
     const Curve& threshold = params.tables.threshold[index_of(receptor)];
     Activation result;
     for (const Component& component : components) {
-        const double above = std::log10(component.skin_um) - at(threshold, component.frequency_hz);
+        const double above =
+            portable::log10(component.skin_um) - at(threshold, component.frequency_hz);
         if (above <= 0.0 && params.subthreshold == Subthreshold::ignored) continue;
         const double alpha = at(slope, component.frequency_hz);
         result.rate_hz += alpha * above;
         result.slope_sum += alpha;
     }
     if (result.rate_hz <= 0.0 || result.slope_sum <= 0.0) return {};
-    result.radius_mm = kHotZoneMm * std::pow(10.0, result.rate_hz / (2.0 * result.slope_sum));
+    result.radius_mm = std::min(
+        kFingertipMm, kHotZoneMm * portable::pow(10.0, result.rate_hz / (2.0 * result.slope_sum)));
     return result;
 }
 
 double rate_at_hz(const Activation& activation, double distance_mm) {
     if (distance_mm <= kHotZoneMm) return activation.rate_hz;
-    const double fall = 2.0 * activation.slope_sum * std::log10(distance_mm / kHotZoneMm);
+    const double fall = 2.0 * activation.slope_sum * portable::log10(distance_mm / kHotZoneMm);
     return std::max(0.0, activation.rate_hz - fall);
 }
 

@@ -4,7 +4,8 @@
 //     f0 = sum_S alpha_k (log10 v_k - beta_k),   A = sum_S alpha_k
 // A wave falls with distance as V(r) = v (1.5 mm / r)^2 beyond the hot zone, so each log10 v_k
 // falls by 2 log10(r / 1.5), the rate by 2 A log10(r / 1.5), and it is gone at
-//     r_max = 1.5 mm 10^(f0 / (2 A)).
+//     r_max = 1.5 mm 10^(f0 / (2 A)),
+// or at the end of the fingertip, if that comes first: there are no receptors farther out.
 //
 // Source    Lim & Park 2023, Eqs. 1-3; Johnson 1974 (hot zone).
 // Input     amplitude spectrum of the mean-removed, padded signal
@@ -20,6 +21,13 @@ namespace tact {
 
 inline constexpr double kProbeRadiusMm = 0.5;
 inline constexpr double kHotZoneMm = 1.5;  // 1 mm beyond the probe's edge: rate as at the centre
+// [ours] No receptor is farther from the probe: from its last crease to its end the pad of an index
+// finger is about 25 mm long and less than 20 mm wide (Greiner 1991, Hand Anthropometry of U.S.
+// Army Personnel), and the model's skin is flat and without joints. Unbounded, r_max is metres for
+// a strong vibration of a few Hz, and millions of receptors that no finger has. The sets that come
+// with the program reach 15 mm: nothing of theirs changes.
+inline constexpr double kFingertipMm = 25.0;
+
 inline constexpr double kLowestComponentHz = 1.0;
 inline constexpr double kHighestComponentHz = 500.0;
 inline constexpr double kFaintestComponentG = 1e-9;
@@ -38,7 +46,7 @@ std::vector<Component> components(const Spectrum& spectrum, const NeuralCodingPa
 struct Activation {
     double rate_hz = 0.0;    // f0, impulses/s at the centre
     double slope_sum = 0.0;  // A, impulses/s per log10
-    double radius_mm = 0.0;  // r_max; 0: nothing above threshold
+    double radius_mm = 0.0;  // r_max, at most kFingertipMm; 0: nothing fires
 
     bool operator==(const Activation&) const = default;
 };

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "assets/assets.h"
+#include "model/common/portable.h"
 
 namespace tact {
 
@@ -40,7 +41,7 @@ std::optional<double> number_in(const std::string& cell) {
 
 // Adds one line of a table to the curve of its receptor; what is wrong with it, or empty.
 std::string add_knot(const std::vector<std::string>& header, const std::string& line,
-                     std::string_view value_column, PerReceptor<Curve>& curves) {
+                     const TableTraits& table, PerReceptor<Curve>& curves) {
     const std::vector<std::string> cells = cells_of(line);
     if (cells.size() != header.size()) {
         return "expected " + std::to_string(header.size()) + " columns";
@@ -56,15 +57,18 @@ std::string add_knot(const std::vector<std::string>& header, const std::string& 
     const auto frequency_hz = number_in(cell("frequency_hz"));
     const double above_hz = curve.frequency_hz.empty() ? 0.0 : curve.frequency_hz.back();
     if (!frequency_hz || *frequency_hz <= above_hz) return "expected frequencies that ascend";
-    const auto value = number_in(cell(value_column));
-    if (!value) return "expected a number as " + std::string(value_column);
+    const std::string& written = cell(table.column);
+    const auto value = number_in(written);
+    if (!value) return std::string("expected a number as ") + table.column;
+    if (!table.values.contains(*value)) {
+        return std::string("expected ") + table.expected + ", got " + written;
+    }
     curve.frequency_hz.push_back(*frequency_hz);
     curve.value.push_back(*value);
     return {};
 }
 
-Expected<PerReceptor<Curve>> parse_curves(const std::string& csv, const std::string& table,
-                                          std::string_view value_column) {
+Expected<PerReceptor<Curve>> parse_curves(const std::string& csv, const TableTraits& table) {
     PerReceptor<Curve> curves;
     std::vector<std::string> header;
     std::istringstream lines(csv);
@@ -77,19 +81,23 @@ Expected<PerReceptor<Curve>> parse_curves(const std::string& csv, const std::str
         if (header.empty()) {
             header = cells_of(line);
             for (const std::string_view column :
-                 {std::string_view("receptor"), std::string_view("frequency_hz"), value_column}) {
+                 {std::string_view("receptor"), std::string_view("frequency_hz"),
+                  std::string_view(table.column)}) {
                 if (std::ranges::find(header, column) == header.end()) {
                     fault = "expected a column " + std::string(column);
                 }
             }
         } else {
-            fault = add_knot(header, line, value_column, curves);
+            fault = add_knot(header, line, table, curves);
         }
-        if (!fault.empty()) return Error{table + ", line " + std::to_string(number) + ": " + fault};
+        if (!fault.empty()) {
+            return Error{table.name + (", line " + std::to_string(number) + ": ") + fault};
+        }
     }
     for (const Receptor receptor : kReceptors) {
         if (curves[index_of(receptor)].frequency_hz.empty()) {
-            return Error{table + ": expected at least one line for " + traits(receptor).afferent};
+            return Error{table.name + std::string(": expected at least one line for ") +
+                         traits(receptor).afferent};
         }
     }
     return curves;
@@ -109,8 +117,8 @@ double at(const Curve& curve, double frequency_hz) {
     if (above == knots.begin()) return curve.value.front();
     if (above == knots.end()) return curve.value.back();
     const auto k = static_cast<std::size_t>(above - knots.begin());
-    const double position = (std::log10(frequency_hz) - std::log10(knots[k - 1])) /
-                            (std::log10(knots[k]) - std::log10(knots[k - 1]));
+    const double position = (portable::log10(frequency_hz) - portable::log10(knots[k - 1])) /
+                            (portable::log10(knots[k]) - portable::log10(knots[k - 1]));
     return curve.value[k - 1] + position * (curve.value[k] - curve.value[k - 1]);
 }
 
@@ -125,11 +133,11 @@ const PhysiologyTables& default_tables() {
 }
 
 Expected<PerReceptor<Curve>> parse_slopes(const std::string& csv) {
-    return parse_curves(csv, "slope table", "slope_imp_per_s_per_log10um");
+    return parse_curves(csv, kSlopeTable);
 }
 
 Expected<PerReceptor<Curve>> parse_thresholds(const std::string& csv) {
-    return parse_curves(csv, "threshold table", "threshold_log10_um_peak");
+    return parse_curves(csv, kThresholdTable);
 }
 
 Expected<PhysiologyTables> parse_tables(const std::string& slopes_csv,

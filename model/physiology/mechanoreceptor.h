@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/common/range.h"
 
 namespace tact {
 
@@ -65,6 +66,23 @@ struct PhysiologyTables {
 
 // The tables compiled in from assets/physiology.
 const PhysiologyTables& default_tables();
+
+// What a table holds, and the numbers that can be meant: a table in other units is refused.
+struct TableTraits {
+    const char* name;
+    const char* column;
+    Range values;
+    const char* expected;  // words for them
+};
+inline constexpr TableTraits kSlopeTable{"slope table",
+                                         "slope_imp_per_s_per_log10um",
+                                         {0.0, 1e4},
+                                         "impulses/s per log10 um from 0 to 10000"};
+inline constexpr TableTraits kThresholdTable{
+    "threshold table",
+    "threshold_log10_um_peak",
+    {-4.0, 6.0},
+    "log10 of um peak from -4 to 6 (beyond them it looks like dB, which are 20 times that)"};
 
 // One table in the layout of assets/physiology, from the text of its file. An Error names the
 // table, the line and what was expected.

@@ -1,5 +1,6 @@
 #include "model/physiology/receptor_grid.h"
 
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
 
@@ -7,6 +8,7 @@ namespace tact {
 
 ReceptorGrid receptor_grid(const Activation& activation, Receptor type, double duration_s,
                            FireSharing share, int reach) {
+    assert(activation.radius_mm <= kFingertipMm && "the grid would be larger than the skin");
     ReceptorGrid grid;
     grid.interval_mm = grid_interval_mm(type);
     grid.half_width = static_cast<int>(std::ceil(activation.radius_mm / grid.interval_mm));

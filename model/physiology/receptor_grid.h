@@ -2,7 +2,9 @@
 //
 // Source    Lim & Park 2023, section 4.1 (Eq. 4) and 4.2 (sharing of impulses).
 // Output    receptors on a square grid around the probe, row by row
-// Left out  the irregularity of real receptor mosaics, the edge of the finger.
+// Valid     radii up to kFingertipMm: a few thousand receptors at most
+// Left out  the irregularity of real receptor mosaics, the outline of the finger within that
+// radius.
 #pragma once
 
 #include <limits>

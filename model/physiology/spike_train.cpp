@@ -5,6 +5,14 @@
 
 namespace tact {
 
+namespace {
+
+// Of one receptor, far beyond what any has and what relays tell apart; so that sums of them are
+// whole numbers.
+constexpr double kMostInWindow = 1e6;
+
+}  // namespace
+
 std::vector<double> energy_fractions(std::span<const double> perceived) {
     std::vector<double> fractions(window_count(perceived.size()), 0.0);
     double energy = 0.0;
@@ -22,10 +30,11 @@ std::vector<int> spike_counts(std::span<const double> energy_fractions, double f
                               WindowSplit split) {
     std::vector<int> counts;
     counts.reserve(2 * energy_fractions.size());
-    int before = 0;
+    double before = 0.0;
     for (const double fraction : energy_fractions) {
-        const int so_far = static_cast<int>(std::floor(fires * fraction + 1e-9));
-        const int in_window = so_far - before;
+        const double so_far = std::floor(fires * fraction + 1e-9);
+        const double more = so_far - before;
+        const int in_window = static_cast<int>(more < kMostInWindow ? more : kMostInWindow);
         before = so_far;
         const int first = split == WindowSplit::halves ? (in_window + 1) / 2 : in_window;
         counts.push_back(first);
@@ -35,11 +44,9 @@ std::vector<int> spike_counts(std::span<const double> energy_fractions, double f
 }
 
 std::vector<std::size_t> spread_spikes(int count) {
+    const std::size_t spikes = std::min(static_cast<std::size_t>(std::max(count, 0)), kStepSamples);
     std::vector<std::size_t> offsets;
-    for (int k = 0; k < count; ++k) {
-        offsets.push_back(static_cast<std::size_t>(k) * kStepSamples /
-                          static_cast<std::size_t>(count));
-    }
+    for (std::size_t k = 0; k < spikes; ++k) offsets.push_back(k * kStepSamples / spikes);
     return offsets;
 }
 

@@ -31,11 +31,13 @@ constexpr std::size_t step_count(std::size_t samples) { return 2 * window_count(
 // C_j for every 10 ms window: ends at 1; all zero for a silent waveform.
 std::vector<double> energy_fractions(std::span<const double> perceived);
 
-// Counts per 5 ms step.
+// Counts per 5 ms step; at most a million in 10 ms.
 std::vector<int> spike_counts(std::span<const double> energy_fractions, double fires,
                               WindowSplit split);
 
-// Sample offsets, within its step, of n evenly spread unit spikes: floor(k 50 / n), k = 0..n-1.
+// Sample offsets, within its step, of n evenly spread unit spikes: floor(k 50 / n), k = 0..n-1. A
+// neuron fires once a sample at most: more than 50, which only a network without any layer lets
+// through, are one in every sample.
 std::vector<std::size_t> spread_spikes(int count);
 
 }  // namespace tact

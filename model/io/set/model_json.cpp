@@ -52,7 +52,7 @@ void visit_model(Params& p, Visit&& visit) {
 }
 
 // [[f_hz, value], ...] with ascending frequencies.
-Curve curve_field(JsonObject& object, std::string_view key) {
+Curve curve_field(JsonObject& object, std::string_view key, const TableTraits& table) {
     constexpr std::size_t kMaxKnots = 10'000;
     Curve curve;
     JsonReading& reading = *object.reading;
@@ -70,7 +70,11 @@ Curve curve_field(JsonObject& object, std::string_view key) {
             refuse(reading, knot_place + "/0", "frequencies above 0 that ascend", (*knots[k])[0]);
         }
         curve.frequency_hz.push_back(frequency_hz);
-        curve.value.push_back(number_at(reading, (*knots[k])[1], knot_place + "/1", kAnyNumber));
+        const Json& written = (*knots[k])[1];
+        curve.value.push_back(number_at(reading, written, knot_place + "/1", kAnyNumber));
+        if (!table.values.contains(curve.value.back())) {
+            refuse(reading, knot_place + "/1", table.expected, written);
+        }
     }
     return curve;
 }
@@ -120,10 +124,11 @@ struct TakeField {
         Json of_tables = Json::object();
         for (std::size_t c = 0; c < kReceptorCount; ++c) {
             JsonObject receptor = object_field(tables, kReceptorNames[c]);
-            if (Curve slope = curve_field(receptor, "slope"); !slope.value.empty()) {
+            if (Curve slope = curve_field(receptor, "slope", kSlopeTable); !slope.value.empty()) {
                 value.slope[c] = slope;
             }
-            if (Curve threshold = curve_field(receptor, "threshold"); !threshold.value.empty()) {
+            if (Curve threshold = curve_field(receptor, "threshold", kThresholdTable);
+                !threshold.value.empty()) {
                 value.threshold[c] = threshold;
             }
             note_unknown(of_tables, kReceptorNames[c], unknown_fields(receptor));

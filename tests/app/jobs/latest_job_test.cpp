@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <new>
 #include <semaphore>
 #include <vector>
 
@@ -198,6 +199,28 @@ TEST_CASE("job: a snapshot taken by a frame survives the next answers") {
     job.submit(2);
     REQUIRE(eventually([&] { return *job.latest() == 4; }));
     CHECK(*drawn == 2);
+}
+
+TEST_CASE("job: work that throws is no answer, says why, and the next request is answered") {
+    Job job(JobPolicy::finish, [](const int& request, std::stop_token, std::atomic<float>&) {
+        if (request == 2) throw std::bad_alloc();
+        if (request == 3) return std::optional<int>(std::vector<int>().at(3));
+        return std::optional(request);
+    });
+    const auto ask = [&job](int request) {
+        job.submit(request);
+        REQUIRE(eventually([&job] { return !job.busy(); }));
+    };
+    ask(1);
+    CHECK(job.failure().empty());
+    ask(2);
+    CHECK(job.failure().find("not enough memory") != std::string::npos);
+    CHECK(*job.latest() == 1);
+    ask(3);
+    CHECK(job.failure().find("the work failed") != std::string::npos);
+    ask(4);
+    CHECK(job.failure().empty());
+    CHECK(*job.latest() == 4);
 }
 
 }  // namespace latest_job_test

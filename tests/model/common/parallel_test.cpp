@@ -1,6 +1,11 @@
 #include "model/common/parallel.h"
 
 #include <atomic>
+#include <chrono>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <thread>
 
 #include "tests/support/golden.h"
 
@@ -25,6 +30,34 @@ TEST_CASE("parallel: a stop leaves the rest undone and says so") {
     });
     CHECK_FALSE(finished);
     CHECK(done < 1000);
+}
+
+TEST_CASE("parallel: what the work throws reaches the caller, that of the lowest index") {
+    for (const int threads : {1, 2, 4, 33}) {
+        CAPTURE(threads);
+        std::string message;
+        try {
+            parallel_for(1000, threads, {}, [](std::size_t k) {
+                // The first to fail takes longest.
+                if (k == 500) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+                if (k >= 500) throw std::runtime_error("at " + std::to_string(k));
+            });
+        } catch (const std::runtime_error& thrown) {
+            message = thrown.what();
+        }
+        CHECK(message == "at 500");
+    }
+}
+
+TEST_CASE("parallel: after an exception no more work is begun") {
+    std::atomic<int> begun{0};
+    CHECK_THROWS_AS(parallel_for(1'000'000, 2, {},
+                                 [&](std::size_t k) {
+                                     ++begun;
+                                     if (k == 3) throw std::bad_alloc();
+                                 }),
+                    std::bad_alloc);
+    CHECK(begun < 1'000'000);
 }
 
 }  // namespace parallel_test

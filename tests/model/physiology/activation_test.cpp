@@ -44,13 +44,14 @@ TEST_CASE("activation: leakage of a tone between bins is felt, unless only peaks
 
 TEST_CASE("activation: the rate rises with amplitude and falls with distance to nothing at r_max") {
     double last_hz = 0.0;
-    for (const double amplitude_g : {0.05, 0.1, 0.5, 2.0, 10.0}) {
+    for (const double amplitude_g : {0.05, 0.1, 0.5, 2.0, 5.0, 10.0}) {
         const Activation a = of_tone(amplitude_g, 150.0, Receptor::pacinian);
         CHECK(a.rate_hz > last_hz);
         last_hz = a.rate_hz;
         CHECK(rate_at_hz(a, 0.0) == a.rate_hz);
         CHECK(rate_at_hz(a, kHotZoneMm) == a.rate_hz);
         CHECK(rate_at_hz(a, (kHotZoneMm + a.radius_mm) / 2.0) < a.rate_hz);
+        if (a.radius_mm == kFingertipMm) continue;  // there the skin ends before the rate does
         CHECK(rate_at_hz(a, a.radius_mm) <= 1e-9);
         CHECK(rate_at_hz(a, 2.0 * a.radius_mm) == 0.0);
     }
@@ -80,6 +81,30 @@ TEST_CASE("activation: band edges are inside for every duration that has a bin t
     CHECK(found[0].frequency_hz == 500.0);
     spectrum.amplitude_g[151] = 1.0;
     CHECK(components(spectrum, {}).size() == 1);
+}
+
+TEST_CASE("activation: no receptor is sought beyond the fingertip, however strong the vibration") {
+    // All of them are allowed in a set file; unbounded, the second reaches 4 m.
+    for (const auto& [amplitude_g, frequency_hz] :
+         {std::pair{1.0, 1.0}, std::pair{500.0, 2.0}, std::pair{1e6, 1.0}, std::pair{1e6, 250.0}}) {
+        for (const Receptor receptor : kReceptors) {
+            CAPTURE(amplitude_g);
+            const Activation a = of_tone(amplitude_g, frequency_hz, receptor);
+            CHECK(a.radius_mm > 0.0);
+            CHECK(a.radius_mm <= kFingertipMm);
+        }
+    }
+    const Activation strong = of_tone(500.0, 2.0, Receptor::meissner);
+    CHECK(strong.radius_mm == kFingertipMm);
+    CHECK(rate_at_hz(strong, kFingertipMm) > 0.0);  // the rate at the centre is not touched
+    CHECK(strong.rate_hz > of_tone(50.0, 2.0, Receptor::meissner).rate_hz);
+}
+
+TEST_CASE("activation: slopes and thresholds that overflow reach no farther than the fingertip") {
+    NeuralCodingParams wild;
+    for (Curve& slope : wild.tables.slope) slope = {{10.0}, {1e308}};
+    for (Curve& threshold : wild.tables.threshold) threshold = {{10.0}, {-1e300}};
+    CHECK(of_tone(1.0, 150.5, Receptor::meissner, wild).radius_mm <= kFingertipMm);
 }
 
 }  // namespace activation_test

@@ -61,4 +61,37 @@ TEST_CASE("mechanoreceptor: a damaged table is refused with its line") {
     CHECK(refusal(head + "FA1,10,1\n") == "slope table: expected at least one line for FA2");
 }
 
+TEST_CASE("mechanoreceptor: each table is read by itself, and equals its half of both") {
+    const auto slopes = parse_slopes(std::string(asset("physiology/firing_rate_slopes.csv")));
+    const auto thresholds =
+        parse_thresholds(std::string(asset("physiology/absolute_thresholds.csv")));
+    REQUIRE(slopes);
+    REQUIRE(thresholds);
+    CHECK(*slopes == default_tables().slope);
+    CHECK(*thresholds == default_tables().threshold);
+    CHECK_FALSE(parse_slopes(std::string(asset("physiology/absolute_thresholds.csv"))));
+    CHECK_FALSE(parse_thresholds(std::string(asset("physiology/firing_rate_slopes.csv"))));
+}
+
+TEST_CASE("mechanoreceptor: a table in other units is refused, and dB are called so") {
+    const std::string slopes = "receptor,frequency_hz,slope_imp_per_s_per_log10um\n";
+    const std::string thresholds = "receptor,frequency_hz,threshold_log10_um_peak\n";
+    const auto said = [](const auto& answer) {
+        REQUIRE_FALSE(answer);
+        return answer.error().message;
+    };
+    CHECK(said(parse_thresholds(thresholds + "FA2,250,-20\n")) ==
+          "threshold table, line 2: expected log10 of um peak from -4 to 6 (beyond them it looks "
+          "like dB, which are 20 times that), got -20");
+    CHECK(said(parse_thresholds(thresholds + "FA1,10,30\n")).find("dB") != std::string::npos);
+    CHECK(said(parse_slopes(slopes + "FA1,10,1e308\n")) ==
+          "slope table, line 2: expected impulses/s per log10 um from 0 to 10000, got 1e308");
+    CHECK(said(parse_slopes(slopes + "FA1,10,-0.5\n")).find("from 0") != std::string::npos);
+    for (const char* end : {"-4", "6"}) {
+        const std::string both_ends = thresholds + "FA1,10," + end + "\nFA2,10," + end +
+                                      "\nSA1,10," + end + "\nSA2,10," + end + "\n";
+        CHECK(parse_thresholds(both_ends));
+    }
+}
+
 }  // namespace mechanoreceptor_test

@@ -1,5 +1,6 @@
 #include "model/physiology/receptor_grid.h"
 
+#include <numbers>
 #include <numeric>
 
 #include "tests/support/golden.h"
@@ -51,6 +52,17 @@ TEST_CASE("receptor grid: receptors out of reach are not listed but still counte
         return -1.0;
     };
     CHECK(centre_of(near) == centre_of(whole));
+}
+
+TEST_CASE("receptor grid: a whole fingertip has as many receptors as its area and their density") {
+    const Activation a{5000.0, 90.0, kFingertipMm};
+    for (const Receptor receptor : kReceptors) {
+        const ReceptorGrid grid = receptor_grid(a, receptor, 1.0, FireSharing::total);
+        const double expected =
+            std::numbers::pi * kFingertipMm * kFingertipMm * traits(receptor).density_per_mm2;
+        CHECK(std::abs(static_cast<double>(grid.activated) - expected) <= 0.05 * expected);
+        CHECK(grid.receptors.size() == grid.activated);
+    }
 }
 
 }  // namespace receptor_grid_test

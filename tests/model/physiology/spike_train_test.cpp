@@ -56,4 +56,26 @@ TEST_CASE("spikes: n spikes in a step are evenly spread and never share a sample
     }
 }
 
+TEST_CASE("spikes: a share of impulses that is whole but for rounding is whole") {
+    // 0.29 * 100 is 28.999999999999996 in binary; so is 29 - 5e-10 for the model.
+    CHECK(spike_counts(std::vector{0.29, 1.0}, 100.0, WindowSplit::first) ==
+          std::vector<int>{29, 0, 71, 0});
+    CHECK(spike_counts(std::vector{1.0}, 29.0 - 5e-10, WindowSplit::first)[0] == 29);
+    CHECK(spike_counts(std::vector{1.0}, 29.0 - 5e-9, WindowSplit::first)[0] == 28);
+}
+
+TEST_CASE("spikes: impulses beyond any number of a receptor's are many, not negative") {
+    for (const double fires : {3e9, 1e15, 1e300}) {
+        for (const int count : spike_counts(std::vector{0.5, 1.0}, fires, WindowSplit::halves)) {
+            CHECK(count >= 400'000);
+            CHECK(count <= 1'000'000);
+        }
+    }
+}
+
+TEST_CASE("spikes: more spikes than samples in a step are one in every sample") {
+    for (const int count : {51, 1000, 2'000'000'000})
+        CHECK(spread_spikes(count) == spread_spikes(50));
+}
+
 }  // namespace spike_train_test

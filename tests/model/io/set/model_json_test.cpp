@@ -98,6 +98,12 @@ TEST_CASE("model parameters: what they cannot be is refused with its place") {
           place + "/1: expected a pair [frequency_hz, value], got an array of 1");
     CHECK(tables("[[10, 2], [10, 3]]") ==
           place + "/1/0: expected frequencies above 0 that ascend, got 10");
+    CHECK(tables("[[1, 1e308]]") ==
+          place + "/0/1: expected impulses/s per log10 um from 0 to 10000, got 1e+308");
+    CHECK(tables("[[1, -1]]").find("/0/1: expected impulses/s") != std::string::npos);
+    CHECK(fault(R"({"coding": {"tables": {"pacinian": {"threshold": [[250, -20]]}}}})") ==
+          "f.json: /model/coding/tables/pacinian/threshold/0/1: expected log10 of um peak from -4 "
+          "to 6 (beyond them it looks like dB, which are 20 times that), got -20");
     CHECK(tables("[[0, 2]]") == place + "/0/0: expected frequencies above 0 that ascend, got 0");
     CHECK(tables("[[1, \"x\"]]") == place + "/0/1: expected a number, got \"x\"");
     CHECK(tables("[[1, 2]]").empty());
