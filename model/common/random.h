@@ -13,6 +13,8 @@
 #include <span>
 #include <utility>
 
+#include "model/common/portable.h"
+
 namespace tact {
 
 // The counter-th number of a stream; also, of a seed, its counter-th stream.
@@ -46,7 +48,7 @@ inline double next_normal(RandomStream& random) {
         const double u = next_even(random);
         const double v = next_even(random);
         const double s = u * u + v * v;
-        if (s > 0.0 && s < 1.0) return u * std::sqrt(-2.0 * std::log(s) / s);
+        if (s > 0.0 && s < 1.0) return u * std::sqrt(-2.0 * portable::log(s) / s);
     }
 }
 

@@ -3,8 +3,7 @@
 // Output    in the design's order; every combination is kept, a double of an earlier one, or
 //           rejected by the first constraint it fails, in the order of `Rejections`
 // Valid     a design without fault
-// Exact     same space, same candidates, on every machine that rounds as IEEE 754 says (ranges in
-//           ratios: up to the last digit of std::pow).
+// Exact     same space, same candidates, on every machine that rounds as IEEE 754 says.
 // Left out  filling up: what is left out of a sample is not drawn again.
 #pragma once
 

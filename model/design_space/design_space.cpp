@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "model/common/portable.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -18,7 +19,7 @@ std::size_t count_of(const Values& values) {
 }
 
 double along(const Span& span, double share) {
-    double value = span.logarithmic ? span.from * std::pow(span.to / span.from, share)
+    double value = span.logarithmic ? span.from * portable::pow(span.to / span.from, share)
                                     : std::lerp(span.from, span.to, share);
     if (span.multiple_of > 0.0) value = std::round(value / span.multiple_of) * span.multiple_of;
     return std::clamp(value, span.from, span.to);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "model/common/portable.h"
 #include "model/physiology/activation.h"
 
 namespace tact {
@@ -27,7 +28,7 @@ void add_line(std::vector<PhasorLine>& lines, double frequency_hz, Phasor phasor
 
 void add_carrier(std::vector<PhasorLine>& lines, const Carrier& carrier, double amplitude_g,
                  const Modulation& modulation) {
-    const Phasor cosine = std::polar(amplitude_g * carrier.weight, carrier.phase_rad);
+    const Phasor cosine = portable::polar(amplitude_g * carrier.weight, carrier.phase_rad);
     const Phasor sine = cosine * Phasor(0.0, -1.0);
     const double f_hz = carrier.frequency_hz;
     const double by_hz = modulation.frequency_hz;
@@ -56,7 +57,8 @@ std::vector<SpectralLine> spectral_lines(const Pattern& pattern) {
         for (; k < all.size() && all[k].frequency_hz - f_hz <= kEqualHz; ++k) sum += all[k].phasor;
         // Lines that cancel leave rounding behind.
         const double floor_g = kFaintestComponentG * (1.0 + pattern.amplitude_g);
-        if (f_hz > kEqualHz && std::abs(sum) > floor_g) lines.push_back({f_hz, std::abs(sum)});
+        if (f_hz > kEqualHz && portable::abs(sum) > floor_g)
+            lines.push_back({f_hz, portable::abs(sum)});
     }
     return lines;
 }
@@ -75,7 +77,7 @@ std::optional<double> detectability_db(const std::vector<SpectralLine>& lines,
     for (const SpectralLine& line : lines) {
         const double f_hz = line.frequency_hz;
         if (f_hz < kLowestComponentHz || f_hz > kHighestComponentHz) continue;
-        const double level = std::log10(displacement_um(line.amplitude_g, f_hz));
+        const double level = portable::log10(displacement_um(line.amplitude_g, f_hz));
         for (const Receptor receptor : kReceptors) {
             const double above_db = 20.0 * (level - at(tables.threshold[index_of(receptor)], f_hz));
             best_db = std::max(best_db.value_or(above_db), above_db);

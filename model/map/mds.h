@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -20,6 +21,9 @@
 #include "model/map/smacof.h"
 
 namespace tact {
+
+// What Eigen takes the processor's caches for: the blocks of its products decide their last bits.
+inline constexpr std::array<std::ptrdiff_t, 3> kBlockCacheBytes{32'768, 262'144, 2'097'152};
 
 struct MdsParams {
     int dimensions = 3;

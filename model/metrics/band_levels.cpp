@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/common/portable.h"
 #include "model/common/units.h"
 
 namespace tact {
@@ -15,7 +16,7 @@ std::size_t band_of(double f_hz) {
     std::size_t band = 0;
     for (; band + 1 < kBandCount; ++band) {
         const double share = static_cast<double>(band + 1) / static_cast<double>(kBandCount);
-        if (f_hz < kLowestBandHz * std::pow(kHighestBandHz / kLowestBandHz, share)) break;
+        if (f_hz < kLowestBandHz * portable::pow(kHighestBandHz / kLowestBandHz, share)) break;
     }
     return band;
 }
@@ -23,7 +24,7 @@ std::size_t band_of(double f_hz) {
 double lowest_threshold_um(const PhysiologyTables& tables, double f_hz) {
     double lowest = at(tables.threshold[0], f_hz);
     for (const Curve& curve : tables.threshold) lowest = std::min(lowest, at(curve, f_hz));
-    return std::pow(10.0, lowest);
+    return portable::pow(10.0, lowest);
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ BandLevels band_levels_db(const Spectrum& spectrum, const PhysiologyTables& tabl
             displacement_um(spectrum.amplitude_g[k], f_hz) / lowest_threshold_um(tables, f_hz);
         power[band] += ratio * ratio;
     }
-    for (double& level : power) level = 10.0 * std::log10(std::max(level, 1.0));
+    for (double& level : power) level = 10.0 * portable::log10(std::max(level, 1.0));
     return power;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/common/portable.h"
 #include "model/signal/waveform.h"
 
 namespace tact {
@@ -16,7 +17,7 @@ constexpr double kSilenceG = 1e-6;
 double level_db(std::span<const double> samples_g) {
     Waveform centred;
     centred.samples_g = without_mean(samples_g);
-    return 20.0 * std::log10(std::max(rms_g(centred), kSilenceG));
+    return 20.0 * portable::log10(std::max(rms_g(centred), kSilenceG));
 }
 
 double level_difference(std::span<const double> x_g, std::span<const double> y_g) {

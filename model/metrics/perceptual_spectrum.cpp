@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/common/portable.h"
 #include "model/signal/resample.h"
 
 namespace tact {
@@ -20,8 +21,8 @@ constexpr double kKeenestDb = -77.0;
 std::vector<double> cosines(std::size_t block_samples) {
     std::vector<double> turn(4 * block_samples);
     for (std::size_t m = 0; m < turn.size(); ++m) {
-        turn[m] = std::cos(std::numbers::pi * static_cast<double>(m) /
-                           static_cast<double>(2 * block_samples));
+        turn[m] = portable::cos(std::numbers::pi * static_cast<double>(m) /
+                                static_cast<double>(2 * block_samples));
     }
     return turn;
 }
@@ -59,7 +60,7 @@ std::vector<double> prepared_samples(const Waveform& waveform,
 }  // namespace
 
 std::vector<double> perceptual_threshold_db(std::size_t block_samples, double rate_hz) {
-    const double corner = std::log10(kOffset);
+    const double corner = portable::log10(kOffset);
     std::vector<double> threshold(block_samples);
     for (std::size_t k = 0; k < block_samples; ++k) {
         if (k > 0 && threshold[k - 1] > 0.0) {
@@ -68,7 +69,7 @@ std::vector<double> perceptual_threshold_db(std::size_t block_samples, double ra
         }
         const double f_hz =
             static_cast<double>(k) * rate_hz / static_cast<double>(2 * block_samples - 1);
-        const double octaves = std::log10(f_hz / kCornerHz + kOffset) / corner;
+        const double octaves = portable::log10(f_hz / kCornerHz + kOffset) / corner;
         threshold[k] = kCurvatureDb * octaves * octaves + kKeenestDb;
     }
     return threshold;
@@ -95,7 +96,8 @@ PerceptualBlocks perceptual_blocks(const Waveform& waveform,
             std::span(blocks.samples).subspan(b * params.block_samples, params.block_samples);
         const auto lines = transformed(block, turn);
         for (std::size_t k = 0; k < lines.size(); ++k) {
-            blocks.level_db.push_back(20.0 * std::log10(std::abs(lines[k])) - threshold_db[k]);
+            blocks.level_db.push_back(20.0 * portable::log10(portable::abs(lines[k])) -
+                                      threshold_db[k]);
         }
     }
     return blocks;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "model/common/portable.h"
 #include "model/metrics/product_sum.h"
 
 namespace tact {
@@ -17,7 +18,7 @@ constexpr double kFaintestG = 1e-6;
 std::vector<double> compared_lines(const Spectrum& spectrum, const SpectralRmseParams& params) {
     std::vector<double> lines = spectrum.amplitude_g;
     if (params.scale == SpectrumScale::decibel) {
-        for (double& line : lines) line = 20.0 * std::log10(std::max(line, kFaintestG));
+        for (double& line : lines) line = 20.0 * portable::log10(std::max(line, kFaintestG));
     }
     const std::size_t reach = params.smoothing_lines / 2;
     std::vector<double> kept;

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "model/common/portable.h"
+
 namespace tact {
 
 namespace {
@@ -24,7 +26,7 @@ SpqiBlocks spqi_blocks(const Waveform& waveform, const SpqiParams& params) {
     result.block_samples = blocks.block_samples;
     result.block_power.assign(blocks.count, 0.0);
     for (std::size_t n = 0; n < blocks.level_db.size(); ++n) {
-        result.power.push_back(std::pow(10.0, blocks.level_db[n] / 10.0));
+        result.power.push_back(portable::pow(10.0, blocks.level_db[n] / 10.0));
         result.block_power[n / blocks.block_samples] += result.power.back();
     }
     return result;
@@ -37,7 +39,7 @@ std::vector<double> spqi_errors_db(const SpqiBlocks& reference, const SpqiBlocks
         apart[n / reference.block_samples] += std::abs(reference.power[n] - other.power[n]);
     }
     for (std::size_t b = 0; b < apart.size(); ++b) {
-        apart[b] = 10.0 * std::log10(apart[b] / (reference.block_power[b] + kBlockEpsilon));
+        apart[b] = 10.0 * portable::log10(apart[b] / (reference.block_power[b] + kBlockEpsilon));
     }
     return apart;
 }
@@ -47,7 +49,7 @@ double spqi(const SpqiBlocks& reference, const SpqiBlocks& other, const SpqiPara
     for (double& score : scores) {
         // (1 - tanh z) / 2 in the form that keeps the digits of small scores.
         const double z = params.steepness_per_db * score - params.threshold;
-        score = 1.0 / (1.0 + std::exp(2.0 * z));
+        score = 1.0 / (1.0 + portable::exp(2.0 * z));
     }
     return mean(scores);
 }

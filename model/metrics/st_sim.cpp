@@ -1,4 +1,5 @@
 #include "model/metrics/st_sim.h"
+#include "model/common/portable.h"
 #include "model/metrics/product_sum.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 // Standard deviation below which a block is constant, as a share of its peak: rounding.
 constexpr double kConstantShare = 1e-12;
 
-double normal_distribution(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
+double normal_distribution(double z) { return 0.5 * portable::erfc(-z / std::numbers::sqrt2); }
 
 std::vector<double> z_normalised(std::span<const double> block) {
     std::vector<double> shape = without_mean(block);
@@ -77,8 +78,8 @@ StSim st_sim(const StSimBlocks& reference, const StSimBlocks& other, const StSim
     const bool is_clamped =
         params.negative_shape == NegativeShape::clamped && result.temporal < 0.0;
     if (is_clamped) result.temporal = 0.0;
-    const double power = std::pow(std::abs(result.temporal), params.shape_weight) *
-                         std::pow(result.spectral, 1.0 - params.shape_weight);
+    const double power = portable::pow(std::abs(result.temporal), params.shape_weight) *
+                         portable::pow(result.spectral, 1.0 - params.shape_weight);
     result.similarity = std::copysign(power, result.temporal);
     return result;
 }

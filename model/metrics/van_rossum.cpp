@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "model/common/portable.h"
 #include "model/common/units.h"
 
 namespace tact {
@@ -12,7 +13,7 @@ namespace {
 // What is left of a tail a sample later.
 double decay(const VanRossumParams& params) {
     assert(params.tau_s > 0.0 && "a tail takes time");
-    return std::exp(-1.0 / (kModelRateHz * params.tau_s));
+    return portable::exp(-1.0 / (kModelRateHz * params.tau_s));
 }
 
 std::vector<double> tail(std::vector<double> spikes, double decay) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/common/portable.h"
+
 namespace tact {
 
 namespace {
@@ -16,14 +18,15 @@ double clamp_to(const Range& range, double value) {
 
 double modulation_at(const Modulation& modulation, double t_s) {
     if (modulation.frequency_hz == 0.0) return 1.0;
-    const double sine = std::sin(kTurn * modulation.frequency_hz * t_s);
+    const double sine = portable::sin(kTurn * modulation.frequency_hz * t_s);
     return modulation.kind == ModulationKind::product ? sine : 1.0 + modulation.depth * sine;
 }
 
 double carriers_at(const std::vector<Carrier>& carriers, double t_s) {
     double sum = 0.0;
     for (const Carrier& carrier : carriers) {
-        sum += carrier.weight * std::sin(kTurn * carrier.frequency_hz * t_s + carrier.phase_rad);
+        sum +=
+            carrier.weight * portable::sin(kTurn * carrier.frequency_hz * t_s + carrier.phase_rad);
     }
     return sum;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/common/portable.h"
+
 namespace tact {
 
 namespace {
@@ -73,8 +75,8 @@ double stepped(PatternParameter parameter, double value, double steps) {
     if (about.by_ratio) {
         // Below the first there is only 0, where the range has it.
         const double from = std::max(value, about.first);
-        moved =
-            from * std::pow(about.step, value < about.first && steps > 0.0 ? steps - 1.0 : steps);
+        moved = from *
+                portable::pow(about.step, value < about.first && steps > 0.0 ? steps - 1.0 : steps);
         if (moved < about.first && about.range.low <= 0.0) moved = 0.0;
     }
     return std::clamp(moved, about.range.low, about.range.high);

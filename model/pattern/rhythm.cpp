@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/common/portable.h"
+
 namespace tact {
 
 std::string rhythm_fault(std::string_view text) {
@@ -55,11 +57,11 @@ double evenness(std::string_view text) {
     for (std::size_t j = 0; j < steps.size(); ++j) {
         const double turn = static_cast<double>(steps[j]) / static_cast<double>(text.size()) -
                             static_cast<double>(j) / static_cast<double>(steps.size());
-        cosines += std::cos(2.0 * std::numbers::pi * turn);
-        sines += std::sin(2.0 * std::numbers::pi * turn);
+        cosines += portable::cos(2.0 * std::numbers::pi * turn);
+        sines += portable::sin(2.0 * std::numbers::pi * turn);
     }
     if (steps.empty()) return 0.0;
-    return std::hypot(cosines, sines) / static_cast<double>(steps.size());
+    return portable::hypot(cosines, sines) / static_cast<double>(steps.size());
 }
 
 std::string with_note(std::string text, std::size_t first, std::size_t last) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "model/common/portable.h"
 #include "model/common/random.h"
 
 namespace tact {
@@ -14,7 +15,7 @@ namespace {
 // To twelve digits: 3 x 0.1 and 0.3 are meant to be one number.
 double rounded(double value) {
     if (value == 0.0) return 0.0;
-    const double scale = std::pow(10.0, 11.0 - std::floor(std::log10(std::abs(value))));
+    const double scale = portable::pow(10.0, 11.0 - std::floor(portable::log10(std::abs(value))));
     return std::round(value * scale) / scale;
 }
 

@@ -5,6 +5,8 @@
 #include <complex>
 #include <numbers>
 
+#include "model/common/portable.h"
+
 namespace tact {
 
 namespace {
@@ -13,7 +15,7 @@ using Complex = std::complex<double>;
 
 // Analogue edge whose bilinear image is at `frequency_hz`: w = 2 fs tan(pi f / fs).
 double prewarped(double frequency_hz, double rate_hz) {
-    return 2.0 * rate_hz * std::tan(std::numbers::pi * frequency_hz / rate_hz);
+    return 2.0 * rate_hz * portable::tan(std::numbers::pi * frequency_hz / rate_hz);
 }
 
 Complex bilinear(Complex s, double rate_hz) { return (2.0 * rate_hz + s) / (2.0 * rate_hz - s); }
@@ -23,7 +25,8 @@ Complex bilinear(Complex s, double rate_hz) { return (2.0 * rate_hz + s) / (2.0 
 std::vector<Complex> prototype_poles(int order) {
     std::vector<Complex> poles;
     for (int k = 0; k < order / 2; ++k) {
-        poles.push_back(std::polar(1.0, std::numbers::pi * (2 * k + 1 + order) / (2.0 * order)));
+        poles.push_back(
+            portable::polar(1.0, std::numbers::pi * (2 * k + 1 + order) / (2.0 * order)));
     }
     if (order % 2 == 1) poles.emplace_back(-1.0, 0.0);
     return poles;
@@ -36,13 +39,14 @@ Complex response(const Section& section, Complex z_inverse) {
 }
 
 Complex z_inverse_at(double frequency_hz, double rate_hz) {
-    return std::polar(1.0, -2.0 * std::numbers::pi * frequency_hz / rate_hz);
+    return portable::polar(1.0, -2.0 * std::numbers::pi * frequency_hz / rate_hz);
 }
 
 // Each section gets gain 1 where the whole filter has it, so none over- or underflows.
 void normalise(std::vector<Section>& sections, double frequency_hz, double rate_hz) {
     for (Section& section : sections) {
-        const double scale = 1.0 / std::abs(response(section, z_inverse_at(frequency_hz, rate_hz)));
+        const double scale =
+            1.0 / portable::abs(response(section, z_inverse_at(frequency_hz, rate_hz)));
         section.b0 *= scale;
         section.b1 *= scale;
         section.b2 *= scale;
@@ -64,7 +68,7 @@ std::vector<Section> band_pass(int order, double low_hz, double high_hz, double 
     };
     for (const Complex pole : prototype_poles(order)) {
         const Complex middle = pole * (high - low) / 2.0;
-        const Complex root = std::sqrt(middle * middle - centre * centre);
+        const Complex root = portable::sqrt(middle * middle - centre * centre);
         const Complex first = bilinear(middle + root, rate_hz);
         const Complex second = bilinear(middle - root, rate_hz);
         if (pole.imag() == 0.0) {
@@ -74,7 +78,7 @@ std::vector<Section> band_pass(int order, double low_hz, double high_hz, double 
             add(second, std::conj(second));
         }
     }
-    const double centre_hz = std::atan(centre / (2.0 * rate_hz)) * rate_hz / std::numbers::pi;
+    const double centre_hz = portable::atan(centre / (2.0 * rate_hz)) * rate_hz / std::numbers::pi;
     normalise(sections, centre_hz, rate_hz);
     return sections;
 }
@@ -122,7 +126,7 @@ std::vector<double> filtered(std::span<const Section> sections, std::span<const 
 double gain(std::span<const Section> sections, double frequency_hz, double rate_hz) {
     double product = 1.0;
     for (const Section& section : sections) {
-        product *= std::abs(response(section, z_inverse_at(frequency_hz, rate_hz)));
+        product *= portable::abs(response(section, z_inverse_at(frequency_hz, rate_hz)));
     }
     return product;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/common/portable.h"
 #include "model/common/random.h"
 
 namespace tact {
@@ -27,7 +28,7 @@ void filter_one(std::vector<double>& samples, double zero, double pole) {
 
 void make_pink(std::vector<double>& samples, double rate_hz) {
     const auto matched = [rate_hz](double hz) {
-        return std::exp(-2.0 * std::numbers::pi * hz / rate_hz);
+        return portable::exp(-2.0 * std::numbers::pi * hz / rate_hz);
     };
     for (double pole_hz = kLowestHz; pole_hz < 0.5 * rate_hz; pole_hz *= 2.0) {
         filter_one(samples, matched(pole_hz * std::numbers::sqrt2), matched(pole_hz));
@@ -53,7 +54,7 @@ std::vector<double> pink_noise(double rate_hz, double seconds, std::uint64_t see
         const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(seam);
         const double turn = 0.5 * std::numbers::pi * share;
         double& sample = loop[count - seam + k];
-        sample = std::cos(turn) * sample + std::sin(turn) * all[settle + k];
+        sample = portable::cos(turn) * sample + portable::sin(turn) * all[settle + k];
     }
     double largest = 0.0;
     for (const double sample : loop) largest = std::max(largest, std::abs(sample));

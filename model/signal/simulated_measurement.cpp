@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/common/portable.h"
 #include "model/common/random.h"
 #include "model/signal/butterworth.h"
 
@@ -14,7 +15,7 @@ namespace {
 constexpr double kRingDownS = 0.1;
 
 Section resonance(const ActuatorParams& params, double rate_hz) {
-    const double k = std::tan(std::numbers::pi * params.resonance_hz / rate_hz);
+    const double k = portable::tan(std::numbers::pi * params.resonance_hz / rate_hz);
     const double scale = 1.0 / (1.0 + k / params.q + k * k);
     const double b = params.gain * scale;
     return {b, -2.0 * b, b, 2.0 * (k * k - 1.0) * scale, (1.0 - k / params.q + k * k) * scale};

@@ -10,6 +10,16 @@
 #include <mutex>
 #include <type_traits>
 
+#include "model/common/portable.h"
+
+// FFTW asks the C library for its sines when it makes a plan, and so has other ones, and other last
+// bits, on a processor without FMA. A program's own definition comes before the library's: this is
+// the sincos of the whole process.
+extern "C" void sincos(double angle_rad, double* sine, double* cosine) noexcept {
+    *sine = tact::portable::sin(angle_rad);
+    *cosine = tact::portable::cos(angle_rad);
+}
+
 namespace tact {
 
 namespace {
@@ -90,7 +100,7 @@ Spectrum amplitude_spectrum(std::span<const double> samples_g, double rate_hz) {
     for (std::size_t k = 0; k < bins; ++k) {
         const bool unpaired = k == 0 || 2 * k == n;
         spectrum.amplitude_g[k] =
-            (unpaired ? 1.0 : 2.0) * std::abs(half[k]) / static_cast<double>(n);
+            (unpaired ? 1.0 : 2.0) * portable::abs(half[k]) / static_cast<double>(n);
     }
     return spectrum;
 }

@@ -4,7 +4,8 @@
 // Output    one-sided peak amplitudes: a sine of 1 g on a bin gives 1 g there
 // Valid     1 sample and more
 // Left out  averaging, leakage correction.
-// Exact     one plan per length, made without measuring: same bits in every run and thread.
+// Exact     one plan per length, made without measuring, from our own sines: same bits in every run
+//           and thread, on any instruction set.
 #pragma once
 
 #include <complex>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/common/portable.h"
 #include "model/subset/clique.h"
 #include "model/subset/subset_start.h"
 
@@ -31,7 +32,7 @@ WidestSet widest_set(const WidestProblem& problem, std::vector<std::size_t> star
     const Units of_kept = weakest_of(problem.distances, problem.kept);
     std::size_t low = place_of(widest.weakest);
     std::size_t high = place_of(std::min({of_kept, values.back(), bound.value_or(of_kept)}));
-    const double all = std::log2(static_cast<double>(high - low + 2));
+    const double all = portable::log2(static_cast<double>(high - low + 2));
     while (low < high) {
         const std::size_t middle = low + (high - low + 1) / 2;
         const Graph graph = graph_of(problem.distances, values[middle]);
@@ -46,7 +47,7 @@ WidestSet widest_set(const WidestProblem& problem, std::vector<std::size_t> star
         } else {
             high = middle - 1;
         }
-        const double left = std::log2(static_cast<double>(high - std::min(low, high) + 2));
+        const double left = portable::log2(static_cast<double>(high - std::min(low, high) + 2));
         if (progress) progress(all > 1.0 ? (all - left) / (all - 1.0) : 1.0);
     }
     std::ranges::sort(widest.members);
