@@ -7,6 +7,7 @@
 
 #include "app/command_line/output.h"
 #include "model/common/parallel.h"
+#include "model/io/set/set_fingerprint.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -150,6 +151,8 @@ Expected<TileSource> tile_source(const PatternSet& set, int threads, std::stop_t
                                  const std::function<void(double)>& progress) {
     TileSource source;
     source.channel_weight = set.model.channel_weight;
+    source.vibrations = vibrations_fingerprint(set);
+    source.model = model_fingerprint(set);
     std::size_t longest = 0;
     for (const Vibration& vibration : set.vibrations) {
         longest = std::max(longest, length_of(vibration));

@@ -47,6 +47,9 @@ struct TileSource {
     PerReceptor<double> channel_weight{};
     std::vector<PackedSpikes> spikes;            // of every pattern
     std::vector<std::vector<double>> envelopes;  // likewise
+    // Fingerprints of what they were made from, to tell why they are others; 0: not known.
+    std::uint64_t vibrations = 0;
+    std::uint64_t model = 0;
 };
 
 void add_pattern(TileSource& source, const PatternCode& code);

@@ -23,7 +23,7 @@ namespace {
 constexpr std::array<char, 16> kMagic{'t', 'a', 'c', 't', 's', 'p', 'a', 'c',
                                       'e', ' ', 't', 'i', 'l', 'e', 's', '\n'};
 // To be raised with the format, and with any change of the numbers that equal codes give.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kByteOrder = 0x01020304;
 // How much a power cut may cost. Being killed costs nothing of it.
 constexpr std::chrono::seconds kSyncEvery{5};
@@ -34,7 +34,7 @@ struct Header {
     std::uint32_t byte_order = kByteOrder;
     TileKey key;
 };
-static_assert(sizeof(Header) == 48, "no gaps: it is written as it lies in memory");
+static_assert(sizeof(Header) == 64, "no gaps: it is written as it lies in memory");
 
 struct RecordHead {
     std::uint32_t part = 0;
@@ -99,6 +99,19 @@ bool read_record(int descriptor, std::uint64_t place, std::uint64_t patterns, Re
            head.checksum == checksum_of(head, record.values);
 }
 
+std::string what_differs(const TileKey& kept, const TileKey& wanted) {
+    const bool of_patterns =
+        kept.patterns != wanted.patterns || kept.vibrations != wanted.vibrations;
+    const bool of_model = kept.model != wanted.model;
+    if (of_patterns && of_model)
+        return "belongs to other patterns and other parameters of the model";
+    if (of_patterns) return "belongs to other patterns";
+    if (of_model) return "belongs to other parameters of the model";
+    return "was begun by another build of tactspace, or on a machine with other arithmetic: the "
+           "same "
+           "patterns and parameters gave other numbers there";
+}
+
 std::uint64_t size_of(const Record& record) {
     return sizeof record.head + record.values.size() * sizeof(double);
 }
@@ -107,7 +120,7 @@ std::uint64_t size_of(const Record& record) {
 
 TileKey key_of(const TileSource& source) {
     const std::size_t patterns = pattern_count(source);
-    return {patterns, tile_side(patterns), fingerprint(source)};
+    return {patterns, tile_side(patterns), source.vibrations, source.model, fingerprint(source)};
 }
 
 Expected<Checkpoint> Checkpoint::open(const fs::path& path, const TileKey& key) {
@@ -147,9 +160,7 @@ Expected<Done> Checkpoint::take_up(const TileKey& key) {
                      "machine; remove it to start anew");
     }
     if (header.key != key) {
-        return fault(path_,
-                     "belongs to other patterns or other parameters of the model; remove "
-                     "it to start anew");
+        return fault(path_, what_differs(header.key, key) + "; remove it to start anew");
     }
     Record record;
     end_ = sizeof header;

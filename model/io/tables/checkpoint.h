@@ -1,6 +1,6 @@
 // Finished tiles in a file, so that a stopped computation can go on.
 //
-//     header   "tactspace tiles\n", version, byte order, patterns, side of a tile, fingerprint
+//     header   "tactspace tiles\n", version, byte order, patterns, side of a tile, fingerprints
 //     record   part, tile, number of values, checksum; the values as 64-bit floats
 //     record   ...
 //
@@ -24,11 +24,14 @@
 
 namespace tact {
 
-// What tiles must agree in to belong to one matrix.
+// What tiles must agree in to belong to one matrix. The codes are made from the other two: only
+// where arithmetic differs, they differ alone.
 struct TileKey {
     std::uint64_t patterns = 0;
     std::uint64_t side = 0;
-    std::uint64_t fingerprint = 0;
+    std::uint64_t vibrations = 0;  // fingerprints: of what was coded,
+    std::uint64_t model = 0;       // of the model's parameters,
+    std::uint64_t codes = 0;       // and of the codes
 
     bool operator==(const TileKey&) const = default;
 };
@@ -38,8 +41,8 @@ TileKey key_of(const TileSource& source);
 // The open file. No other process can have it open meanwhile.
 class Checkpoint {
   public:
-    // Takes up the file or makes it. An Error if it is no checkpoint, or one of another matrix; it
-    // is left as it was.
+    // Takes up the file or makes it. An Error if it is no checkpoint, or one of another matrix,
+    // which says what is other; it is left as it was.
     static Expected<Checkpoint> open(const std::filesystem::path& path, const TileKey& key);
 
     // Calls `take` with every tile of one part that the file held when it was opened.
@@ -60,7 +63,6 @@ class Checkpoint {
     Checkpoint(std::filesystem::path path, int descriptor, std::uint64_t patterns)
         : path_(std::move(path)), descriptor_(descriptor), patterns_(patterns) {}
     Expected<Done> take_up(const TileKey& key);
-    Expected<std::uint64_t> whole_records() const;
 
     std::filesystem::path path_;
     int descriptor_ = -1;

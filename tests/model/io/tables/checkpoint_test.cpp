@@ -14,7 +14,7 @@ using namespace tact;
 
 namespace {
 
-constexpr TileKey kKey{.patterns = 9, .side = 4, .fingerprint = 42};
+constexpr TileKey kKey{.patterns = 9, .side = 4, .vibrations = 40, .model = 41, .codes = 42};
 
 std::vector<double> values_of(std::size_t tile) {
     std::vector<double> values(pair_count(tile_at(kKey.patterns, tile)));
@@ -114,13 +114,13 @@ TEST_CASE("checkpoint: a header that was cut short is begun anew") {
     const TemporaryFolder folder;
     const auto path = three_tiles(folder);
     const std::string whole = bytes_of(path);
-    for (const std::size_t left : {0UL, 1UL, 20UL, 47UL}) {
+    for (const std::size_t left : {0UL, 1UL, 20UL, 63UL}) {
         CAPTURE(left);
         folder.write("m.csv.tiles", std::string_view(whole).substr(0, left));
         const auto checkpoint = Checkpoint::open(path, kKey);
         REQUIRE(checkpoint);
         CHECK(tiles_in(*checkpoint, Part::nc).empty());
-        CHECK(bytes_of(path) == whole.substr(0, 48));
+        CHECK(bytes_of(path) == whole.substr(0, 64));
     }
 }
 
@@ -128,13 +128,19 @@ TEST_CASE("checkpoint: one of another matrix is refused and left as it was") {
     const TemporaryFolder folder;
     const auto path = three_tiles(folder);
     const std::string whole = bytes_of(path);
-    for (const TileKey& other : {TileKey{10, 4, 42}, TileKey{9, 8, 42}, TileKey{9, 4, 43}}) {
+    const auto refused = [&](const TileKey& other, const std::string& reason) {
         const auto checkpoint = Checkpoint::open(path, other);
         REQUIRE_FALSE(checkpoint);
-        CHECK(
-            checkpoint.error().message.starts_with(path.string() + ": belongs to other patterns"));
+        CHECK(checkpoint.error().message.starts_with(path.string() + ": " + reason));
         CHECK(bytes_of(path) == whole);
-    }
+    };
+    refused({10, 4, 40, 41, 42}, "belongs to other patterns;");
+    refused({9, 4, 50, 41, 52}, "belongs to other patterns;");
+    refused({9, 4, 40, 51, 52}, "belongs to other parameters of the model;");
+    refused({9, 4, 50, 51, 52}, "belongs to other patterns and other parameters of the model;");
+    // Only the arithmetic can have been another.
+    refused({9, 4, 40, 41, 52}, "was begun by another build of tactspace, or on a machine with");
+    refused({9, 8, 40, 41, 42}, "was begun by another build of tactspace, or on a machine with");
 }
 
 TEST_CASE("checkpoint: other versions and other byte orders are refused") {
