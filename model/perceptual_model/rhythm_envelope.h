@@ -5,6 +5,10 @@
 // Normalised, OC is about rhythm, which is what the paper says it is for; raw, amplitude twins of
 // one rhythm come out farther apart than average, against its findings.
 //
+// Centred, the mean is of x[n-49] .. x[n+50]. Samples before the start and past the end are zeros
+// and count, so that a rhythm that is cut off rises and falls at the ends. MATLAB's movmean(x, 100)
+// takes x[n-50] .. x[n+49] and, at the ends, the mean of the samples there are.
+//
 // Source    Lim & Park 2023, section 5; alignment and normalisation are ours.
 // Input     samples in g at 10 kHz, mean not removed
 // Output    as many values; silence stays zero

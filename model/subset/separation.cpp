@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "model/common/portable.h"
 #include "model/common/quantile.h"
 
 namespace tact {
@@ -134,8 +135,8 @@ std::optional<bool> narrow(Way& way, const Parts& parts) {
 double with_three_digits(double value) {
     if (value == 0.0) return 0.0;
     // By whole powers of ten, so that 55.3 is the number that 55.3 is read as.
-    const double digits = 2.0 - std::floor(std::log10(std::abs(value)));
-    const double whole = std::pow(10.0, std::abs(digits));
+    const double digits = 2.0 - std::floor(portable::log10(std::abs(value)));
+    const double whole = portable::pow(10.0, std::abs(digits));
     return digits >= 0.0 ? std::round(value * whole) / whole : std::round(value / whole) * whole;
 }
 
@@ -143,6 +144,7 @@ double with_three_digits(double value) {
 
 std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold,
                                              std::size_t most) {
+    if (!std::isfinite(threshold)) return {};
     std::vector<ConfusablePair> pairs;
     std::size_t k = 0;
     for (std::size_t i = 0; i < dissimilarity.size; ++i) {
@@ -189,6 +191,7 @@ std::optional<std::vector<Separation>> separations(const PatternSet& set,
                                                    const SeparationOptions& options) {
     const auto* pattern = std::get_if<Pattern>(&set.vibrations[place].source);
     if (pattern == nullptr) return std::nullopt;
+    if (!std::isfinite(threshold)) return std::vector<Separation>{};
     Trial trial(set, prediction.params, place, options);
     const std::optional<Prediction> coarse = trial.coarse();
     if (!coarse) return std::nullopt;

@@ -35,7 +35,8 @@ struct ConfusablePair {
     bool operator==(const ConfusablePair&) const = default;
 };
 
-// The pairs not above the threshold, the closest first, at most so many.
+// The pairs not above the threshold, the closest first, at most so many; none where it is no finite
+// number.
 std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold,
                                              std::size_t most);
 
@@ -67,7 +68,8 @@ struct SeparationOptions {
 };
 
 // Changes of the pattern at a place that bring its PM to all others that count above the threshold,
-// the smallest first. None when stopped, and for a recording.
+// the smallest first. None when stopped, and for a recording; an empty list where the threshold is
+// no finite number.
 std::optional<std::vector<Separation>> separations(const PatternSet& set,
                                                    const Prediction& prediction, std::size_t place,
                                                    double threshold,

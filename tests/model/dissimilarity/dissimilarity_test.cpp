@@ -67,4 +67,12 @@ TEST_CASE("ranks: rounding noise makes no order") {
     CHECK(average_ranks(std::vector<double>{1.0, 1.000001}) == std::vector<double>{1.0, 2.0});
 }
 
+TEST_CASE("ranks: dissimilarities that are all but zero are equal, however they are ordered") {
+    // Rounding noise of a set of equal patterns: a largest value below 1e-6 is no scale.
+    CHECK(average_ranks(std::vector<double>{1e-17, 4e-17, 2e-16}) == std::vector{2.0, 2.0, 2.0});
+    CHECK(quantised(std::vector<double>{1e-17, -2e-16}) == std::vector{0.0, 0.0});
+    CHECK(quantised(std::vector<double>{2e-7, 1e-7}) == std::vector{2e8, 1e8});
+    CHECK(quantised(std::vector<double>{2e-6, 1e-6}) == std::vector{1e9, 5e8});
+}
+
 }  // namespace dissimilarity_test

@@ -399,4 +399,39 @@ TEST_CASE("mds: stopped, it returns the best so far and says so") {
     CHECK_FALSE(nonmetric_mds(dissimilarity, params).stopped);
 }
 
+TEST_CASE("mds: different objects closer than a millionth of the map are on one spot") {
+    // Not moved: the verdict is on the map as it is.
+    const Dissimilarity dissimilarity{4, {3.0, 4.0, 5.0, 6.0, 2.0, 1.0}};
+    const auto verdict_at = [&](double apart) {
+        MatrixXd start(4, 2);
+        start << 0.0, 0.0, apart, 0.0, 1.0, 0.0, 0.0, 0.6;
+        MdsParams params = with(2, 0);
+        params.max_steps = 0;
+        return smacof(dissimilarity, start, params).verdict;
+    };
+    CHECK(verdict_at(5e-7) == MdsVerdict::colocated);
+    CHECK(verdict_at(1e-8) == MdsVerdict::colocated);
+    CHECK(verdict_at(3e-6) == MdsVerdict::fine);
+}
+
+TEST_CASE("mds: the larger the set, the fewer starts, three above 300 objects") {
+    const auto starts = [](std::size_t objects) {
+        return standard_mds_params(objects, 3).random_starts;
+    };
+    CHECK(starts(30) == 100);
+    CHECK(starts(31) == 30);
+    CHECK(starts(100) == 30);
+    CHECK(starts(101) == 10);
+    CHECK(starts(300) == 10);
+    CHECK(starts(301) == 3);
+    CHECK(starts(1000) == 3);
+    CHECK(starts(1001) == 0);
+}
+
+TEST_CASE("mds: products are cut into the same blocks on every processor") {
+    CHECK(Eigen::l1CacheSize() == kBlockCacheBytes[0]);
+    CHECK(Eigen::l2CacheSize() == kBlockCacheBytes[1]);
+    CHECK(Eigen::l3CacheSize() == kBlockCacheBytes[2]);
+}
+
 }  // namespace mds_test

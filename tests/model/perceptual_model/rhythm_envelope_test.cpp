@@ -44,4 +44,19 @@ TEST_CASE("envelope: decimation keeps the mean, also of the last short block") {
     CHECK(decimated({}, 10).empty());
 }
 
+TEST_CASE("envelope: a centred window reaches from 49 samples back to 50 ahead") {
+    std::vector<double> click(400, 0.0);
+    click[200] = 1.0;
+    EnvelopeParams centred;
+    centred.alignment = EnvelopeAlignment::centred;
+    const auto envelope = rhythm_envelope(click, centred);
+    for (std::size_t k = 0; k < envelope.size(); ++k) {
+        CHECK((envelope[k] > 0.0) == (k + 50 >= 200 && k <= 200 + 49));
+    }
+    // Past the ends lie zeros: half the window, half the mean.
+    const auto constant = rhythm_envelope(std::vector<double>(300, 1.0), centred);
+    CHECK(constant[0] == 0.51);
+    CHECK(constant[299] == 0.5);
+}
+
 }  // namespace rhythm_envelope_test

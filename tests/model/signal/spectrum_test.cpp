@@ -53,4 +53,37 @@ TEST_CASE("spectrum: the same bits from several threads at once") {
     for (const auto& result : results) CHECK(result == expected);
 }
 
+TEST_CASE("spectrum: a filter without delay takes what its gain says, where it was") {
+    const std::vector<double> samples = golden::noise(5, 1000, 1.0).samples_g;
+    const auto same = zero_phase_filtered(samples, kModelRateHz, [](double) { return 1.0; });
+    CHECK(golden::worst_difference(same, samples) <= 1e-12);
+    const auto half = zero_phase_filtered(samples, kModelRateHz, [](double) { return 0.5; });
+    for (std::size_t n = 0; n < samples.size(); ++n) {
+        CHECK(std::abs(half[n] - samples[n] / 2.0) <= 1e-12);
+    }
+    // Of two tones, that below 100 Hz stays: in place, and in the middle to its height.
+    std::vector<double> low(2000);
+    std::vector<double> both(2000);
+    for (std::size_t n = 0; n < low.size(); ++n) {
+        const double turn = 2.0 * std::numbers::pi * static_cast<double>(n) / kModelRateHz;
+        low[n] = std::sin(50.0 * turn);
+        both[n] = low[n] + std::sin(200.0 * turn);
+    }
+    const auto kept = zero_phase_filtered(both, kModelRateHz,
+                                          [](double f_hz) { return f_hz < 100.0 ? 1.0 : 0.0; });
+    REQUIRE(kept.size() == both.size());
+    for (std::size_t n = 500; n < 1500; ++n) CHECK(std::abs(kept[n] - low[n]) <= 0.05);
+}
+
+TEST_CASE("spectrum: nothing of a filter's ringing comes round from the other end") {
+    std::vector<double> samples(400, 0.0);
+    samples.back() = 1.0;
+    const auto smooth = zero_phase_filtered(samples, kModelRateHz, [](double f_hz) {
+        return 1.0 / (1.0 + (f_hz / 1000.0) * (f_hz / 1000.0));  // rings for 0.2 ms
+    });
+    CHECK(smooth.back() > 0.1);
+    CHECK(std::abs(smooth.front()) <= 1e-4);
+    CHECK(zero_phase_filtered({}, kModelRateHz, [](double) { return 1.0; }).empty());
+}
+
 }  // namespace spectrum_test

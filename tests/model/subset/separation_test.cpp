@@ -255,4 +255,17 @@ TEST_CASE("part of a set: its patterns and their ratings, by names") {
     CHECK(part.ratings[0].condensed == std::vector<double>{6.0, 3.0, 2.0});
 }
 
+TEST_CASE("separation: a threshold that is no finite number parts nothing, and asks for no work") {
+    const PatternSet set = short_set();
+    const Prediction prediction = predicted(set);
+    SeparationOptions options;
+    options.progress = [](double) { FAIL("work was begun"); };
+    for (const double threshold : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+        const auto found = separations(set, prediction, 0, threshold, options);
+        REQUIRE(found);
+        CHECK(found->empty());
+        CHECK(confusable_pairs(prediction.pm, threshold, 100).empty());
+    }
+}
+
 }  // namespace separation_test

@@ -2,8 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <numeric>
 #include <set>
+#include <vector>
+
+#include "model/training/training.h"
 
 namespace training_grid_test {
 
@@ -77,6 +81,23 @@ TEST_CASE("training grid: OC alone leaves layers and channels as they were") {
     PerceptualModelParams expected = before;
     expected.nc_weight = 0.0;
     CHECK(nearest_model(grid, {}, before) == expected);
+}
+
+TEST_CASE(
+    "training cost: it counts the grid, adds up over sets and rises with patterns and steps") {
+    const auto cost = [](std::vector<std::size_t> patterns, int units) {
+        return training_cost(patterns, units);
+    };
+    const TrainingCost paper = cost({8, 14, 7, 7, 7, 15}, 10);
+    CHECK(paper.combinations == 44'289'025);
+    CHECK(paper.different == 21'165'625);
+    CHECK(paper.one_core_s > 1.0);
+    CHECK(paper.one_core_s < 120.0);
+    CHECK(cost({}, 10).one_core_s == 0.0);
+    const double sum_s = cost({8}, 10).one_core_s + cost({15}, 10).one_core_s;
+    CHECK(std::abs(cost({8, 15}, 10).one_core_s - sum_s) <= 1e-9 * sum_s);
+    CHECK(cost({9}, 10).one_core_s > cost({8}, 10).one_core_s);
+    CHECK(cost({8}, 20).one_core_s > 2.0 * cost({8}, 10).one_core_s);
 }
 
 }  // namespace training_grid_test
