@@ -344,18 +344,6 @@ TEST_CASE("measured files: what was kept elsewhere for the time being moves to t
     CHECK(measurement(set.vibrations[3]).path == elsewhere);
 }
 
-TEST_CASE("alignment: of the lags of a steady tone, equal but for rounding, the least is taken") {
-    for (const double f_hz : {10.0, 50.0, 125.0, 160.0, 250.0, 400.0}) {
-        CAPTURE(f_hz);
-        Pattern pattern;
-        pattern.carriers[0].frequency_hz = f_hz;
-        pattern.duration_s = 0.2;
-        const Waveform intended = render(pattern);
-        pattern.duration_s = 1.0;
-        CHECK(aligned(render(pattern), intended).lag == 0);
-    }
-}
-
 TEST_CASE("alignment: a lag that is better by a thousandth is better") {
     Waveform click{kModelRateHz, Samples(100, 0.0)};
     click.samples_g[0] = 1.0;
