@@ -91,6 +91,31 @@ void evaluate_shape(const Mapped& metric, const RatedSet& rated, const Evaluatio
     }
 }
 
+// The patterns that some pair was rated with, by their places.
+std::vector<std::size_t> places_rated(const Dissimilarity& ratings) {
+    std::vector<bool> is_rated(ratings.size, false);
+    for (std::size_t p = 0; p < ratings.condensed.size(); ++p) {
+        if (!std::isfinite(ratings.condensed[p])) continue;
+        const auto [i, j] = pair_at(ratings.size, p);
+        is_rated[i] = is_rated[j] = true;
+    }
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < ratings.size; ++k) {
+        if (is_rated[k]) places.push_back(k);
+    }
+    return places;
+}
+
+Dissimilarity among(const Dissimilarity& all, const std::vector<std::size_t>& places) {
+    Dissimilarity part{places.size(), {}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::size_t j = i + 1; j < places.size(); ++j) {
+            part.condensed.push_back(all(places[i], places[j]));
+        }
+    }
+    return part;
+}
+
 std::string remark_of_failure(const PerceptualSpace& space) {
     if (space.verdict == MdsVerdict::colocated) {
         return "no K: different patterns fell onto one point of the map";
@@ -100,7 +125,17 @@ std::string remark_of_failure(const PerceptualSpace& space) {
 
 }  // namespace
 
+const RatedSet& rated_part(const RatedSet& rated) { return rated.part ? *rated.part : rated; }
+
 Expected<RatedSet> rated_set(const Dissimilarity& ratings, const EvaluationParams& params) {
+    std::vector<std::size_t> places = places_rated(ratings);
+    if (!places.empty() && places.size() < ratings.size) {
+        Expected<RatedSet> part = rated_set(among(ratings, places), params);
+        if (!part) return part;
+        auto shared = std::make_shared<const RatedSet>(*std::move(part));
+        return RatedSet{mapped(ratings, params), shared->k_chance, shared->random_stress,
+                        std::move(places), shared};
+    }
     if (ratings.size < 3) {
         return Error{"expected ratings of at least three patterns, got " +
                      std::to_string(ratings.size)};
@@ -129,6 +164,7 @@ Expected<RatedSet> rated_set(const Dissimilarity& ratings, const EvaluationParam
 Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
                     const EvaluationParams& params) {
     assert(metric.size == rated.people.dissimilarity.size && "a metric of the rated patterns");
+    if (rated.part) return evaluate(among(metric, rated.rated), *rated.part, params);
     Evaluation result;
     evaluate_order(metric, rated.people.dissimilarity, params, result);
     result.k = result.k_p = result.k_corrected = result.k_procrustes = kNone;

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -47,10 +48,17 @@ struct Mapped {
 
 // What all metrics of a set are compared with.
 struct RatedSet {
-    Mapped people;
+    Mapped people;  // of all patterns; without ratings one lies anywhere
     AlienationChance k_chance;
     RandomStress random_stress;
+    // Where some patterns have no ratings: the places of those that have, and these alone, which is
+    // what counts.
+    std::vector<std::size_t> rated{};
+    std::shared_ptr<const RatedSet> part{};
 };
+
+// The rated patterns alone.
+const RatedSet& rated_part(const RatedSet& rated);
 
 // Errors: fewer than three patterns; no order among the ratings.
 Expected<RatedSet> rated_set(const Dissimilarity& ratings, const EvaluationParams& params);
@@ -74,7 +82,7 @@ struct Evaluation {
     std::vector<std::string> remarks;  // sentences without a full stop
 };
 
-// `metric` has the patterns of the ratings, in their order.
+// `metric` has the patterns of the ratings, in their order; those without ratings have no say.
 Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
                     const EvaluationParams& params);
 

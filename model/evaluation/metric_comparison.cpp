@@ -70,8 +70,12 @@ Expected<RatedPeople> rated_people(const RatingStudy& study, const EvaluationPar
     const Dissimilarity mean = mean_ratings(study);
     Expected<RatedSet> rated = rated_set(mean, params);
     if (!rated) return rated.error();
-    return RatedPeople{*std::move(rated), reliability(study),
-                       order_pairs(mean.condensed).ascending.size()};
+    return RatedPeople{*std::move(rated),
+                       reliability(study),
+                       order_pairs(mean.condensed).ascending.size(),
+                       participant_means(study).size(),
+                       is_partly_synthetic(study),
+                       unrated_patterns(study)};
 }
 
 std::optional<Metric> unbeaten_by_pm(std::span<const MetricRho> agreements) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "model/common/expected.h"
@@ -32,6 +33,9 @@ struct RatedPeople {
     RatedSet rated;
     Reliability reliability;
     std::size_t rated_pairs = 0;
+    std::size_t participants = 0;
+    bool synthetic = false;            // nobody was asked, for some of the ratings at least
+    std::vector<std::string> unrated;  // patterns that have no ratings and are left out
 };
 
 // Errors: as rated_set().

@@ -8,9 +8,19 @@ namespace tact {
 bool is_synthetic(const Ratings& ratings) { return ratings.file.starts_with(kSyntheticRatings); }
 
 std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& file) {
+    const bool is_many = study.judgements.size() > kMostKeptRatings;
+    const std::string marked =
+        (file.starts_with(kSyntheticRatings) ? "" : kSyntheticRatings) + file;
     std::vector<Ratings> kept;
-    for (const Judgement& judgement : study.judgements) {
-        Ratings ratings{judgement.participant, study.labels, judgement.condensed, {}, file};
+    for (const Judgement& judgement : is_many ? participant_means(study) : study.judgements) {
+        const auto standing =
+            std::ranges::find(study.standings, judgement.participant, &Standing::participant);
+        const bool is_nobody = standing != study.standings.end() && standing->synthetic;
+        Ratings ratings{judgement.participant,
+                        study.labels,
+                        judgement.condensed,
+                        {},
+                        is_nobody ? marked : file};
         std::ranges::replace_if(
             ratings.condensed, [](double value) { return std::isnan(value); }, kUnrated);
         kept.push_back(std::move(ratings));
@@ -24,7 +34,7 @@ Expected<RatingStudy> study_of(const PatternSet& set) {
     study.labels = names_of(set);
     for (const Ratings& ratings : set.ratings) {
         const RatingStudy one{ratings.labels, true, {{ratings.name, ratings.condensed}}};
-        const Expected<RatingStudy> fitting = matched(one, study.labels);
+        const Expected<RatingStudy> fitting = spread_over(one, study.labels);
         if (!fitting) {
             return Error{"ratings \"" + ratings.name + "\": " + fitting.error().message};
         }
@@ -32,8 +42,9 @@ Expected<RatingStudy> study_of(const PatternSet& set) {
         for (double& value : study.judgements.back().condensed) {
             if (!std::isfinite(value)) value = std::nan("");
         }
+        if (is_synthetic(ratings)) study.standings.push_back({ratings.name, true});
     }
-    return study;
+    return matched(study, study.labels);
 }
 
 }  // namespace tact

@@ -1,7 +1,8 @@
 // What people said of a set's patterns: as it is kept with the set, and as a study of its patterns.
 //
-// Input     ratings by the names of the patterns; a voice that rated only some is no study
-// Exact     a study kept with its set comes back as it was, in the order of the set's patterns.
+// Input     ratings by the names of the patterns; of those that nobody rated there are none
+// Exact     a study kept with its set comes back as it was, in the order of the set's patterns; of
+//           more than kMostKeptRatings passes each participant's mean, which says the same.
 #pragma once
 
 #include <string>
@@ -17,11 +18,13 @@ namespace tact {
 inline constexpr const char* kSyntheticRatings = "synthetic, ";
 bool is_synthetic(const Ratings& ratings);
 
-// `file`: where the study was read from; may be empty.
+inline constexpr std::size_t kMostKeptRatings = 1000;  // of a set file
+
+// `file`: where the study was read from; may be empty. Who was not asked is marked so.
 std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& file);
 
-// The ratings of a set as a study in the order of its patterns. Errors: there are none, or they are
-// of other patterns.
+// The ratings of a set as a study in the order of its patterns. Errors: there are none, they are of
+// other patterns, or of fewer than three.
 Expected<RatingStudy> study_of(const PatternSet& set);
 
 }  // namespace tact

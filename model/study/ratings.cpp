@@ -110,58 +110,105 @@ double mean_rho_with_others(const std::vector<std::vector<double>>& voices) {
     return known > 0 ? sum / static_cast<double>(known) : kNoRating;
 }
 
-std::string and_more(std::size_t others) {
-    return others == 0 ? "" : " and " + std::to_string(others) + " more";
-}
-
-// The first of `wanted` that is not among `given`, with the number of others; empty if all are.
-std::string missing_from(const std::vector<std::string>& given,
-                         const std::vector<std::string>& wanted) {
+// The first of `given` that is not among `wanted`, with the number of others; empty if all are.
+std::string extra_among(const std::vector<std::string>& given,
+                        const std::vector<std::string>& wanted) {
     std::string first;
     std::size_t count = 0;
-    for (const std::string& name : wanted) {
-        if (std::ranges::find(given, name) != given.end()) continue;
+    for (const std::string& name : given) {
+        if (std::ranges::find(wanted, name) != wanted.end()) continue;
         if (++count == 1) first = in_quotes(name);
     }
-    return count == 0 ? "" : first + and_more(count - 1);
+    return count < 2 ? first : first + " and " + std::to_string(count - 1) + " more";
 }
 
-std::string fault_of(const RatingStudy& study, const std::vector<std::string>& names) {
-    if (!study.is_named) {
-        if (study.labels.size() == names.size()) return {};
-        return "expected ratings of " + std::to_string(names.size()) +
-               " patterns, as many as the set has, got " + std::to_string(study.labels.size());
+// Whether each object has a pair with a value.
+std::vector<bool> rated_ones(const RatingStudy& study) {
+    std::vector<bool> rated(study.labels.size(), false);
+    for (const Judgement& judgement : study.judgements) {
+        std::size_t p = 0;
+        for (std::size_t i = 0; i < rated.size(); ++i) {
+            for (std::size_t j = i + 1; j < rated.size(); ++j, ++p) {
+                if (std::isfinite(judgement.condensed[p])) rated[i] = rated[j] = true;
+            }
+        }
     }
-    if (const std::string missing = missing_from(study.labels, names); !missing.empty()) {
-        return "expected ratings of every pattern of the set, got none of " + missing;
-    }
-    if (const std::string extra = missing_from(names, study.labels); !extra.empty()) {
-        return "expected names of patterns of the set, got " + extra;
-    }
-    return {};
+    return rated;
 }
 
 }  // namespace
 
-Expected<RatingStudy> matched(const RatingStudy& study, const std::vector<std::string>& names) {
-    if (const std::string fault = fault_of(study, names); !fault.empty()) return Error{fault};
+bool is_partly_synthetic(const RatingStudy& study) {
+    return std::ranges::any_of(study.standings, [&study](const Standing& standing) {
+        return standing.synthetic &&
+               std::ranges::find(study.judgements, standing.participant, &Judgement::participant) !=
+                   study.judgements.end();
+    });
+}
+
+Expected<RatingStudy> spread_over(const RatingStudy& study, const std::vector<std::string>& names) {
+    if (!study.is_named && study.labels.size() != names.size()) {
+        return Error{"expected ratings of " + std::to_string(names.size()) +
+                     " patterns, as many as the set has, got " +
+                     std::to_string(study.labels.size())};
+    }
+    if (const std::string extra = extra_among(study.labels, names);
+        study.is_named && !extra.empty()) {
+        return Error{"expected names of patterns of the set, got " + extra};
+    }
     std::vector<std::size_t> from;
     for (std::size_t k = 0; k < names.size(); ++k) {
         const auto found = std::ranges::find(study.labels, names[k]);
         from.push_back(study.is_named ? static_cast<std::size_t>(found - study.labels.begin()) : k);
     }
-    RatingStudy result{names, true, {}};
+    const std::size_t known = study.labels.size();
+    RatingStudy result{names, true, {}, study.standings, study.fingerprint};
     for (const Judgement& judgement : study.judgements) {
         Judgement moved{judgement.participant, {}};
         for (std::size_t i = 0; i < from.size(); ++i) {
             for (std::size_t j = i + 1; j < from.size(); ++j) {
-                moved.condensed.push_back(judgement.condensed[pair_index(
-                    from.size(), std::min(from[i], from[j]), std::max(from[i], from[j]))]);
+                const auto [low, high] = std::minmax(from[i], from[j]);
+                moved.condensed.push_back(
+                    high < known ? judgement.condensed[pair_index(known, low, high)] : kNoRating);
             }
         }
         result.judgements.push_back(std::move(moved));
     }
     return result;
+}
+
+Expected<RatingStudy> matched(const RatingStudy& study, const std::vector<std::string>& names) {
+    Expected<RatingStudy> spread = spread_over(study, names);
+    if (!spread) return spread;
+    const std::size_t unrated = unrated_patterns(*spread).size();
+    if (unrated > 0 && names.size() - unrated < 3) {
+        return Error{"expected ratings of at least three patterns of the set, got those of " +
+                     std::to_string(names.size() - unrated)};
+    }
+    return spread;
+}
+
+std::vector<std::string> unrated_patterns(const RatingStudy& study) {
+    const std::vector<bool> rated = rated_ones(study);
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < rated.size(); ++k) {
+        if (!rated[k]) names.push_back(study.labels[k]);
+    }
+    return names;
+}
+
+std::string remark_on_unrated(const std::vector<std::string>& unrated, std::size_t patterns) {
+    constexpr std::size_t kNamed = 5;
+    if (unrated.empty()) return {};
+    std::string text = std::to_string(unrated.size()) + " of " + std::to_string(patterns) +
+                       " patterns were not rated and are left out: ";
+    for (std::size_t k = 0; k < std::min(kNamed, unrated.size()); ++k) {
+        text += (k == 0 ? "" : ", ") + in_quotes(unrated[k]);
+    }
+    if (unrated.size() > kNamed) {
+        text += " and " + std::to_string(unrated.size() - kNamed) + " more";
+    }
+    return text;
 }
 
 Dissimilarity mean_ratings(const RatingStudy& study) {
@@ -206,12 +253,14 @@ Reliability reliability(const RatingStudy& study) {
         for (const Judgement& judgement : study.judgements) voices.push_back(judgement.condensed);
     }
     result.voices = voices.size();
-    result.half_rho = result.spearman_brown = result.one_with_others = kNoRating;
+    result.half_rho = result.spearman_brown = kNoRating;
+    result.one_with_others = result.ceiling_of_mean = kNoRating;
     if (voices.size() < 2) return result;
     const double half = mean_half_rho(voices);
     result.half_rho = half;
     if (half > -1.0) result.spearman_brown = 2.0 * half / (1.0 + half);
     result.one_with_others = mean_rho_with_others(voices);
+    result.ceiling_of_mean = std::sqrt(result.spearman_brown);  // NaN below 0
     return result;
 }
 

@@ -28,17 +28,41 @@ struct Judgement {
     bool operator==(const Judgement&) const = default;
 };
 
+// What is known of a participant that decides whether they count (model/study/who_counts.h).
+struct Standing {
+    std::string participant;
+    bool synthetic = false;  // nobody was asked
+    bool rehearsal = false;  // nothing was felt
+    std::string excluded{};  // why, as a phrase; empty: by nothing
+
+    bool operator==(const Standing&) const = default;
+};
+
 struct RatingStudy {
     std::vector<std::string> labels;
     bool is_named = true;  // false: the labels are only positions
     std::vector<Judgement> judgements;
+    std::vector<Standing> standings{};  // of those of whom there is something to be said
+    std::string fingerprint{};  // of what was felt (model/set/set_study.h); empty: not known
 
     bool operator==(const RatingStudy&) const = default;
 };
 
-// The study with its patterns in the order of `names`. Errors: a pattern without ratings, a rating
-// of none of the patterns; of unnamed patterns, another number of them.
+// Whether nobody was asked for some of the judgements.
+bool is_partly_synthetic(const RatingStudy& study);
+
+// The study of all these patterns in their order, with no ratings of those that it lacks. Errors: a
+// rating of none of the patterns; of unnamed patterns, another number of them.
+Expected<RatingStudy> spread_over(const RatingStudy& study, const std::vector<std::string>& names);
+
+// The same for ratings that are to be used: of three of the patterns at least, or of all.
 Expected<RatingStudy> matched(const RatingStudy& study, const std::vector<std::string>& names);
+
+// Names of the patterns without any rated pair, in their order.
+std::vector<std::string> unrated_patterns(const RatingStudy& study);
+
+// A sentence on them without a full stop, with names and the number; empty for none.
+std::string remark_on_unrated(const std::vector<std::string>& unrated, std::size_t patterns);
 
 // The mean over repetitions, then over participants, of those who rated the pair; NaN where nobody
 // did.
@@ -51,6 +75,9 @@ struct Reliability {
     double half_rho = 0.0;         // mean Spearman between the means of two halves
     double spearman_brown = 0.0;   // 2 r / (1 + r): of the mean of all
     double one_with_others = 0.0;  // mean Spearman of one voice with the mean of the others
+    // What the mean would have with the mean of as many others who felt the same, without noise:
+    // the square root of its reliability. NaN below 0.
+    double ceiling_of_mean = 0.0;
 };
 
 // How one participant agrees with the mean of the others: Spearman's rho, NaN where undefined. In

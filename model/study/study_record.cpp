@@ -1,5 +1,7 @@
 #include "model/study/study_record.h"
 
+#include <algorithm>
+
 namespace tact {
 
 std::string instructions_of(const StudyDesign& design, StudyKind kind) {
@@ -9,6 +11,21 @@ std::string instructions_of(const StudyDesign& design, StudyKind kind) {
            "make as many groups as you please; then you are asked for given numbers of groups. "
            "There is no right or wrong answer; what counts is what you feel.\n\n"
            "You may stop at any time.";
+}
+
+bool is_rehearsal(const StudyDevice& device) { return device.name == kNoDevice; }
+
+bool is_whole(const Play& play) { return play.is_to_the_end && play.dropouts == 0; }
+
+void note_play(PairAnswer& answer, bool is_left, const Play& play) {
+    PlaysReport& report = is_left ? answer.left : answer.right;
+    report.turned_down_db = std::max(report.turned_down_db, play.turned_down_db);
+    if (is_whole(play)) {
+        ++(is_left ? answer.plays_left : answer.plays_right);
+        return;
+    }
+    ++report.broken;
+    report.dropouts += play.dropouts;
 }
 
 std::size_t answers_wanted(const StudyRecord& record) {
@@ -27,6 +44,24 @@ std::size_t answers_wanted(const StudyRecord& record) {
 std::size_t answers_given(const StudyRecord& record) {
     return record.header.kind == StudyKind::pairwise ? record.answers.size()
                                                      : record.sortings.size();
+}
+
+const StudyDevice& device_of(const StudyRecord& record, std::size_t k) {
+    const StudyDevice* device = &record.header.device;
+    for (const DeviceChange& change : record.devices) {
+        if (change.before <= k) device = &change.device;
+    }
+    return *device;
+}
+
+Felt felt_of(const StudyRecord& record, std::size_t k) {
+    if (is_rehearsal(device_of(record, k))) return Felt::nothing;
+    if (record.header.kind != StudyKind::pairwise) return Felt::whole;
+    const PairAnswer& answer = record.answers[k];
+    // Files of before say nothing of broken plays.
+    const bool left_missing = answer.plays_left == 0 && answer.left.broken > 0;
+    const bool right_missing = answer.plays_right == 0 && answer.right.broken > 0;
+    return left_missing || right_missing ? Felt::in_part : Felt::whole;
 }
 
 }  // namespace tact

@@ -24,6 +24,9 @@ struct Participant {
     bool operator==(const Participant&) const = default;
 };
 
+// The name of what stands in the place of a device where there is none.
+inline constexpr const char* kNoDevice = "no device";
+
 // How the patterns reached the skin.
 struct StudyDevice {
     std::string name;
@@ -31,6 +34,18 @@ struct StudyDevice {
     std::string masking;  // the noise against hearing it, or why there was none; empty: not asked
 
     bool operator==(const StudyDevice&) const = default;
+};
+
+// Nothing is felt without a device.
+bool is_rehearsal(const StudyDevice& device);
+
+// Another device from some answer on, or the same at another level, scale or calibration.
+struct DeviceChange {
+    std::size_t before = 0;  // answers given until then
+    StudyDevice device;
+    std::string at;  // UTC
+
+    bool operator==(const DeviceChange&) const = default;
 };
 
 struct StudyHeader {
@@ -50,6 +65,22 @@ struct StudyHeader {
     bool operator==(const StudyHeader&) const = default;
 };
 
+// One play, as the device told of it afterwards.
+struct Play {
+    bool is_to_the_end = false;
+    int dropouts = 0;             // gaps in what went out
+    double turned_down_db = 0.0;  // as a whole, being too strong for full scale; 0: not
+};
+
+// What else is known of the plays of one side of a trial.
+struct PlaysReport {
+    int broken = 0;               // plays that were not whole, besides those that count
+    int dropouts = 0;             // gaps in them
+    double turned_down_db = 0.0;  // the most of all plays
+
+    bool operator==(const PlaysReport&) const = default;
+};
+
 struct PairAnswer {
     Trial trial;
     double similarity = 0.0;  // 0 totally different .. 100 the same
@@ -57,9 +88,17 @@ struct PairAnswer {
     int plays_right = 0;
     double response_s = 0.0;  // from when the trial was shown
     std::string at;           // UTC
+    PlaysReport left{};
+    PlaysReport right{};
 
     bool operator==(const PairAnswer&) const = default;
 };
+
+// Whether it was felt as it was meant: to the end and without gaps. Weaker is as meant.
+bool is_whole(const Play& play);
+
+// A play into the answer that is being given: one that is not whole does not count as a play.
+void note_play(PairAnswer& answer, bool is_left, const Play& play);
 
 struct SortingAnswer {
     int asked_groups = 0;  // 0: free
@@ -75,6 +114,7 @@ struct StudyRecord {
     std::vector<PairAnswer> answers;      // of a pairwise study
     std::vector<SortingAnswer> sortings;  // of a sorting study
     bool is_torn = false;                 // the last line was cut off, and left out
+    std::vector<DeviceChange> devices{};  // after the header's, in their order
 
     bool operator==(const StudyRecord&) const = default;
 };
@@ -85,5 +125,16 @@ std::string instructions_of(const StudyDesign& design, StudyKind kind);
 // How many answers make the record complete.
 std::size_t answers_wanted(const StudyRecord& record);
 std::size_t answers_given(const StudyRecord& record);
+
+// The device of the k-th answer; of the next one where there are fewer.
+const StudyDevice& device_of(const StudyRecord& record, std::size_t k);
+
+// Whether an answer can count: given with a device and, of pairs, with both sides felt whole.
+enum class Felt {
+    whole,
+    nothing,  // there was no device
+    in_part   // a side was never played whole
+};
+Felt felt_of(const StudyRecord& record, std::size_t k);
 
 }  // namespace tact

@@ -13,13 +13,10 @@ namespace tact {
 
 namespace {
 
-// What makes a similarity of one participant comparable with others': factor and shift.
-struct Scale {
-    double factor = 1.0;
-    double shift = 0.0;
-};
+bool is_felt(const StudyRecord& record, std::size_t k) { return felt_of(record, k) == Felt::whole; }
 
-Scale scale_of(const std::vector<double>& values, RatingScaling scaling) {
+// What makes similarities of one participant comparable with others'.
+SimilarityScale scale_by(const std::vector<double>& values, RatingScaling scaling) {
     if (scaling == RatingScaling::none || values.empty()) return {};
     const auto count = static_cast<double>(values.size());
     double centre = std::accumulate(values.begin(), values.end(), 0.0) / count;
@@ -38,15 +35,12 @@ Scale scale_of(const std::vector<double>& values, RatingScaling scaling) {
 
 std::vector<Judgement> judgements_of_answers(const StudyRecord& record, RatingScaling scaling) {
     const std::size_t n = record.header.patterns.size();
-    std::vector<double> values;
-    for (const PairAnswer& answer : record.answers) {
-        if (!answer.trial.is_attention()) values.push_back(answer.similarity);
-    }
-    const Scale scale = scale_of(values, scaling);
+    const SimilarityScale scale = scale_of(record, scaling);
     std::vector<Judgement> passes;
     std::vector<std::size_t> rated(pair_count(n), 0);
-    for (const PairAnswer& answer : record.answers) {
-        if (answer.trial.is_attention()) continue;
+    for (std::size_t k = 0; k < record.answers.size(); ++k) {
+        const PairAnswer& answer = record.answers[k];
+        if (answer.trial.is_attention() || !is_felt(record, k)) continue;
         const auto [low, high] = std::minmax(answer.trial.left, answer.trial.right);
         const std::size_t pair = pair_index(n, low, high);
         const std::size_t pass = rated[pair]++;
@@ -66,6 +60,8 @@ std::string count_of(std::size_t part, std::size_t whole, const char* what) {
 std::string reason_to_exclude(const ParticipantSummary& person, const StudyRecord& record,
                               const CollectRule& rule) {
     if (person.answers == 0) return "no answer";
+    if (person.rehearsal) return kNothingFelt;
+    if (person.unfelt == person.answers) return "no answer to what was felt whole";
     if (!rule.unfinished_too && person.answers < person.wanted) {
         const bool pairs = record.header.kind == StudyKind::pairwise;
         return "unfinished, " +
@@ -91,8 +87,17 @@ ParticipantSummary summary_of(const StudyRecord& record, const CollectRule& rule
     person.wanted = answers_wanted(record);
     person.rho_with_others = kNoRating;
     double seconds = 0.0;
-    for (const PairAnswer& answer : record.answers) {
-        if (answer.trial.is_attention()) person.attention.push_back(answer.similarity);
+    std::size_t without_device = 0;
+    for (std::size_t k = 0; k < person.answers; ++k) {
+        if (felt_of(record, k) == Felt::nothing) ++without_device;
+        if (!is_felt(record, k)) ++person.unfelt;
+    }
+    person.rehearsal = person.answers > 0 && without_device == person.answers;
+    for (std::size_t k = 0; k < record.answers.size(); ++k) {
+        const PairAnswer& answer = record.answers[k];
+        if (answer.trial.is_attention() && is_felt(record, k)) {
+            person.attention.push_back(answer.similarity);
+        }
         seconds += answer.response_s;
     }
     for (const SortingAnswer& answer : record.sortings) seconds += answer.response_s;
@@ -131,25 +136,62 @@ void mark_outliers(StudyResults& results) {
     }
 }
 
-void say_what_was_excluded(StudyResults& results) {
-    std::size_t excluded = 0;
-    for (const ParticipantSummary& person : results.people) {
-        if (person.excluded.empty()) continue;
-        ++excluded;
-        results.remarks.push_back(person.code + " is not counted: " + person.excluded);
+// In the order of their codes. Errors: as study_results().
+Expected<std::vector<const StudyRecord*>> in_order(std::span<const StudyRecord> records) {
+    if (records.empty()) return Error{"expected participants of a study, got none"};
+    std::vector<const StudyRecord*> sorted;
+    for (const StudyRecord& record : records) sorted.push_back(&record);
+    const auto code = [](const StudyRecord* record) -> const std::string& {
+        return record->header.participant.code;
+    };
+    std::ranges::stable_sort(sorted, {}, code);
+    const auto equal = std::ranges::adjacent_find(sorted, {}, code);
+    if (equal != sorted.end()) {
+        return Error{"participant " + in_quotes(code(*equal)) +
+                     " is there twice, expected one file each"};
     }
-    if (excluded == results.people.size()) {
-        results.remarks.push_back("nobody is counted: there are no ratings yet");
+    for (const StudyRecord* record : sorted) {
+        if (const std::string fault = fault_of(*record, records.front()); !fault.empty()) {
+            return Error{fault};
+        }
+    }
+    return sorted;
+}
+
+// Who is left out, and which answers of those who are not.
+void say_what_was_excluded(StudyResults& results, const std::vector<LeftOutParticipant>& left_out) {
+    results.remarks = remarks_on(left_out);
+    for (const ParticipantSummary& person : results.people) {
+        if (!person.excluded.empty() || person.unfelt == 0) continue;
+        results.remarks.push_back(person.code + ": " +
+                                  count_of(person.unfelt, person.answers, "answers") +
+                                  " are left out, as nothing was felt or not the whole");
+    }
+    if (left_out.size() == results.people.size()) {
+        results.remarks.emplace_back("nobody is counted: there are no ratings yet");
     }
 }
 
 }  // namespace
 
+SimilarityScale scale_of(const StudyRecord& record, RatingScaling scaling) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < record.answers.size(); ++k) {
+        const PairAnswer& answer = record.answers[k];
+        if (!answer.trial.is_attention() && is_felt(record, k)) {
+            values.push_back(answer.similarity);
+        }
+    }
+    return scale_by(values, scaling);
+}
+
 std::vector<Judgement> judgements_of(const StudyRecord& record, RatingScaling scaling) {
     if (record.header.kind == StudyKind::pairwise) return judgements_of_answers(record, scaling);
-    if (record.sortings.empty()) return {};
     std::vector<Sorting> sortings;
-    for (const SortingAnswer& answer : record.sortings) sortings.push_back(answer.groups);
+    for (std::size_t k = 0; k < record.sortings.size(); ++k) {
+        if (is_felt(record, k)) sortings.push_back(record.sortings[k].groups);
+    }
+    if (sortings.empty()) return {};
     Dissimilarity sorted = sorting_dissimilarity(record.header.patterns.size(), sortings);
     for (double& value : sorted.condensed) value *= 100.0;  // as the ratings of pairs
     return {{record.header.participant.code, std::move(sorted.condensed)}};
@@ -165,42 +207,53 @@ CollectRule rule_of(std::span<const StudyRecord> records) {
     return rule;
 }
 
+Expected<RatingStudy> ratings_of_everyone(std::span<const StudyRecord> records,
+                                          const CollectRule& rule) {
+    const auto sorted = in_order(records);
+    if (!sorted) return sorted.error();
+    const StudyHeader& header = records.front().header;
+    RatingStudy study{header.patterns, true, {}, {}, header.set_fingerprint};
+    for (const StudyRecord* record : *sorted) {
+        const ParticipantSummary person = summary_of(*record, rule);
+        if (person.synthetic || !person.excluded.empty()) {
+            study.standings.push_back(
+                {person.code, person.synthetic, person.rehearsal, person.excluded});
+        }
+        for (Judgement& judgement : judgements_of(*record, rule.scaling)) {
+            study.judgements.push_back(std::move(judgement));
+        }
+    }
+    return study;
+}
+
 Expected<StudyResults> study_results(std::span<const StudyRecord> records,
                                      const CollectRule& rule) {
-    if (records.empty()) return Error{"expected participants of a study, got none"};
-    std::vector<const StudyRecord*> sorted;
-    for (const StudyRecord& record : records) sorted.push_back(&record);
-    const auto code = [](const StudyRecord* record) -> const std::string& {
-        return record->header.participant.code;
-    };
-    std::ranges::stable_sort(sorted, {}, code);
-    const auto equal = std::ranges::adjacent_find(sorted, {}, code);
-    if (equal != sorted.end()) {
-        return Error{"participant " + in_quotes(code(*equal)) +
-                     " is there twice, expected one file each"};
-    }
+    Expected<RatingStudy> everyone = ratings_of_everyone(records, rule);
+    if (!everyone) return everyone.error();
     StudyResults results;
     results.kind = records.front().header.kind;
     results.order = records.front().header.design.order;
-    results.study.labels = records.front().header.patterns;
-    for (const StudyRecord* record : sorted) {
-        if (const std::string fault = fault_of(*record, records.front()); !fault.empty()) {
-            return Error{fault};
-        }
+    results.scaling = rule.scaling;
+    const auto sorted = in_order(records);
+    for (const StudyRecord* record : *sorted) {
         results.people.push_back(summary_of(*record, rule));
-        if (!results.people.back().excluded.empty()) continue;
-        results.synthetic = results.synthetic || record->header.synthetic;
-        for (Judgement& judgement : judgements_of(*record, rule.scaling)) {
-            results.study.judgements.push_back(std::move(judgement));
-        }
     }
+    Expected<Counted> counted = who_counts(*std::move(everyone), rule.who);
+    if (!counted) return counted.error();
+    for (ParticipantSummary& person : results.people) {
+        const auto left_out =
+            std::ranges::find(counted->left_out, person.code, &LeftOutParticipant::participant);
+        person.excluded = left_out == counted->left_out.end() ? "" : left_out->why;
+    }
+    results.study = std::move(counted->study);
+    results.synthetic = is_partly_synthetic(results.study);
     const std::vector<VoiceAgreement> agreement = agreement_with_others(results.study);
     for (ParticipantSummary& person : results.people) {
         const auto found = std::ranges::find(agreement, person.code, &VoiceAgreement::participant);
         if (found != agreement.end()) person.rho_with_others = found->rho;
     }
     mark_outliers(results);
-    say_what_was_excluded(results);
+    say_what_was_excluded(results, counted->left_out);
     results.mean = mean_ratings(results.study);
     results.agreement = reliability(results.study);
     return results;

@@ -16,6 +16,7 @@
 #include "model/common/expected.h"
 #include "model/study/ratings.h"
 #include "model/study/study_record.h"
+#include "model/study/who_counts.h"
 
 namespace tact {
 
@@ -30,6 +31,7 @@ struct CollectRule {
     AttentionRule attention;
     bool unfinished_too = false;  // who did not come to the end counts as well
     RatingScaling scaling = RatingScaling::none;
+    CountRule who;  // by name
 
     bool operator==(const CollectRule&) const = default;
 };
@@ -37,9 +39,11 @@ struct CollectRule {
 struct ParticipantSummary {
     std::string code;
     bool synthetic = false;
+    bool rehearsal = false;  // nothing was felt
     std::size_t answers = 0;
     std::size_t wanted = 0;
-    std::vector<double> attention;  // similarities of identical pairs
+    std::size_t unfelt = 0;         // of the answers: do not count, felt not at all or in part
+    std::vector<double> attention;  // similarities of identical pairs that were felt
     std::string excluded;           // why, as a phrase; empty: counted
     double rho_with_others = 0.0;   // of those counted; NaN: unknown, or excluded
     bool is_outlier = false;
@@ -50,20 +54,37 @@ struct StudyResults {
     StudyKind kind = StudyKind::pairwise;
     StudyOrder order = StudyOrder::full;
     bool synthetic = false;  // one of those counted at least is none
-    RatingStudy study;       // of those counted
+    RatingScaling scaling = RatingScaling::none;
+    RatingStudy study;  // of those counted
     std::vector<ParticipantSummary> people;
     std::vector<std::string> remarks;  // sentences without a full stop
     Dissimilarity mean;
     Reliability agreement;
 };
 
+// The ratings of everyone, and what is known of each: what who_counts() decides by.
+Expected<RatingStudy> ratings_of_everyone(std::span<const StudyRecord> records,
+                                          const CollectRule& rule);
+
 // The records' own rule is the first one's: it is the design's.
 CollectRule rule_of(std::span<const StudyRecord> records);
 
-// Errors: no record; records of other patterns, of another kind or order of study, of one code.
+// Errors: no record; records of other patterns, of another kind or order of study, of one code;
+// as who_counts().
 Expected<StudyResults> study_results(std::span<const StudyRecord> records, const CollectRule& rule);
 
+// A similarity is brought to the scale by factor * similarity + shift.
+struct SimilarityScale {
+    double factor = 1.0;
+    double shift = 0.0;
+};
+SimilarityScale scale_of(const StudyRecord& record, RatingScaling scaling);
+
+// As the command line and files name them.
+inline constexpr const char* kScalingNames[] = {"none", "min-max", "standard"};
+
 // The judgements of one record, pass by pass: 100 - similarity, NaN where a pass lacks the pair.
+// What was not felt is left out.
 std::vector<Judgement> judgements_of(const StudyRecord& record, RatingScaling scaling);
 
 // Mean similarities as dissimilarities of one participant.

@@ -282,6 +282,11 @@ Expected<Done> can_train(std::span<const TrainingSet> sets, const TrainingParams
             return Error{set.name + ": expected at least three patterns, got " +
                          std::to_string(set.waveforms.size())};
         }
+        const std::size_t rated = set.study.labels.size() - unrated_patterns(set.study).size();
+        if (rated < 3) {
+            return Error{set.name + ": expected ratings of at least three patterns, got those of " +
+                         std::to_string(rated)};
+        }
         const Dissimilarity mean = mean_ratings(set.study);
         if (std::isnan(spearman(mean.condensed, mean.condensed))) {
             return Error{set.name + ": expected ratings that differ, got the same for every pair"};

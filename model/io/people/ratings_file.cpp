@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 
 #include "model/io/people/ratings_text.h"
+#include "model/io/people/study_file.h"
 #include "model/io/recordings/recording.h"
+#include "model/study/study_results.h"
 #include "model/text/atomic_file.h"
 #include "model/text/natural_order.h"
 #include "model/text/numbers.h"
@@ -36,7 +39,6 @@ RatingScale guessed(const RatingsText& reading, std::vector<std::string>& remark
             if (!std::isnan(value)) others.push_back(value);
         }
     }
-    if (reading.is_similarity) return RatingScale::similarity;
     const double same = mean(reading.identical);
     const bool is_similarity = same > mean(others);
     const std::string what = is_similarity ? "similarities from 0 to 100" : "dissimilarities";
@@ -49,12 +51,13 @@ RatingScale guessed(const RatingsText& reading, std::vector<std::string>& remark
 }
 
 // Numbers as dissimilarities; what is wrong with one of them, or empty.
-std::string turn(RatingStudy& study, RatingScale scale) {
+std::string turn(RatingStudy& study, RatingScale scale, bool is_scaled) {
     for (Judgement& judgement : study.judgements) {
         for (std::size_t p = 0; p < judgement.condensed.size(); ++p) {
             double& value = judgement.condensed[p];
             const bool is_similarity = scale == RatingScale::similarity;
-            if (value < 0.0 || (is_similarity && value > 100.0)) {
+            const bool is_out = value < 0.0 || (is_similarity && value > 100.0);
+            if (is_out && !is_scaled) {
                 const auto [i, j] = pair_at(study.labels.size(), p);
                 return std::string("expected ") +
                        (is_similarity ? "similarities from 0 to 100"
@@ -68,23 +71,62 @@ std::string turn(RatingStudy& study, RatingScale scale) {
     return {};
 }
 
-Expected<LoadedRatings> finished(RatingsText reading, RatingScale scale) {
-    LoadedRatings loaded;
+// Of those who count.
+Expected<LoadedRatings> gated(RatingStudy study, std::vector<std::string> remarks,
+                              const std::string& file, const CountRule& who) {
+    auto counted = who_counts(std::move(study), who);
+    if (!counted) return Error{file + ": " + counted.error().message};
+    if (counted->study.judgements.empty()) {
+        const std::string why =
+            counted->left_out.empty() ? "" : ": " + remarks_on(counted->left_out).front();
+        return Error{file + ": expected a participant who counts, got none" + why};
+    }
+    for (std::string& remark : remarks_on(counted->left_out)) remarks.push_back(std::move(remark));
+    return LoadedRatings{std::move(counted->study), std::move(remarks),
+                         std::move(counted->left_out)};
+}
+
+Expected<LoadedRatings> finished(RatingsText reading, RatingScale scale, const CountRule& who) {
+    std::vector<std::string> remarks = std::move(reading.remarks);
     if (reading.averaged > 0) {
-        loaded.remarks.push_back(
+        remarks.push_back(
             reading.file + ": the mean is taken of " + grouped_digits(reading.averaged) +
             (reading.averaged == 1 ? " pair" : " pairs") + " with another rating in either order");
     }
-    if (scale == RatingScale::guess) scale = guessed(reading, loaded.remarks);
-    if (const std::string fault = turn(reading.study, scale); !fault.empty()) {
+    if (reading.is_scaled) {
+        remarks.push_back(reading.file + ": the column scaled is taken, not rating");
+    }
+    if (scale == RatingScale::guess) scale = reading.scale;
+    if (scale == RatingScale::guess) scale = guessed(reading, remarks);
+    if (const std::string fault = turn(reading.study, scale, reading.is_scaled); !fault.empty()) {
         return Error{reading.file + ": " + fault};
     }
-    loaded.study = std::move(reading.study);
-    return loaded;
+    return gated(std::move(reading.study), std::move(remarks), reading.file, who);
 }
 
-Error too_many(const std::string& file) {
-    return Error{file + ": expected at most 1,000 judgements"};
+// The most ratings of all together that are read: a gigabyte.
+constexpr std::size_t kMostCells = 125'000'000;
+
+// What is wrong with how many there are, or empty.
+std::string fault_of_size(const RatingStudy& study) {
+    const std::size_t pairs = std::max<std::size_t>(pair_count(study.labels.size()), 1);
+    std::unordered_set<std::string_view> people;
+    for (const Judgement& judgement : study.judgements) people.insert(judgement.participant);
+    if (people.size() > kMaxParticipants) return "expected at most 1,000 participants";
+    if (study.judgements.size() > kMostCells / pairs) {
+        return "expected at most " + grouped_digits(kMostCells / pairs) + " passes through " +
+               grouped_digits(pairs) + " pairs, got " + grouped_digits(study.judgements.size());
+    }
+    return {};
+}
+
+// A folder of participants' files as a study collected by its own rule.
+Expected<LoadedRatings> read_records(const fs::path& folder, const CountRule& who) {
+    const auto records = read_study_folder(folder);
+    if (!records) return records.error();
+    auto everyone = ratings_of_everyone(*records, rule_of(*records));
+    if (!everyone) return Error{folder.string() + ": " + everyone.error().message};
+    return gated(*std::move(everyone), {}, folder.string(), who);
 }
 
 // A folder's .csv and .txt files, in natural order; of a file, the file.
@@ -109,19 +151,22 @@ Expected<std::vector<fs::path>> files_at(const fs::path& path) {
 
 // Whoever has no name goes by that of the file; numbers of rows are the file's own.
 void name_participants(RatingStudy& study, const fs::path& path, bool is_only) {
+    const std::string stem = path.stem().string();
     for (Judgement& judgement : study.judgements) {
-        const std::string stem = path.stem().string();
         if (judgement.participant.empty()) {
             judgement.participant = stem;
         } else if (!study.is_named && !is_only) {
             judgement.participant = stem + " " + judgement.participant;
         }
     }
+    for (Standing& standing : study.standings) {
+        if (standing.participant.empty()) standing.participant = stem;
+    }
 }
 
 // A further file into the reading of the first ones.
 Expected<Done> take_file(RatingsText& all, RatingsText more) {
-    auto moved = matched(more.study, all.study.labels);
+    auto moved = spread_over(more.study, all.study.labels);
     if (more.study.is_named != all.study.is_named) {
         return Error{more.file + ": expected " + (all.study.is_named ? "names" : "no names") +
                      " of patterns, as in " + all.file};
@@ -132,22 +177,35 @@ Expected<Done> take_file(RatingsText& all, RatingsText more) {
     }
     all.identical.insert(all.identical.end(), more.identical.begin(), more.identical.end());
     all.averaged += more.averaged;
-    all.is_similarity = all.is_similarity && more.is_similarity;
+    if (all.scale != more.scale) all.scale = RatingScale::guess;
+    if (all.is_scaled != more.is_scaled) {
+        return Error{more.file + ": expected the column scaled in all files or in none, as in " +
+                     all.file};
+    }
+    for (Standing& standing : more.study.standings) {
+        all.study.standings.push_back(std::move(standing));
+    }
+    for (std::string& remark : more.remarks) all.remarks.push_back(std::move(remark));
+    if (all.study.fingerprint != more.study.fingerprint) all.study.fingerprint.clear();
     return Done{};
 }
 
 }  // namespace
 
 Expected<LoadedRatings> parse_ratings(std::string_view text, const std::string& file,
-                                      RatingScale scale) {
+                                      RatingScale scale, const CountRule& who) {
     auto reading = ratings_text(text, file);
     if (!reading) return reading.error();
-    if (reading->study.judgements.size() > kMaxJudgements) return too_many(file);
+    if (const std::string fault = fault_of_size(reading->study); !fault.empty()) {
+        return Error{file + ": " + fault};
+    }
     name_participants(reading->study, file, true);
-    return finished(*std::move(reading), scale);
+    return finished(*std::move(reading), scale, who);
 }
 
-Expected<LoadedRatings> read_ratings(std::span<const fs::path> paths, RatingScale scale) {
+Expected<LoadedRatings> read_ratings(std::span<const fs::path> paths, RatingScale scale,
+                                     const CountRule& who) {
+    if (paths.size() == 1 && contains_study(paths.front())) return read_records(paths.front(), who);
     std::vector<fs::path> files;
     for (const fs::path& path : paths) {
         const auto found = files_at(path);
@@ -167,11 +225,11 @@ Expected<LoadedRatings> read_ratings(std::span<const fs::path> paths, RatingScal
         } else if (const auto taken = take_file(*all, *std::move(reading)); !taken) {
             return taken.error();
         }
-        if (all->study.judgements.size() > kMaxJudgements) {
-            return too_many(file.string());
+        if (const std::string fault = fault_of_size(all->study); !fault.empty()) {
+            return Error{file.string() + ": " + fault};
         }
     }
-    return finished(*std::move(all), scale);
+    return finished(*std::move(all), scale, who);
 }
 
 }  // namespace tact

@@ -15,7 +15,10 @@
 //           again is a repetition. A file without participants is one participant, by its name.
 // Output    dissimilarities; of similarities from 0 to 100, 100 minus each. Errors as
 //           "FILE:LINE: expected .."
-// Valid     at most 500 patterns and 1,000 judgements
+//           The columns excluded, synthetic, rehearsal, whole, why, fingerprint and scaled, as
+//           model/io/people/study_csv.h writes them, are heeded; so is its form of sortings.
+// Output    only those who count (model/study/who_counts.h), unless nobody does: then an Error
+// Valid     at most 500 patterns, 1,000 participants and 100 ratings of a pair by each
 #pragma once
 
 #include <filesystem>
@@ -25,27 +28,23 @@
 #include <vector>
 
 #include "model/common/expected.h"
-#include "model/study/ratings.h"
+#include "model/io/people/rating_scale.h"
+#include "model/study/who_counts.h"
 
 namespace tact {
 
-enum class RatingScale {
-    guess,  // similarities if identical pairs are rated higher than others, else dissimilarities
-    dissimilarity,
-    similarity  // 0 .. 100
-};
-
 struct LoadedRatings {
-    RatingStudy study;
-    std::vector<std::string> remarks;  // sentences: what was guessed, averaged
+    RatingStudy study;                         // of those who count
+    std::vector<std::string> remarks;          // sentences: what was guessed, averaged, left out
+    std::vector<LeftOutParticipant> left_out;  // as the remarks say, too
 };
 
 Expected<LoadedRatings> parse_ratings(std::string_view text, const std::string& file,
-                                      RatingScale scale);
+                                      RatingScale scale, const CountRule& who = {});
 
 // Several files as one study of the first one's patterns; a folder stands for its .csv and .txt
-// files. The scale is guessed of all together.
+// files, or for the participants' files of a study. The scale is guessed of all together.
 Expected<LoadedRatings> read_ratings(std::span<const std::filesystem::path> paths,
-                                     RatingScale scale);
+                                     RatingScale scale, const CountRule& who = {});
 
 }  // namespace tact

@@ -1,8 +1,6 @@
 // Ratings with a line each.
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -12,13 +10,15 @@ namespace tact {
 
 namespace {
 
-struct Columns {
-    std::optional<std::size_t> participant, a, b, rating;
+struct LineColumns {
+    std::optional<std::size_t> participant, a, b, rating, scaled;
+    MarkColumns marks;
     bool is_study = false;  // model/io/people/study_csv.h
 };
 
-Columns columns_of(const CsvRecord& head) {
-    Columns columns;
+LineColumns line_columns(const CsvRecord& head) {
+    LineColumns columns;
+    columns.marks = mark_columns(head);
     for (std::size_t k = 0; k < head.fields.size(); ++k) {
         const std::string name = trimmed(head.fields[k]);
         if (name == "participant") columns.participant = k;
@@ -26,19 +26,36 @@ Columns columns_of(const CsvRecord& head) {
         if (name == "b") columns.b = k;
         if (name == "rating") columns.rating = k;
         if (name == "attention") columns.is_study = true;
+        if (name == "scaled") columns.scaled = k;
     }
+    if (!columns.is_study) columns.scaled.reset();
     return columns;
 }
 
 using Pair = std::pair<std::size_t, std::size_t>;
+using Pass = std::vector<std::pair<Pair, double>>;
+
+// The ratings of one participant; a pair that is rated again begins, or goes on with, a pass.
+struct Passes {
+    std::unordered_map<std::size_t, std::size_t> times;  // a pair was rated
+    std::vector<Pass> passes;
+};
+
+struct Rater {
+    std::string name;
+    Passes counted;
+    Passes excluded;
+    MarkedAnswers marks;
+};
 
 // What has been read so far: names in the order in which they came.
 struct Lines {
     std::vector<std::string> labels;
     std::unordered_map<std::string, std::size_t> place;
-    std::vector<std::string> people;
-    std::unordered_map<std::string, std::vector<std::map<Pair, double>>> passes;
+    std::vector<Rater> people;
+    std::unordered_map<std::string, std::size_t> place_of_person;
     std::vector<double> identical;
+    std::string fingerprint;
 };
 
 std::size_t place_of(Lines& lines, const std::string& label) {
@@ -47,55 +64,63 @@ std::size_t place_of(Lines& lines, const std::string& label) {
     return entry->second;
 }
 
-// Into the participant's first pass that does not have the pair yet.
-void add_rating(std::vector<std::map<Pair, double>>& passes, Pair pair, double rating) {
-    for (auto& pass : passes) {
-        if (pass.emplace(pair, rating).second) return;
-    }
-    passes.push_back({{pair, rating}});
+Rater& rater_of(Lines& lines, const std::string& name) {
+    const auto [entry, is_new] = lines.place_of_person.emplace(name, lines.people.size());
+    if (is_new) lines.people.push_back({name, {}, {}, {}});
+    return lines.people[entry->second];
+}
+
+// What is wrong with it, or empty.
+std::string add_rating(Passes& of, Pair pair, double rating) {
+    const std::size_t pass = of.times[pair.first * (kMaxRatedPatterns + 1) + pair.second]++;
+    if (pass >= kMaxPasses) return "expected at most 100 ratings of a pair by a participant";
+    if (pass == of.passes.size()) of.passes.emplace_back();
+    of.passes[pass].emplace_back(pair, rating);
+    return {};
 }
 
 // One line; what is wrong with it, or empty.
-std::string take_line(Lines& lines, const Columns& columns,
+std::string take_line(Lines& lines, const LineColumns& columns,
                       const std::vector<std::string>& fields) {
     const std::string a = trimmed(fields[*columns.a]);
     const std::string b = trimmed(fields[*columns.b]);
     if (a.empty() || b.empty()) return "expected the names of two patterns";
-    const auto rating = rating_in(fields[*columns.rating]);
-    if (!rating) return expected_rating(fields[*columns.rating]);
+    const std::string& cell = fields[columns.scaled.value_or(*columns.rating)];
+    const auto rating = rating_in(cell);
+    if (!rating) return expected_rating(cell);
+    const Expected<Marks> marks = marks_in(columns.marks, fields);
+    if (!marks) return marks.error().message;
     const std::size_t first = place_of(lines, a);
     const std::size_t second = place_of(lines, b);
     if (lines.labels.size() > kMaxRatedPatterns) return "expected at most 500 patterns";
-    const std::string person = columns.participant ? trimmed(fields[*columns.participant]) : "";
-    auto& passes = lines.passes[person];
-    if (passes.empty()) {
-        passes.emplace_back();
-        lines.people.push_back(person);
-    }
+    Rater& rater =
+        rater_of(lines, columns.participant ? trimmed(fields[*columns.participant]) : "");
+    if (lines.people.size() > kMaxParticipants) return "expected at most 1,000 participants";
+    note_marks(rater.marks, *marks);
+    if (lines.fingerprint.empty()) lines.fingerprint = marks->fingerprint;
     if (std::isnan(*rating)) return {};
     if (first == second) {
         lines.identical.push_back(*rating);
-    } else {
-        add_rating(passes, std::minmax(first, second), *rating);
+        return {};
     }
-    return {};
+    if (marks->rehearsal || !marks->whole) return {};
+    return add_rating(marks->excluded ? rater.excluded : rater.counted, std::minmax(first, second),
+                      *rating);
 }
 
-std::vector<Judgement> judgements_of(const Lines& lines) {
-    const std::size_t n = lines.labels.size();
-    std::vector<Judgement> judgements;
-    for (const std::string& person : lines.people) {
-        for (const auto& pass : lines.passes.at(person)) {
-            // One more than allowed is enough to be refused.
-            if (judgements.size() > kMaxJudgements) return judgements;
-            std::vector<double> condensed(pair_count(n), std::numeric_limits<double>::quiet_NaN());
-            for (const auto& [pair, rating] : pass) {
-                condensed[pair_index(n, pair.first, pair.second)] = rating;
-            }
-            judgements.push_back({person, std::move(condensed)});
+void add_judgements(RatingStudy& study, const Rater& rater) {
+    const std::size_t n = study.labels.size();
+    // Who is excluded throughout may be included by name; of others only what counts is taken.
+    const bool is_excluded = rater.marks.counted == 0;
+    std::vector<Pass> passes = (is_excluded ? rater.excluded : rater.counted).passes;
+    if (passes.empty()) passes.emplace_back();
+    for (const Pass& pass : passes) {
+        std::vector<double> condensed(pair_count(n), kNoRating);
+        for (const auto& [pair, rating] : pass) {
+            condensed[pair_index(n, pair.first, pair.second)] = rating;
         }
+        study.judgements.push_back({rater.name, std::move(condensed)});
     }
-    return judgements;
 }
 
 }  // namespace
@@ -106,7 +131,7 @@ Expected<RatingsText> ratings_of_lines(const std::string& file,
         return Error{file + ":" + std::to_string(record.line) + ": " + fault};
     };
     const CsvRecord& head = records.front();
-    const Columns columns = columns_of(head);
+    const LineColumns columns = line_columns(head);
     if (!columns.a || !columns.b || !columns.rating) {
         return at_line(head,
                        "expected the columns a, b and rating, and participant where there "
@@ -124,8 +149,18 @@ Expected<RatingsText> ratings_of_lines(const std::string& file,
         }
         if (!fault.empty()) return at_line(records[k], fault);
     }
-    return RatingsText{
-        file, {lines.labels, true, judgements_of(lines)}, lines.identical, columns.is_study, 0};
+    RatingsText text;
+    text.file = file;
+    text.study.labels = lines.labels;
+    text.study.fingerprint = lines.fingerprint;
+    text.identical = std::move(lines.identical);
+    if (columns.is_study) text.scale = RatingScale::similarity;
+    text.is_scaled = columns.scaled.has_value();
+    for (const Rater& rater : lines.people) {
+        add_judgements(text.study, rater);
+        note_standing(text, rater.name, rater.marks);
+    }
+    return text;
 }
 
 }  // namespace tact

@@ -165,15 +165,20 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
     const auto records = records_of(into, text);
     if (!records) return records.error();
     const CsvRecord& head = records->front();
-    const bool has_columns = std::ranges::any_of(
-        head.fields, [](const std::string& field) { return trimmed(field) == "rating"; });
+    const auto has_column = [&head](const char* name) {
+        return std::ranges::any_of(
+            head.fields, [name](const std::string& field) { return trimmed(field) == name; });
+    };
+    const bool is_sorted = has_column("group") && has_column("pattern");
+    const bool has_columns = is_sorted || has_column("rating");
     if (!has_columns && head.fields.size() > pair_count(kMaxRatedPatterns)) {
         return at_line(into, head.line, "expected at most 500 patterns");
     }
     const bool has_names = head.fields.size() > 1 && trimmed(head.fields[0]).empty();
-    auto answer = has_columns ? ratings_of_lines(file, *records)
-                  : has_names ? labelled_square(std::move(into), *records)
-                              : bare_numbers(std::move(into), *records);
+    auto answer = is_sorted     ? ratings_of_sortings(file, *records)
+                  : has_columns ? ratings_of_lines(file, *records)
+                  : has_names   ? labelled_square(std::move(into), *records)
+                                : bare_numbers(std::move(into), *records);
     if (!answer) return answer;
     if (answer->study.labels.size() < 2) {
         return Error{file + ": expected ratings of at least two patterns"};

@@ -11,20 +11,26 @@
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/io/people/rating_scale.h"
 #include "model/study/ratings.h"
 #include "model/text/csv.h"
 
 namespace tact {
 
 inline constexpr std::size_t kMaxRatedPatterns = 500;  // nobody rates more: 124,750 pairs
-inline constexpr std::size_t kMaxJudgements = 1000;
+// As many as a study of this program can have.
+inline constexpr std::size_t kMaxParticipants = 1000;
+inline constexpr std::size_t kMaxPasses = 100;
 
 struct RatingsText {
     std::string file;
     RatingStudy study;              // participants as the text names them, or ""
     std::vector<double> identical;  // ratings of a pattern with itself
-    bool is_similarity = false;     // as a study of this program says it: no guess is needed
-    std::size_t averaged = 0;       // pairs of a square whose two ratings differed
+    // As a study of this program says it: no guess is needed.
+    RatingScale scale = RatingScale::guess;
+    bool is_scaled = false;              // similarities of each participant brought to one scale
+    std::size_t averaged = 0;            // pairs of a square whose two ratings differed
+    std::vector<std::string> remarks{};  // sentences without a full stop
 };
 
 Expected<RatingsText> ratings_text(std::string_view text, const std::string& file);
@@ -32,6 +38,42 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
 // Its form with a line a rating; the first record names the columns.
 Expected<RatingsText> ratings_of_lines(const std::string& file,
                                        const std::vector<CsvRecord>& records);
+
+// Its form with a line a sorted pattern, as model/io/people/study_csv.h writes it.
+Expected<RatingsText> ratings_of_sortings(const std::string& file,
+                                          const std::vector<CsvRecord>& records);
+
+// The columns that say who counts, of a file with a line an answer; none is needed.
+struct MarkColumns {
+    std::optional<std::size_t> excluded, synthetic, rehearsal, whole, why, fingerprint;
+};
+MarkColumns mark_columns(const CsvRecord& head);
+
+// What they say of one answer.
+struct Marks {
+    bool excluded = false;
+    bool synthetic = false;
+    bool rehearsal = false;
+    bool whole = true;
+    std::string why;
+    std::string fingerprint;
+};
+Expected<Marks> marks_in(const MarkColumns& columns, const std::vector<std::string>& fields);
+
+// What the marks of all answers of one participant come to.
+struct MarkedAnswers {
+    std::size_t counted = 0;
+    std::size_t excluded = 0;
+    std::size_t unfelt = 0;  // in a rehearsal, or not whole
+    std::size_t rehearsed = 0;
+    bool synthetic = false;
+    std::string why;  // of the first that is excluded
+};
+void note_marks(MarkedAnswers& answers, const Marks& marks);
+
+// How the participant stands, if anything is to be said of it; an answer among others that is left
+// out is a remark.
+void note_standing(RatingsText& into, const std::string& participant, const MarkedAnswers& answers);
 
 // A rating, NaN where the cell says that there is none, nothing where it is neither.
 std::optional<double> rating_in(const std::string& field);

@@ -1,12 +1,14 @@
 #include "model/io/people/study_file.h"
 
 #include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "model/io/recordings/recording.h"
 #include "model/io/set/study_json.h"
 #include "model/text/atomic_file.h"
+#include "model/text/equal_names.h"
 #include "model/text/natural_order.h"
 #include "model/text/utf8.h"
 
@@ -19,6 +21,19 @@ namespace {
 constexpr const char* kKinds[] = {"pairwise", "sorting"};
 constexpr Range kPlays{0, 1e6};
 constexpr Range kSeconds{0, 1e9};
+constexpr Range kTurnedDownDb{0, 1000};
+
+Json json_of(const StudyDevice& device) {
+    Json fields = {{"name", device.name}, {"calibration", device.calibration}};
+    if (!device.masking.empty()) fields["masking"] = device.masking;
+    if (is_rehearsal(device)) fields["rehearsal"] = true;
+    return fields;
+}
+
+StudyDevice device_in(JsonObject object) {
+    return {text_field(object, "name", ""), text_field(object, "calibration", ""),
+            text_field(object, "masking", "")};
+}
 
 Json json_of_head(const StudyHeader& header) {
     Json fields = {{"tactspace_study", kStudyFormat},
@@ -32,8 +47,7 @@ Json json_of_head(const StudyHeader& header) {
     fields["consent"] = {{"given", header.consented}, {"text", consent_of(header.design)}};
     fields["begun"] = header.begun;
     fields["set"] = {{"name", header.set_name}, {"fingerprint", header.set_fingerprint}};
-    fields["device"] = {{"name", header.device.name}, {"calibration", header.device.calibration}};
-    if (!header.device.masking.empty()) fields["device"]["masking"] = header.device.masking;
+    fields["device"] = json_of(header.device);
     // As text: JSON's numbers are doubles to many readers.
     fields["seed"] = std::to_string(header.seed);
     fields["patterns"] = header.patterns;
@@ -43,12 +57,11 @@ Json json_of_head(const StudyHeader& header) {
 
 std::uint64_t seed_field(JsonObject& object) {
     const std::string text = text_field(object, "seed", "1");
-    const bool is_number =
-        !text.empty() && text.size() <= 20 && text.find_first_not_of("0123456789") == text.npos;
-    if (!is_number) refuse(*object.reading, place_of(object, "seed"), "a whole number", Json(text));
     std::uint64_t seed = 0;
-    for (const char digit : is_number ? text : "") {
-        seed = 10 * seed + static_cast<std::uint64_t>(digit - '0');
+    const char* const end = text.data() + text.size();
+    const auto [last, fault] = std::from_chars(text.data(), end, seed);
+    if (fault != std::errc() || last != end) {
+        refuse(*object.reading, place_of(object, "seed"), "a whole number below 2^64", Json(text));
     }
     return seed;
 }
@@ -75,6 +88,10 @@ std::vector<std::string> patterns_of(JsonObject& object) {
         }
         names.push_back(name->get<std::string>());
     }
+    if (const auto equal = first_equal(names)) {
+        refuse(*object.reading, place_of(object, "patterns"), "names that differ",
+               Json(names[equal->second]));
+    }
     return names;
 }
 
@@ -94,13 +111,15 @@ StudyHeader header_of(JsonObject& object) {
     JsonObject consent = object_field(object, "consent");
     header.consented = yes_no_field(consent, "given", false);
     const std::string consent_text = text_field(consent, "text", "");
+    if (consent_text.size() > limits::kMaxStudyText) {
+        refuse(reading, place_of(consent, "text"), "a text of at most 20,000 bytes",
+               Json(consent_text.size()));
+    }
     header.begun = text_field(object, "begun", "");
     JsonObject set = object_field(object, "set");
     header.set_name = text_field(set, "name", "");
     header.set_fingerprint = text_field(set, "fingerprint", "");
-    JsonObject device = object_field(object, "device");
-    header.device = {text_field(device, "name", ""), text_field(device, "calibration", ""),
-                     text_field(device, "masking", "")};
+    header.device = device_in(object_field(object, "device"));
     header.seed = seed_field(object);
     header.patterns = patterns_of(object);
     JsonObject design = object_field(object, "design");
@@ -125,6 +144,19 @@ std::size_t pattern_field(JsonObject& object, std::string_view key, const StudyH
     return 0;
 }
 
+PlaysReport plays_report(JsonObject object) {
+    return {whole_field(object, "broken", 0, kPlays), whole_field(object, "dropouts", 0, kPlays),
+            number_field(object, "turned_down_db", 0.0, kTurnedDownDb)};
+}
+
+// Nothing where there is nothing to be said.
+void note_report(Json& fields, const char* key, const PlaysReport& report) {
+    if (report == PlaysReport{}) return;
+    fields[key] = {{"broken", report.broken},
+                   {"dropouts", report.dropouts},
+                   {"turned_down_db", report.turned_down_db}};
+}
+
 PairAnswer pair_answer_of(JsonObject& object, const StudyHeader& header) {
     PairAnswer answer;
     answer.trial.left = pattern_field(object, "left", header);
@@ -137,14 +169,16 @@ PairAnswer pair_answer_of(JsonObject& object, const StudyHeader& header) {
     answer.plays_right = whole_field(object, "plays_right", 0, kPlays);
     answer.response_s = number_field(object, "response_s", 0.0, kSeconds);
     answer.at = text_field(object, "at", "");
+    answer.left = plays_report(object_field(object, "left_plays"));
+    answer.right = plays_report(object_field(object, "right_plays"));
     return answer;
 }
 
-SortingAnswer sorting_answer_of(JsonObject& object, const StudyHeader& header) {
-    SortingAnswer answer;
-    answer.groups.assign(header.patterns.size(), kUnsorted);
-    answer.asked_groups = whole_field(object, "asked_groups", 0, limits::kGroups);
-    const auto groups = array_field(object, "groups", 1, limits::kMaxStudyPatterns);
+// The group of every pattern; groups without patterns are none.
+Sorting groups_of(JsonObject& object, const StudyHeader& header) {
+    Sorting sorting(header.patterns.size(), kUnsorted);
+    const auto groups = array_field(object, "groups", 0, limits::kMaxStudyPatterns);
+    std::size_t group = 0;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const std::string place = place_of(object, "groups") + "/" + std::to_string(g);
         if (!groups[g]->is_array()) refuse(*object.reading, place, "a list of names", *groups[g]);
@@ -155,20 +189,39 @@ SortingAnswer sorting_answer_of(JsonObject& object, const StudyHeader& header) {
                 refuse(*object.reading, place, "names of patterns of the study", name);
                 continue;
             }
-            answer.groups[static_cast<std::size_t>(found - header.patterns.begin())] = g;
+            std::size_t& own = sorting[static_cast<std::size_t>(found - header.patterns.begin())];
+            if (own != kUnsorted) {
+                refuse(*object.reading, place, "every pattern in one group, once", name);
+            }
+            own = group;
         }
+        if (!groups[g]->empty()) ++group;
     }
+    if (group == 0) {
+        refuse(*object.reading, place_of(object, "groups"), "groups of patterns, one at least",
+               Json(Json::array()));
+    }
+    return sorting;
+}
+
+SortingAnswer sorting_answer_of(JsonObject& object, const StudyHeader& header) {
+    SortingAnswer answer;
+    answer.asked_groups = whole_field(object, "asked_groups", 0, limits::kGroups);
+    answer.groups = groups_of(object, header);
     answer.response_s = number_field(object, "response_s", 0.0, kSeconds);
     answer.at = text_field(object, "at", "");
     return answer;
 }
 
 // One line after the first into the record; what is wrong with it, or empty.
-std::string take_answer(StudyRecord& record, const Json& value, const std::string& place) {
+std::string take_line(StudyRecord& record, const Json& value, const std::string& place) {
     JsonReading reading{place, {}};
     JsonObject object = object_at(reading, value, "");
     const StudyHeader& header = record.header;
-    if (header.kind == StudyKind::pairwise) {
+    if (field(object, "device") != nullptr) {
+        const StudyDevice device = device_in(object_field(object, "device"));
+        record.devices.push_back({answers_given(record), device, text_field(object, "at", "")});
+    } else if (header.kind == StudyKind::pairwise) {
         PairAnswer answer = pair_answer_of(object, header);
         if (reading.fault.empty()) record.answers.push_back(std::move(answer));
     } else {
@@ -192,20 +245,31 @@ Expected<std::vector<fs::path>> study_files(const fs::path& folder) {
     return files;
 }
 
+// Names of persons' making, such as of a device, may be no text.
+std::string as_line(const Json& fields) {
+    return fields.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 
-std::string header_line(const StudyHeader& header) { return json_of_head(header).dump(); }
+std::string header_line(const StudyHeader& header) { return as_line(json_of_head(header)); }
+
+std::string device_line(const DeviceChange& change) {
+    return as_line({{"device", json_of(change.device)}, {"at", change.at}});
+}
 
 std::string answer_line(const StudyHeader& header, std::size_t serial, const PairAnswer& answer) {
-    const Json fields = {{"trial", serial + 1},
-                         {"left", header.patterns[answer.trial.left]},
-                         {"right", header.patterns[answer.trial.right]},
-                         {"rating", answer.similarity},
-                         {"plays_left", answer.plays_left},
-                         {"plays_right", answer.plays_right},
-                         {"response_s", answer.response_s},
-                         {"at", answer.at}};
-    return fields.dump();
+    Json fields = {{"trial", serial + 1},
+                   {"left", header.patterns[answer.trial.left]},
+                   {"right", header.patterns[answer.trial.right]},
+                   {"rating", answer.similarity},
+                   {"plays_left", answer.plays_left},
+                   {"plays_right", answer.plays_right},
+                   {"response_s", answer.response_s},
+                   {"at", answer.at}};
+    note_report(fields, "left_plays", answer.left);
+    note_report(fields, "right_plays", answer.right);
+    return as_line(fields);
 }
 
 std::string answer_line(const StudyHeader& header, std::size_t serial,
@@ -223,12 +287,29 @@ std::string answer_line(const StudyHeader& header, std::size_t serial,
                          {"groups", groups},
                          {"response_s", answer.response_s},
                          {"at", answer.at}};
-    return fields.dump();
+    return as_line(fields);
+}
+
+std::string print_study(const StudyRecord& record) {
+    std::string text = header_line(record.header) + "\n";
+    auto change = record.devices.begin();
+    const auto add = [&text](const std::string& line) { text += line + "\n"; };
+    for (std::size_t k = 0; k <= answers_given(record); ++k) {
+        for (; change != record.devices.end() && change->before <= k; ++change) {
+            add(device_line(*change));
+        }
+        if (k == answers_given(record)) break;
+        add(record.header.kind == StudyKind::pairwise
+                ? answer_line(record.header, k, record.answers[k])
+                : answer_line(record.header, k, record.sortings[k]));
+    }
+    return text;
 }
 
 Expected<StudyRecord> parse_study(std::string_view text, const std::string& file) {
     StudyRecord record;
     std::size_t line = 0;
+    bool has_header = false;
     std::string_view rest = without_bom(text);
     while (!rest.empty()) {
         const std::size_t end = rest.find('\n');
@@ -240,23 +321,24 @@ Expected<StudyRecord> parse_study(std::string_view text, const std::string& file
         if (content.find_first_not_of(" \t\r") == content.npos) continue;
         const Expected<Json> value = parse_json(content, place);
         // Torn in the middle of a write; a whole line that is wrong is another matter.
-        if (!value && is_last && line > 1) {
+        if (!value && is_last && has_header) {
             record.is_torn = true;
             break;
         }
         if (!value) return value.error();
-        if (line == 1) {
+        std::string fault;
+        if (has_header) {
+            fault = take_line(record, *value, place);
+        } else {
             JsonReading reading{place, {}};
             JsonObject object = object_at(reading, *value, "");
             record.header = header_of(object);
-            if (!reading.fault.empty()) return Error{reading.fault};
-            continue;
+            fault = reading.fault;
+            has_header = true;
         }
-        if (const std::string fault = take_answer(record, *value, place); !fault.empty()) {
-            return Error{fault};
-        }
+        if (!fault.empty()) return Error{fault};
     }
-    if (line == 0) return Error{file + ": is empty, expected the study of a participant"};
+    if (!has_header) return Error{file + ": is empty, expected the study of a participant"};
     return record;
 }
 

@@ -2,7 +2,9 @@
 //
 //     {"tactspace_study": 1, "program": "..", "kind": "pairwise", "set": {..}, "patterns": [..],
 //      "device": {..}, "seed": 1, "participant": {..}, "consent": {..}, "design": {..}, ..}
-//     {"trial": 1, "left": "a", "right": "b", "rating": 54, "plays_left": 1, "plays_right": 2, ..}
+//     {"trial": 1, "left": "a", "right": "b", "rating": 54, "plays_left": 1, "plays_right": 2,
+//      "left_plays": {"broken": 1, "dropouts": 3, "turned_down_db": 1.9}, ..}
+//     {"device": {..}, "at": ".."}      where it is another from the next trial on
 //
 // Every line is on the disk before append() returns; the last one may be torn by a power cut and is
 // then left out. A file of another participant is never written over: it is made anew, or continued
@@ -36,10 +38,14 @@ Expected<std::vector<StudyRecord>> read_study_folder(const std::filesystem::path
 
 bool contains_study(const std::filesystem::path& folder);
 
+// What parse_study() reads as the same record.
+std::string print_study(const StudyRecord& record);
+
 // A whole record as a new file; one that is there already is an Error.
 Expected<Done> write_study_file(const std::filesystem::path& path, const StudyRecord& record);
 
 std::string header_line(const StudyHeader& header);
+std::string device_line(const DeviceChange& change);
 std::string answer_line(const StudyHeader& header, std::size_t serial, const PairAnswer& answer);
 std::string answer_line(const StudyHeader& header, std::size_t serial, const SortingAnswer& answer);
 

@@ -67,17 +67,11 @@ std::string study_file_name(const std::string& participant) {
 Expected<Done> write_study_file(const fs::path& path, const StudyRecord& record) {
     auto log = StudyLog::begin(path, record.header);
     if (!log) return log.error();
-    std::string lines;
-    const auto add = [&lines](const std::string& line) {
-        lines += (lines.empty() ? "" : "\n") + line;
-    };
-    for (std::size_t k = 0; k < record.answers.size(); ++k) {
-        add(answer_line(record.header, k, record.answers[k]));
-    }
-    for (std::size_t k = 0; k < record.sortings.size(); ++k) {
-        add(answer_line(record.header, k, record.sortings[k]));
-    }
-    return lines.empty() ? Expected<Done>(Done{}) : log->append(lines);
+    std::string lines = print_study(record);
+    lines.erase(0, lines.find('\n') + 1);
+    if (lines.empty()) return Done{};
+    lines.pop_back();  // the end of the last line is the log's to write
+    return log->append(lines);
 }
 
 Expected<StudyLog> StudyLog::begin(const fs::path& path, const StudyHeader& header) {
@@ -110,7 +104,8 @@ Expected<StudyLog> StudyLog::resume(const fs::path& path, const StudyRecord& rec
     if (!text) return text.error();
     const Expected<StudyRecord> now = parse_study(*text, path.string());
     if (!now) return now.error();
-    if (now->header != record.header || answers_given(*now) != answers_given(record)) {
+    if (now->header != record.header || now->devices != record.devices ||
+        answers_given(*now) != answers_given(record)) {
         return Error{path.string() +
                      ": has changed meanwhile, expected to go on where it was left"};
     }

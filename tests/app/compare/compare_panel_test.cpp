@@ -159,7 +159,8 @@ TEST_CASE("compare tab: a file that does not fit is refused in words and changes
     App& app = bench.program.app;
     bench.load(",p1,x\np1,0,1\nx,1,0\n");
     CHECK(app.status.is_error);
-    CHECK(contains(app.status.text, "people.csv: expected ratings of every pattern"));
+    CHECK(
+        contains(app.status.text, "people.csv: expected names of patterns of the set, got \"x\""));
     bench.load("a,b\n1,two,3\n", "odd.csv");
     CHECK(app.status.is_error);
     CHECK(contains(app.status.text, "odd.csv"));

@@ -3,6 +3,7 @@
 
 #include "app/study/study_follow.h"
 #include "app/window/jobs.h"
+#include "devices/device/memory_device.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -26,6 +27,7 @@ struct StudyProgram : Program {
 
     explicit StudyProgram(const PatternSet& set = study_set()) : Program(set) {
         set_study_folder(app, folder.path / "people");
+        app.study->device = std::make_shared<MemoryDevice>(true);  // else it is a rehearsal
     }
     ~StudyProgram() { stop_study(app); }
 

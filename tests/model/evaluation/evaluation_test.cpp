@@ -252,4 +252,34 @@ TEST_CASE("means over sets: with their signs, the rivals' averages of Table 2 ar
     }
 }
 
+TEST_CASE("evaluation: patterns without ratings have no say, wherever they stand in the set") {
+    const Dissimilarity metric = of_random_points(7, 3);
+    const Dissimilarity people = disturbed(metric, 0.3);
+    const std::vector<std::size_t> kept{0, 2, 3, 4, 6};
+    Dissimilarity some{7, std::vector<double>(pair_count(7), kUnknown)};
+    Dissimilarity part{5, {}};
+    Dissimilarity part_metric{5, {}};
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        for (std::size_t j = i + 1; j < kept.size(); ++j) {
+            some.condensed[pair_index(7, kept[i], kept[j])] = people(kept[i], kept[j]);
+            part.condensed.push_back(people(kept[i], kept[j]));
+            part_metric.condensed.push_back(metric(kept[i], kept[j]));
+        }
+    }
+    const RatedSet rated_some = rated(some);
+    CHECK(rated_some.rated == kept);
+    CHECK(rated_part(rated_some).people.dissimilarity == part);
+    const Evaluation whole = evaluate(metric, rated_some, quick());
+    const Evaluation alone = evaluate(part_metric, rated(part), quick());
+    CHECK(whole.rho == alone.rho);
+    CHECK(whole.rho_interval.low == alone.rho_interval.low);
+    CHECK(whole.rho_p == alone.rho_p);
+    CHECK(whole.k == alone.k);
+    CHECK(whole.k_p == alone.k_p);
+    CHECK(whole.k_corrected == alone.k_corrected);
+    Dissimilarity two{4, {0.3, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown}};
+    CHECK(rated_set(two, quick()).error().message ==
+          "expected ratings of at least three patterns, got 2");
+}
+
 }  // namespace evaluation_test

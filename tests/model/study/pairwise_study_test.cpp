@@ -99,6 +99,26 @@ TEST_CASE("pairwise study: one seed makes one list, two make two") {
     CHECK(participant_seed(1, "P1") != participant_seed(2, "P1"));
 }
 
+TEST_CASE(
+    "pairwise study: a pair has either side as often, from pass to pass, as the list has it") {
+    const TrialPlan plan{5, 4, 0, 9};
+    const std::vector<Trial> trials = trial_list(plan);
+    const std::size_t pairs = pair_count(plan.patterns);
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+        const auto [i, j] = pair_at(plan.patterns, pair);
+        int first_left = 0;
+        for (std::size_t pass = 0; pass < 4; ++pass) {
+            const Trial trial = sided_trial(plan, pair, pass);
+            CHECK(unordered(trial) == std::pair{i, j});
+            first_left += trial.left == i ? 1 : 0;
+            const auto begin = trials.begin() + static_cast<std::ptrdiff_t>(pass * pairs);
+            CHECK(std::find(begin, begin + static_cast<std::ptrdiff_t>(pairs), trial) !=
+                  begin + static_cast<std::ptrdiff_t>(pairs));
+        }
+        CHECK(first_left == 2);
+    }
+}
+
 TEST_CASE("pairwise study: attention pairs are spread, and never follow each other") {
     const TrialPlan plan{8, 4, 6, 3};
     const std::vector<AttentionPlace> places = attention_places(plan);

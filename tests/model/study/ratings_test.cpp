@@ -6,6 +6,8 @@
 #include "tests/support/golden.h"
 #include "tests/support/temporary_folder.h"
 
+#include "model/dissimilarity/correlation.h"
+
 namespace ratings_test {
 
 using namespace tact;
@@ -100,14 +102,44 @@ TEST_CASE("ratings: matched by name, whatever the order") {
           study->judgements[2]);
 }
 
+TEST_CASE("ratings: those of some of the patterns serve, and the others are named") {
+    const auto study = matched(small_study(), {"d", "a", "b", "c", "e"});
+    REQUIRE(study);
+    CHECK(unrated_patterns(*study) == std::vector<std::string>{"d", "e"});
+    CHECK(remark_on_unrated({"d", "e"}, 5) ==
+          "2 of 5 patterns were not rated and are left out: \"d\", \"e\"");
+    const Dissimilarity all = mean_ratings(*study);
+    const Dissimilarity own = mean_ratings(small_study());
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = i + 1; j < 3; ++j) CHECK(all(i + 1, j + 1) == own(i, j));
+        CHECK(std::isnan(all(0, i + 1)));
+    }
+    RatingStudy two{{"a", "b"}, true, {{"P", {1.0}}}};
+    CHECK(matched(two, {"a", "b", "c"}).error().message ==
+          "expected ratings of at least three patterns of the set, got those of 2");
+}
+
+TEST_CASE("ratings: how one agrees with the others is the rho with their mean without them") {
+    const RatingStudy study{
+        {"a", "b", "c"}, true, {{"P1", {1, 2, 3}}, {"P2", {10, 20, 30}}, {"P3", {30, 20, 5}}}};
+    const auto agreement = agreement_with_others(study);
+    REQUIRE(agreement.size() == 3);
+    CHECK(agreement[0].participant == "P1");
+    CHECK(agreement[0].rho ==
+          spearman(std::vector<double>{1, 2, 3}, std::vector<double>{20, 20, 17.5}));
+    CHECK(agreement[2].rho == -1.0);
+    const Reliability all = reliability(study);
+    CHECK((agreement[0].rho + agreement[1].rho + agreement[2].rho) / 3.0 ==
+          doctest::Approx(all.one_with_others).epsilon(1e-12));
+    CHECK(agreement_with_others({{"a", "b", "c"}, true, {{"P1", {1, 2, 3}}}}).empty());
+}
+
 TEST_CASE("ratings: what does not fit the set is named") {
     const auto fault = [](const RatingStudy& study, const std::vector<std::string>& names) {
         const auto answer = matched(study, names);
         REQUIRE_FALSE(answer);
         return answer.error().message;
     };
-    CHECK(fault(small_study(), {"a", "b", "c", "d", "e"}) ==
-          "expected ratings of every pattern of the set, got none of \"d\" and 1 more");
     CHECK(fault(small_study(), {"a", "c"}) == "expected names of patterns of the set, got \"b\"");
     RatingStudy bare = small_study();
     bare.is_named = false;

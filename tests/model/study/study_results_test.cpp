@@ -111,6 +111,58 @@ TEST_CASE("study results: who answers blindly is an outlier") {
     CHECK(std::ranges::count(results.people, true, &ParticipantSummary::is_outlier) == 1);
 }
 
+TEST_CASE("study results: an outlier is below Q1 - 1.5 IQR of how all agree, and nobody else is") {
+    std::size_t between = 0;  // the fences of 1.5 and 3 IQR
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        std::vector<StudyRecord> records;
+        for (std::size_t k = 1; k <= 9; ++k) {
+            const double noise = k == 9 ? 25.0 : 8.0;
+            records.push_back(simulated("P" + std::to_string(k), {noise, 0.0, 0.0, 0.0, seed}, k));
+        }
+        CollectRule rule;
+        rule.attention.failures_allowed = 100;
+        const StudyResults results = results_of(records, rule);
+        std::vector<double> rho;
+        for (const ParticipantSummary& one : results.people) rho.push_back(one.rho_with_others);
+        std::ranges::sort(rho);
+        REQUIRE(rho.size() == 9);
+        const double width = rho[6] - rho[2];  // quartiles of nine are the third and the seventh
+        for (const ParticipantSummary& one : results.people) {
+            CHECK(one.is_outlier == (one.rho_with_others < rho[2] - 1.5 * width));
+            between += one.is_outlier && one.rho_with_others >= rho[2] - 3.0 * width ? 1 : 0;
+        }
+    }
+    CHECK(between > 0);
+}
+
+TEST_CASE("study results: a rehearsal never counts, nor what was answered without a device") {
+    std::vector<StudyRecord> records = crowd(4, {5.0, 0.0, 0.0, 0.0, 1});
+    records[0].header.device.name = kNoDevice;
+    records[1].header.device.name = "pad";
+    records[1].devices = {{20, {kNoDevice, "", {}}, ""}};
+    const StudyResults results = results_of(records);
+    CHECK(results.people[0].rehearsal);
+    CHECK(results.people[0].excluded == kNothingFelt);
+    CHECK(results.people[1].excluded.empty());
+    CHECK(results.people[1].unfelt == 7);
+    CHECK(results.agreement.voices == 3);
+    CHECK(contains(results.remarks.back(), "P2: 7 of 27 answers are left out"));
+    // All that was answered before the device went is there, and nothing of after.
+    std::size_t rated = 0;
+    for (const Judgement& one : judgements_of(records[1], RatingScaling::none)) {
+        rated += static_cast<std::size_t>(
+            std::ranges::count_if(one.condensed, [](double value) { return !std::isnan(value); }));
+    }
+    std::size_t felt = 0;
+    for (std::size_t k = 0; k < 20; ++k) felt += records[1].answers[k].trial.is_attention() ? 0 : 1;
+    CHECK(rated == felt);
+    CollectRule rule;
+    rule.who.include = {"P1"};
+    CHECK(contains(study_results(records, rule).error().message, kNothingFelt));
+    rule.who = {{}, {"P3"}};
+    CHECK(results_of(records, rule).people[2].excluded == "excluded by name");
+}
+
 TEST_CASE("study results: scaling takes a person's use of the scale out of the mean") {
     StudyRecord wide = simulated("wide", {0.0, 0.0, 0.0, 0.0, 1}, 1);
     StudyRecord narrow = wide;
@@ -166,6 +218,45 @@ TEST_CASE("study results: the CSV reads back as the same ratings") {
     CHECK_FALSE(contains(csv.str(), "\nP2,"));
 }
 
+TEST_CASE("study results: compare takes from the CSV whom the study counts, scaled as it is") {
+    std::vector<StudyRecord> records = crowd(5, {5.0, 0.0, 3.0, 0.0, 1});
+    for (PairAnswer& answer : records[1].answers) {
+        if (answer.trial.is_attention()) answer.similarity = 5.0;
+    }
+    records[2].header.device.name = kNoDevice;
+    records[3].devices = {{20, {kNoDevice, "", {}}, ""}};
+    for (const RatingScaling scaling :
+         {RatingScaling::none, RatingScaling::min_max, RatingScaling::standard}) {
+        CollectRule rule;
+        rule.scaling = scaling;
+        for (const std::size_t more : {0U, 1U}) {
+            const std::vector<std::string> include(more, "P2");
+            rule.who.include = include;
+            const StudyResults results = results_of(records, rule);
+            std::ostringstream csv;
+            write_study_csv(csv, records, results, StudyRows::everyone);
+            const auto loaded = parse_ratings(csv.str(), "r.csv", RatingScale::guess);
+            REQUIRE_MESSAGE(loaded, (loaded ? "" : loaded.error().message));
+            CHECK(loaded->left_out.size() == 2 - include.size());
+            CHECK(loaded->study.fingerprint == "f");
+            CHECK(is_partly_synthetic(loaded->study));
+            const auto study = matched(loaded->study, {"a", "b", "c", "d"});
+            REQUIRE(study);
+            const Dissimilarity mean = mean_ratings(*study);
+            for (std::size_t p = 0; p < mean.condensed.size(); ++p) {
+                CHECK(std::abs(mean.condensed[p] - results.mean.condensed[p]) <= 1e-9);
+            }
+        }
+    }
+    // Asked for by name from a file that leaves them out.
+    std::ostringstream csv;
+    write_study_csv(csv, records, results_of(records), StudyRows::everyone);
+    const auto with = parse_ratings(csv.str(), "r.csv", RatingScale::guess, {{"P2"}, {}});
+    REQUIRE(with);
+    CHECK(participant_means(with->study).size() == 4);
+    CHECK_FALSE(parse_ratings(csv.str(), "r.csv", RatingScale::guess, {{"P3"}, {}}));
+}
+
 TEST_CASE("study results: sortings of several people become a matrix") {
     StudyRecord first;
     first.header.kind = StudyKind::sorting;
@@ -184,6 +275,12 @@ TEST_CASE("study results: sortings of several people become a matrix") {
     CHECK(results.mean(0, 1) == doctest::Approx(61.1111111).epsilon(1e-8));
     CHECK(results.mean(3, 4) == doctest::Approx(22.2222222).epsilon(1e-8));
     CHECK(results.people[0].minutes == doctest::Approx(1.5));
+    std::ostringstream csv;
+    const std::vector<StudyRecord> records{first, second};
+    write_study_csv(csv, records, results, StudyRows::everyone);
+    const auto loaded = parse_ratings(csv.str(), "s.csv", RatingScale::guess);
+    REQUIRE_MESSAGE(loaded, (loaded ? "" : loaded.error().message));
+    CHECK(loaded->study.judgements == results.study.judgements);
 }
 
 }  // namespace study_results_test

@@ -130,6 +130,44 @@ TEST_CASE("ratings file: what breaks the rules is named, with its place") {
     CHECK(fault("a,b,rating\n\xff,y,3\n") == "r.csv:2: expected text in UTF-8");
 }
 
+TEST_CASE("ratings file: who is excluded, or felt nothing, does not count, and is named") {
+    const std::string text =
+        "participant,a,b,rating,attention,excluded,rehearsal,whole,why\n"
+        "P1,x,y,70,0,0,0,1,\nP1,x,z,45,0,FALSE,0,1,\nP1,y,z,80,0,0,0,0,\n"
+        "P2,x,y,10,0,1,0,1,too low\nP2,x,z,20,0,1,0,1,too low\n"
+        "P3,x,y,50,0,1,1,1,\n";
+    const LoadedRatings loaded = parsed(text, RatingScale::guess);
+    REQUIRE(loaded.study.judgements.size() == 1);
+    CHECK(loaded.study.judgements[0].condensed[0] == 30.0);
+    CHECK(std::isnan(loaded.study.judgements[0].condensed[2]));  // not felt whole
+    CHECK(loaded.left_out ==
+          std::vector<LeftOutParticipant>{{"P2", "too low"}, {"P3", kNothingFelt}});
+    CHECK(loaded.remarks == Names{"P1: 1 of 3 answers are left out, as they are marked so",
+                                  "P2 is not counted: too low",
+                                  std::string("P3 is not counted: ") + kNothingFelt});
+    const auto with = parse_ratings(text, "r.csv", RatingScale::guess, {{"P2"}, {}});
+    REQUIRE(with);
+    CHECK(with->study.judgements[1] == Judgement{"P2", with->study.judgements[1].condensed});
+    CHECK(with->study.judgements[1].condensed[1] == 80.0);
+    CHECK(contains(fault("participant,a,b,rating,excluded\nP,x,y,1,maybe\n"),
+                   "r.csv:2: expected 0 or 1 in the column excluded, got \"maybe\""));
+    CHECK(contains(fault("participant,a,b,rating,excluded\nP,x,y,1,1\n"),
+                   "r.csv: expected a participant who counts, got none: P is not counted: "));
+}
+
+TEST_CASE("ratings file: so many repetitions as a study can have, and no more, in no time") {
+    std::string lines = "participant,a,b,rating\n";
+    for (int k = 0; k < 100; ++k) lines += "P,x,y," + std::to_string(k) + "\n";
+    const LoadedRatings loaded = parsed(lines);
+    CHECK(loaded.study.judgements.size() == 100);
+    CHECK(loaded.study.judgements[99].condensed == Values{99});
+    CHECK(fault(lines + "P,y,x,1\n") ==
+          "r.csv:102: expected at most 100 ratings of a pair by a participant");
+    std::string many = "participant,a,b,rating\n";
+    for (int k = 0; k < 1001; ++k) many += "P" + std::to_string(k) + ",x,y,1\n";
+    CHECK(fault(many) == "r.csv:1002: expected at most 1,000 participants");
+}
+
 TEST_CASE("ratings file: several files, or a folder of them, are one study") {
     const TemporaryFolder folder;
     const auto first = folder.write("P2.csv", ",a,b,c\na,100,70,45\nb,70,100,80\nc,45,80,100\n");
@@ -148,10 +186,9 @@ TEST_CASE("ratings file: several files, or a folder of them, are one study") {
     folder.write("P11.csv", ",a,b,d\na,0,1,2\nb,1,0,3\nd,2,3,0\n");
     const auto odd = read_ratings(whole, RatingScale::guess);
     REQUIRE_FALSE(odd);
-    CHECK(odd.error().message ==
-          (folder.path / "P11.csv").string() +
-              ": expected ratings of every pattern of the set, got none of \"c\", as in " +
-              first.string());
+    CHECK(odd.error().message == (folder.path / "P11.csv").string() +
+                                     ": expected names of patterns of the set, got \"d\", as in " +
+                                     first.string());
     folder.write("P11.csv", "1,2,3\n");
     CHECK(contains(read_ratings(whole, RatingScale::guess).error().message,
                    "P11.csv: expected names of patterns, as in "));

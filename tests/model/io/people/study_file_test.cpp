@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <fstream>
 
+#include "model/common/random.h"
 #include "tests/support/temporary_folder.h"
 
 namespace study_file_test {
@@ -58,6 +60,108 @@ TEST_CASE("study file: what is written is read back, line by line") {
     const auto record = read_study_file(path);
     REQUIRE(record);
     CHECK(*record == StudyRecord{header(), {kAnswer, kOther}, {}, false});
+}
+
+namespace {
+
+std::string any_text(RandomStream& random) {
+    constexpr const char* kTexts[] = {"", "P1", "a, b", "h\u00f6h \"x\"\n", "{}", " ", "\t\\"};
+    return kTexts[next_index(random, std::size(kTexts))];
+}
+
+PlaysReport any_report(RandomStream& random) {
+    if (next_index(random, 2) == 0) return {};
+    return {static_cast<int>(next_index(random, 3)), static_cast<int>(next_index(random, 9)),
+            std::abs(next_even(random)) * 40.0};
+}
+
+StudyRecord any_record(std::uint64_t seed) {
+    RandomStream random{random_bits(77, seed)};
+    StudyRecord record;
+    record.header = header();
+    record.header.kind = seed % 2 == 0 ? StudyKind::pairwise : StudyKind::sorting;
+    record.header.synthetic = next_index(random, 2) == 1;
+    record.header.device = {any_text(random), any_text(random), any_text(random)};
+    record.header.seed = random_bits(78, seed);
+    record.header.participant = {any_text(random), {{"age", any_text(random)}}};
+    const std::size_t n = record.header.patterns.size();
+    for (std::size_t k = next_index(random, 6); k > 0; --k) {
+        if (record.header.kind == StudyKind::pairwise) {
+            record.answers.push_back({{next_index(random, n), next_index(random, n)},
+                                      50.0 + 50.0 * next_even(random),
+                                      static_cast<int>(next_index(random, 3)),
+                                      static_cast<int>(next_index(random, 3)),
+                                      std::abs(next_even(random)),
+                                      any_text(random),
+                                      any_report(random),
+                                      any_report(random)});
+        } else {
+            // Groups are numbered as they come.
+            Sorting groups(n, kUnsorted);
+            groups[next_index(random, n)] = 0;
+            record.sortings.push_back({static_cast<int>(next_index(random, 4)), groups,
+                                       std::abs(next_even(random)), any_text(random)});
+        }
+        if (next_index(random, 3) == 0) {
+            record.devices.push_back({answers_given(record),
+                                      {any_text(random), any_text(random), any_text(random)},
+                                      any_text(random)});
+        }
+    }
+    return record;
+}
+
+}  // namespace
+
+TEST_CASE("study file: every record is written and read back as it was, devices in their places") {
+    const TemporaryFolder folder;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        CAPTURE(seed);
+        const StudyRecord record = any_record(seed);
+        const std::string text = print_study(record);
+        const auto read = parse_study(text, "P1.jsonl");
+        REQUIRE_MESSAGE(read, (read ? "" : read.error().message));
+        CHECK(*read == record);
+        CHECK(print_study(*read) == text);
+        if (seed > 5) continue;
+        const auto path = folder.path / (std::to_string(seed) + ".jsonl");
+        REQUIRE(write_study_file(path, record));
+        CHECK(bytes_of(path) == text);
+        CHECK_FALSE(write_study_file(path, record));
+    }
+}
+
+TEST_CASE("study file: whatever a reader accepts is written and read back as the same") {
+    const std::string head = header_line(header());
+    StudyHeader sorting = header();
+    sorting.kind = StudyKind::sorting;
+    const std::string sorted = header_line(sorting);
+    std::size_t accepted = 0;
+    for (const std::string& text : {
+             head + "\n{\"left\":\"low\",\"right\":\"low\",\"rating\":-0.0}",
+             "\n \n" + head + "\n\n{\"device\":{}}\n{\"device\":{\"name\":\"x\"},\"at\":\"t\"}\n",
+             sorted + "\n{\"groups\":[]}\n",
+             sorted + "\n{}\n",
+             sorted + "\n{\"groups\":[[],[]]}\n",
+             sorted + "\n{\"groups\":[[],[\"low\"],[],[\"mid, loud\"]]}\n",
+             sorted + "\n{\"groups\":[[\"low\"],[\"low\"]]}\n",
+             std::string(R"({"tactspace_study":1,"patterns":["a","a"]})"),
+             std::string(
+                 R"({"tactspace_study":1,"patterns":["a","b"],"seed":"99999999999999999999"})"),
+             std::string(R"({"tactspace_study":1,"patterns":["a","b"],"consent":{"text":"yes"}})"),
+             std::string(" \n\n"),
+         }) {
+        CAPTURE(text);
+        const auto read = parse_study(text, "P1.jsonl");
+        if (!read) continue;
+        ++accepted;
+        const auto again = parse_study(print_study(*read), "P1.jsonl");
+        REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
+        CHECK(*again == *read);
+    }
+    CHECK(accepted == 4);
+    CHECK(contains(fault_of(sorted + "\n{}\n"), "/groups: expected groups of patterns"));
+    CHECK(contains(fault_of(R"({"tactspace_study":1,"patterns":["a","a"]})"), "names that differ"));
 }
 
 TEST_CASE("study file: torn anywhere in its last line, it loses that line alone and goes on") {

@@ -1,0 +1,48 @@
+// Who counts of those who took part, and why others do not: the one gate in front of every mean,
+// comparison and fit.
+//
+// Input     ratings of everyone, with what is known of who gave them (Standing)
+// Output    the ratings of those who count, and the others with the reason
+// Left out  outliers, who are pointed at (model/study/study_results.h) and count all the same
+// Exact     same input, same answer.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/study/ratings.h"
+
+namespace tact {
+
+// Participants by name who are to count though a rule leaves them out, and the other way round.
+struct CountRule {
+    std::vector<std::string> include;
+    std::vector<std::string> exclude;
+
+    bool operator==(const CountRule&) const = default;
+};
+
+struct LeftOutParticipant {
+    std::string participant;
+    std::string why;  // a phrase
+
+    bool operator==(const LeftOutParticipant&) const = default;
+};
+
+struct Counted {
+    RatingStudy study;
+    std::vector<LeftOutParticipant> left_out;
+};
+
+// What a rehearsal is left out for.
+inline constexpr const char* kNothingFelt = "a rehearsal, nothing was felt";
+
+// Who is excluded counts if included by name; a rehearsal never does. Errors: a name that nobody
+// has, one that is to be both, a rehearsal that is to count.
+Expected<Counted> who_counts(RatingStudy study, const CountRule& rule = {});
+
+// A sentence on each, without a full stop.
+std::vector<std::string> remarks_on(const std::vector<LeftOutParticipant>& left_out);
+
+}  // namespace tact
