@@ -1,5 +1,6 @@
 #include "model/io/set/model_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -33,6 +34,7 @@ TrainedOn trained_on(JsonObject object) {
     set.patterns = count("patterns");
     set.rated_pairs = count("rated_pairs");
     set.participants = count("participants");
+    set.synthetic = yes_no_field(object, "synthetic", false);
     set.rho_before = rho_field(object, "rho_before");
     set.rho_after = rho_field(object, "rho_after");
     return set;
@@ -69,18 +71,30 @@ Json json_of(const TrainingRecord& record) {
                         {"participants", set.participants},
                         {"rho_before", set.rho_before},
                         {"rho_after", set.rho_after}});
+        if (set.synthetic) sets.back()["synthetic"] = true;
     }
-    return {{"program", record.program},
-            {"date", record.date},
-            {"objective", kObjectiveNames[static_cast<std::size_t>(record.objective)]},
-            {"step", record.step},
-            {"value", record.value},
-            {"value_before", record.value_before},
-            {"equally_good", record.equally_good},
-            {"sets", sets}};
+    Json fields = {{"program", record.program},
+                   {"date", record.date},
+                   {"objective", kObjectiveNames[static_cast<std::size_t>(record.objective)]},
+                   {"step", record.step},
+                   {"value", record.value},
+                   {"value_before", record.value_before},
+                   {"equally_good", record.equally_good},
+                   {"sets", sets}};
+    if (is_partly_synthetic(record)) fields["synthetic"] = true;
+    return fields;
 }
 
 }  // namespace
+
+bool is_partly_synthetic(const TrainingRecord& record) {
+    return std::ranges::any_of(record.sets, &TrainedOn::synthetic);
+}
+
+std::string remark_on_synthetic(const ModelFile& file) {
+    if (!file.training || !is_partly_synthetic(*file.training)) return {};
+    return "trained on synthetic ratings: nobody was asked";
+}
 
 std::string fingerprint_of(const TrainingSet& set) {
     std::uint64_t number = 0;
@@ -109,7 +123,8 @@ TrainingRecord record_of(const Training& training, std::span<const TrainingSet> 
         const TrainedSet& trained = training.sets[s];
         record.sets.push_back({trained.name, fingerprint_of(sets[s]), trained.patterns,
                                trained.rated_pairs, participant_means(sets[s].study).size(),
-                               trained.rho_before, trained.rho_after});
+                               trained.rho_before, trained.rho_after,
+                               is_partly_synthetic(sets[s].study)});
     }
     return record;
 }

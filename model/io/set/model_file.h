@@ -7,7 +7,8 @@
 //                   "equally_good": 12,
 //                   "sets": [{"name": "...", "fingerprint": "0123456789abcdef", "patterns": 12,
 //                             "rated_pairs": 66, "participants": 20, "rho_before": 0.62,
-//                             "rho_after": 0.71}]}}
+//                             "rho_after": 0.71}]}}         and "synthetic": true, of the training
+//                                                           and of a set, where nobody was asked
 //
 // Output    errors as "FILE: PLACE: expected WHAT, got GOT"
 #pragma once
@@ -33,6 +34,7 @@ struct TrainedOn {
     std::size_t participants = 0;
     double rho_before = 0.0;
     double rho_after = 0.0;
+    bool synthetic = false;  // nobody was asked, for some of the ratings at least
 
     bool operator==(const TrainedOn&) const = default;
 };
@@ -62,6 +64,11 @@ inline constexpr int kModelFormat = 1;
 
 // As a command line names them: mean-rho, mean-abs-rho.
 inline constexpr const char* kObjectiveNames[] = {"mean-rho", "mean-abs-rho"};
+
+// Whether some of what it was fitted to was said by nobody; and a sentence that says so without a
+// full stop, empty where people said it.
+bool is_partly_synthetic(const TrainingRecord& record);
+std::string remark_on_synthetic(const ModelFile& file);
 
 // The same for equal waveforms and ratings in equal order.
 std::string fingerprint_of(const TrainingSet& set);

@@ -44,6 +44,17 @@ TEST_CASE("model file: what is written is read, provenance and all") {
     CHECK(*read == trained());
 }
 
+TEST_CASE("model file: that nobody was asked is written, read, and said") {
+    ModelFile file = trained();
+    CHECK(remark_on_synthetic(file).empty());
+    CHECK_FALSE(contains(print_model(file), "synthetic"));
+    file.training->sets[0].synthetic = true;
+    const auto read = parse_model(print_model(file), "p.json");
+    REQUIRE(read);
+    CHECK(*read == file);
+    CHECK(remark_on_synthetic(*read) == "trained on synthetic ratings: nobody was asked");
+}
+
 TEST_CASE("model file: an undefined rho stays undefined") {
     ModelFile file = trained();
     file.training->sets[0].rho_before = std::nan("");
