@@ -39,6 +39,7 @@ bool is_addition(std::string_view rest) {
 Twin twin(const Vibration& intended, const Waveform& recording, bool synthetic) {
     Twin result;
     result.alignment = aligned(recording, waveform_of(intended));
+    if (synthetic) result.alignment.gain_db = 0.0;  // as it was asked for: no unit is in doubt
     for (double& sample : result.alignment.waveform.samples_g) {
         sample = static_cast<double>(static_cast<float>(sample));
     }

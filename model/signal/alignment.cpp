@@ -62,6 +62,18 @@ double likeness(const Samples& a, const Samples& b) {
     return scale > 0.0 ? std::min(std::abs(product) / scale, 1.0) : 0.0;
 }
 
+// The factor that makes b most like a, dB.
+double gain_db_of(const Samples& a, const Samples& b) {
+    double product = 0.0;
+    double energy = 0.0;
+    for (std::size_t n = 0; n < a.size(); ++n) {
+        product += a[n] * b[n];
+        energy += b[n] * b[n];
+    }
+    const double factor = energy > 0.0 ? std::abs(product) / energy : 0.0;
+    return factor > 0.0 ? 20.0 * std::log10(factor) : 0.0;
+}
+
 std::string silence_text(std::size_t samples, double rate_hz, const char* where) {
     char text[96];
     std::snprintf(text, sizeof text, "%.3g s of silence added at its %s: the recording is shorter",
@@ -91,6 +103,7 @@ Alignment aligned(const Waveform& recording, const Waveform& intended) {
     result.missing_before = static_cast<std::size_t>(begin);
     result.missing_after = static_cast<std::size_t>(want - end);
     result.correlation = likeness(result.waveform.samples_g, intended.samples_g);
+    result.gain_db = gain_db_of(result.waveform.samples_g, intended.samples_g);
     return result;
 }
 
@@ -102,6 +115,12 @@ std::vector<std::string> remarks_on(const Alignment& alignment) {
     }
     if (alignment.missing_after > 0) {
         remarks.push_back(silence_text(alignment.missing_after, rate_hz, "end"));
+    }
+    if (alignment.correlation >= kLeastAlike && std::abs(alignment.gain_db) > kMostGainDb) {
+        char text[96];
+        std::snprintf(text, sizeof text, "%.1f dB %s than its pattern: are unit and scale right?",
+                      std::abs(alignment.gain_db), alignment.gain_db > 0.0 ? "stronger" : "weaker");
+        remarks.emplace_back(text);
     }
     if (alignment.correlation < kLeastAlike) {
         char text[96];

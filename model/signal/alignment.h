@@ -21,6 +21,7 @@ namespace tact {
 struct Alignment {
     std::ptrdiff_t lag = 0;          // the pattern's first sample is at this one of the recording
     double correlation = 0.0;        // 0..1: how alike the recording there and the pattern are
+    double gain_db = 0.0;            // of the recording there against the pattern; 0: not known
     std::size_t missing_before = 0;  // samples the recording has not, and zeros stand for
     std::size_t missing_after = 0;
     Waveform waveform;  // as long as the pattern
@@ -33,5 +34,8 @@ std::vector<std::string> remarks_on(const Alignment& alignment);
 
 // What is less alike than this is hardly a recording of the pattern.
 inline constexpr double kLeastAlike = 0.3;
+
+// What differs more in strength may have been read in a wrong unit.
+inline constexpr double kMostGainDb = 3.0;
 
 }  // namespace tact

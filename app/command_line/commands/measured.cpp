@@ -25,6 +25,7 @@ struct Imported {
     std::string pattern;
     double lag_s = 0.0;
     double correlation = 0.0;
+    double gain_db = 0.0;
     double peak_g = 0.0;
     std::vector<std::string> remarks;
 };
@@ -43,6 +44,7 @@ Imported report_on(const std::string& recording, const std::string& name, const 
     report.pattern = std::get<Measurement>(twin.vibration.source).measures;
     report.lag_s = static_cast<double>(alignment.lag) / alignment.waveform.rate_hz;
     report.correlation = alignment.correlation;
+    report.gain_db = alignment.gain_db;
     report.peak_g = peak_g(alignment.waveform);
     report.remarks = remarks_on(alignment);
     return report;
@@ -78,9 +80,10 @@ Expected<Imported> import_one(PatternSet& set, const ImportCommand& command, con
 std::string text_of(const std::vector<Imported>& all) {
     std::string text;
     for (const Imported& one : all) {
-        char numbers[96];
-        std::snprintf(numbers, sizeof numbers, "lag %.4g s, correlation %.3f, peak %.3g g",
-                      one.lag_s, one.correlation, one.peak_g);
+        char numbers[128];
+        std::snprintf(numbers, sizeof numbers,
+                      "lag %.4g s, correlation %.3f, gain %+.1f dB, peak %.3g g", one.lag_s,
+                      one.correlation, one.gain_db, one.peak_g);
         text += one.name + ": " + (one.recording.empty() ? "" : one.recording + ", ") + numbers;
         for (const std::string& remark : one.remarks) text += "; " + remark;
         text += "\n";
@@ -90,9 +93,9 @@ std::string text_of(const std::vector<Imported>& all) {
 
 nlohmann::json json_of(const Imported& one, bool synthetic) {
     nlohmann::json fields = {
-        {"name", one.name},      {"measures", one.pattern},        {"synthetic", synthetic},
-        {"lag_s", one.lag_s},    {"correlation", one.correlation}, {"peak_g", one.peak_g},
-        {"remarks", one.remarks}};
+        {"name", one.name},       {"measures", one.pattern},        {"synthetic", synthetic},
+        {"lag_s", one.lag_s},     {"correlation", one.correlation}, {"peak_g", one.peak_g},
+        {"gain_db", one.gain_db}, {"remarks", one.remarks}};
     if (!one.recording.empty()) fields["recording"] = one.recording;
     return fields;
 }

@@ -115,7 +115,8 @@ Expected<Axes> read_wave(const fs::path& path, const AccelerationOptions& option
 }
 
 // What is wrong with rate, length or number of axes, or empty.
-std::string fault_of(const Axes& axes, std::size_t axis) {
+std::string fault_of(const Axes& axes, const AccelerationOptions& options) {
+    const std::size_t axis = options.axis;
     const std::size_t count = axes.samples.size();
     const std::size_t samples = axes.samples.front().size();
     if (!(axes.rate_hz >= kLowestRateHz && axes.rate_hz <= kHighestRateHz)) {
@@ -127,6 +128,9 @@ std::string fault_of(const Axes& axes, std::size_t axis) {
     }
     if (axis > count) {
         return "expected axis " + std::to_string(axis) + ", got a file of " + std::to_string(count);
+    }
+    if (axes.unit == AccelerationUnit::volt && !(options.sensitivity_v_per_g > 0.0)) {
+        return "expected the sensor's sensitivity in V/g, as the recording is in volts";
     }
     if (axis == 0 && count != 1 && count != 3) {
         return "expected 1 or 3 axes, got " + std::to_string(count) + ": one has to be chosen";
@@ -200,7 +204,7 @@ Expected<Recording> read_acceleration_file(const fs::path& path,
     auto axes = extension_of(path) == ".wav" ? read_wave(path, options, recording.remarks)
                                              : read_table(path, options, recording.remarks);
     if (!axes) return axes.error();
-    const std::string fault = fault_of(*axes, options.axis);
+    const std::string fault = fault_of(*axes, options);
     if (!fault.empty()) return Error{path.string() + ": " + fault};
     if (options.axis > 0) axes->samples = {std::move(axes->samples[options.axis - 1])};
     convert_to_g(*axes, options);

@@ -22,7 +22,7 @@ namespace tact {
 
 struct AccelerationOptions {
     std::optional<AccelerationUnit> unit;  // none: as the table says, else g with a remark
-    double sensitivity_v_per_g = 1.0;      // of volts ...
+    double sensitivity_v_per_g = 0.0;      // of volts, which need it; 0: not known ...
     double offset_v = 0.0;                 // ... which stand for 0 g
     std::size_t axis = 0;                  // from 1; 0: the only one, or three as one
     std::optional<double> rate_hz;         // instead of a time column; of tables

@@ -78,6 +78,9 @@ TEST_CASE("import: what it cannot place or read is refused, and nothing is writt
     CHECK(contains(nameless.err, "--pattern NAME says which it measures"));
     CHECK(run_program({"import", file, other, "--pattern", "none", "--out", out}).exit_code == 1);
     CHECK(run_program({"import", file, other, "--unit", "ft/s2", "--out", out}).exit_code == 2);
+    CHECK(contains(
+        refusal_of({"import", file, other, "--pattern", "low", "--unit", "V", "--out", out}),
+        "expected the sensor's sensitivity in V/g"));
     CHECK(run_program({"import", file, other}).exit_code == 2);
     CHECK(file_count(folder.path) == 2);
 }

@@ -104,6 +104,18 @@ TEST_CASE("acceleration file: gravity and a sensor's offset are no vibration") {
     CHECK_FALSE(says(*file.read(table("t,x (g)\n", ",", 1.0, 0.0, 1.0)), "taken as g"));
 }
 
+TEST_CASE("acceleration file: volts without the sensor's sensitivity are refused") {
+    const Case file;
+    AccelerationOptions volts;
+    volts.unit = AccelerationUnit::volt;
+    for (const char* head : {"t,ax (V)\n", "t,ax [V]\n", "t,ax_V\n"}) {
+        CHECK(contains(file.fault(table(head, ",", 1.0, 0.0, 0.4)), "sensitivity in V/g"));
+    }
+    CHECK(contains(file.fault(table("t,x\n", ",", 1.0, 0.0, 0.4), volts), "sensitivity in V/g"));
+    volts.sensitivity_v_per_g = 0.4;
+    check_is_the_sine(file.read(table("t,x\n", ",", 1.0, 0.0, 0.4), volts));
+}
+
 TEST_CASE("acceleration file: three axes are one of the same energy, or one is chosen") {
     const Case file;
     const std::string text = table("t,x,y,z\n", ",", 1.0, 0.0, 1.0, 3);
