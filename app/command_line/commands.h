@@ -13,6 +13,7 @@
 #include "model/common/expected.h"
 #include "model/io/recordings/acceleration_file.h"
 #include "model/set/measured_twin.h"
+#include "model/study/who_counts.h"
 
 namespace tact {
 
@@ -32,6 +33,7 @@ struct CommonOptions {
 struct RatingFiles {
     std::vector<std::filesystem::path> files;  // of one set all; else a file or folder each
     std::string scale = "guess";               // guess, similarity, dissimilarity
+    CountRule who;                             // participants by name
 };
 
 struct PredictCommand {
@@ -126,6 +128,7 @@ struct StudyCommand {
     std::optional<int> failures_allowed;
     bool unfinished = false;
     bool everyone = false;
+    CountRule who;                 // participants by name
     std::string scaling = "none";  // none, min-max, standard
     std::filesystem::path matrix;
 };

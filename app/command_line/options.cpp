@@ -20,12 +20,21 @@ void add_common(CLI::App& command, CommonOptions& options) {
 
 void add_ratings(CLI::App& command, RatingFiles& ratings) {
     command.add_option("--ratings", ratings.files,
-                       "files of ratings, one a participant, or a folder of them; for several "
+                       "files of ratings, one a participant, or a folder of them or of a "
+                       "study's participants; for several "
                        "sets a file or folder each. Without it, the ratings in the set file");
     command
         .add_option("--scale", ratings.scale,
                     "what a high rating means: similarity (0-100), dissimilarity, or guess")
         ->check(CLI::IsMember({"guess", "similarity", "dissimilarity"}));
+    add_who_counts(command, ratings.who);
+}
+
+void add_who_counts(CLI::App& command, CountRule& who) {
+    command.add_option("--include", who.include,
+                       "participants who count though a rule leaves them out; a rehearsal never "
+                       "does");
+    command.add_option("--exclude", who.exclude, "participants who do not count, by name");
 }
 
 void add_rendering(CLI::App& command, CommonOptions& options) {

@@ -21,6 +21,7 @@ inline constexpr const char* kSetHelp =
 void add_threads(CLI::App& command, int& threads);
 void add_common(CLI::App& command, CommonOptions& options);
 void add_ratings(CLI::App& command, RatingFiles& ratings);
+void add_who_counts(CLI::App& command, CountRule& who);
 
 // The patterns as a device plays them, in the place of what was meant.
 void add_rendering(CLI::App& command, CommonOptions& options);

@@ -113,6 +113,9 @@ Expected<PatternSet> load_as_meant(const CommonOptions& options) {
         const Expected<ModelFile> file = read_model_file(options.model);
         if (!file) return file.error();
         loaded->set.model = file->model;
+        if (const std::string remark = remark_on_synthetic(*file); !remark.empty()) {
+            std::cerr << "tactspace: " << options.model.string() << ": " << remark << "\n";
+        }
     }
     if (options.only == Side::both) return std::move(loaded->set);
     PatternSet side = one_side(loaded->set, options.only);

@@ -73,6 +73,7 @@ void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
     rule.add_option("--failures", command.failures_allowed, "identical pairs that may be missed")
         ->check(CLI::Range(0, 100));
     rule.add_flag("--unfinished", command.unfinished, "count who did not come to the end, too");
+    add_who_counts(rule, command.who);
     rule.add_flag("--everyone", command.everyone, "write excluded participants as well, marked");
     rule.add_option("--scaling", command.scaling, "of each participant: none, min-max or standard")
         ->check(CLI::IsMember({"none", "min-max", "standard"}));

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <span>
 
 #include "app/command_line/output.h"
 #include "model/io/people/ratings_file.h"
 #include "model/set/measured_twin.h"
 #include "model/set/set_ratings.h"
+#include "model/set/set_study.h"
 
 namespace tact {
 
@@ -22,24 +24,37 @@ RatingScale scale_of(const std::string& word) {
 }
 
 // The ratings that a set file brings along, each as one voice.
-Expected<RatingStudy> own_ratings(const PatternSet& set, const fs::path& path) {
+Expected<Counted> own_ratings(const PatternSet& set, const fs::path& path, const CountRule& who) {
     if (set.ratings.empty()) {
         return Error{path.string() + ": has no ratings of its own, expected --ratings FILE"};
     }
     Expected<RatingStudy> study = study_of(set);
     if (!study) return Error{path.string() + ": " + study.error().message};
-    return study;
+    Expected<Counted> counted = who_counts(*std::move(study), who);
+    if (!counted) return Error{path.string() + ": " + counted.error().message};
+    return counted;
 }
 
-Expected<RatingStudy> ratings_for(const PatternSet& set, const fs::path& path,
-                                  std::span<const fs::path> files, RatingScale scale) {
-    if (files.empty()) return own_ratings(set, path);
-    const Expected<LoadedRatings> loaded = read_ratings(files, scale);
+// Another pattern under the name of one that was felt.
+void warn_of_changes(const PatternSet& set, const RatingStudy& study) {
+    const std::vector<std::string> unrated = unrated_patterns(study);
+    std::vector<std::string> felt = names_of(set);
+    std::erase_if(felt, [&unrated](const std::string& name) {
+        return std::ranges::find(unrated, name) != unrated.end();
+    });
+    if (study.fingerprint.empty() || study_fingerprint(set, felt) == study.fingerprint) return;
+    std::cerr << "tactspace: the patterns have changed since they were felt\n";
+}
+
+Expected<Counted> ratings_for(const PatternSet& set, const fs::path& path,
+                              std::span<const fs::path> files, const RatingFiles& how) {
+    if (files.empty()) return own_ratings(set, path, how.who);
+    Expected<LoadedRatings> loaded = read_ratings(files, scale_of(how.scale), how.who);
     if (!loaded) return loaded.error();
     for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
     Expected<RatingStudy> study = matched(loaded->study, names_of(set));
     if (!study) return Error{files.front().string() + ": " + study.error().message};
-    return study;
+    return Counted{*std::move(study), std::move(loaded->left_out)};
 }
 
 // People rated intended patterns: on the measured side each is stood in for by its twin.
@@ -56,6 +71,21 @@ Error with_hint(Error error, const PatternSet& set) {
 }
 
 }  // namespace
+
+std::string text_on_people(bool synthetic, const std::vector<LeftOutParticipant>& left_out) {
+    std::string text;
+    if (synthetic) text += "SYNTHETIC: some or all of these ratings were given by nobody\n";
+    for (const std::string& remark : remarks_on(left_out)) text += remark + "\n";
+    return text;
+}
+
+nlohmann::json json_of(const std::vector<LeftOutParticipant>& left_out) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const LeftOutParticipant& one : left_out) {
+        all.push_back({{"participant", one.participant}, {"why", one.why}});
+    }
+    return all;
+}
 
 Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
                                                 const RatingFiles& files) {
@@ -76,14 +106,24 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
         if (const auto pair = need_a_pair(*set, one); !pair) return pair.error();
         const auto all_files = std::span(ratings);
         const bool one_each = sets.size() > 1 && !ratings.empty();
-        auto study = ratings_for(*set, sets[k], one_each ? all_files.subspan(k, 1) : all_files,
-                                 scale_of(files.scale));
-        if (!study) return with_hint(study.error(), *set);
+        auto people =
+            ratings_for(*set, sets[k], one_each ? all_files.subspan(k, 1) : all_files, files);
+        if (!people) return with_hint(people.error(), *set);
+        if (common.only != Side::measured && common.rendered_by.empty() &&
+            common.rendered_calibration.empty()) {
+            warn_of_changes(*set, people->study);
+        }
+        const auto unrated = unrated_patterns(people->study);
+        if (!unrated.empty()) {
+            std::cerr << "tactspace: " << remark_on_unrated(unrated, set->vibrations.size())
+                      << "\n";
+        }
         std::string name = set->name.empty() ? sets[k].filename().string() : set->name;
         if (common.only != Side::both) {
             name += std::string(", ") + kSideNames[static_cast<std::size_t>(common.only)];
         }
-        all.push_back({*std::move(set), name, *std::move(study)});
+        all.push_back(
+            {*std::move(set), name, std::move(people->study), std::move(people->left_out)});
     }
     return all;
 }

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "app/command_line/commands.h"
 #include "model/set/pattern_set.h"
-#include "model/study/ratings.h"
+#include "model/study/who_counts.h"
 
 namespace tact {
 
@@ -16,7 +17,14 @@ struct RatedPatterns {
     PatternSet set;
     std::string name;
     RatingStudy study;
+    std::vector<LeftOutParticipant> left_out;
 };
+
+// "" or, on a line of its own, that nobody was asked; and whom the numbers leave out.
+std::string text_on_people(bool synthetic, const std::vector<LeftOutParticipant>& left_out);
+
+// [{"participant": .., "why": ..}, ..]
+nlohmann::json json_of(const std::vector<LeftOutParticipant>& left_out);
 
 // Each set of a command with its files of ratings: all of them for a single set, else one for each;
 // without files, those of the set file. Remarks go to standard error.

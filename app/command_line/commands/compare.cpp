@@ -28,8 +28,11 @@ struct SetResult {
     std::string name;
     std::size_t patterns = 0;
     RatedPeople people;
+    std::vector<LeftOutParticipant> left_out;
     std::vector<MetricAgreement> rows;
 };
+
+const RatedSet& rated_of(const SetResult& result) { return rated_part(result.people.rated); }
 
 const char* key_of(const MetricAgreement& row) { return traits(row.metric).key; }
 
@@ -51,7 +54,11 @@ Expected<SetResult> compared(const CompareCommand& command, std::span<const Metr
     params.threads = command.common.threads;
     Expected<RatedPeople> people = rated_people(patterns.study, params);
     if (!people) return Error{patterns.name + ": " + people.error().message};
-    SetResult result{patterns.name, patterns.set.vibrations.size(), *std::move(people), {}};
+    SetResult result{patterns.name,
+                     patterns.set.vibrations.size() - people->unrated.size(),
+                     *std::move(people),
+                     patterns.left_out,
+                     {}};
     MetricOptions options;
     options.threads = command.common.threads;
     options.progress = progress_line("comparing metrics");
@@ -65,8 +72,8 @@ Expected<SetResult> compared(const CompareCommand& command, std::span<const Metr
 // What is the same for all metrics of the set.
 std::string head_of(const SetResult& result) {
     const Reliability& people = result.people.reliability;
-    const PerceptualSpace& space = result.people.rated.people.space;
-    const AlienationChance& chance = result.people.rated.k_chance;
+    const PerceptualSpace& space = rated_of(result).people.space;
+    const AlienationChance& chance = rated_of(result).k_chance;
     std::string text = result.name + ": " + std::to_string(result.patterns) + " patterns, " +
                        std::to_string(result.people.rated_pairs) + " of " +
                        std::to_string(pair_count(result.patterns)) + " pairs rated";
@@ -76,17 +83,21 @@ std::string head_of(const SetResult& result) {
         text += people.is_of_one_person ? " repetitions" : " participants";
         text += "\npeople        reliability of their mean " +
                 fixed_digits(people.spearman_brown, 3) +
-                " (split halves, Spearman-Brown); one with the mean of the others rho " +
-                fixed_digits(people.one_with_others, 3);
+                " (split halves, Spearman-Brown)\n              a metric can reach rho " +
+                fixed_digits(people.ceiling_of_mean, 3) + " with their mean; one of them reaches " +
+                fixed_digits(people.one_with_others, 3) + " with the mean of the others";
     } else {
         text += "\npeople        no repetitions: how far a metric can agree is not known";
     }
     text += "\ntheir map     stress-1 " + fixed_digits(space.stress1, 3) + ", " +
             stress_label(space.stress1) + "; of random ratings " +
-            fixed_digits(result.people.rated.random_stress.mean, 3);
+            fixed_digits(rated_of(result).random_stress.mean, 3);
     text += "\nchance        unrelated maps have K " + fixed_digits(chance.mean, 3) +
             ", nine in ten " + range_text(chance.middle.low, chance.middle.high, 3) + "\n";
-    return text;
+    const std::string unrated =
+        remark_on_unrated(result.people.unrated, result.patterns + result.people.unrated.size());
+    if (!unrated.empty()) text += unrated + "\n";
+    return text + text_on_people(result.people.synthetic, result.left_out);
 }
 
 std::vector<TextRow> table_of(const SetResult& result) {
@@ -181,13 +192,18 @@ nlohmann::json json_of(const SetResult& result, const MetricAgreement& row, Book
             {"K", agreement_of(e, books).k},
             {"K_low", e.k_spread.low},
             {"K_high", e.k_spread.high},
-            {"K_chance", result.people.rated.k_chance.mean},
+            {"K_chance", rated_of(result).k_chance.mean},
             {"K_p", e.k_p},
             {"K_corrected", e.k_corrected},
             {"K_procrustes", e.k_procrustes},
             {"stress1", e.stress1},
             {"reliability", people.spearman_brown},
             {"one_with_others", people.one_with_others},
+            {"ceiling_of_mean", people.ceiling_of_mean},
+            {"participants", result.people.participants},
+            {"synthetic", result.people.synthetic},
+            {"left_out", json_of(result.left_out)},
+            {"unrated_patterns", result.people.unrated},
             {"remarks", e.remarks}};
 }
 

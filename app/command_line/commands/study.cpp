@@ -142,7 +142,9 @@ nlohmann::json json_of(const StudyResults& results) {
     for (const ParticipantSummary& person : results.people) {
         people.push_back({{"participant", person.code},
                           {"synthetic", person.synthetic},
+                          {"rehearsal", person.rehearsal},
                           {"answers", person.answers},
+                          {"not_felt", person.unfelt},
                           {"wanted", person.wanted},
                           {"identical_pairs", person.attention},
                           {"excluded", person.excluded.empty() ? nlohmann::json()
@@ -155,12 +157,14 @@ nlohmann::json json_of(const StudyResults& results) {
     return {{"kind", word_of(results.kind)},
             {"order", word_of(results.order)},
             {"synthetic", results.synthetic},
+            {"scaling", kScalingNames[static_cast<std::size_t>(results.scaling)]},
             {"labels", results.study.labels},
             {"condensed", results.mean.condensed},
             {"counted", agreement.is_of_one_person ? 1 : agreement.voices},
             {"reliability", agreement.spearman_brown},
             {"split_half", agreement.half_rho},
-            {"ceiling", agreement.one_with_others},
+            {"ceiling_of_mean", agreement.ceiling_of_mean},
+            {"one_with_others", agreement.one_with_others},
             {"participants", people}};
 }
 
@@ -175,14 +179,19 @@ std::string head_of(const StudyResults& results) {
             std::to_string(results.people.size()) + " participants";
     if (results.order == StudyOrder::adaptive) text += ", in adaptive order";
     if (results.synthetic) text += "; SYNTHETIC: nobody was asked";
+    if (results.scaling != RatingScaling::none) {
+        text += std::string("; each one's similarities scaled: ") +
+                kScalingNames[static_cast<std::size_t>(results.scaling)];
+    }
     const Reliability& agreement = results.agreement;
     if (agreement.voices < 2) return text + "\nagreement     not known of a single voice\n";
     text += std::string("\nagreement     ") +
             (agreement.is_of_one_person ? "of one person's repetitions: " : "") +
             "reliability of their mean " + fixed_digits(agreement.spearman_brown, 3) +
             " (split halves, Spearman-Brown)";
-    return text + "\nnoise ceiling rho " + fixed_digits(agreement.one_with_others, 3) +
-           ", one with the mean of the others\n";
+    return text + "\nceiling       rho " + fixed_digits(agreement.ceiling_of_mean, 3) +
+           " for a metric of their mean; one of them reaches " +
+           fixed_digits(agreement.one_with_others, 3) + " with the mean of the others\n";
 }
 
 std::vector<TextRow> people_table(const StudyResults& results) {
@@ -220,12 +229,15 @@ std::vector<TextRow> matrix_table(const StudyResults& results) {
 std::string text_of(const StudyResults& results) {
     std::string text = head_of(results) + "\n" + aligned(people_table(results));
     for (const std::string& remark : results.remarks) text += remark + "\n";
+    if (std::ranges::any_of(results.people, &ParticipantSummary::is_outlier)) {
+        text += "outlier: rho with others below Tukey's lower fence, Q1 - 1.5 IQR; counts\n";
+    }
     return text + "\nmean dissimilarity, 100 - similarity\n" + aligned(matrix_table(results));
 }
 
 RatingScaling scaling_of(const std::string& word) {
-    if (word == "min-max") return RatingScaling::min_max;
-    return word == "standard" ? RatingScaling::standard : RatingScaling::none;
+    const auto found = std::ranges::find(kScalingNames, word);
+    return static_cast<RatingScaling>(found - std::begin(kScalingNames));
 }
 
 // Records of one kind, felt from this set.
@@ -261,6 +273,7 @@ Expected<Done> collect(const StudyCommand& command, const PatternSet& set) {
         command.failures_allowed.value_or(rule.attention.failures_allowed);
     rule.unfinished_too = command.unfinished;
     rule.scaling = scaling_of(command.scaling);
+    rule.who = command.who;
     const Expected<StudyResults> results = study_results(*records, rule);
     if (!results) return results.error();
     if (!command.out.empty()) {

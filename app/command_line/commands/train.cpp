@@ -152,16 +152,36 @@ nlohmann::json json_of(const Training& training, const GridPoint& point) {
     return {{"parameters", json}, {"combinations", combinations_of(training.grid, point)}};
 }
 
-std::string json_text(const Training& training, const TrainCommand& command) {
+std::string people_text(const std::vector<RatedPatterns>& rated) {
+    std::string text;
+    for (const RatedPatterns& one : rated) {
+        text += text_on_people(is_partly_synthetic(one.study), one.left_out);
+        const std::string unrated =
+            remark_on_unrated(unrated_patterns(one.study), one.study.labels.size());
+        if (!unrated.empty()) text += unrated + "\n";
+    }
+    return text;
+}
+
+std::string json_text(const Training& training, const TrainCommand& command,
+                      const std::vector<RatedPatterns>& rated) {
     nlohmann::json best_of = nlohmann::json::object();
     for (std::size_t p = 0; p < kTrainedParameters; ++p) {
         best_of[kTrainedNames[p]] = training.best_of[p];
     }
     nlohmann::json sets = nlohmann::json::array();
-    for (const TrainedSet& set : training.sets) {
+    bool synthetic = false;
+    for (std::size_t s = 0; s < rated.size(); ++s) {
+        const TrainedSet& set = training.sets[s];
+        const RatingStudy& study = rated[s].study;
+        synthetic = synthetic || is_partly_synthetic(study);
         sets.push_back({{"name", set.name},
                         {"patterns", set.patterns},
                         {"rated_pairs", set.rated_pairs},
+                        {"participants", participant_means(study).size()},
+                        {"synthetic", is_partly_synthetic(study)},
+                        {"left_out", json_of(rated[s].left_out)},
+                        {"unrated_patterns", unrated_patterns(study)},
                         {"rho_before", set.rho_before},
                         {"rho_after", set.rho_after}});
     }
@@ -180,6 +200,7 @@ std::string json_text(const Training& training, const TrainCommand& command) {
                           {"share_near_best", training.share_near_best},
                           {"near_best", kNearBest},
                           {"best_of", best_of},
+                          {"synthetic", synthetic},
                           {"sets", sets}};
     if (command.leave_out == "sets") all["without_set"] = json_of(training.without_set);
     if (command.leave_out == "participants") {
@@ -188,9 +209,10 @@ std::string json_text(const Training& training, const TrainCommand& command) {
     return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string text_of(const Training& training, const TrainCommand& command) {
-    std::string text = head_of(training) + "\n" + parameters_text(training) + ties_text(training) +
-                       sets_text(training) + marginals_text(training);
+std::string text_of(const Training& training, const TrainCommand& command,
+                    const std::vector<RatedPatterns>& rated) {
+    std::string text = head_of(training) + people_text(rated) + "\n" + parameters_text(training) +
+                       ties_text(training) + sets_text(training) + marginals_text(training);
     if (command.leave_out == "sets") text += left_out_text(training, training.without_set, "set");
     if (command.leave_out == "participants") {
         text += left_out_text(training, training.without_participant, "participant");
@@ -247,8 +269,8 @@ Expected<Done> run(const TrainCommand& command) {
                              record_of(*training, sets, "tactspace " TACT_VERSION)};
         if (const auto written = write_model_file(command.out, file); !written) return written;
     }
-    const std::string text =
-        command.common.json ? json_text(*training, command) : text_of(*training, command);
+    const std::string text = command.common.json ? json_text(*training, command, *rated)
+                                                 : text_of(*training, command, *rated);
     return write_result({}, [&text](std::ostream& stream) { stream << text; });
 }
 

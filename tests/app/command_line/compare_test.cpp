@@ -142,8 +142,13 @@ TEST_CASE("compare: ratings of other patterns are refused by name") {
         CHECK_MESSAGE(sentence.starts_with(head), sentence);
         return sentence.substr(std::min(head.size(), sentence.size()));
     };
-    CHECK(refusal("a,b,rating\nv 1,v 2,3\nv 3,v 10,4\n") ==
-          "expected ratings of every pattern of the set, got none of \"v 11\"\n");
+    CHECK(refusal("a,b,rating\nv 1,v 2,3\n") ==
+          "expected ratings of at least three patterns of the set, got those of 2\n");
+    const Json some = Json::parse(
+        output_of({"compare", study.set, "--metric", "rmse", "--json", "--ratings",
+                   study.written("some.csv", "a,b,rating\nv 1,v 2,3\nv 3,v 10,4\nv 1,v 3,9\n"),
+                   "--scale", "dissimilarity"}));
+    CHECK(some[0].at("unrated_patterns") == Json::array({"v 11"}));
     CHECK(refusal("1,2,3\n") == "expected ratings of 5 patterns, as many as the set has, got 3\n");
     CHECK(contains(refusal_of({"compare", study.set, "--ratings",
                                study.written("same.csv", "1,1,1,1,1,1,1,1,1,1\n"), "--scale",

@@ -54,7 +54,7 @@ TEST_CASE("study: simulated without noise, collected, compared: the matrix they 
     const Json all = study.collected({"--out", csv, "--matrix", matrix});
     CHECK(all.at("synthetic") == true);
     CHECK(all.at("counted") == 6);
-    CHECK(all.at("ceiling").get<double>() > 0.98);
+    CHECK(all.at("ceiling_of_mean").get<double>() > 0.98);
     CHECK(all.at("labels").size() == 5);
     // Each has their own use of the scale, which moves all pairs alike.
     const auto mean = all.at("condensed").get<std::vector<double>>();
@@ -65,6 +65,8 @@ TEST_CASE("study: simulated without noise, collected, compared: the matrix they 
         const Ran compared =
             run_program({"compare", study.set, "--ratings", file, "--metric", "pm", "--json"});
         CHECK_MESSAGE(compared.exit_code == 0, compared.err);
+        // A matrix names nobody, and cannot say who was asked.
+        CHECK(Json::parse(compared.out)[0].at("synthetic") == (file == csv));
     }
     for (std::size_t p = 0; p < mean.size(); ++p) CHECK(from_matrix[p] == mean[p]);
 }
@@ -94,6 +96,27 @@ TEST_CASE("study: who answers blindly is left out, unless the rule says otherwis
     const std::string csv = (study.folder.path / "all.csv").string();
     study.collected({"--everyone", "--out", csv});
     CHECK(contains(bytes_of(csv), "\nS06,1,"));
+    // The others of the same file do not count for the metrics either, unless by name.
+    const std::vector<std::string> compare{"compare",  study.set, "--ratings", csv,
+                                           "--metric", "rmse",    "--json"};
+    const Json row = Json::parse(output_of(compare))[0];
+    CHECK(row.at("participants") == 4);
+    CHECK(row.at("left_out").size() == 2);
+    CHECK(row.at("left_out")[1].at("participant") == "S06");
+    CHECK(row.at("synthetic") == true);
+    auto with = compare;
+    with.insert(with.end(), {"--include", "S06"});
+    CHECK(Json::parse(output_of(with))[0].at("participants") == 5);
+    const Ran folder = run_program(
+        {"compare", study.set, "--ratings", study.people, "--metric", "rmse", "--json"});
+    CHECK(Json::parse(folder.out)[0].at("participants") == 4);
+    CHECK(contains(folder.err, "S06 is not counted: identical patterns rated "));
+    const Json trained =
+        Json::parse(output_of({"train", study.set, "--ratings", csv, "--step", "0.5", "--json"}));
+    CHECK(trained.at("sets")[0].at("participants") == 4);
+    CHECK(trained.at("synthetic") == true);
+    CHECK(study.collected({"--include", "S05", "S06"}).at("counted") == 6);
+    CHECK(study.collected({"--exclude", "S01"}).at("counted") == 3);
 }
 
 TEST_CASE("study: adaptive and sorting studies are told apart from the full design") {
