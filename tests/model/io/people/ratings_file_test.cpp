@@ -147,7 +147,7 @@ TEST_CASE("ratings file: who is excluded, or felt nothing, does not count, and i
                                   std::string("P3 is not counted: ") + kNothingFelt});
     const auto with = parse_ratings(text, "r.csv", RatingScale::guess, {{"P2"}, {}});
     REQUIRE(with);
-    CHECK(with->study.judgements[1] == Judgement{"P2", with->study.judgements[1].condensed});
+    CHECK(with->study.judgements[1].participant == "P2");
     CHECK(with->study.judgements[1].condensed[1] == 80.0);
     CHECK(contains(fault("participant,a,b,rating,excluded\nP,x,y,1,maybe\n"),
                    "r.csv:2: expected 0 or 1 in the column excluded, got \"maybe\""));
