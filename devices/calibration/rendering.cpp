@@ -38,7 +38,7 @@ std::vector<double> two_sines(RumblePlan& plan, double period_s, std::size_t sam
     double low_turns = 0.0;
     double high_turns = 0.0;
     over_frames(plan, period_s, samples, [&](std::size_t k, std::size_t from, std::size_t to) {
-        const RumbleFrame told = hd_rumble_in(hd_rumble(within_one_coil(plan.frame(k).rumble)));
+        const RumbleFrame told = hd_rumble_in(hd_rumble(within_one_coil(plan.rumble(k))));
         for (std::size_t n = from; n < to; ++n) {
             made[n] =
                 told.low * std::sin(kTurn * low_turns) + told.high * std::sin(kTurn * high_turns);
@@ -57,7 +57,7 @@ std::vector<double> shaking(const Motor& motor, RumblePlan& plan, double period_
     double speed = 0.0;
     double turns = 0.0;
     over_frames(plan, period_s, samples, [&](std::size_t k, std::size_t from, std::size_t to) {
-        const double duty = std::round(255.0 * duty_of(plan.frame(k).rumble)) / 255.0;
+        const double duty = std::round(255.0 * duty_of(plan.rumble(k))) / 255.0;
         for (std::size_t n = from; n < to; ++n) {
             speed = speed_after(motor, speed, duty, 1.0 / kModelRateHz);
             turns += speed * motor.full_speed_hz / kModelRateHz;
@@ -79,7 +79,7 @@ std::vector<double> two_motors(RumblePlan& plan, double period_s, std::size_t sa
 std::vector<double> buzz(RumblePlan& plan, double period_s, std::size_t samples) {
     std::vector<double> made(samples, 0.0);
     over_frames(plan, period_s, samples, [&](std::size_t k, std::size_t from, std::size_t to) {
-        const double strength = plan.frame(k).rumble.low;
+        const double strength = plan.rumble(k).low;
         for (std::size_t n = from; n < to; ++n) {
             made[n] = strength * std::sin(kTurn * kBuzzHz * static_cast<double>(n) / kModelRateHz);
         }
@@ -146,6 +146,8 @@ void compare_bands(const Waveform& intended, Rendering& rendering) {
 void render_calibrated(const Waveform& meant, Rendering& rendering) {
     const Calibration& calibration = *rendering.by.calibration;
     CalibratedDrive driven = calibrated_drive(meant, calibration);
+    driven.peak *= rendering.by.level;
+    for (double& sample : driven.drive.samples) sample *= rendering.by.level;
     const double share = driven.peak > kCeiling ? kCeiling / driven.peak : 1.0;
     for (double& sample : driven.drive.samples) sample *= share;
     rendering.clipped = share < 1.0;
@@ -157,15 +159,16 @@ void render_uncalibrated(const Waveform& meant, Rendering& rendering) {
     const RenderedBy& by = rendering.by;
     const std::size_t samples = meant.samples_g.size();
     Drive drive = drive_of(meant, by.full_scale_g);
-    rendering.clipped = peak_g(meant) > by.full_scale_g;
+    rendering.clipped = by.level * peak_g(meant) > by.full_scale_g;
     const ActuatorTraits& about = traits(by.kind);
     if (about.language == Language::waveform) {
+        for (double& sample : drive.samples) sample *= by.level;
         rendering.waveform.samples_g = through_coil(std::move(drive.samples));
     } else {
-        RumblePlan plan(std::move(drive), about.language, about.period_s);
+        RumblePlan plan(std::move(drive), about.language, about.period_s, by.level);
         rendering.waveform.samples_g = played(plan, about, samples);
         for (std::size_t k = 0; about.language == Language::two_bands && k < plan.size(); ++k) {
-            const TrackedFrame& frame = plan.frame(k);
+            const TrackedFrame& frame = plan.tracked(k);
             rendering.frames.push_back({static_cast<double>(k) * about.period_s, frame.share_lost,
                                         frame.folded, frame.noise});
         }
@@ -180,7 +183,7 @@ bool is_calibrated(const RenderedBy& by) {
 }
 
 Rendering rendering(const RenderedBy& by, const Waveform& intended) {
-    const Waveform meant =
+    Waveform meant =
         intended.rate_hz == kModelRateHz ? intended : resampled(intended, kModelRateHz);
     Rendering rendering;
     rendering.by = by;
@@ -190,6 +193,7 @@ Rendering rendering(const RenderedBy& by, const Waveform& intended) {
     } else {
         render_uncalibrated(meant, rendering);
     }
+    for (double& sample : meant.samples_g) sample *= by.level;
     compare_bands(meant, rendering);
     return rendering;
 }

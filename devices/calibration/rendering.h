@@ -12,7 +12,7 @@
 // Source    two bands: the protocol; a calibrated coil: its table; all else: own choices, none
 //           measured.
 // Input     a vibration in g; the g that full scale is taken for, or a calibration
-// Output    the same length, 10 kHz
+// Output    the same length, 10 kHz; at the level that it is played at
 // Left out  hysteresis of actuators, resonances of all but calibrated ones, how firmly a controller
 //           is held, packets that are lost on the air.
 // Exact     same input, same bits.
@@ -32,10 +32,13 @@ namespace tact {
 
 // What a device is taken to be: until it is measured, its full scale in g is a person's word.
 // `calibration` is of kinds that take waveforms, for all others it counts as none.
+// `level` is how strong it is played, as a share: of what was meant that share is, so that what is
+// lost is the device's doing.
 struct RenderedBy {
     ActuatorKind kind = ActuatorKind::joy_con;
     double full_scale_g = kFullScaleG;
     std::optional<Calibration> calibration{};
+    double level = 1.0;
 
     bool operator==(const RenderedBy&) const = default;
 };

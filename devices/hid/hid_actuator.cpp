@@ -134,4 +134,9 @@ double packet_period_s(const HidActuator& actuator) {
     return by_air ? std::max(kSonyByAirS, about.period_s) : about.period_s;
 }
 
+double frame_hop_s(const HidActuator& actuator) {
+    constexpr double kSlack = 0.02;
+    return (1.0 + kSlack) * packet_period_s(actuator);
+}
+
 }  // namespace tact

@@ -43,7 +43,11 @@ std::string udev_rule(const HidActuator& actuator);
 // The node can be opened, as far as can be told without opening it. An Error says what to do.
 Expected<Done> may_be_opened(const HidActuator& actuator);
 
-// Time between two packets: what its bus and its firmware stand.
+// Least time between two packets: what its bus and its firmware stand.
 double packet_period_s(const HidActuator& actuator);
+
+// Between two frames of a play: a little more, or one packet that is late would make all that
+// follow it late, too.
+double frame_hop_s(const HidActuator& actuator);
 
 }  // namespace tact

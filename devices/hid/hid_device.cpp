@@ -23,12 +23,6 @@ double seconds(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
 }
 
-RumbleFrame scaled(RumbleFrame frame, double level) {
-    frame.low *= level;
-    frame.high *= level;
-    return frame;
-}
-
 double largest(const Drive& drive) {
     double peak = 0.0;
     for (const double sample : drive.samples) peak = std::max(peak, std::abs(sample));
@@ -45,9 +39,7 @@ void ask_for_priority() {
 }  // namespace
 
 HidDevice::HidDevice(HidActuator actuator, HidDoor door)
-    : actuator_(std::move(actuator)),
-      door_(std::move(door)),
-      period_s_(packet_period_s(actuator_)) {
+    : actuator_(std::move(actuator)), door_(std::move(door)) {
     status_.name = actuator_.name;
     status_.connected = true;
     thread_ = std::jthread([this](const std::stop_token& quit) { run(quit); });
@@ -74,7 +66,7 @@ Expected<Done> HidDevice::play(const Drive& drive, bool loop) {
 
 void HidDevice::set_level(double level) {
     const std::lock_guard lock(mutex_);
-    level_ = std::clamp(level, 0.0, 1.0);
+    level_ = level > 0.0 ? std::min(level, 1.0) : 0.0;  // NaN is none
 }
 
 void HidDevice::stop() {
@@ -139,48 +131,59 @@ bool HidDevice::ready() {
     port_ = *std::move(port);
     encode_ = *std::move(encode);
     last_sent_.clear();
+    last_sent_at_ = Clock::now();
     port_->set_last_words(encode_(RumbleFrame{}, 0));
     return true;
 }
 
 void HidDevice::perform(const Play& play, const std::stop_token& quit) {
-    RumblePlan plan(play.drive, traits(actuator_.kind).language, period_s_);
+    double level = 0.0;
+    {
+        const std::lock_guard lock(mutex_);
+        level = level_;
+        duration_s_ = 0.0;
+        status_.clipped = largest(play.drive) * level_ > 1.0;
+        statistics_ = {};
+        late_s_.clear();
+    }
+    RumblePlan plan(play.drive, traits(actuator_.kind).language, frame_hop_s(actuator_), level);
+    if (plan.size() > 0) send_frames(play, plan, quit);
+    end_in_silence(quit);
+}
+
+// Of a play that does not end, frames are counted on from pass to pass. False: interrupted.
+bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_token& quit) {
     const Drive& drive = plan.drive();
     const double duration_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
-    const double peak = largest(drive);
-    const Clock::time_point begin = Clock::now() + std::chrono::milliseconds(5);
+    const double hop_s = frame_hop_s(actuator_);
+    plan.rumble(0);
+    const auto begin = std::max(Clock::now() + std::chrono::milliseconds(5), soonest());
     {
         const std::lock_guard lock(mutex_);
         begun_at_ = begin;
         duration_s_ = duration_s;
         loops_ = play.loop;
-        status_.clipped = peak * level_ > 1.0;
-        statistics_ = {};
-        late_s_.clear();
     }
-    bool going = plan.size() > 0;
-    for (double pass_s = 0.0; going; pass_s += duration_s) {
-        for (std::size_t k = 0; going && k < plan.size(); ++k) {
-            const double at_s = pass_s + static_cast<double>(k) * period_s_;
-            const Clock::time_point deadline = begin + nanoseconds(at_s);
-            if (is_too_late(deadline)) continue;
-            prepare(plan, k, deadline);
-            going = wait_until(deadline, quit) && send_if_due(plan.frame(k).rumble);
+    const auto deadline = [&](std::size_t k) {
+        const auto pass = static_cast<double>(k / plan.size());
+        const auto hops = static_cast<double>(k % plan.size());
+        return begin + nanoseconds(pass * duration_s + hops * hop_s);
+    };
+    for (std::size_t k = 0; play.loop || k < plan.size(); ++k) {
+        const auto moment = std::max({deadline(k), soonest(), Clock::now()});
+        std::size_t skipped = 0;
+        for (; deadline(k + 1) <= moment && (play.loop || k < plan.size()); ++k) ++skipped;
+        {
+            const std::lock_guard lock(mutex_);
+            statistics_.skipped += skipped;
         }
-        if (going && !play.loop) {
-            wait_until(begin + nanoseconds(pass_s + duration_s), quit);
-            break;
-        }
+        if (!play.loop && k >= plan.size()) break;
+        prepare(plan, k % plan.size(), moment);
+        if (!wait_until(moment, quit)) return false;
+        note_lateness(deadline(k));
+        if (!send_if_due(plan, k % plan.size())) return false;
     }
-    end_in_silence(quit);
-}
-
-// By a whole period: the next frame is due, and the time to make this one is better spent on that.
-bool HidDevice::is_too_late(Clock::time_point deadline) {
-    if (Clock::now() < deadline + nanoseconds(period_s_)) return false;
-    const std::lock_guard lock(mutex_);
-    ++statistics_.skipped;
-    return true;
+    return wait_until(begin + nanoseconds(duration_s), quit);
 }
 
 // Makes frame k, and as many after it as the time until its deadline is good for: later ones may
@@ -189,43 +192,54 @@ void HidDevice::prepare(RumblePlan& plan, std::size_t k, Clock::time_point deadl
     Clock::duration longest{};
     for (; k < plan.size(); ++k) {
         const Clock::time_point begin = Clock::now();
-        plan.frame(k);
+        plan.rumble(k);
         longest = std::max(longest, Clock::now() - begin);
         if (Clock::now() + 2 * longest > deadline) return;
     }
 }
 
-// False when there is something else to do. Keeps how late it is.
-bool HidDevice::wait_until(Clock::time_point deadline, const std::stop_token& quit) {
+// Of the next packet: a period after the last one.
+HidDevice::Clock::time_point HidDevice::soonest() const {
+    return last_sent_at_ + nanoseconds(packet_period_s(actuator_));
+}
+
+// False when there is something else to do.
+bool HidDevice::wait_until(Clock::time_point moment, const std::stop_token& quit) {
     std::unique_lock lock(mutex_);
     const auto interrupted = [this] { return stop_ || next_.has_value(); };
-    if (changed_.wait_until(lock, quit, deadline, interrupted)) return false;
-    if (quit.stop_requested()) return false;
+    if (changed_.wait_until(lock, quit, moment, interrupted)) return false;
+    return !quit.stop_requested();
+}
+
+void HidDevice::note_lateness(Clock::time_point deadline) {
+    const std::lock_guard lock(mutex_);
     if (late_s_.size() < kKeptLateness) late_s_.push_back(seconds(Clock::now() - deadline));
-    return true;
 }
 
 // False when the controller is lost.
-bool HidDevice::send_if_due(const RumbleFrame& frame) {
+bool HidDevice::send_if_due(RumblePlan& plan, std::size_t k) {
     double level = 0.0;
     {
         const std::lock_guard lock(mutex_);
         level = level_;
-        status_.peak = std::max(status_.peak, level * std::max(frame.low, frame.high));
     }
-    const RumbleFrame now = scaled(frame, level);
+    plan.set_level(level);
+    const RumbleFrame now = plan.rumble(k);
+    {
+        const std::lock_guard lock(mutex_);
+        status_.peak = std::max({status_.peak, now.low, now.high});
+    }
     const bool same = encode_(now, 0) == last_sent_;
     if (same && Clock::now() - last_sent_at_ < kRefresh) return true;
     return send(now);
 }
 
 bool HidDevice::send(const RumbleFrame& frame) {
-    bool taken = port_->write(encode_(frame, counter_));
+    bool taken = write(frame);
     // Through the air one may be refused for the moment.
-    if (!taken && port_->is_there()) taken = port_->write(encode_(frame, counter_));
+    if (!taken && port_->is_there()) taken = write(frame);
     ++counter_;
     last_sent_ = encode_(frame, 0);
-    last_sent_at_ = Clock::now();
     if (!taken) {
         lose(port_->is_there() ? actuator_.name + " takes no packets any more: connect it again"
                                : actuator_.name + " was unplugged, or is out of reach");
@@ -236,10 +250,17 @@ bool HidDevice::send(const RumbleFrame& frame) {
     return true;
 }
 
+// The one place that writes, after the gap that there has to be.
+bool HidDevice::write(const RumbleFrame& frame) {
+    std::this_thread::sleep_until(soonest());
+    const bool taken = port_->write(encode_(frame, counter_));
+    last_sent_at_ = Clock::now();
+    return taken;
+}
+
 // Also when the program ends: hence no waiting by a condition that is true already.
 void HidDevice::end_in_silence(const std::stop_token& quit) {
     for (int k = 0; port_ && k < kNeutralPackets; ++k) {
-        if (k > 0) std::this_thread::sleep_for(nanoseconds(period_s_));
         if (!send(RumbleFrame{})) return;
         const std::lock_guard lock(mutex_);
         status_.playing = false;

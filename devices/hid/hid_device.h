@@ -1,13 +1,17 @@
 // A game controller that plays a drive signal, packet by packet.
 //
-// A thread of its own opens the controller at the first play, and sends. Packet k of a play has
-// its deadline k periods after the beginning, whatever became of the ones before it: one that is a
-// whole period late is skipped rather than queued, as the controller has no clock to catch up with.
-// A packet goes out when it differs from the last, or after 50 ms, lest the controller thinks it
-// forgotten. A play ends, by itself, by stop() or with the device, with five neutral packets.
+// A thread of its own opens the controller at the first play, and sends. Frame k of a pass has its
+// deadline k hops after the beginning of the pass, whatever became of the ones before it. Between
+// any two packets lies at least the period that the controller stands: over the seam of a loop,
+// from one play to the next, before and between neutral ones. What goes out is the frame of that
+// moment; those that the wait has passed by are skipped rather than queued, as the controller has
+// no clock to catch up with. A packet goes out when it differs from the last, or after 50 ms, lest
+// the controller thinks it forgotten. A play ends, by itself, by stop() or with the device, with
+// five neutral packets: the first of them comes a period after the last packet at the latest.
 //
 // Source    the pace of the drivers that rumble_packets.h names
-// Left out  two plays at a time; the time that a packet takes through the air.
+// Left out  two plays at a time; the time that a packet takes through the air. What opens a
+//           controller goes by its answers, what a crash says last (last_words.h) by nothing.
 #pragma once
 
 #include <chrono>
@@ -29,7 +33,7 @@ namespace tact {
 // How the packets of the last play went out.
 struct SendStatistics {
     std::size_t sent = 0;
-    std::size_t skipped = 0;  // a whole period late
+    std::size_t skipped = 0;  // frames whose time was over
     double median_late_s = 0.0;
     double p99_late_s = 0.0;
     double worst_late_s = 0.0;
@@ -74,11 +78,14 @@ class HidDevice final : public Device {
     void run(const std::stop_token& quit);
     bool ready();
     void perform(const Play& play, const std::stop_token& quit);
-    bool is_too_late(Clock::time_point deadline);
+    bool send_frames(const Play& play, RumblePlan& plan, const std::stop_token& quit);
     static void prepare(RumblePlan& plan, std::size_t k, Clock::time_point deadline);
-    bool wait_until(Clock::time_point deadline, const std::stop_token& quit);
-    bool send_if_due(const RumbleFrame& frame);
+    Clock::time_point soonest() const;
+    bool wait_until(Clock::time_point moment, const std::stop_token& quit);
+    void note_lateness(Clock::time_point deadline);
+    bool send_if_due(RumblePlan& plan, std::size_t k);
     bool send(const RumbleFrame& frame);
+    bool write(const RumbleFrame& frame);
     void end_in_silence(const std::stop_token& quit);
     void lose(const std::string& why);
     void watch();
@@ -86,14 +93,13 @@ class HidDevice final : public Device {
 
     HidActuator actuator_;  // after the constructor the thread's own
     HidDoor door_;
-    double period_s_;
 
     // The thread's own.
     std::optional<HidPort> port_;
     Encoder encode_;
     int counter_ = 0;
     Packet last_sent_;
-    Clock::time_point last_sent_at_;
+    Clock::time_point last_sent_at_;  // when the port had taken it, or not
 
     mutable std::mutex mutex_;  // guards all of these
     std::condition_variable_any changed_;

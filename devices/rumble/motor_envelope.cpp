@@ -30,6 +30,13 @@ double duty_to_reach(const Motor& motor, double speed, double wanted, double hop
     return duty_towards(motor, (wanted - kept * speed) / (1.0 - kept));
 }
 
+// Of one band what is not the filters' remainder of the other; see the head of the header.
+double without_leakage(double strength, double other) {
+    constexpr double kLeakage = 0.25;
+    const double leaked = kLeakage * other;
+    return std::sqrt(std::max(0.0, strength * strength - leaked * leaked));
+}
+
 // Root of twice the weighted mean square around sample `middle`.
 double strength_at(std::span<const double> signal, double rate_hz, std::ptrdiff_t middle) {
     const auto half = static_cast<std::ptrdiff_t>(std::lround(kEnvelopeWindowS / 2.0 * rate_hz));
@@ -84,14 +91,14 @@ std::vector<double> below(std::span<const double> signal, double edge_hz, double
     return twice;
 }
 
-std::vector<double> motor_duties(const Motor& motor, std::span<const double> envelope,
-                                 double hop_s) {
+std::vector<double> motor_duties(const Motor& motor, std::span<const double> envelope, double hop_s,
+                                 double level) {
     std::vector<double> duties;
     double speed = 0.0;
     double overdriven_s = 0.0;
     for (const double strength : envelope) {
         const double wanted =
-            strength > kFaintest ? std::sqrt(std::clamp(strength, 0.0, 1.0)) : 0.0;
+            strength > kFaintest ? std::sqrt(std::clamp(level * strength, 0.0, 1.0)) : 0.0;
         const double steady = duty_towards(motor, wanted);
         double duty = duty_to_reach(motor, speed, wanted, hop_s);
         overdriven_s = duty > steady ? overdriven_s + hop_s : 0.0;
@@ -102,12 +109,24 @@ std::vector<double> motor_duties(const Motor& motor, std::span<const double> env
     return duties;
 }
 
-std::vector<RumbleFrame> motor_pair_frames(const Drive& drive, double hop_s) {
-    const std::vector<double> low = below(drive.samples, kMotorSplitHz, drive.rate_hz);
-    std::vector<double> high = drive.samples;
-    for (std::size_t n = 0; n < high.size(); ++n) high[n] -= low[n];
-    const auto strong = motor_duties(kStrongMotor, envelope(low, drive.rate_hz, hop_s), hop_s);
-    const auto weak = motor_duties(kWeakMotor, envelope(high, drive.rate_hz, hop_s), hop_s);
+Strengths motor_pair_strengths(const Drive& drive, double hop_s) {
+    const std::vector<double> below_split = below(drive.samples, kMotorSplitHz, drive.rate_hz);
+    std::vector<double> above_split = drive.samples;
+    for (std::size_t n = 0; n < above_split.size(); ++n) above_split[n] -= below_split[n];
+    Strengths strengths{envelope(below_split, drive.rate_hz, hop_s),
+                        envelope(above_split, drive.rate_hz, hop_s)};
+    for (std::size_t k = 0; k < strengths.low.size(); ++k) {
+        const double low = strengths.low[k];
+        const double high = strengths.high[k];
+        strengths.low[k] = without_leakage(low, high);
+        strengths.high[k] = without_leakage(high, low);
+    }
+    return strengths;
+}
+
+std::vector<RumbleFrame> motor_pair_frames(const Strengths& strengths, double hop_s, double level) {
+    const auto strong = motor_duties(kStrongMotor, strengths.low, hop_s, level);
+    const auto weak = motor_duties(kWeakMotor, strengths.high, hop_s, level);
     std::vector<RumbleFrame> frames(strong.size());
     for (std::size_t k = 0; k < frames.size(); ++k) {
         frames[k].low = strong[k];
@@ -116,16 +135,22 @@ std::vector<RumbleFrame> motor_pair_frames(const Drive& drive, double hop_s) {
     return frames;
 }
 
-std::vector<RumbleFrame> intensity_frames(const Drive& drive, double hop_s) {
+Strengths intensity_strengths(const Drive& drive, double hop_s) {
     constexpr double kOn = 0.05;
     constexpr double kOff = 0.03;
-    std::vector<RumbleFrame> frames;
+    Strengths strengths{envelope(drive.samples, drive.rate_hz, hop_s), {}};
     bool on = false;
-    for (const double strength : envelope(drive.samples, drive.rate_hz, hop_s)) {
+    for (double& strength : strengths.low) {
         on = strength > (on ? kOff : kOn);
-        RumbleFrame frame;
-        frame.low = on ? std::min(strength, 1.0) : 0.0;
-        frames.push_back(frame);
+        if (!on) strength = 0.0;
+    }
+    return strengths;
+}
+
+std::vector<RumbleFrame> intensity_frames(const Strengths& strengths, double level) {
+    std::vector<RumbleFrame> frames(strengths.low.size());
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        frames[k].low = std::min(level * strengths.low[k], 1.0);
     }
     return frames;
 }

@@ -4,7 +4,12 @@
 // A motor with an off-centre mass shakes with w^2, w its speed: for an envelope e the speed is
 // sqrt(e). Below the dead zone u0 it does not turn, so the duty is u0 + (1 - u0) sqrt(e). Its speed
 // lags behind the duty (first order); full duty while it is too slow and none while it is too fast
-// bring it there sooner.
+// bring it there sooner. A level scales the envelope, before the root and the dead zone: at a tenth
+// the motor shakes a tenth as strongly, and patterns keep their proportions.
+//
+// What the filters leave of a tone half an octave from the split is a quarter of it on the other
+// side, and a quarter of a strength is half of a speed. So a quarter of the other band is taken off
+// each, as power: tones farther from the split than that drive one motor alone.
 //
 // Source    the square law: centripetal force; all numbers below: own choices from what pads of
 //           this kind usually do, none measured.
@@ -45,14 +50,23 @@ std::vector<double> envelope(std::span<const double> signal, double rate_hz, dou
 // The signal below `edge_hz`, not delayed: a fourth-order fall, run forwards and backwards.
 std::vector<double> below(std::span<const double> signal, double edge_hz, double rate_hz);
 
-// Duties that bring a motor's strength to an envelope, one a hop.
-std::vector<double> motor_duties(const Motor& motor, std::span<const double> envelope,
-                                 double hop_s);
+// Duties that bring a motor's strength to an envelope times a level, one a hop.
+std::vector<double> motor_duties(const Motor& motor, std::span<const double> envelope, double hop_s,
+                                 double level = 1.0);
 
-std::vector<RumbleFrame> motor_pair_frames(const Drive& drive, double hop_s);
+// Strengths over time of what each of two motors is to shake, one value a hop; of an intensity
+// alone all is `low`.
+struct Strengths {
+    std::vector<double> low;
+    std::vector<double> high;
+};
 
-// The whole envelope as `low`. Starts where it rises above 5 % of full scale and ends where it
-// falls below 3 %, lest a faint end flutters.
-std::vector<RumbleFrame> intensity_frames(const Drive& drive, double hop_s);
+Strengths motor_pair_strengths(const Drive& drive, double hop_s);
+std::vector<RumbleFrame> motor_pair_frames(const Strengths& strengths, double hop_s, double level);
+
+// The whole envelope. Starts where it rises above 5 % of full scale and ends where it falls below
+// 3 %, lest a faint end flutters: at any level, so that a low one leaves nothing out.
+Strengths intensity_strengths(const Drive& drive, double hop_s);
+std::vector<RumbleFrame> intensity_frames(const Strengths& strengths, double level);
 
 }  // namespace tact

@@ -77,12 +77,12 @@ void play_through(HidDevice& device, const Drive& drive) {
 }
 
 // Written as from `first`: the frames of the plan, in their order, each changed one once; a frame
-// that came a period late may be missing. Then five neutral ones.
+// whose time was over may be missing. Then five neutral ones.
 void check_packets(const std::vector<Written>& written, std::size_t first, RumblePlan plan,
                    const Encoder& encode, const SendStatistics& statistics) {
     std::vector<Packet> expected;
     for (std::size_t k = 0; k < plan.size(); ++k) {
-        expected.push_back(encode(plan.frame(k).rumble, 0));
+        expected.push_back(encode(plan.rumble(k), 0));
     }
     const Packet neutral = encode(RumbleFrame{}, 0);
     const auto plain = [](Packet packet) {  // without what counts up, and its checksum
@@ -157,7 +157,7 @@ TEST_CASE(
     const Encoder encode = [](const RumbleFrame& f, int counter) {
         return switch_rumble(counter, f);
     };
-    check_packets(written, 1, {sweep(), Language::two_bands, 0.030}, encode, statistics);
+    check_packets(written, 1, {sweep(), Language::two_bands, 1.02 * 0.030}, encode, statistics);
     for (std::size_t k = 2; k < written.size(); ++k) {
         CHECK(written[k].packet[1] == (written[k - 1].packet[1] + 1) % 16);
     }
@@ -181,7 +181,7 @@ TEST_CASE(
     const Encoder encode = [](const RumbleFrame& f, int counter) {
         return switch_rumble(counter, f);
     };
-    check_packets(written, 5, {sweep(), Language::two_bands, 0.015}, encode, statistics);
+    check_packets(written, 5, {sweep(), Language::two_bands, 1.02 * 0.015}, encode, statistics);
     check_pace(statistics);
 }
 
@@ -199,10 +199,10 @@ TEST_CASE("umockdev: a DualShock 4 by Bluetooth and a DualSense on its cable pla
         of_dualsense = second.statistics();
     }
     check_packets(
-        bench.written("hidraw2"), 0, {sweep(), Language::motor_pair, 0.020},
+        bench.written("hidraw2"), 0, {sweep(), Language::motor_pair, 1.02 * 0.020},
         [](const RumbleFrame& frame, int) { return dualshock4_bluetooth(frame); }, of_dualshock);
     check_packets(
-        bench.written("hidraw3"), 0, {sweep(), Language::motor_pair, 0.015},
+        bench.written("hidraw3"), 0, {sweep(), Language::motor_pair, 1.02 * 0.015},
         [](const RumbleFrame& frame, int) {
             return dualsense_usb(frame, DualSenseRumble::from_2_24);
         },
@@ -221,7 +221,7 @@ TEST_CASE("umockdev: a simple haptic device is found by its descriptor and playe
     }
     const HapticPage page = *haptic_page(kHapticDescriptor);
     check_packets(
-        bench.written("hidraw4"), 0, {sweep(), Language::intensity, 0.020},
+        bench.written("hidraw4"), 0, {sweep(), Language::intensity, 1.02 * 0.020},
         [&page](const RumbleFrame& frame, int) {
             return frame.low > 0.0 ? haptic_output(page, 4, frame.low)
                                    : haptic_output(page, kWaveformStop, 0.0);

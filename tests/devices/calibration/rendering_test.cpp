@@ -126,6 +126,34 @@ TEST_CASE(
     CHECK(energy(5700, 6000) < 1e-3 * energy(3600, 3900));
 }
 
+TEST_CASE("rendering: at a level every kind is as much weaker, and nothing more is lost") {
+    for (const ActuatorKind kind : kActuatorKinds) {
+        CAPTURE(traits(kind).key);
+        for (const double amplitude_g : {0.3, 0.9}) {
+            const Waveform meant = tone(250.0, amplitude_g);
+            const Rendering whole = rendering({kind, 1.0}, meant);
+            RenderedBy by{kind, 1.0};
+            by.level = 0.1;
+            const Rendering tenth = rendering(by, meant);
+            // Steps of the amplitude table, 2^(1/16) at that strength and coarser than of duties.
+            CHECK(std::abs(rms_g(tenth.waveform) / rms_g(whole.waveform) / 0.1 - 1.0) <= 0.09);
+            CHECK(std::abs(tenth.share_lost - whole.share_lost) <= 0.15);
+        }
+    }
+}
+
+TEST_CASE("rendering: what is too strong at full level is whole at a lower one") {
+    RenderedBy by{ActuatorKind::dualshock_4, 1.0};
+    CHECK(rendering(by, tone(250.0, 4.0)).clipped);
+    by.level = 0.2;
+    const Rendering made = rendering(by, tone(250.0, 4.0));
+    CHECK_FALSE(made.clipped);
+    CHECK(
+        std::abs(rms_g(made.waveform) /
+                     rms_g(rendering({ActuatorKind::dualshock_4, 1.0}, tone(250.0, 0.8)).waveform) -
+                 1.0) <= 0.01);
+}
+
 TEST_CASE("rendering: a voice coil keeps what is in its band, sample by sample") {
     const Waveform meant = tone(150.0, 0.8);
     const Rendering made = rendering({ActuatorKind::voice_coil, 1.0}, meant);

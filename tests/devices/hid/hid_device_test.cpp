@@ -2,127 +2,19 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <cmath>
 #include <fstream>
-#include <memory>
-#include <mutex>
-#include <numbers>
 #include <sstream>
-#include <thread>
 
-#include "model/signal/waveform.h"
+#include "tests/support/fake_pad.h"
 #include "tests/support/places.h"
 
 namespace hid_device_test {
 
 using namespace tact;
+using namespace tact::fake_pad;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-// A controller that keeps what it is sent, and answers what a real one would.
-struct FakePad {
-    std::mutex mutex;
-    std::vector<Packet> packets;
-    std::vector<Clock::time_point> times;
-    std::vector<Packet> answers;
-    bool is_there = true;
-    bool answers_at_all = true;
-    Packet last_words;
-
-    std::vector<Packet> taken() {
-        const std::lock_guard lock(mutex);
-        return packets;
-    }
-};
-
-HidPort port_of(const std::shared_ptr<FakePad>& pad) {
-    HidPort port;
-    port.write = [pad](std::span<const std::uint8_t> report) {
-        const std::lock_guard lock(pad->mutex);
-        if (!pad->is_there) return false;
-        pad->packets.emplace_back(report.begin(), report.end());
-        pad->times.push_back(Clock::now());
-        if (!pad->answers_at_all) return true;
-        if (report[0] == 0x80) pad->answers.push_back({0x81, report[1]});
-        if (report[0] == 0x01) {
-            Packet answer(49, 0);
-            answer[0] = 0x21;
-            answer[13] = 0x80;
-            answer[14] = report[10];
-            pad->answers.push_back({0x30, 0});  // an ordinary input report comes before
-            pad->answers.push_back(answer);
-        }
-        return true;
-    };
-    port.read = [pad](int) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        const std::lock_guard lock(pad->mutex);
-        if (pad->answers.empty()) return Packet{};
-        const Packet answer = pad->answers.front();
-        pad->answers.erase(pad->answers.begin());
-        return answer;
-    };
-    port.feature = [](int, std::size_t) { return Packet{}; };
-    port.is_there = [pad] {
-        const std::lock_guard lock(pad->mutex);
-        return pad->is_there;
-    };
-    port.set_last_words = [pad](std::span<const std::uint8_t> packet) {
-        pad->last_words.assign(packet.begin(), packet.end());
-    };
-    return port;
-}
-
-HidActuator actuator(ActuatorKind kind, HidBus bus) {
-    HidActuator actuator;
-    actuator.kind = kind;
-    actuator.bus = bus;
-    actuator.name = "the pad";
-    actuator.path = "/dev/fake pad";
-    actuator.vendor = 0x057e;
-    return actuator;
-}
-
-HidDevice device_on(const std::shared_ptr<FakePad>& pad, const HidActuator& which) {
-    HidDoor door;
-    door.list = [pad, which] {
-        const std::lock_guard lock(pad->mutex);
-        return pad->is_there ? std::vector{which} : std::vector<HidActuator>{};
-    };
-    door.may_be_opened = [pad](const HidActuator&) -> Expected<Done> {
-        const std::lock_guard lock(pad->mutex);
-        return pad->is_there ? Expected<Done>(Done{}) : Error{"the pad is not there"};
-    };
-    door.open = [pad](const std::string&) { return port_of(pad); };
-    return HidDevice(which, door);
-}
-
-Drive tone(double duration_s) {
-    Drive drive;
-    drive.samples.resize(sample_count(duration_s, kModelRateHz));
-    for (std::size_t n = 0; n < drive.samples.size(); ++n) {
-        drive.samples[n] =
-            0.5 * std::sin(2.0 * std::numbers::pi * 160.0 * static_cast<double>(n) / kModelRateHz);
-    }
-    return drive;
-}
-
-template <class Condition>
-bool soon(const Condition& condition) {
-    const auto until = Clock::now() + std::chrono::seconds(5);
-    while (!condition()) {
-        if (Clock::now() > until) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return true;
-}
-
-bool ended(HidDevice& device) {
-    return soon([&] { return !device.status().playing; });
-}
 
 // The five neutral packets follow each other by a period.
 void wait_for_neutral(const std::shared_ptr<FakePad>& pad) {
@@ -186,7 +78,7 @@ TEST_CASE("hid: a steady tone is repeated every 50 ms or so, and no sooner") {
     REQUIRE(device.play(tone(0.6), false));
     CHECK(ended(device));
     const std::lock_guard lock(pad->mutex);
-    std::vector<Clock::time_point> times;
+    std::vector<PadClock::time_point> times;
     for (std::size_t k = 0; k < pad->packets.size(); ++k) {
         if (pad->packets[k][0] == 0x10) times.push_back(pad->times[k]);
     }
@@ -205,14 +97,14 @@ TEST_CASE("hid: stop silences at once, also a loop") {
     REQUIRE(soon([&] { return pad->taken().size() > 15; }));
     CHECK(device.status().playing);
     CHECK(device.status().position_s <= 0.1);
-    const auto asked = Clock::now();
+    const auto asked = PadClock::now();
     device.stop();
     const Packet neutral = switch_rumble(0, {});
     REQUIRE(soon([&] {
         const Packet last = pad->taken().back();
         return std::equal(last.begin() + 2, last.end(), neutral.begin() + 2);
     }));
-    CHECK(Clock::now() - asked < std::chrono::milliseconds(200));  // 20 on an idle machine
+    CHECK(PadClock::now() - asked < std::chrono::milliseconds(200));  // 20 on an idle machine
     CHECK(ended(device));
     wait_for_neutral(pad);
 }
