@@ -23,7 +23,7 @@ void add_optional(CLI::App& sub, const char* name, std::optional<double>& target
                   const char* help) {
     sub.add_option_function<double>(
            name, [&target](double value) { target = value; }, help)
-        ->check(CLI::Range(range.low, range.high));
+        ->check(within(range));
 }
 
 // How a recording of accelerations is read; `full_scale` is the name, or names, of that option.
@@ -35,11 +35,10 @@ void add_recording_options(CLI::App& sub, AccelerationOptions& options, const ch
            "--unit", [&options, units](const std::string& unit) { options.unit = units.at(unit); },
            "g, m/s2 or V; else what the table's first line says")
         ->check(CLI::IsMember({"g", "m/s2", "V"}));
-    const auto range = [](Range of) { return CLI::Range(of.low, of.high); };
     sub.add_option("--sensitivity", options.sensitivity_v_per_g, "of the sensor, V/g")
-        ->check(range(limits::kSensitivityVPerG));
+        ->check(within(limits::kSensitivityVPerG));
     sub.add_option("--offset", options.offset_v, "of the sensor at 0 g, V")
-        ->check(range(limits::kOffsetV));
+        ->check(within(limits::kOffsetV));
     sub.add_option_function<std::string>(
            "--axis",
            [&options](const std::string& axis) {
@@ -64,24 +63,30 @@ void add_devices_command(CLI::App& app, DevicesCommand& command, Chosen& chosen)
 void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen) {
     CLI::App& play =
         add_command(app, "play", "patterns on an actuator, to be felt", options, chosen);
-    play.add_option("--pattern", options.pattern, "name of the pattern");
-    play.add_flag("--all", options.all, "every pattern instead, one after the other");
+    auto* pattern = play.add_option("--pattern", options.pattern, "name of the pattern");
+    play.add_flag("--all", options.all, "every pattern instead, one after the other")
+        ->excludes(pattern);
     play.add_option("--gap", options.gap_s, "silence between two of them, s")
-        ->check(CLI::Range(0.0, 60.0));
+        ->check(within(0.0, 60.0));
     play.add_option("--device", options.device, kDeviceHelp);
     play.add_option("--channel", options.channel, "number from 1, or name; else the first");
     play.add_option("--channels", options.of_channels,
                     "how many the outputs behind a sound server have")
-        ->check(CLI::Range(1, 8));
-    play.add_option("--level", options.level, "how strong, 0-1; else 0.1")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(within(1, 8));
+    play.add_option("--level", options.level, "how strong, 0-1; else 0.1")->check(within(0.0, 1.0));
     play.add_option("--full-scale", options.full_scale_g,
                     "acceleration that full scale stands for without a calibration, g; else 1")
-        ->check(CLI::Range(1e-3, 1e3));
+        ->check(within(1e-3, 1e3));
     play.add_option("--calibration", options.calibration,
                     "of this device and channel, as tactspace calibrate makes it: strengths are "
                     "then true at --level 1");
     play.add_flag("--loop", options.loop, "until Ctrl+C");
+    play.callback([&options, &chosen] {
+        if (options.pattern.empty() && !options.all) {
+            throw CLI::RequiredError("--pattern NAME or --all");
+        }
+        chosen = [&options] { return run(options); };
+    });
 }
 
 void add_calibrate_command(CLI::App& app, CalibrateCommand& options, Chosen& chosen) {
@@ -96,24 +101,24 @@ void add_calibrate_command(CLI::App& app, CalibrateCommand& options, Chosen& cho
     add_recording_options(calibrate, options.how, "--full-scale,--scale");
     calibrate.add_flag("--sweep", options.sweep, "a sweep of 20 s instead of tones of 0.6 s");
     calibrate.add_option("--low", options.low_hz, "lowest frequency, Hz; else 20")
-        ->check(CLI::Range(1.0, 2000.0));
+        ->check(within(1.0, 2000.0));
     calibrate.add_option("--high", options.high_hz, "highest frequency, Hz; else 500")
-        ->check(CLI::Range(1.0, 2000.0));
+        ->check(within(1.0, 2000.0));
     Calibration& about = options.about;
     calibrate.add_option("--device", about.device, "its id; see tactspace devices");
-    calibrate.add_option("--channel", about.channel, "number from 1")->check(CLI::Range(1, 256));
+    calibrate.add_option("--channel", about.channel, "number from 1")->check(within(1, 256));
     calibrate.add_option("--actuator", about.actuator, "its name");
     calibrate.add_option("--mounting", about.mounting, "how it is held or fixed");
     calibrate.add_option("--gain-note", about.gain_note, "settings of amplifier and mixer");
     calibrate.add_option("--sensor", about.sensor, "what it was recorded with");
     calibrate.add_option("--date", about.date, "of the measurement, YYYY-MM-DD");
     calibrate.add_option("--load-mass", about.load_mass_g, "that it moves, g")
-        ->check(CLI::Range(0.0, 1e5));
+        ->check(within(0.0, 1e5));
     calibrate.add_option("--excursion-limit", about.excursion_limit_mm, "peak, mm")
-        ->check(CLI::Range(0.0, 100.0));
+        ->check(within(0.0, 100.0));
     calibrate.add_option("--rms-limit", about.rms_limit, "of the drive over a second, 0-1")
-        ->check(CLI::Range(0.0, 1.0));
-    calibrate.add_option("--out", options.out, "calibration file for the table");
+        ->check(within(0.0, 1.0));
+    calibrate.add_option("--out", options.out, "calibration file for the table")->excludes(signal);
     calibrate.add_flag("--json", options.json, "JSON instead of text on standard output");
     calibrate.callback([&options, &chosen] {
         if (options.signal.empty() && options.recording.empty()) {
@@ -145,9 +150,7 @@ void add_measure_command(CLI::App& app, MeasureCommand& command, Chosen& chosen)
         ->required();
     sub.add_option("--pattern", command.pattern, "only this one");
     const auto number = [&sub](const char* name, double& target, Range range, const char* help) {
-        sub.add_option(name, target, help)
-            ->check(CLI::Range(range.low, range.high))
-            ->capture_default_str();
+        sub.add_option(name, target, help)->check(within(range))->capture_default_str();
     };
     ActuatorParams& actuator = command.actuator;
     number("--resonance", actuator.resonance_hz, limits::kResonanceHz, "of the actuator, Hz");
@@ -156,7 +159,7 @@ void add_measure_command(CLI::App& app, MeasureCommand& command, Chosen& chosen)
     number("--onset", actuator.onset_s, limits::kOnsetS, "delay of the motion, s");
     number("--noise", actuator.noise_g, limits::kSensorNoiseG, "of the sensor, g rms");
     sub.add_option("--seed", actuator.seed, "of the noise")
-        ->check(CLI::Range(limits::kSeed.low, limits::kSeed.high))
+        ->check(within(limits::kSeed))
         ->capture_default_str();
     sub.callback([&] { chosen = [&command] { return run(command); }; });
 }

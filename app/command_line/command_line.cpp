@@ -10,26 +10,6 @@ namespace tact {
 
 namespace {
 
-struct Commands {
-    PredictCommand predict;
-    SpaceCommand space;
-    StagesCommand stages;
-    RenderCommand render;
-    SnapshotCommand snapshot;
-    CompareCommand compare;
-    StudyCommand study;
-    TrainCommand train;
-    SubsetCommand subset;
-    SeparateCommand separate;
-    FindingsCommand findings;
-    DevicesCommand devices;
-    PlayCommand play;
-    CalibrateCommand calibrate;
-    GenerateCommand generate;
-    ImportCommand import;
-    MeasureCommand measure;
-};
-
 // What a command throws for want of memory is a sentence like any other.
 Expected<Done> outcome_of(const Chosen& chosen) {
     try {
@@ -41,13 +21,7 @@ Expected<Done> outcome_of(const Chosen& chosen) {
 
 }  // namespace
 
-int run_command_line(int argc, const char* const* argv, RunWindow run_window) {
-    CLI::App app("Shape vibrations and see which ones people will tell apart.", "tactspace");
-    app.set_version_flag("--version", TACT_VERSION);
-    std::vector<std::filesystem::path> sets;
-    app.add_option("SET", sets, std::string("opens the window on it: ") + kSetHelp);
-    Commands commands;
-    Chosen chosen = [&sets, run_window] { return run_window(sets); };
+void add_commands(CLI::App& app, Commands& commands, Chosen& chosen) {
     add_predict_command(app, commands.predict, chosen);
     add_space_command(app, commands.space, chosen);
     add_stages_command(app, commands.stages, chosen);
@@ -65,6 +39,16 @@ int run_command_line(int argc, const char* const* argv, RunWindow run_window) {
     add_import_command(app, commands.import, chosen);
     add_measure_command(app, commands.measure, chosen);
     add_snapshot_command(app, commands.snapshot, chosen);
+}
+
+int run_command_line(int argc, const char* const* argv, RunWindow run_window) {
+    CLI::App app("Shape vibrations and see which ones people will tell apart.", "tactspace");
+    app.set_version_flag("--version", TACT_VERSION);
+    std::vector<std::filesystem::path> sets;
+    app.add_option("SET", sets, std::string("opens the window on it: ") + kSetHelp);
+    Commands commands;
+    Chosen chosen = [&sets, run_window] { return run_window(sets); };
+    add_commands(app, commands, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {

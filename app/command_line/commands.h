@@ -24,6 +24,7 @@ struct CommonOptions {
     std::string
         rendered_by{};  // a key of devices/rumble/actuator_kind.h: patterns as it plays them
     double full_scale_g = 1.0;                     // that its full scale stands for
+    double rendered_level = 1.0;                   // at which it plays them
     std::filesystem::path rendered_calibration{};  // in its place, of a voice coil; empty: none
     Side only = Side::both;                        // of the merged set
     std::filesystem::path model;  // a file of parameters (model_file.h) instead of the set's own

@@ -3,6 +3,13 @@
 
 namespace tact {
 
+namespace {
+
+// Of seconds and of dissimilarities: more than anybody has, and few enough for a clock to count.
+constexpr double kMost = 1e9;
+
+}  // namespace
+
 void add_predict_command(CLI::App& app, PredictCommand& command, Chosen& chosen) {
     CLI::App& predict = add_command(
         app, "predict", "dissimilarity matrix of a set, as labelled CSV", command, chosen);
@@ -27,7 +34,7 @@ void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen) {
     space.add_option("--dim", command.dimensions, "2 or 3")->check(CLI::IsMember({2, 3}));
     add_only(space, command.common);
     space.add_option("--starts", command.starts, "random starts besides Torgerson's")
-        ->check(CLI::Range(0, 100'000));
+        ->check(within(0, 100'000));
     space.add_option("--out", command.out, "file for the coordinates");
     space.add_option("--image", command.image, "picture of the space, .png or .svg");
 }
@@ -37,7 +44,7 @@ void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen) {
                                    command, chosen);
     subset.add_option("-k,--count", command.count, "how many to pick")
         ->required()
-        ->check(CLI::Range(2, 10'000));
+        ->check(within(2, 10'000));
     subset
         .add_option("--objective", command.objective,
                     "max-min: the weakest pair as far apart as can be; max-sum: all pairs together")
@@ -56,14 +63,14 @@ void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen) {
     matrix->excludes(metric)->excludes(ratings);
     ratings->excludes(metric);
     subset.add_option("--time-limit", command.time_limit_s, "s; else 60")
-        ->check(CLI::NonNegativeNumber);
+        ->check(within(0.0, kMost));
     subset.add_option("--alternatives", command.alternatives, "how many of the next best to list")
-        ->check(CLI::Range(0, 1000));
+        ->check(within(0, 1000));
     subset.add_flag("--curve", command.curve, "also the weakest pair for other counts");
     subset
         .add_option("--sensitivity", command.draws,
                     "draws of what is uncertain in the model: how often each pattern is picked")
-        ->check(CLI::Range(0, 100'000));
+        ->check(within(0, 100'000));
     subset.add_option("--out", command.out, "a set file for the subset");
     subset.add_option("--report", command.report,
                       "a folder for the subset, a page about it and the map");
@@ -87,9 +94,9 @@ void add_separate_command(CLI::App& app, SeparateCommand& command, Chosen& chose
             .add_option("--closest", command.percent,
                         "%, else 5: a change must bring the pattern farther from all that count "
                         "than so many of the pairs are apart, and than the pair is")
-            ->check(CLI::Range(0.0, 100.0));
+            ->check(within(0.0, 100.0));
     separate.add_option("--threshold", command.threshold, "instead farther than this PM")
-        ->check(CLI::NonNegativeNumber)
+        ->check(within(0.0, kMost))
         ->excludes(closest);
 }
 

@@ -1,13 +1,34 @@
 #include "app/command_line/options.h"
 
+#include <cmath>
+
 #include "devices/calibration/rendering.h"
 #include "model/evaluation/metric.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
+CLI::Validator within(double low, double high) {
+    const std::string from_to = shortest_digits(low) + " to " + shortest_digits(high);
+    const auto fault = [low, high, from_to](std::string& text) -> std::string {
+        constexpr double kWhole = 9007199254740992.0;
+        const std::optional<double> number = finite_number_in(text);
+        if (!number || *number < low || *number > high) {
+            return "expected a number from " + from_to + ", got \"" + text + "\"";
+        }
+        // What follows reads whole numbers in its own way: it is given what was looked at here.
+        const bool is_whole = std::abs(*number) < kWhole && *number == std::trunc(*number);
+        if (is_whole) text = std::to_string(static_cast<long long>(*number));
+        return {};
+    };
+    return {fault, from_to};
+}
+
+CLI::Validator within(Range range) { return within(range.low, range.high); }
+
 void add_threads(CLI::App& command, int& threads) {
     command.add_option("--threads", threads, "threads to use; 0: all cores")
-        ->check(CLI::Range(0, 1024));
+        ->check(within(0, 1024));
 }
 
 void add_common(CLI::App& command, CommonOptions& options) {
@@ -47,7 +68,9 @@ void add_rendering(CLI::App& command, CommonOptions& options) {
     command
         .add_option("--full-scale", options.full_scale_g,
                     "acceleration that the device's full scale stands for, g; else 1")
-        ->check(CLI::Range(kFullScaleRangeG.low, kFullScaleRangeG.high));
+        ->check(within(kFullScaleRangeG));
+    command.add_option("--level", options.rendered_level, "how strong it plays them, 0-1; else 1")
+        ->check(within(0.0, 1.0));
     command.add_option("--calibration", options.rendered_calibration,
                        "of a voice coil, in the place of its full scale; see calibrate");
 }

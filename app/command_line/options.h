@@ -1,8 +1,8 @@
 // The options of the subcommands: what each adds to the command line, and what several share.
 //
-// Included by the files named *_options.cpp and by command_line.cpp alone, as CLI11 takes seconds
-// to compile. What an option sets lives in the command; `chosen` becomes the work of the one that
-// is given.
+// Included by the files named *_options.cpp, by command_line.cpp and by one test alone, as CLI11
+// takes seconds to compile. What an option sets lives in the command; `chosen` becomes the work of
+// the one that is given.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,6 +10,7 @@
 #include <string>
 
 #include "app/command_line/commands.h"
+#include "model/common/range.h"
 
 namespace tact {
 
@@ -17,6 +18,11 @@ using Chosen = std::function<Expected<Done>()>;
 
 inline constexpr const char* kSetHelp =
     "a .tactspace.json file, a folder of .txt or .wav files, or single .txt and .wav files";
+
+// For every option that is a number, in the place of CLI::Range: that one lets NaN through, and all
+// that strtod and strtol take, such as 0x10, 1e999 and the octal 010.
+CLI::Validator within(double low, double high);
+CLI::Validator within(Range range);
 
 void add_threads(CLI::App& command, int& threads);
 void add_common(CLI::App& command, CommonOptions& options);
@@ -67,5 +73,27 @@ void add_measure_command(CLI::App& app, MeasureCommand& command, Chosen& chosen)
 void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen);
 void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen);
 void add_train_command(CLI::App& app, TrainCommand& command, Chosen& chosen);
+
+// command_line.cpp: what is asked of each subcommand, and all of them on a command line.
+struct Commands {
+    PredictCommand predict;
+    SpaceCommand space;
+    StagesCommand stages;
+    RenderCommand render;
+    SnapshotCommand snapshot;
+    CompareCommand compare;
+    StudyCommand study;
+    TrainCommand train;
+    SubsetCommand subset;
+    SeparateCommand separate;
+    FindingsCommand findings;
+    DevicesCommand devices;
+    PlayCommand play;
+    CalibrateCommand calibrate;
+    GenerateCommand generate;
+    ImportCommand import;
+    MeasureCommand measure;
+};
+void add_commands(CLI::App& app, Commands& commands, Chosen& chosen);
 
 }  // namespace tact

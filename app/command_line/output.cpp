@@ -84,6 +84,7 @@ Expected<std::optional<RenderedBy>> rendered_by(const CommonOptions& options) {
     const Expected<ActuatorKind> kind = actuator_kind_named(options.rendered_by);
     if (!kind) return kind.error();
     RenderedBy by{*kind, options.full_scale_g};
+    by.level = options.rendered_level;
     if (options.rendered_calibration.empty()) return std::optional(std::move(by));
     Expected<Calibration> read = read_calibration(options.rendered_calibration);
     if (!read) return read.error();

@@ -26,15 +26,22 @@ constexpr const char* kFilmHelp =
     "A film of a folder of frames:\n"
     "  ffmpeg -framerate 30 -i FOLDER/frame_%04d.png -pix_fmt yuv420p film.mp4";
 
+// Longer than any pattern: how long the one shown is, its command knows.
+constexpr double kLongestS = 3600.0;
+
 void add_moment_options(CLI::App& snapshot, SnapshotCommand& command) {
-    snapshot.add_option("--at", command.at_s, "where the playhead is, s; else 0");
+    snapshot.add_option("--at", command.at_s, "where the playhead is, s; else 0")
+        ->check(within(0.0, kLongestS));
     snapshot
         .add_option("--frames", command.frames,
                     "draws so many pictures over time into the folder --out: frame_0001.png ...")
-        ->check(CLI::Range(1, kMostFrames));
-    snapshot.add_option("--from", command.from_s, "time of the first frame, s; else 0");
-    snapshot.add_option("--to", command.to_s,
-                        "time at which the last frame ends, s; else the end of the pattern");
+        ->check(within(1, kMostFrames));
+    snapshot.add_option("--from", command.from_s, "time of the first frame, s; else 0")
+        ->check(within(0.0, kLongestS));
+    snapshot
+        .add_option("--to", command.to_s,
+                    "time at which the last frame ends, s; else the end of the pattern")
+        ->check(within(0.0, kLongestS));
     snapshot.footer(kFilmHelp);
 }
 
@@ -93,10 +100,10 @@ void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chose
     add_moment_options(snapshot, command);
     snapshot.add_option("--theme", command.theme, "dark or light")
         ->check(CLI::IsMember({"dark", "light"}));
-    snapshot.add_option("--width", command.width, "pixels")->check(CLI::Range(64, 8192));
-    snapshot.add_option("--height", command.height, "pixels")->check(CLI::Range(64, 8192));
+    snapshot.add_option("--width", command.width, "pixels")->check(within(64, 8192));
+    snapshot.add_option("--height", command.height, "pixels")->check(within(64, 8192));
     snapshot.add_option("--scale", command.scale, "size of text and marks, 0.75-4")
-        ->check(CLI::Range(0.75, 4.0));
+        ->check(within(0.75, 4.0));
     snapshot.add_option("--out", command.out, "file, .png or .svg; with --frames a folder")
         ->required();
 }

@@ -8,14 +8,13 @@ namespace tact {
 namespace {
 
 void add_study_design(CLI::App& study, StudyCommand& command) {
-    const auto range = [](Range limits) { return CLI::Range(limits.low, limits.high); };
     CLI::App& design = *study.add_option_group("Design", "in place of the design in the set");
     design.add_option("--seed", command.seed, "of orders, sides and simulated answers")
-        ->check(range(limits::kStudySeed));
+        ->check(within(limits::kStudySeed));
     design.add_option("--repetitions", command.repetitions, "of every pair; the publication: 4")
-        ->check(range(limits::kRepetitions));
+        ->check(within(limits::kRepetitions));
     design.add_option("--attention", command.attention_pairs, "pairs of identical patterns")
-        ->check(range(limits::kAttentionPairs));
+        ->check(within(limits::kAttentionPairs));
     design.add_flag("--adaptive", command.adaptive,
                     "pairs in an order that settles the map early; not the publication's design");
     design.add_flag("--sorting", command.sorting,
@@ -42,26 +41,28 @@ void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
         app, "study", "a rating study: simulate participants, or collect what they said", command,
         chosen);
     CLI::App& task = *study.add_option_group("Task");
-    task.add_option("--simulate", command.simulate, "so many synthetic participants into --out DIR")
-        ->check(CLI::Range(1, 1000));
+    CLI::Option* simulate = task.add_option("--simulate", command.simulate,
+                                            "so many synthetic participants into --out DIR")
+                                ->check(within(1, 1000));
     task.add_option("--collect", command.collect,
                     "a folder of participants' files: who counts, "
                     "how far they agree, and their mean matrix");
     task.require_option(1);
-    study.add_option("--out", command.out,
-                     "folder for simulated participants; file for collected ratings, .csv");
+    simulate->needs(
+        study.add_option("--out", command.out,
+                         "folder for simulated participants; file for collected ratings, .csv"));
     add_study_design(study, command);
     CLI::App& crowd = *study.add_option_group("Simulated", "participants that are none");
     crowd.add_option("--noise", command.noise, "standard deviation of a rating, points of 100")
-        ->check(CLI::Range(0.0, 100.0));
+        ->check(within(0.0, 100.0));
     crowd.add_option("--bias", command.bias, "points added to every similarity")
-        ->check(CLI::Range(-100.0, 100.0));
+        ->check(within(-100.0, 100.0));
     crowd.add_option("--lapses", command.lapses, "share of trials that each answers blindly")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(within(0.0, 1.0));
     crowd
         .add_option("--inattentive", command.inattentive,
                     "share of participants who answer blindly throughout")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(within(0.0, 1.0));
     auto* map = crowd.add_option("--from-map", command.from_map,
                                  "coordinates that they feel by, as of tactspace space");
     crowd.add_option("--from-matrix", command.from_matrix, "dissimilarities that they feel by")
@@ -69,9 +70,9 @@ void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
     CLI::App& rule = *study.add_option_group("Collected", "who counts, and what is written");
     rule.add_option("--above", command.attention_above,
                     "similarity that identical patterns must exceed; the publication: 80")
-        ->check(CLI::Range(0.0, 100.0));
+        ->check(within(0.0, 100.0));
     rule.add_option("--failures", command.failures_allowed, "identical pairs that may be missed")
-        ->check(CLI::Range(0, 100));
+        ->check(within(0, 100));
     rule.add_flag("--unfinished", command.unfinished, "count who did not come to the end, too");
     add_who_counts(rule, command.who);
     rule.add_flag("--everyone", command.everyone, "write excluded participants as well, marked");
@@ -91,6 +92,7 @@ void add_train_command(CLI::App& app, TrainCommand& command, Chosen& chosen) {
                     "mean over the sets of Spearman's rho, or of its size: mean-rho, mean-abs-rho")
         ->check(CLI::IsMember({"mean-rho", "mean-abs-rho"}));
     train.add_option("--step", command.step, "of the weights from 0 to 1; 0.1 as published")
+        ->check(within(0.0, 1.0))
         ->check(fault_of_step);
     train
         .add_option("--leave-out", command.leave_out,

@@ -104,7 +104,6 @@ StudyHeader simulated_header(const StudyCommand& command, const PatternSet& set)
 }
 
 Expected<Done> simulate(const StudyCommand& command, PatternSet set) {
-    if (command.out.empty()) return Error{"expected --out DIR, a folder for the participants"};
     set.study = design_of(command, set);
     StudyHeader header = simulated_header(command, set);
     if (header.patterns.size() < 2) {

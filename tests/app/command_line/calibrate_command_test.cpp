@@ -53,6 +53,7 @@ TEST_CASE("calibrate: what cannot be is refused in a sentence") {
     const TemporaryFolder folder;
     CHECK(run_program({"calibrate"}).exit_code == 2);
     CHECK(run_program({"calibrate", "--signal", "a.wav", "--recording", "b.wav"}).exit_code == 2);
+    CHECK(run_program({"calibrate", "--signal", "a.wav", "--out", "b.json"}).exit_code == 2);
     const auto signal = folder.path / "signal.wav";
     CHECK(contains(
         refusal_of({"calibrate", "--signal", signal.string(), "--low", "400", "--high", "300"}),
