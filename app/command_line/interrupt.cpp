@@ -17,12 +17,11 @@ bool is_ignored(int signal) {
     return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-// As if nobody had been watching.
+// As if nobody had been watching: a handler that silences a controller is left to do so.
 void end_by(int signal) {
     sigset_t only_this;
     sigemptyset(&only_this);
     sigaddset(&only_this, signal);
-    std::signal(signal, SIG_DFL);
     pthread_sigmask(SIG_UNBLOCK, &only_this, nullptr);
     std::raise(signal);
 }

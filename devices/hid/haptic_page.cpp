@@ -66,6 +66,7 @@ class Reading {
     bool broken = false;
 
     void take(const Item& item) {
+        if (broken) return;
         if (item.kind == 0) take_main(item);
         if (item.kind == 1) take_global(item);
         if (item.kind == 2) take_local(item);
@@ -79,6 +80,7 @@ class Reading {
 
   private:
     static constexpr std::uint32_t kMostBits = 8 * 4096;  // as the kernel allows
+    static constexpr std::size_t kMostUsages = 1024;      // of an item, and waveforms of a list
 
     Globals globals_;
     std::vector<Globals> pushed_;
@@ -160,23 +162,23 @@ class Reading {
 
     void take_local(const Item& item) {
         const std::uint32_t whole = item.bytes == 4 ? item.value : usage(globals_.page, item.value);
-        if (item.tag == 0) usages_.push_back(whole);
+        if (item.tag == 0 && usages_.size() < kMostUsages) usages_.push_back(whole);
         if (item.tag == 1) first_usage_ = whole;
         if (item.tag != 2 || !first_usage_) return;
-        constexpr std::uint32_t kMostUsages = 1024;
-        for (std::uint32_t k = *first_usage_; k <= whole; ++k) {
-            if (k - *first_usage_ >= kMostUsages) break;
+        for (std::uint32_t k = *first_usage_; k <= whole && usages_.size() < kMostUsages; ++k) {
             usages_.push_back(k);
         }
     }
 
     void take_fields(ReportKind kind, const Item& item) {
         if (globals_.count > kMostBits || globals_.bits > kMostBits) return void(broken = true);
+        if (globals_.bits == 0) return;  // as many as one likes would fit
         std::size_t& bit = bits_[{kind, globals_.report}];
         constexpr std::uint32_t kConstant = 1;
         constexpr std::uint32_t kVariable = 2;
         const bool is_field = (item.value & kConstant) == 0 && (item.value & kVariable) != 0;
-        for (std::uint32_t k = 0; k < globals_.count; ++k, bit += globals_.bits) {
+        for (std::uint32_t k = 0; k < globals_.count && !broken; ++k, bit += globals_.bits) {
+            broken = bit > kMostBits;
             if (!is_field || usages_.empty() || globals_.bits > 32) continue;
             const std::uint32_t its = usages_[std::min<std::size_t>(k, usages_.size() - 1)];
             note(kind, its, {bit, globals_.bits, globals_.least, globals_.most});
@@ -188,6 +190,7 @@ class Reading {
         if (kind == ReportKind::feature && is_inside(usage(kHapticsPage, 0x10)) &&
             (its >> 16) == kOrdinalPage) {
             page.waveform_report = globals_.report;
+            if (page.waveforms.size() == kMostUsages) return void(broken = true);
             page.waveforms.push_back({static_cast<int>(its & 0xFFFF), field});
         }
         if (kind != ReportKind::output || (its >> 16) != kHapticsPage) return;

@@ -22,7 +22,9 @@ struct Place {
 
 std::array<Place, 16> places;
 
-constexpr std::array kSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGHUP, SIGINT};
+// All that end a program unasked, but for SIGKILL, which nobody hears.
+constexpr std::array kSignals{SIGSEGV, SIGBUS,  SIGFPE, SIGILL,  SIGABRT, SIGTERM, SIGHUP,
+                              SIGINT,  SIGQUIT, SIGSYS, SIGXCPU, SIGXFSZ, SIGALRM, SIGPIPE};
 
 void say_last_words(int signal) {
     for (const Place& place : places) {

@@ -77,4 +77,24 @@ TEST_CASE("haptic page: a descriptor cut anywhere, or with any byte changed, is 
     CHECK(read > 100);  // most changes do no harm
 }
 
+TEST_CASE("haptic page: a descriptor that floods its reader with fields is none") {
+    // As many waveform fields as the kernel lets an item have, in all the items that find room, of
+    // the given number of bits.
+    const auto flood = [](std::uint8_t bits) {
+        Packet descriptor{0x05, 0x0E, 0x09, 0x21, 0x75, 0x04, 0x95, 0x01, 0x91, 0x02,  // a trigger
+                          0x09, 0x10, 0xA1, 0x02, 0x05, 0x0A, 0x75, bits, 0x96, 0x00, 0x80};
+        for (int report = 1; descriptor.size() + 6 <= 4096; report = report % 255 + 1) {
+            for (const int byte : {0x85, report, 0x09, 0x03, 0xB1, 0x02}) {
+                descriptor.push_back(static_cast<std::uint8_t>(byte));
+            }
+        }
+        return descriptor;
+    };
+    CHECK_FALSE(haptic_page(flood(1)));
+    CHECK_FALSE(haptic_page(flood(32)));
+    const auto nothing = haptic_page(flood(0));  // fields of no bits are none
+    REQUIRE(nothing);
+    CHECK(nothing->waveforms.empty());
+}
+
 }  // namespace haptic_page_test
