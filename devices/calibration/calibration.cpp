@@ -121,6 +121,21 @@ std::vector<std::string> warnings_of(const CalibratedDrive& driven, const Calibr
 
 }  // namespace
 
+std::string calibration_mismatch(const Calibration& calibration, const DeviceInfo& device,
+                                 int channel) {
+    if (device.kind == DeviceKind::hid) {
+        return "a calibration is of a channel of an audio output, and " + device.name +
+               " takes none";
+    }
+    const std::string made = "this calibration was made for ";
+    if (!calibration.device.empty() && calibration.device != device.id) {
+        return made + calibration.device + ", not for " + device.id;
+    }
+    if (calibration.channel == channel) return {};
+    return made + "channel " + std::to_string(calibration.channel) + ", not for channel " +
+           std::to_string(channel);
+}
+
 std::optional<double> response_g(const Calibration& calibration, double frequency_hz) {
     assert(!calibration.points.empty() && "a calibration without a point");
     if (frequency_hz <= 0.0) return std::nullopt;

@@ -20,17 +20,19 @@
 #include <vector>
 
 #include "devices/device/device.h"
+#include "devices/device/device_info.h"
 #include "model/signal/waveform.h"
 
 namespace tact {
 
-// The response at one frequency, as it was measured.
+// The response at one frequency.
 struct ResponsePoint {
     double frequency_hz = 0.0;
     double g_per_full_scale = 0.0;
     double largest_drive = 1.0;  // up to which it was measured, of full scale
     double thd = 0.0;            // total harmonic distortion there: second to fifth, as a share
     double nonlinearity = 0.0;   // largest departure from proportional over the levels, as a share
+    bool between = false;        // worked out from the points around it, not measured
 
     bool operator==(const ResponsePoint&) const = default;
 };
@@ -52,6 +54,11 @@ struct Calibration {
 
     bool operator==(const Calibration&) const = default;
 };
+
+// Why a calibration is not of this channel of a device: a sentence without a full stop, empty where
+// it may be. One that names no device is taken to be of any.
+std::string calibration_mismatch(const Calibration& calibration, const DeviceInfo& device,
+                                 int channel);
 
 // g per full scale; none farther than a third of an octave from what was measured.
 std::optional<double> response_g(const Calibration& calibration, double frequency_hz);

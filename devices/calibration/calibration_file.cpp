@@ -27,6 +27,7 @@ ResponsePoint point_of(JsonObject object) {
     point.largest_drive = number_field(object, "largest_drive", point.largest_drive, kShare);
     point.thd = number_field(object, "thd", point.thd, kFactor);
     point.nonlinearity = number_field(object, "nonlinearity", point.nonlinearity, kFactor);
+    point.between = yes_no_field(object, "between", false);
     return point;
 }
 
@@ -101,6 +102,7 @@ std::string print_calibration(const Calibration& calibration) {
                                   {"largest_drive", point.largest_drive},
                                   {"thd", point.thd},
                                   {"nonlinearity", point.nonlinearity}});
+        if (point.between) json["points"].back()["between"] = true;
     }
     if (!calibration.unknown_json.empty()) {
         restore_unknown(json, Json::parse(calibration.unknown_json));

@@ -6,6 +6,8 @@
 //      "points": [{"frequency_hz": 20, "g_per_full_scale": 0.9, "largest_drive": 0.6,
 //                  "thd": 0.02, "nonlinearity": 0.01}]}
 //
+// A point that was not measured but worked out has "between": true as well.
+//
 // Input     missing fields take their defaults, but for the points; unknown ones are kept
 // Output    errors name the file, the place and what was expected
 #pragma once

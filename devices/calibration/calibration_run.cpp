@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <span>
+
+#include "devices/calibration/plan_alignment.h"
+#include "devices/calibration/resonance.h"
 
 namespace tact {
 
@@ -21,9 +23,7 @@ constexpr double kPauseS = 0.3;  // after the burst, and at the end
 constexpr double kRampS = 0.02;  // of every tone
 constexpr int kHarmonics = 5;
 constexpr double kMostThd = 0.1;
-constexpr double kLeastSnrDb = 20.0;
-constexpr std::size_t kEnvelopeSamples = 100;  // 10 ms
-constexpr double kLeastLikeness = 0.5;         // of the envelopes where the plan is
+constexpr double kMostError = 0.03;  // standard error of an amplitude: 0.26 dB
 
 std::vector<double> frequencies(const CalibrationParams& params) {
     std::vector<double> all;
@@ -88,39 +88,11 @@ void add_sweep(CalibrationPlan& plan, const CalibrationParams& params) {
     }
 }
 
-// Logarithms of the means of |x| over 10 ms: a resonance changes a strength tenfold, sound and
-// silence are a thousandfold apart.
-std::vector<double> envelope(std::span<const double> samples) {
-    std::vector<double> means(samples.size() / kEnvelopeSamples, 0.0);
-    for (std::size_t k = 0; k < means.size(); ++k) {
-        for (std::size_t n = 0; n < kEnvelopeSamples; ++n) {
-            means[k] += std::abs(samples[k * kEnvelopeSamples + n]);
-        }
-    }
-    const double least = 1e-3 * (means.empty() ? 0.0 : std::ranges::max(means));
-    for (double& mean : means) mean = least > 0.0 ? std::log(std::max(mean, least)) : 0.0;
-    return means;
-}
-
-// Pearson's correlation of a with the part of b from `lag` on.
-double likeness(std::span<const double> a, std::span<const double> b, std::size_t lag) {
-    double sum_a = 0.0, sum_b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
-    for (std::size_t k = 0; k < a.size(); ++k) {
-        sum_a += a[k];
-        sum_b += b[lag + k];
-        aa += a[k] * a[k];
-        bb += b[lag + k] * b[lag + k];
-        ab += a[k] * b[lag + k];
-    }
-    const auto n = static_cast<double>(a.size());
-    const double spread = (aa - sum_a * sum_a / n) * (bb - sum_b * sum_b / n);
-    return spread > 0.0 ? (ab - sum_a * sum_b / n) / std::sqrt(spread) : 0.0;
-}
-
 struct Fit {
     double amplitude_g = 0.0;
     double thd = 0.0;
     double snr_db = 0.0;
+    double standard_error = 0.0;
 };
 
 // The model of the head comment. `samples` and `phase` of one length.
@@ -151,9 +123,11 @@ Fit fitted(std::span<const double> samples, std::span<const double> phase) {
     }
     const double fundamental = solved.segment<2>(1).squaredNorm();
     const double harmonics = solved.tail<2 * kHarmonics - 2>().squaredNorm();
-    if (!(fundamental > 0.0)) return {0.0, 0.0, -300.0};
-    return {std::sqrt(fundamental), std::sqrt(harmonics / fundamental),
-            10.0 * std::log10(fundamental / 2.0 / std::max(rest, 1e-30))};
+    if (!(fundamental > 0.0)) return {0.0, 0.0, -300.0, 1e15};
+    const double snr = fundamental / 2.0 / std::max(rest, 1e-30);
+    const double half = static_cast<double>(samples.size()) / 2.0;
+    return {std::sqrt(fundamental), std::sqrt(harmonics / fundamental), 10.0 * std::log10(snr),
+            1.0 / std::sqrt(snr * half)};
 }
 
 // A tone of the plan in the recording that begins it at `start`.
@@ -165,15 +139,17 @@ Fit fit_of(const CalibrationPlan& plan, const CalibrationTone& tone,
                   std::span(plan.phase_rad).subspan(tone.begin, end - begin));
 }
 
-// Where 10 ms around `start` the highest tone fits best: a steady one has another phase and the
-// same amplitude anywhere, that of a sweep would be lost.
+// Where around `start` the highest tone fits best: that of a sweep would be lost elsewhere. A
+// steady one has another phase and the same amplitude anywhere, and stays where it is.
 std::size_t refined_start(const CalibrationPlan& plan, std::span<const double> samples,
                           std::size_t start) {
     constexpr std::size_t kStep = 5;
+    constexpr std::size_t kAround = 100;  // 10 ms
+    constexpr double kClearlyDb = 1.0;     // by less a place is no better
     std::size_t best = start;
-    double most_db = -std::numeric_limits<double>::infinity();
-    const std::size_t first = start - std::min(start, kEnvelopeSamples);
-    for (std::size_t at = first; at <= start + kEnvelopeSamples; at += kStep) {
+    double most_db = fit_of(plan, plan.tones.back(), samples, start).snr_db + kClearlyDb;
+    const std::size_t first = start - std::min(start, kAround);
+    for (std::size_t at = first; at <= start + kAround; at += kStep) {
         const double snr_db = fit_of(plan, plan.tones.back(), samples, at).snr_db;
         if (snr_db > most_db) best = at;
         most_db = std::max(most_db, snr_db);
@@ -229,30 +205,25 @@ Expected<CalibrationResult> calibration_from(const CalibrationPlan& plan,
         return Error{"expected a recording of the whole calibration signal, " +
                      std::to_string(length / 10'000) + " s or more"};
     }
-    const auto meant = envelope(plan.drive.samples);
-    const auto found = envelope(samples);
-    std::size_t best = 0;
-    double most = -1.0;
-    for (std::size_t lag = 0; lag + meant.size() <= found.size(); ++lag) {
-        const double alike = likeness(meant, found, lag);
-        if (alike > most) best = lag;
-        most = std::max(most, alike);
-    }
-    if (most < kLeastLikeness) return Error{"the calibration signal is not in this recording"};
-    const std::size_t start = refined_start(plan, samples, best * kEnvelopeSamples);
+    const std::optional<std::size_t> found = place_of_plan(plan, samples);
+    if (!found) return Error{"the calibration signal is not in this recording"};
+    const std::size_t start = refined_start(plan, samples, *found);
     CalibrationResult result;
     result.begins_s = static_cast<double>(start) / recorded.rate_hz;
     for (const CalibrationTone& tone : plan.tones) {
         const Fit fit = fit_of(plan, tone, samples, start);
-        result.tones.push_back({tone, fit.amplitude_g, fit.thd, fit.snr_db,
-                                fit.thd < kMostThd && fit.snr_db > kLeastSnrDb});
+        result.tones.push_back({tone, fit.amplitude_g, fit.thd, fit.snr_db, fit.standard_error,
+                                fit.thd < kMostThd && fit.standard_error < kMostError});
     }
     result.points = points_of(result.tones);
     if (result.points.empty()) {
         return Error{
             "no tone of this recording is clean enough: expected less than 10 % of "
-            "harmonic distortion and 20 dB above the noise"};
+            "harmonic distortion, and of noise that leaves less than 3 % of error"};
     }
+    FinerTable finer = finer_table(result.points);
+    result.points = std::move(finer.points);
+    result.remarks = std::move(finer.remarks);
     return result;
 }
 

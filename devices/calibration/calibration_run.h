@@ -9,8 +9,11 @@
 //     x[n] = c + sum_{h=1..5} (a_h cos h p[n] + b_h sin h p[n]) + rest
 //     S = sqrt(a_1^2 + b_1^2) / level,  THD = sqrt(sum_{h>1} a_h^2 + b_h^2) / fundamental,
 //     SNR = 10 log10(power of the fundamental / power of the rest)
+//     standard error of S = 1 / sqrt(SNR N / 2), as a share: white noise, and half of it to spare
 //
-// Source    THD < 10 % and SNR > 20 dB to be taken: a choice of ours
+// The table is made finer where a straight line between two points would err (resonance.h).
+//
+// Source    THD < 10 % and an error < 3 % (0.26 dB) to be taken: a choice of ours
 // Input     a recording in g at the plan's rate, begun before the plan and ended after it
 // Left out  phase; several sensors; drift of the sensor's clock beyond what a tone can bear.
 // Exact     same input, same table.
@@ -62,13 +65,16 @@ struct MeasuredTone {
     double amplitude_g = 0.0;
     double thd = 0.0;
     double snr_db = 0.0;
+    double standard_error = 0.0;  // of the amplitude, as a share of it
     bool accepted = false;
 };
 
 struct CalibrationResult {
-    std::vector<ResponsePoint> points;  // of accepted tones, one a frequency, at its highest level
+    std::vector<ResponsePoint> points;  // of accepted tones, one a frequency, at its highest level,
+                                        // and those worked out between them
     std::vector<MeasuredTone> tones;
-    double begins_s = 0.0;  // of the plan, in the recording
+    double begins_s = 0.0;             // of the plan, in the recording
+    std::vector<std::string> remarks;  // sentences without a full stop
 };
 
 // Errors: a recording of another rate, or shorter than the plan; no sign of the plan in it; no tone

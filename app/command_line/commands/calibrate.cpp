@@ -25,12 +25,14 @@ std::string digits(double value) {
 }
 
 std::string table_of(const CalibrationResult& result) {
-    std::vector<TextRow> rows{{"Hz", "g per full scale", "up to", "distortion", "nonlinearity"}};
+    std::vector<TextRow> rows{
+        {"Hz", "g per full scale", "up to", "distortion", "nonlinearity", ""}};
     for (const ResponsePoint& point : result.points) {
         rows.push_back({fixed_digits(point.frequency_hz, 1), digits(point.g_per_full_scale),
                         fixed_digits(point.largest_drive, 2),
                         fixed_digits(100.0 * point.thd, 1) + " %",
-                        fixed_digits(100.0 * point.nonlinearity, 1) + " %"});
+                        fixed_digits(100.0 * point.nonlinearity, 1) + " %",
+                        point.between ? "worked out" : "measured"});
     }
     return aligned(rows);
 }
@@ -43,6 +45,7 @@ std::string json_of(const CalibrationResult& result) {
                                  {"amplitude_g", one.amplitude_g},
                                  {"thd", one.thd},
                                  {"snr_db", one.snr_db},
+                                 {"standard_error", one.standard_error},
                                  {"accepted", one.accepted}});
     }
     return json.dump() + "\n";
@@ -90,8 +93,11 @@ Expected<Done> run(const CalibrateCommand& command) {
     if (refused > 0) {
         std::cerr
             << "tactspace: " << refused << " of " << result->tones.size()
-            << " tones were left out: 10 % of harmonic distortion or more, or less than 20 dB "
-               "above the noise\n";
+            << " tones were left out: 10 % of harmonic distortion or more, or so much noise that "
+               "the amplitude may be wrong by 3 %\n";
+    }
+    for (const std::string& remark : result->remarks) {
+        std::cerr << "tactspace: " << remark << "\n";
     }
     std::cout << (command.json ? json_of(*result) : table_of(*result));
     return Done{};

@@ -130,6 +130,10 @@ Expected<Done> run(const PlayCommand& command) {
     const auto host = std::make_shared<AudioHost>();
     const Expected<Chosen> chosen = chosen_device(command, *host);
     if (!chosen) return chosen.error();
+    if (calibration) {
+        const auto other = calibration_mismatch(*calibration, chosen->info, chosen->choice.channel);
+        if (!other.empty()) return Error{command.calibration.string() + ": " + other};
+    }
     const auto device = open_device(host, chosen->info, chosen->choice);
     if (!device) return device.error();
     (*device)->set_level(command.level);

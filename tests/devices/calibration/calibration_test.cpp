@@ -2,12 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
 #include "devices/calibration/calibration_file.h"
 #include "devices/calibration/calibration_run.h"
+#include "devices/calibration/resonance.h"
 #include "model/common/random.h"
 #include "tests/support/tones.h"
 
@@ -99,7 +101,8 @@ TEST_CASE("calibration: stepped tones find the response of a coil to 1 %, wherev
         CAPTURE(before);
         const auto result = calibration_from(plan, recorded(coil, plan, before, 0.0005));
         REQUIRE(result);
-        REQUIRE(result->points.size() == 14);  // a third of an octave each from 20 to 403 Hz
+        const auto measured = std::ranges::count(result->points, false, &ResponsePoint::between);
+        CHECK(measured == 14);  // a third of an octave each from 20 to 403 Hz
         for (const ResponsePoint& point : result->points) {
             const double off = point.g_per_full_scale / coil.gain_at(point.frequency_hz) - 1.0;
             CHECK_MESSAGE(std::abs(off) < 0.01, point.frequency_hz << " Hz: " << off);
@@ -124,6 +127,133 @@ TEST_CASE("calibration: a sweep finds it too, a little less exactly where it is 
     }
 }
 
+TEST_CASE("calibration: any resonance is found and followed, tones and sweep, without noise") {
+    for (const bool is_sweep : {false, true}) {
+        CalibrationParams params;
+        params.is_sweep = is_sweep;
+        const CalibrationPlan plan = calibration_plan(params);
+        for (const double resonance_hz : {60.0, 150.0, 175.0, 300.0}) {
+            for (const double q : {1.0, 4.0, 15.0}) {
+                CAPTURE(is_sweep);
+                CAPTURE(resonance_hz);
+                CAPTURE(q);
+                const Coil coil{resonance_hz, q, 0.5 / q};
+                const auto result = calibration_from(plan, recorded(coil, plan, 4321, 0.0));
+                REQUIRE(result);
+                CHECK(std::abs(result->begins_s - 0.4321) < 0.03);
+                if (is_sweep) continue;
+                Calibration calibration;
+                calibration.points = result->points;
+                double worst_db = 0.0;
+                for (double f_hz = 20.0; f_hz < 450.0; f_hz *= 1.007) {
+                    const double off = *response_g(calibration, f_hz) / coil.gain_at(f_hz);
+                    worst_db = std::max(worst_db, std::abs(20.0 * std::log10(off)));
+                }
+                CHECK(worst_db < 0.5);
+                CHECK(result->remarks.empty());
+            }
+        }
+    }
+}
+
+TEST_CASE("calibration: in noise each tone that is taken is as true as it says") {
+    const CalibrationPlan plan = calibration_plan({});
+    const Coil coil{175.0, 4.0, 0.5};
+    const auto result = calibration_from(plan, recorded(coil, plan, 2222, 0.05));
+    REQUIRE(result);
+    int taken = 0;
+    double squares = 0.0;
+    for (const MeasuredTone& one : result->tones) {
+        if (!one.accepted) continue;
+        const double meant_g = one.tone.level * coil.gain_at(one.tone.frequency_hz);
+        const double off = one.amplitude_g / meant_g - 1.0;
+        CHECK(std::abs(off) < 4.0 * one.standard_error);
+        squares += off * off / (one.standard_error * one.standard_error);
+        ++taken;
+    }
+    const auto loud = std::ranges::count_if(
+        result->tones, [](const MeasuredTone& one) { return one.snr_db > 20.0; });
+    CHECK(taken >= loud + 20);
+    CHECK(squares / taken < 1.0);  // the error is half of what is said, as a variance
+}
+
+TEST_CASE("calibration: noise, hum and another signal's recording are not the signal") {
+    const CalibrationPlan plan = calibration_plan({});
+    CalibrationParams other;
+    other.low_hz = 60.0;
+    other.per_octave = 10;
+    RandomStream random{3};
+    Waveform noise{kModelRateHz, std::vector<double>(plan.drive.samples.size() + 60'000)};
+    Waveform hum = noise;
+    for (std::size_t n = 0; n < noise.samples_g.size(); ++n) {
+        noise.samples_g[n] = next_normal(random);
+        hum.samples_g[n] = std::sin(kTau * 50.0 * static_cast<double>(n) / kModelRateHz);
+    }
+    CHECK_FALSE(calibration_from(plan, noise));
+    CHECK_FALSE(calibration_from(plan, hum));
+    CHECK_FALSE(calibration_from(plan, recorded(Coil{}, calibration_plan(other), 9000, 0.0)));
+    // The sweep is shorter: so is what a recording of it may be.
+    other = {};
+    other.is_sweep = true;
+    other.sweep_s = 55.0;
+    CHECK_FALSE(calibration_from(plan, recorded(Coil{}, calibration_plan(other), 9000, 0.0)));
+}
+
+TEST_CASE("calibration: where neighbours tell two resonances apart, what may be wrong is said") {
+    std::vector<ResponsePoint> points;
+    for (int k = 0; k < 20; ++k) {
+        const double f_hz = 40.0 * std::exp2(k / 6.0);
+        const double both =
+            Coil{100.0, 15.0, 0.1}.gain_at(f_hz) + Coil{118.0, 15.0, 0.1}.gain_at(f_hz);
+        points.push_back({f_hz, both});
+    }
+    const FinerTable finer = finer_table(points);
+    REQUIRE_FALSE(finer.remarks.empty());
+    CHECK(finer.remarks[0].find("between ") == 0);
+    // A flat response is left as it was.
+    const std::vector<ResponsePoint> flat{{50.0, 1.0}, {70.0, 1.0}, {100.0, 1.0}, {140.0, 1.0}};
+    CHECK(finer_table(flat).points == flat);
+    CHECK(finer_table({{50.0, 1.0}, {60.0, 9.0}}).points.size() == 2);
+    CHECK(finer_table({}).points.empty());
+}
+
+TEST_CASE("calibration: no frequency is boosted by more than 20 dB over the strongest") {
+    Calibration calibration;
+    calibration.points = {{50.0, 0.01}, {70.0, 0.01}, {100.0, 1.0}, {200.0, 1.0}};
+    const auto middle_of = [&](double f_hz) {
+        const CalibratedDrive driven =
+            calibrated_drive(tone(f_hz, kModelRateHz, 20'000, 0.01), calibration);
+        double most = 0.0;
+        for (std::size_t n = 8000; n < 12'000; ++n) {
+            most = std::max(most, std::abs(driven.drive.samples[n]));
+        }
+        return most;
+    };
+    CHECK(std::abs(middle_of(150.0) - 0.01) < 1e-4);
+    CHECK(std::abs(middle_of(60.0) - 0.1) < 3e-3);  // not 1, which 0.01 g would take
+}
+
+TEST_CASE("calibration: whose it is, is said where it is another's") {
+    Calibration calibration = table();
+    calibration.device = "audio:ALSA:card";
+    calibration.channel = 3;
+    DeviceInfo device;
+    device.id = "audio:ALSA:card";
+    device.name = "a card";
+    CHECK(calibration_mismatch(calibration, device, 3).empty());
+    CHECK(calibration_mismatch(calibration, device, 1) ==
+          "this calibration was made for channel 3, not for channel 1");
+    device.id = "audio:ALSA:other";
+    CHECK(calibration_mismatch(calibration, device, 3) ==
+          "this calibration was made for audio:ALSA:card, not for audio:ALSA:other");
+    calibration.device.clear();
+    CHECK(calibration_mismatch(calibration, device, 3).empty());
+    device.kind = DeviceKind::hid;
+    device.name = "Joy-Con (L)";
+    CHECK(calibration_mismatch(calibration, device, 3).find("Joy-Con (L) takes none") !=
+          std::string::npos);
+}
+
 TEST_CASE("calibration: distortion and departure from proportional are told, bad tones left out") {
     Coil coil;
     coil.cubic = 0.4;
@@ -145,7 +275,9 @@ TEST_CASE("calibration: distortion and departure from proportional are told, bad
     }
     const auto noisy = calibration_from(plan, recorded(Coil{}, plan, 100, 0.05));
     if (noisy) {
-        for (const MeasuredTone& tone : noisy->tones) CHECK(tone.accepted == (tone.snr_db > 20.0));
+        for (const MeasuredTone& tone : noisy->tones) {
+            CHECK(tone.accepted == (tone.standard_error < 0.03 && tone.thd < 0.1));
+        }
     }
     CHECK_FALSE(calibration_from(plan, recorded(Coil{}, plan, 100, 5.0)));
 }
@@ -224,6 +356,7 @@ TEST_CASE("calibration file: it comes back as it went, with keys from the future
     calibration.channel = 3;
     calibration.actuator = "coil \"A\"";
     calibration.rms_limit = 0.4;
+    calibration.points[1].between = true;
     calibration.unknown_json = R"({"colour":"red"})";
     const auto back = parse_calibration(print_calibration(calibration), "c.json");
     REQUIRE(back);

@@ -1,0 +1,25 @@
+// Where a calibration signal begins in a recording of it.
+//
+// At each frequency of the plan, how strong the recording is over time, in windows of 0.1 s, is
+// correlated with how strong the plan is, at every lag; the mean over the frequencies tells the
+// lag. A resonance makes a frequency stronger as a whole, of which its correlation knows nothing.
+//
+// Source    a spectrogram's correlation, each row by itself; the least one: a choice of ours. Noise
+//           reaches 0.05, the plan at another lag 0.2.
+// Output    the first sample of the plan, to a hundredth of a second; none where it is not
+// Left out  a clock of the sensor that runs wrong; two plays of the plan.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "devices/calibration/calibration_run.h"
+
+namespace tact {
+
+// `samples` at the plan's rate, at least as long as it.
+std::optional<std::size_t> place_of_plan(const CalibrationPlan& plan,
+                                         std::span<const double> samples);
+
+}  // namespace tact

@@ -1,0 +1,132 @@
+#include "devices/calibration/resonance.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace tact {
+
+namespace {
+
+constexpr double kStraightDb = 0.25;  // that a straight line may err
+constexpr double kAgreedDb = 0.5;     // that two parabolas may differ
+constexpr int kMostHalvings = 5;
+
+double decibels(double ratio) { return 20.0 * std::log10(ratio); }
+
+// Through three points; none where it has no square root.
+std::optional<double> by_parabola(const ResponsePoint* three, double f_hz) {
+    const double x = 1.0 / (f_hz * f_hz);
+    double inverse_square = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        double share = 1.0 / (three[i].g_per_full_scale * three[i].g_per_full_scale);
+        const double at = 1.0 / (three[i].frequency_hz * three[i].frequency_hz);
+        for (int k = 0; k < 3; ++k) {
+            if (k == i) continue;
+            const double other = 1.0 / (three[k].frequency_hz * three[k].frequency_hz);
+            share *= (x - other) / (at - other);
+        }
+        inverse_square += share;
+    }
+    if (!(inverse_square > 0.0)) return std::nullopt;
+    return 1.0 / std::sqrt(inverse_square);
+}
+
+double by_line(const ResponsePoint& a, const ResponsePoint& b, double f_hz) {
+    const double share =
+        std::log(f_hz / a.frequency_hz) / std::log(b.frequency_hz / a.frequency_hz);
+    return a.g_per_full_scale * std::pow(b.g_per_full_scale / a.g_per_full_scale, share);
+}
+
+// Of points[k] and points[k + 1], what the parabolas make of a frequency between.
+struct Guess {
+    double g = 0.0;
+    double doubt_db = 0.0;  // how far they are apart
+};
+
+std::optional<Guess> guess_at(const std::vector<ResponsePoint>& points, std::size_t k,
+                              double f_hz) {
+    std::optional<double> with_lower;
+    std::optional<double> with_upper;
+    if (k > 0) with_lower = by_parabola(&points[k - 1], f_hz);
+    if (k + 2 < points.size()) with_upper = by_parabola(&points[k], f_hz);
+    if ((k > 0 && !with_lower) || (k + 2 < points.size() && !with_upper)) return std::nullopt;
+    if (!with_lower && !with_upper) return std::nullopt;
+    const double low = with_lower.value_or(with_upper.value_or(0.0));
+    const double high = with_upper.value_or(low);
+    return Guess{std::sqrt(low * high), std::abs(decibels(low / high))};
+}
+
+// Points between `from` and `to`, which lie within the interval k, until straight lines will do.
+void add_between(const std::vector<ResponsePoint>& points, std::size_t k, const ResponsePoint& from,
+                 const ResponsePoint& to, int halvings, std::vector<ResponsePoint>& added) {
+    ResponsePoint middle = points[k];
+    middle.frequency_hz = std::sqrt(from.frequency_hz * to.frequency_hz);
+    const std::optional<Guess> guess = guess_at(points, k, middle.frequency_hz);
+    if (!guess) return;
+    middle.g_per_full_scale = guess->g;
+    middle.between = true;
+    const double off_db = decibels(guess->g / by_line(from, to, middle.frequency_hz));
+    // The whole interval is known to bend, if perhaps not in its middle.
+    if (halvings > 0 && std::abs(off_db) <= kStraightDb) return;
+    if (halvings == kMostHalvings) return;
+    add_between(points, k, from, middle, halvings + 1, added);
+    added.push_back(middle);
+    add_between(points, k, middle, to, halvings + 1, added);
+}
+
+// What a straight line errs by at most, and what the parabolas leave open: of an interval.
+struct Bend {
+    double most_db = 0.0;
+    double doubt_db = 0.0;
+};
+
+Bend bend_of(const std::vector<ResponsePoint>& points, std::size_t k) {
+    Bend bend;
+    const double ratio = points[k + 1].frequency_hz / points[k].frequency_hz;
+    for (const double share : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875}) {
+        const double f_hz = points[k].frequency_hz * std::pow(ratio, share);
+        const std::optional<Guess> guess = guess_at(points, k, f_hz);
+        if (!guess) return {0.0, 1e9};
+        const double off_db = decibels(guess->g / by_line(points[k], points[k + 1], f_hz));
+        bend.most_db = std::max(bend.most_db, std::abs(off_db));
+        bend.doubt_db = std::max(bend.doubt_db, guess->doubt_db);
+    }
+    return bend;
+}
+
+std::string doubt_about(const ResponsePoint& a, const ResponsePoint& b, const Bend& bend) {
+    std::array<char, 160> text{};
+    if (bend.doubt_db > 40.0) {
+        std::snprintf(text.data(), text.size(),
+                      "between %.0f and %.0f Hz the response bends too much for the points there: "
+                      "strengths may be wrong",
+                      a.frequency_hz, b.frequency_hz);
+    } else {
+        std::snprintf(text.data(), text.size(),
+                      "between %.0f and %.0f Hz strengths may be wrong by %.1f dB", a.frequency_hz,
+                      b.frequency_hz, std::max(bend.doubt_db, bend.most_db));
+    }
+    return text.data();
+}
+
+}  // namespace
+
+FinerTable finer_table(const std::vector<ResponsePoint>& points) {
+    FinerTable finer;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        finer.points.push_back(points[k]);
+        if (k + 1 == points.size() || points.size() < 3) continue;
+        const Bend bend = bend_of(points, k);
+        if (std::max(bend.most_db, bend.doubt_db) <= kStraightDb) continue;
+        if (bend.doubt_db > kAgreedDb) {
+            finer.remarks.push_back(doubt_about(points[k], points[k + 1], bend));
+            continue;
+        }
+        add_between(points, k, points[k], points[k + 1], 0, finer.points);
+    }
+    return finer;
+}
+
+}  // namespace tact

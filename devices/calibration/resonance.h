@@ -1,0 +1,29 @@
+// A table of a response made finer where a resonance bends it.
+//
+// A mass on a spring, S(f) = g / sqrt((1 - u)^2 + u / Q^2) with u = (f0 / f)^2: so 1 / S^2 is a
+// parabola in 1 / f^2, whatever g, f0 and Q are, and three points of it give all others. Between
+// two points there are two such parabolas, with the next point below or above. Where they agree,
+// points are put between until straight lines in log f, log S, as a table is read, follow them to
+// 0.25 dB; where they do not, it is no single resonance, and what may be wrong is said.
+//
+// Source    the law of the oscillator; the limits are choices of ours
+// Input     a table with its points, frequencies rising
+// Output    the same points, with some between that say so
+// Left out  two resonances within a few points of each other, but for the remark.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "devices/calibration/calibration.h"
+
+namespace tact {
+
+struct FinerTable {
+    std::vector<ResponsePoint> points;
+    std::vector<std::string> remarks;  // sentences without a full stop
+};
+
+FinerTable finer_table(const std::vector<ResponsePoint>& points);
+
+}  // namespace tact
