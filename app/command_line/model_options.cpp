@@ -31,7 +31,7 @@ void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen) {
     CLI::App& space =
         add_command(app, "space", "coordinates of the perceptual space, as CSV", command, chosen);
     add_rendering(space, command.common);
-    space.add_option("--dim", command.dimensions, "2 or 3")->check(CLI::IsMember({2, 3}));
+    space.add_option("--dim", command.dimensions, "2 or 3")->check(within(2, 3));
     add_only(space, command.common);
     space.add_option("--starts", command.starts, "random starts besides Torgerson's")
         ->check(within(0, 100'000));

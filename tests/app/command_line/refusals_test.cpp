@@ -293,7 +293,7 @@ TEST_CASE("refusals: bad usage is exit code 2, says what is wrong and shows the 
         {{"predict", pair, "--threads", "-1"},
          "--threads: expected a number from 0 to 1024, got \"-1\""},
         {{"predict", pair, "--threads", "many"}, "--threads"},
-        {{"space", pair, "--dim", "4"}, "--dim: 4 not in"},
+        {{"space", pair, "--dim", "4"}, "--dim: expected a number from 2 to 3"},
         {{"stages", pair, "--out", folder.at("out")}, "--pattern is required"},
         {{"render", pair}, "--out is required"},
         {{"render", pair, "--format", "mp3", "--out", folder.at("out")}, "--format: mp3 not in"},
