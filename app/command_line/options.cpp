@@ -1,6 +1,6 @@
 #include "app/command_line/options.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "devices/calibration/rendering.h"
 #include "model/evaluation/metric.h"
@@ -10,15 +10,15 @@ namespace tact {
 
 CLI::Validator within(double low, double high) {
     const std::string from_to = shortest_digits(low) + " to " + shortest_digits(high);
-    const auto fault = [low, high, from_to](std::string& text) -> std::string {
-        constexpr double kWhole = 9007199254740992.0;
+    const auto fault = [low, high, from_to](const std::string& text) -> std::string {
         const std::optional<double> number = finite_number_in(text);
-        if (!number || *number < low || *number > high) {
+        // What reads whole numbers after this takes 010 for eight.
+        const std::size_t first = std::min(text.find_first_not_of("+- \t"), text.size());
+        const bool is_octal = first + 1 < text.size() && text[first] == '0' &&
+                              text[first + 1] >= '0' && text[first + 1] <= '9';
+        if (!number || is_octal || *number < low || *number > high) {
             return "expected a number from " + from_to + ", got \"" + text + "\"";
         }
-        // What follows reads whole numbers in its own way: it is given what was looked at here.
-        const bool is_whole = std::abs(*number) < kWhole && *number == std::trunc(*number);
-        if (is_whole) text = std::to_string(static_cast<long long>(*number));
         return {};
     };
     return {fault, from_to};

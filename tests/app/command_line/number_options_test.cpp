@@ -76,7 +76,7 @@ TEST_CASE("options: no number of any command may be NaN, infinite, empty or in a
     REQUIRE(options.size() > 50);  // or the list is not what the program has
     for (const NumberOption& option : options) {
         for (const char* value : {"nan", "NaN", "-nan", "inf", "-inf", "1e999", "-1e999", "0x1p1",
-                                  "0x10", "", " ", "1,5", "one", "1 2", "1e300"}) {
+                                  "0x10", "", " ", "1,5", "one", "1 2", "1e300", "01"}) {
             check_refusal(option, value);
         }
     }
@@ -98,10 +98,11 @@ TEST_CASE("options: a number that is read is the number that was looked at") {
     CHECK(level == 5e-324);
     read("--level", "1e3");
     CHECK(level == 1000.0);
-    read("--count", "010");  // not eight
+    read("--count", "10");
     CHECK(count == 10);
-    read("--count", "1e2");
-    CHECK(count == 100);
+    CHECK_THROWS_AS(read("--count", "010"), CLI::ValidationError);  // to others it is eight
+    CHECK_THROWS_AS(read("--count", "-010"), CLI::ValidationError);
+    CHECK_THROWS_AS(read("--count", "1e2"), CLI::ConversionError);
     CHECK_THROWS_AS(read("--count", "2.5"), CLI::ConversionError);
     CHECK_THROWS_AS(read("--count", "1000.5"), CLI::ValidationError);
 }
