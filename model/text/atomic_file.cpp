@@ -6,7 +6,9 @@
 
 #include <atomic>
 #include <cerrno>
-#include <fstream>
+#include <charconv>
+#include <csignal>
+#include <ctime>
 #include <system_error>
 #include <utility>
 
@@ -24,8 +26,43 @@ Error not_written(const fs::path& path, int code) {
     return Error{path.string() + ": cannot be written: " + reason(code)};
 }
 
-Error too_long(const fs::path& path) {
-    return Error{path.string() + ": expected at most " + grouped_digits(kMaxFileBytes) + " bytes"};
+Error not_read(const fs::path& path, int code) {
+    if (code == ENOENT) return Error{path.string() + ": there is no such file"};
+    return Error{path.string() + ": cannot be read: " + reason(code)};
+}
+
+// Why a file is none that is read, or empty.
+std::string reading_fault(const struct stat& about, std::size_t most_bytes) {
+    if (S_ISDIR(about.st_mode)) return "is a folder, expected a file";
+    if (S_ISFIFO(about.st_mode)) return "is a pipe, expected a file";
+    if (S_ISSOCK(about.st_mode)) return "is a socket, expected a file";
+    if (!S_ISREG(about.st_mode)) return "is a device, expected a file";
+    if (about.st_size <= static_cast<off_t>(most_bytes)) return {};
+    return "expected at most " + grouped_digits(most_bytes) + " bytes";
+}
+
+// Closes when it goes.
+struct Descriptor {
+    int number = -1;
+
+    explicit Descriptor(int opened) : number(opened) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (number >= 0) ::close(number);
+    }
+};
+
+constexpr std::string_view kTemporaryBegin = ".tactspace-";
+constexpr std::string_view kTemporaryEnd = ".part";
+
+// The process that a temporary file's name says made it; 0: it is none of ours.
+pid_t maker_of(std::string_view name) {
+    if (!name.starts_with(kTemporaryBegin) || !name.ends_with(kTemporaryEnd)) return 0;
+    name.remove_prefix(kTemporaryBegin.size());
+    pid_t maker = 0;
+    const auto [end, fault] = std::from_chars(name.data(), name.data() + name.size(), maker);
+    return fault == std::errc{} && *end == '-' && maker > 0 ? maker : 0;
 }
 
 // Where a path leads in the end; empty for links that go round in circles.
@@ -78,7 +115,7 @@ Expected<AtomicFile> AtomicFile::open(const fs::path& path) {
         if (file.descriptor_ < 0) return not_written(path, errno);
         return file;
     }
-    if (auto opened = file.open_temporary(); !opened) return opened.error();
+    if (auto opened = file.open_temporary(exists ? 0600 : 0666); !opened) return opened.error();
     if (exists) {
         // The owner first, as that clears bits of the mode. Only root may give files away.
         [[maybe_unused]] const int owned = ::fchown(file.descriptor_, old.st_uid, old.st_gid);
@@ -87,15 +124,18 @@ Expected<AtomicFile> AtomicFile::open(const fs::path& path) {
     return file;
 }
 
-Expected<Done> AtomicFile::open_temporary() {
-    // Not mkstemp: its mode 0600 would need the umask, which cannot be read without a race.
+Expected<Done> AtomicFile::open_temporary(unsigned mode) {
+    // Not mkstemp: of a new file the system makes the mode, as the umask cannot be read without a
+    // race.
     static std::atomic<unsigned> serial{0};
     for (;;) {
-        const fs::path name = folder_of(target_) / (".tactspace-" + std::to_string(::getpid()) +
-                                                    "-" + std::to_string(serial++) + ".part");
-        descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        std::string name(kTemporaryBegin);
+        name += std::to_string(::getpid()) + "-" + std::to_string(serial++);
+        name += kTemporaryEnd;
+        const fs::path file = folder_of(target_) / name;
+        descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         if (descriptor_ >= 0) {
-            temporary_ = name;
+            temporary_ = file;
             return Done{};
         }
         if (errno != EEXIST) return not_written(path_, errno);
@@ -130,32 +170,55 @@ Expected<Done> write_atomically(const fs::path& path, std::string_view bytes) {
     return file->commit();
 }
 
-Expected<std::size_t> readable_size(const fs::path& path) {
-    const std::string name = path.string();
-    struct stat about {};
-    if (::stat(path.c_str(), &about) != 0) {
-        if (errno == ENOENT) return Error{name + ": there is no such file"};
-        return Error{name + ": cannot be read: " + reason(errno)};
+void remove_abandoned_files(const fs::path& folder) {
+    constexpr std::time_t kDayS = 24 * 60 * 60;
+    std::error_code fault;
+    for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+         entry.increment(fault)) {
+        const fs::path& file = entry->path();
+        const pid_t maker = maker_of(file.filename().native());
+        if (maker == 0 || ::kill(maker, 0) == 0 || errno != ESRCH) continue;
+        struct stat about {};
+        if (::lstat(file.c_str(), &about) != 0 || !S_ISREG(about.st_mode)) continue;
+        const bool is_old = about.st_mtime < std::time(nullptr) - kDayS;
+        if (is_old && about.st_uid == ::geteuid()) ::unlink(file.c_str());
     }
-    if (S_ISDIR(about.st_mode)) return Error{name + ": is a folder, expected a file"};
-    if (about.st_size > static_cast<off_t>(kMaxFileBytes)) return too_long(path);
+}
+
+Expected<std::size_t> readable_size(const fs::path& path) {
+    struct stat about {};
+    if (::stat(path.c_str(), &about) != 0) return not_read(path, errno);
+    if (const std::string fault = reading_fault(about, kMaxFileBytes); !fault.empty()) {
+        return Error{path.string() + ": " + fault};
+    }
     return static_cast<std::size_t>(about.st_size);
 }
 
-Expected<std::string> read_text_file(const fs::path& path) {
+Expected<std::string> read_text_file(const fs::path& path, std::size_t most_bytes) {
+    // First by name, as opening alone makes some devices act; then what was opened.
     if (const auto size = readable_size(path); !size) return size.error();
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) return Error{path.string() + ": cannot be read: " + reason(errno)};
-    // Read to the end, whatever the size said: files in /proc say 0, others may grow.
-    std::string bytes;
-    std::string piece(std::size_t{1} << 16, '\0');
-    while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())),
-           stream.gcount() > 0) {
-        bytes.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
-        if (bytes.size() > kMaxFileBytes) return too_long(path);
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    struct stat about {};
+    if (file.number < 0 || ::fstat(file.number, &about) != 0) return not_read(path, errno);
+    if (const std::string fault = reading_fault(about, most_bytes); !fault.empty()) {
+        return Error{path.string() + ": " + fault};
     }
-    if (stream.bad()) return Error{path.string() + ": cannot be read: " + reason(errno)};
-    return bytes;
+    // Read to the end, whatever the size said: files in /proc say 0, others may grow.
+    constexpr std::size_t kPieceBytes = std::size_t{1} << 16;
+    std::string bytes;
+    std::string piece(kPieceBytes, '\0');
+    bytes.reserve(static_cast<std::size_t>(about.st_size));
+    for (;;) {
+        const ssize_t count = ::read(file.number, piece.data(), piece.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return not_read(path, errno);
+        if (count == 0) return bytes;
+        bytes.append(piece, 0, static_cast<std::size_t>(count));
+        if (bytes.size() > most_bytes) {
+            return Error{path.string() + ": expected at most " + grouped_digits(most_bytes) +
+                         " bytes"};
+        }
+    }
 }
 
 }  // namespace tact

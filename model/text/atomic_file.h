@@ -1,10 +1,15 @@
 // Whole files: read at once, and written so that a failure leaves the old file as it was.
 //
 // A file is written beside the old one, brought to the disk and then renamed over it. Links are
-// followed and the mode is kept. A device or pipe is written to directly: a name is all it has.
+// followed and the mode is kept; nobody who may not read the old file can read the new one while it
+// is made. A device or pipe is written to directly: a name is all it has. Only regular files are
+// read: a pipe would block for ever, a device has no end.
 //
 // Output    errors as "PATH: cannot be written: REASON"
-// Left out  locks, access control lists, extended attributes.
+// Valid     reading: at most kMaxFileBytes, which readers that need more memory than the bytes
+//           themselves lower, so that no file makes the program use more than 1 GB
+// Left out  locks, access control lists, extended attributes. Another hard link to a file goes on
+//           naming the old content, as renaming replaces the name and not the content.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +20,7 @@
 
 namespace tact {
 
-inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;  // that are read
+inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 29;  // that are read
 
 // A file being written. Without commit() the destructor leaves everything as it was.
 class AtomicFile {
@@ -34,7 +39,7 @@ class AtomicFile {
 
   private:
     explicit AtomicFile(std::filesystem::path path) : path_(std::move(path)) {}
-    Expected<Done> open_temporary();
+    Expected<Done> open_temporary(unsigned mode);
 
     std::filesystem::path path_;       // as asked for
     std::filesystem::path target_;     // with links followed
@@ -44,10 +49,17 @@ class AtomicFile {
 
 Expected<Done> write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
-// The size of a file that can be read: there, not a folder, at most kMaxFileBytes.
+// Removes what programs that were killed while they wrote left in a folder: temporary files of this
+// user whose process is gone and that nobody has written to for a day (on a shared disk the process
+// may live elsewhere).
+void remove_abandoned_files(const std::filesystem::path& folder);
+
+// The size of a file that can be read: there, regular, at most kMaxFileBytes.
 Expected<std::size_t> readable_size(const std::filesystem::path& path);
 
-// The bytes of a file of at most kMaxFileBytes.
-Expected<std::string> read_text_file(const std::filesystem::path& path);
+// The bytes of a regular file of at most `most_bytes`. Answers at once whatever the path names, and
+// what is looked at is what is read.
+Expected<std::string> read_text_file(const std::filesystem::path& path,
+                                     std::size_t most_bytes = kMaxFileBytes);
 
 }  // namespace tact

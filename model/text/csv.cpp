@@ -23,7 +23,9 @@ std::vector<std::string> words(std::string_view line) {
     std::vector<std::string> result;
     while (!is_blank(line)) {
         line.remove_prefix(line.find_first_not_of(kBlanks));
-        const std::size_t end = std::min(line.find_first_of(kBlanks), line.size());
+        const bool is_last = result.size() + 1 == kMaxCsvFields;
+        const std::size_t end =
+            is_last ? line.size() : std::min(line.find_first_of(kBlanks), line.size());
         result.emplace_back(line.substr(0, end));
         line.remove_prefix(end);
     }
@@ -48,7 +50,8 @@ void take_fields(CsvReader& reader, std::string_view line, CsvRecord& record) {
             field += line[++k];
         } else if (line[k] == '"' && (quoted || field.empty())) {
             quoted = !quoted;
-        } else if (line[k] == reader.separator && !quoted) {
+        } else if (line[k] == reader.separator && !quoted &&
+                   record.fields.size() + 1 < kMaxCsvFields) {
             record.fields.push_back(std::move(field));
             field.clear();
         } else {

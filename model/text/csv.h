@@ -1,6 +1,7 @@
 // Records of comma-separated values.
 //
 // Source    RFC 4180; also blanks as separators, for bare numbers
+// Valid     kMaxCsvFields a record; what follows them stays together in the last one
 #pragma once
 
 #include <cstddef>
@@ -9,6 +10,8 @@
 #include <vector>
 
 namespace tact {
+
+inline constexpr std::size_t kMaxCsvFields = 1'000'000;  // each takes 32 bytes and more
 
 struct CsvRecord {
     std::size_t line = 0;  // from 1; 0: there is no record left

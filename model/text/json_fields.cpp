@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/text/enough_memory.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -18,30 +19,59 @@ std::string at_offset(const std::string& file, std::string_view text, std::size_
            std::to_string(position.column) + ": ";
 }
 
-// What is wrong with the sizes of a text, before a parser trusts it: its depth, as values nested
-// too deep overflow the stack, and its keys, as the parser compares each with all before it.
-std::string size_fault(const std::string& file, std::string_view text) {
+// What the parser needs for the pieces of a text, in bytes and rather too many: measured with
+// 64 bits, the C library's least pieces of memory and arrays that double when they grow.
+constexpr std::size_t kContainerBytes = 72;
+constexpr std::size_t kElementBytes = 40;  // with its share of room to grow
+constexpr std::size_t kKeyBytes = 112;
+constexpr std::size_t kTextBytes = 48;
+
+// A text looked at before a parser trusts it: its depth, as values nested too deep overflow the
+// stack; its keys, as the parser compares each with all before it; and the memory it will take.
+struct SizeScan {
     std::vector<std::size_t> keys;  // of every level that is open
+    std::size_t key_pairs = 0;
+    std::size_t memory = 0;
+};
+
+std::string take_sign(SizeScan& scan, char c) {
+    if (c == '{' || c == '[') {
+        scan.memory += kContainerBytes;
+        scan.keys.push_back(0);
+        if (scan.keys.size() <= kMaxJsonDepth) return {};
+        return "expected at most " + std::to_string(kMaxJsonDepth) + " levels of { and [";
+    }
+    if (c == ',') scan.memory += kElementBytes;
+    if (scan.keys.empty()) return {};
+    if (c == '}' || c == ']') scan.keys.pop_back();
+    if (c != ':') return {};
+    scan.memory += kKeyBytes;
+    scan.key_pairs += 2 * ++scan.keys.back() - 1;
+    if (scan.keys.back() > kMaxJsonKeys) {
+        return "expected at most " + grouped_digits(kMaxJsonKeys) + " keys in an object";
+    }
+    return scan.key_pairs > kMaxJsonKeyPairs ? "expected fewer keys in its objects" : "";
+}
+
+std::string size_fault(const std::string& file, std::string_view text) {
+    SizeScan scan;
+    scan.memory = text.size();
     bool in_string = false;
     for (std::size_t k = 0; k < text.size(); ++k) {
         const char c = text[k];
+        std::string fault;
         if (in_string) {
+            ++scan.memory;
             if (c == '\\') ++k;
             if (c == '"') in_string = false;
         } else if (c == '"') {
             in_string = true;
-        } else if (c == '{' || c == '[') {
-            keys.push_back(0);
-            if (keys.size() > kMaxJsonDepth) {
-                return at_offset(file, text, k) + "expected at most " +
-                       std::to_string(kMaxJsonDepth) + " levels of { and [";
-            }
-        } else if ((c == '}' || c == ']') && !keys.empty()) {
-            keys.pop_back();
-        } else if (c == ':' && !keys.empty() && ++keys.back() > kMaxJsonKeys) {
-            return at_offset(file, text, k) + "expected at most " + grouped_digits(kMaxJsonKeys) +
-                   " keys in an object";
+            scan.memory += kTextBytes;
+        } else {
+            fault = take_sign(scan, c);
         }
+        if (scan.memory > kMaxJsonMemory) fault = "expected a file that takes less than 1 GB";
+        if (!fault.empty()) return at_offset(file, text, k) + fault;
     }
     return {};
 }
@@ -76,15 +106,18 @@ Expected<Json> parse_json(std::string_view text, const std::string& file) {
         return Error{at_offset(file, text, *invalid) + "expected text in UTF-8"};
     }
     if (std::string fault = size_fault(file, text); !fault.empty()) return Error{fault};
-    try {
-        return Json::parse(text);
-    } catch (const Json::parse_error& fault) {
-        // `byte` counts from 1 and is the last byte that was read.
-        const std::size_t offset = fault.byte > 0 ? fault.byte - 1 : 0;
-        return Error{at_offset(file, text, offset) + syntax_fault(fault.what())};
-    } catch (const Json::exception&) {
-        return Error{file + ": expected numbers below 1.8e308"};
-    }
+    const auto parsed = [&]() -> Expected<Json> {
+        try {
+            return Json::parse(text);
+        } catch (const Json::parse_error& fault) {
+            // `byte` counts from 1 and is the last byte that was read.
+            const std::size_t offset = fault.byte > 0 ? fault.byte - 1 : 0;
+            return Error{at_offset(file, text, offset) + syntax_fault(fault.what())};
+        } catch (const Json::exception&) {
+            return Error{file + ": expected numbers below 1.8e308"};
+        }
+    };
+    return with_enough_memory(file, parsed);
 }
 
 void refuse(JsonReading& reading, const std::string& place, const std::string& what,

@@ -5,7 +5,8 @@
 // is as plain as the document.
 //
 // Source    RFC 8259; places are JSON pointers (RFC 6901)
-// Valid     at most kMaxJsonDepth levels, kMaxJsonKeys keys an object
+// Valid     at most kMaxJsonDepth levels, kMaxJsonKeys keys an object; text and values together at
+//           most kMaxJsonMemory bytes of memory, which is estimated before any value is made
 #pragma once
 
 #include <limits>
@@ -24,6 +25,8 @@ using Json = nlohmann::ordered_json;
 
 inline constexpr std::size_t kMaxJsonDepth = 100;
 inline constexpr std::size_t kMaxJsonKeys = 20'000;
+inline constexpr std::size_t kMaxJsonKeyPairs = 2 * kMaxJsonKeys * kMaxJsonKeys;  // of all objects
+inline constexpr std::size_t kMaxJsonMemory = 900'000'000;
 
 // An Error names the line and the column: "set.json, line 3, column 7: ...".
 Expected<Json> parse_json(std::string_view text, const std::string& file);

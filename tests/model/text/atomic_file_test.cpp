@@ -2,9 +2,14 @@
 
 #include <doctest/doctest.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <vector>
 
 #include "tests/support/temporary_folder.h"
 
@@ -164,7 +169,74 @@ TEST_CASE("atomic file: reading refuses what is no file, by name") {
     fs::resize_file(huge, kMaxFileBytes + 1);  // sparse
     const auto too_long = read_text_file(huge);
     REQUIRE_FALSE(too_long);
-    CHECK(too_long.error().message == huge.string() + ": expected at most 1,073,741,824 bytes");
+    CHECK(too_long.error().message == huge.string() + ": expected at most 536,870,912 bytes");
+}
+
+TEST_CASE(
+    "atomic file: only regular files are read; a pipe, a socket or a device is none, at once") {
+    const TemporaryFolder folder;
+    const fs::path pipe = folder.path / "pipe.json";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);  // reading would wait for a writer for ever
+    sockaddr_un address{AF_UNIX, "socket.json"};
+    const fs::path before = fs::current_path();
+    const int end = ::socket(AF_UNIX, SOCK_STREAM, 0);
+    fs::current_path(folder.path);
+    REQUIRE(::bind(end, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
+    fs::current_path(before);
+    fs::create_symlink("/dev/zero", folder.path / "endless.json");
+    const auto fault = [&](const char* name) {
+        const auto read = read_text_file(folder.path / name);
+        const auto size = readable_size(folder.path / name);
+        REQUIRE_FALSE(read);
+        REQUIRE_FALSE(size);
+        CHECK(size.error().message == read.error().message);
+        return read.error().message.substr((folder.path / name).string().size());
+    };
+    CHECK(fault("pipe.json") == ": is a pipe, expected a file");
+    CHECK(fault("socket.json") == ": is a socket, expected a file");
+    CHECK(fault("endless.json") == ": is a device, expected a file");
+    ::close(end);
+
+    const fs::path some = folder.write("some", "12345");
+    CHECK(*read_text_file(some, 5) == "12345");
+    CHECK(contains(read_text_file(some, 4).error().message, "at most 4 bytes"));
+    CHECK(read_text_file("/proc/self/status"));  // a regular file that says it has 0 bytes
+    CHECK_FALSE(read_text_file("/proc/self/status", 4));
+}
+
+TEST_CASE("atomic file: what a killed program left is removed a day later, and nothing else") {
+    const TemporaryFolder folder;
+    const std::string dead = ".tactspace-4194305-";  // Linux numbers processes up to 4194304
+    const auto old = [&](const std::string& name) {
+        const fs::path file = folder.write(name, "half");
+        fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(25));
+        return file;
+    };
+    const fs::path left = old(dead + "0.part");
+    const std::vector<fs::path> kept{
+        old(".tactspace-" + std::to_string(::getpid()) + "-0.part"),
+        folder.write(dead + "1.part", "of an hour ago, on another machine"),
+        old(".tactspace-4194305.part"),
+        old(".tactspace--1-1.part"),
+        old(dead + "2.json"),
+        old("tactspace-4194305-3.part")};
+    fs::create_directory(folder.path / (dead + "4.part"));
+    remove_abandoned_files(folder.path);
+    CHECK_FALSE(fs::exists(left));
+    for (const fs::path& file : kept) CHECK_MESSAGE(fs::exists(file), file.string());
+    CHECK(fs::exists(folder.path / (dead + "4.part")));
+    remove_abandoned_files(folder.path / "none");  // no folder, nothing to do
+}
+
+TEST_CASE("atomic file: a file that is being made is nobody's who may not read the old one") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("secret", "old");
+    ::chmod(file.c_str(), 0600);
+    auto made = AtomicFile::open(file);
+    REQUIRE(made);
+    for (const auto& entry : fs::directory_iterator(folder.path)) {
+        CHECK((mode_of(entry.path()) & 0077) == 0);
+    }
 }
 
 }  // namespace atomic_file_test

@@ -51,4 +51,17 @@ TEST_CASE("csv: runs of blanks separate bare numbers") {
     CHECK(all("  0 1.5\t2 \r\n1 0 3\n", ' ') == Records{{"0", "1.5", "2"}, {"1", "0", "3"}});
 }
 
+TEST_CASE("csv: a line of more fields than memory likes has the rest of it in the last one") {
+    for (const char separator : {',', ' '}) {
+        std::string line = "0";
+        for (std::size_t k = 1; k < kMaxCsvFields + 2; ++k) line += std::string(1, separator) + "1";
+        CsvReader reader{line, 1, separator};
+        const CsvRecord record = next_record(reader);
+        REQUIRE(record.fields.size() == kMaxCsvFields);
+        CHECK(record.fields[0] == "0");
+        CHECK(record.fields.back() ==
+              "1" + std::string(1, separator) + "1" + std::string(1, separator) + "1");
+    }
+}
+
 }  // namespace csv_test

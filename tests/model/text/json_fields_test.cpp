@@ -118,4 +118,28 @@ TEST_CASE("json: what the document says is not overruled by what was unknown onc
     CHECK(document.dump() == R"({"a":1,"b":[1]})");
 }
 
+TEST_CASE("json: what would take a gigabyte is refused before anything of it is made") {
+    const auto fault = [](const std::string& text) {
+        const auto document = parse_json(text, "a.json");
+        REQUIRE_FALSE(document);
+        return document.error().message;
+    };
+    // The least text for the most memory: arrays in arrays, of which each takes forty times its
+    // two characters.
+    const std::string deep = std::string(90, '[') + std::string(90, ']') + ",";
+    std::string many = "[";
+    while (many.size() < 30'000'000) many += deep;
+    CHECK(contains(fault(many + "0]"), "expected a file that takes less than 1 GB"));
+    std::string numbers = "[0";
+    for (int k = 0; k < 25'000'000; ++k) numbers += ",0";
+    CHECK(contains(fault(numbers + "]"), "less than 1 GB"));
+    // Each key is compared with those before it: as many objects of 20,000 keys as one likes would
+    // take for ever.
+    std::string object = "{";
+    for (int k = 0; k < 20'000; ++k) object += (k > 0 ? ",\"" : "\"") + std::to_string(k) + "\":0";
+    object += "}";
+    CHECK(contains(fault("[" + object + "," + object + "," + object + "]"), "fewer keys"));
+    CHECK(parse_json("[" + std::string(1000, ' ') + "1]", "a.json"));
+}
+
 }  // namespace json_fields_test

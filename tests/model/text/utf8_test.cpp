@@ -51,4 +51,16 @@ TEST_CASE("utf8: long names are cut between characters") {
     CHECK(in_quotes(std::string(1000, 'a')).size() == 45);
 }
 
+TEST_CASE("utf8: a text is cut between characters, at or before the place") {
+    const std::string text = "a\u00e9\u6f22\U0001f600";  // of 1, 2, 3 and 4 bytes
+    std::string cuts;
+    for (std::size_t bytes = 0; bytes <= 12; ++bytes) {
+        const std::string_view head = whole_characters(text, bytes);
+        CHECK(text.starts_with(head));
+        CHECK_FALSE(first_invalid_utf8(head));
+        cuts += std::to_string(head.size()) + " ";
+    }
+    CHECK(cuts == "0 1 1 3 3 3 6 6 6 6 10 10 10 ");
+}
+
 }  // namespace utf8_test
