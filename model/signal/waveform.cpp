@@ -12,7 +12,10 @@ double duration_s(const Waveform& waveform) {
 
 double peak_g(const Waveform& waveform) {
     double peak = 0.0;
-    for (const double sample : waveform.samples_g) peak = std::max(peak, std::abs(sample));
+    for (const double sample : waveform.samples_g) {
+        if (std::isnan(sample)) return sample;
+        peak = std::max(peak, std::abs(sample));
+    }
     return peak;
 }
 

@@ -21,7 +21,8 @@ inline constexpr double kMaxSampleG = 1e6;
 
 double duration_s(const Waveform& waveform);
 
-// Largest absolute value and root of the mean square, in g; 0 for an empty waveform.
+// Largest absolute value and root of the mean square, in g; 0 for an empty waveform, NaN where a
+// sample is NaN.
 double peak_g(const Waveform& waveform);
 double rms_g(const Waveform& waveform);
 

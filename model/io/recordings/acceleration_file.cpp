@@ -10,6 +10,7 @@
 #include "model/signal/resample.h"
 #include "model/signal/waveform.h"
 #include "model/text/atomic_file.h"
+#include "model/text/enough_memory.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -75,11 +76,23 @@ Expected<double> rate_of(AccelerationTable& table, std::vector<std::string>& rem
     return 1.0 / (step * time_unit_s(table, step, remarks));
 }
 
+// What is wrong with the number of axes, or empty.
+std::string axes_fault(std::size_t count, std::size_t axis) {
+    if (axis > count) {
+        return "expected axis " + std::to_string(axis) + ", got a file of " + std::to_string(count);
+    }
+    if (axis == 0 && count != 1 && count != 3) {
+        return "expected 1 or 3 axes, got " + std::to_string(count) + ": one has to be chosen";
+    }
+    return {};
+}
+
 Expected<Axes> read_table(const fs::path& path, const AccelerationOptions& options,
                           std::vector<std::string>& remarks) {
-    const auto text = read_text_file(path);
+    auto text = read_text_file(path, kMaxTableBytes);
     if (!text) return text.error();
     auto table = parse_acceleration_table(*text, path.string(), !options.rate_hz);
+    text = std::string();  // what follows needs the memory
     if (!table) return table.error();
     Axes axes;
     if (options.rate_hz) {
@@ -92,17 +105,24 @@ Expected<Axes> read_table(const fs::path& path, const AccelerationOptions& optio
     if (!options.unit && !table->unit) remarks.emplace_back("accelerations taken as g");
     axes.unit = options.unit.value_or(table->unit.value_or(AccelerationUnit::g));
     axes.samples = std::move(table->axes);
+    if (const auto fault = axes_fault(axes.samples.size(), options.axis); !fault.empty()) {
+        return Error{path.string() + ": " + fault};
+    }
+    if (options.axis > 0) axes.samples = {std::move(axes.samples[options.axis - 1])};
     return axes;
 }
 
 Expected<Axes> read_wave(const fs::path& path, const AccelerationOptions& options,
                          std::vector<std::string>& remarks) {
-    auto wave = read_wave_channels(path);
+    auto wave = read_wave_channels(path, options.axis, [&options](std::size_t channels) {
+        return axes_fault(channels, options.axis);
+    });
     if (!wave) return wave.error();
     Axes axes{wave->rate_hz, std::move(wave->channels), options.unit.value_or(AccelerationUnit::g)};
     double full_scale = options.full_scale.value_or(1.0);
     if (!options.full_scale && wave->scale_g) {
         full_scale = *wave->scale_g;
+        if (!wave->remark.empty()) remarks.push_back(wave->remark);
         axes.unit = AccelerationUnit::g;
     } else if (!options.full_scale) {
         remarks.push_back(std::string("full scale taken as 1 ") +
@@ -114,10 +134,25 @@ Expected<Axes> read_wave(const fs::path& path, const AccelerationOptions& option
     return axes;
 }
 
-// What is wrong with rate, length or number of axes, or empty.
+// What is wrong with the numbers that go with the file, or empty. NaN is in no range.
+std::string fault_of(const AccelerationOptions& options) {
+    const bool is_known = options.sensitivity_v_per_g != 0.0;
+    if (is_known && !limits::kSensitivityVPerG.contains(options.sensitivity_v_per_g)) {
+        return "expected a sensitivity of 1e-06 to 1e+06 V/g, got " +
+               shortest_digits(options.sensitivity_v_per_g);
+    }
+    if (!limits::kOffsetV.contains(options.offset_v)) {
+        return "expected an offset of -1e+06 to 1e+06 V, got " + shortest_digits(options.offset_v);
+    }
+    if (options.full_scale && !limits::kScaleG.contains(*options.full_scale)) {
+        return "expected a full scale of 1e-06 to 1e+06, got " +
+               shortest_digits(*options.full_scale);
+    }
+    return {};
+}
+
+// What is wrong with rate, length or unit, or empty.
 std::string fault_of(const Axes& axes, const AccelerationOptions& options) {
-    const std::size_t axis = options.axis;
-    const std::size_t count = axes.samples.size();
     const std::size_t samples = axes.samples.front().size();
     if (!(axes.rate_hz >= kLowestRateHz && axes.rate_hz <= kHighestRateHz)) {
         return "expected a rate of 100 Hz to 10 MHz, got " + shortest_digits(axes.rate_hz) + " Hz";
@@ -126,14 +161,8 @@ std::string fault_of(const Axes& axes, const AccelerationOptions& options) {
         return "expected at most 60 s, got " + grouped_digits(samples) + " samples at " +
                shortest_digits(axes.rate_hz) + " Hz";
     }
-    if (axis > count) {
-        return "expected axis " + std::to_string(axis) + ", got a file of " + std::to_string(count);
-    }
     if (axes.unit == AccelerationUnit::volt && !(options.sensitivity_v_per_g > 0.0)) {
         return "expected the sensor's sensitivity in V/g, as the recording is in volts";
-    }
-    if (axis == 0 && count != 1 && count != 3) {
-        return "expected 1 or 3 axes, got " + std::to_string(count) + ": one has to be chosen";
     }
     return {};
 }
@@ -177,6 +206,35 @@ double finest_step(Samples samples) {
     return step;
 }
 
+Expected<Recording> recording_of(const fs::path& path, const AccelerationOptions& options) {
+    Recording recording;
+    auto axes = extension_of(path) == ".wav" ? read_wave(path, options, recording.remarks)
+                                             : read_table(path, options, recording.remarks);
+    if (!axes) return axes.error();
+    const std::string fault = fault_of(*axes, options);
+    if (!fault.empty()) return Error{path.string() + ": " + fault};
+    convert_to_g(*axes, options);
+    remark_on(*axes, recording.remarks);
+    for (Samples& samples : axes->samples) {
+        samples = without_mean(samples);
+        Waveform waveform{axes->rate_hz, std::move(samples)};
+        if (!(peak_g(waveform) <= kMaxSampleG)) {
+            return Error{path.string() + ": expected accelerations of at most 1,000,000 g"};
+        }
+        samples = resampled(waveform, kModelRateHz).samples_g;
+    }
+    const bool is_one = axes->samples.size() == 1;
+    if (!is_one) recording.remarks.emplace_back("three axes made one by DFT321");
+    recording.waveform.samples_g = is_one ? std::move(axes->samples[0]) : dft321(axes->samples);
+    if (recording.waveform.samples_g.empty()) {
+        return Error{path.string() + ": expected at least one sample at 10 kHz, got a shorter one"};
+    }
+    if (axes->rate_hz != kModelRateHz) {
+        recording.remarks.push_back(printed("resampled from %.6g Hz to 10,000 Hz", axes->rate_hz));
+    }
+    return recording;
+}
+
 }  // namespace
 
 std::size_t samples_at_rail(const Samples& samples) {
@@ -200,33 +258,10 @@ std::size_t samples_at_rail(const Samples& samples) {
 
 Expected<Recording> read_acceleration_file(const fs::path& path,
                                            const AccelerationOptions& options) {
-    Recording recording;
-    auto axes = extension_of(path) == ".wav" ? read_wave(path, options, recording.remarks)
-                                             : read_table(path, options, recording.remarks);
-    if (!axes) return axes.error();
-    const std::string fault = fault_of(*axes, options);
-    if (!fault.empty()) return Error{path.string() + ": " + fault};
-    if (options.axis > 0) axes->samples = {std::move(axes->samples[options.axis - 1])};
-    convert_to_g(*axes, options);
-    remark_on(*axes, recording.remarks);
-    for (Samples& samples : axes->samples) {
-        samples = without_mean(samples);
-        Waveform waveform{axes->rate_hz, std::move(samples)};
-        if (!(peak_g(waveform) <= kMaxSampleG)) {
-            return Error{path.string() + ": expected accelerations of at most 1,000,000 g"};
-        }
-        samples = resampled(waveform, kModelRateHz).samples_g;
+    if (const std::string fault = fault_of(options); !fault.empty()) {
+        return Error{path.string() + ": " + fault};
     }
-    const bool is_one = axes->samples.size() == 1;
-    if (!is_one) recording.remarks.emplace_back("three axes made one by DFT321");
-    recording.waveform.samples_g = is_one ? std::move(axes->samples[0]) : dft321(axes->samples);
-    if (recording.waveform.samples_g.empty()) {
-        return Error{path.string() + ": expected at least one sample at 10 kHz, got a shorter one"};
-    }
-    if (axes->rate_hz != kModelRateHz) {
-        recording.remarks.push_back(printed("resampled from %.6g Hz to 10,000 Hz", axes->rate_hz));
-    }
-    return recording;
+    return with_enough_memory(path.string(), [&] { return recording_of(path, options); });
 }
 
 }  // namespace tact

@@ -2,11 +2,12 @@
 //
 // Source    DFT321 for three axes (model/signal/dft321.h)
 // Input     .csv and .txt tables (model/io/recordings/acceleration_table.h), .wav of one or three
-// channels Output    10 kHz, in g, without the constant offset; what was done to it as remarks.
-// Errors as
+//           channels
+// Output    10 kHz, in g, without the constant offset; what was done to it as remarks. Errors as
 //           "FILE: .." or "FILE:LINE: .."
-// Valid     a rate of 100 Hz to 10 MHz, 60 s, 1 GiB. Times that stray from even ones by 1 % of a
-//           step and more are evened out by straight lines between samples
+// Valid     a rate of 100 Hz to 10 MHz, 60 s, kMaxDecodedSamples; tables of at most kMaxTableBytes,
+//           WAV files of at most kMaxWaveBytes. Times that stray from even ones by 1 % of a step
+//           and more are evened out by straight lines between samples
 // Left out  filters of the sensor, gaps in the recording, its temperature.
 #pragma once
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "model/signal/waveform.h"
+#include "model/io/recordings/recording.h"
 #include "model/text/csv.h"
 #include "model/text/line_error.h"
 #include "model/text/numbers.h"
@@ -21,7 +21,8 @@ struct Layout {
     char separator = ',';
     std::size_t first_line = 0;  // of the numbers
     std::size_t columns = 0;
-    Fields names;  // empty: none
+    Fields names;              // one a column; empty: none
+    std::string_view heading;  // the line before the numbers
 };
 
 // Which column is what.
@@ -56,22 +57,26 @@ bool is_like_a_number(const std::string& field, char separator) {
     return word == "nan" || word == "inf" || word == "-inf" || word == "-nan";
 }
 
-// Lines of comments made blank, which keeps the others' numbers.
-std::string without_comments(std::string_view text) {
-    std::string result(text);
-    bool at_start = true;
-    bool in_comment = false;
-    for (char& c : result) {
-        if (c == '\n') {
-            at_start = true;
-            in_comment = false;
-            continue;
-        }
-        if (at_start && c == '#') in_comment = true;
-        if (c != ' ' && c != '\t') at_start = false;
-        if (in_comment) c = ' ';
+// Takes the line at the head of a text.
+std::string_view take_line(std::string_view& text) {
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == text.npos ? text.size() : end + 1);
+    return line;
+}
+
+bool is_comment(std::string_view line) { return trimmed(line).starts_with('#'); }
+
+// Blank lines and comments are passed over.
+CsvRecord next_row(CsvReader& reader) {
+    while (!reader.rest.empty()) {
+        std::string_view rest = reader.rest;
+        const std::string_view line = take_line(rest);
+        if (!trimmed(line).empty() && !is_comment(line)) break;
+        reader.rest = rest;
+        ++reader.line;
     }
-    return result;
+    return next_record(reader);
 }
 
 CsvRecord record_of(std::string_view line, char separator) {
@@ -84,10 +89,8 @@ std::optional<Layout> layout_of(std::string_view text) {
     constexpr std::size_t kMostLines = 100;  // of a heading
     std::string_view heading;
     for (std::size_t number = 1; !text.empty() && number <= kMostLines; ++number) {
-        const std::size_t end = text.find('\n');
-        const std::string_view line = trimmed(text.substr(0, end));
-        text.remove_prefix(end == text.npos ? text.size() : end + 1);
-        if (line.empty()) continue;
+        const std::string_view line = trimmed(take_line(text));
+        if (line.empty() || is_comment(line)) continue;
         for (const char separator : {';', '\t', ',', ' '}) {
             if (separator != ' ' && line.find(separator) == line.npos) continue;
             const Fields fields = record_of(line, separator).fields;
@@ -95,7 +98,7 @@ std::optional<Layout> layout_of(std::string_view text) {
                 return is_like_a_number(field, separator);
             };
             if (!std::ranges::all_of(fields, is_number)) continue;
-            Layout layout{separator, number, fields.size(), {}};
+            Layout layout{separator, number, fields.size(), {}, heading};
             Fields names = heading.empty() ? Fields{} : record_of(heading, separator).fields;
             // Blanks within names: "time (s)" over a column of its own.
             if (names.size() != fields.size() && separator == ' ' && fields.size() == 1) {
@@ -162,6 +165,48 @@ bool is_axis(const std::string& word) {
     return word.starts_with("acc") || word == "a" || word == "g" || word.starts_with("volt");
 }
 
+bool is_digits(std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+}
+
+// Whether every line of numbers that commas cut could be whole numbers with decimal commas:
+// "-0,0471". A single column has numbers without decimals, too.
+bool may_be_decimal_commas(CsvReader reader, const Layout& layout) {
+    for (CsvRecord row = next_row(reader); row.line > 0; row = next_row(reader)) {
+        if (layout.columns == 2 && row.fields.size() == 1) row.fields.emplace_back("0");
+        if (row.fields.size() != layout.columns || layout.columns % 2 == 1) return false;
+        for (std::size_t k = 0; k < row.fields.size(); k += 2) {
+            std::string_view whole = trimmed(row.fields[k]);
+            if (whole.starts_with('-') || whole.starts_with('+')) whole.remove_prefix(1);
+            std::string_view decimals = row.fields[k + 1];
+            if (decimals.ends_with('\r')) decimals.remove_suffix(1);
+            if (!is_digits(whole) || !is_digits(decimals)) return false;
+        }
+    }
+    return true;
+}
+
+// Tells commas between columns from decimal ones; what is wrong, or empty.
+std::string settle_commas(const CsvReader& numbers, Layout& layout) {
+    if (layout.separator != ',' || layout.columns < 2 || !layout.names.empty()) return {};
+    const bool decimal = may_be_decimal_commas(numbers, layout);
+    const bool names_one = layout.heading.find(',') == layout.heading.npos &&
+                           is_axis(word_and_unit(std::string(layout.heading)).first);
+    if (decimal && names_one && layout.columns == 2) {
+        layout.separator = ' ';
+        layout.columns = 1;
+        layout.names = {std::string(layout.heading)};
+        return {};
+    }
+    if (names_one) {
+        return "expected one number, as " + in_quotes(layout.heading) + " names one column, got " +
+               std::to_string(layout.columns);
+    }
+    if (!decimal) return {};
+    return "expected names of columns before the first number (\"t,x\" or \"x\"), or semicolons "
+           "between columns: these commas may be decimal ones";
+}
+
 Columns columns_of(const Layout& layout) {
     Columns columns;
     std::vector<std::size_t> others;
@@ -184,28 +229,57 @@ Columns columns_of(const Layout& layout) {
     return columns;
 }
 
+// A table while its lines are read.
+struct TableReading {
+    Layout layout;
+    Columns columns;
+    AccelerationTable table;
+    char decimal_sign = 0;  // of the numbers so far; 0: none had one
+};
+
+// What is wrong with the decimal sign of a number, or empty: where both signs occur, one of them is
+// no decimal sign.
+std::string sign_fault(TableReading& reading, const std::string& field) {
+    if (reading.layout.separator == ',') return {};
+    for (const char c : field) {
+        if (c != ',' && c != '.') continue;
+        if (reading.decimal_sign != 0 && c != reading.decimal_sign) {
+            return "expected one decimal sign in all numbers, got " + in_quotes(field) +
+                   (c == ',' ? " after points" : " after commas");
+        }
+        reading.decimal_sign = c;
+    }
+    return {};
+}
+
 // The numbers of one line into the table; what is wrong, or empty.
-std::string take(const CsvRecord& record, const Layout& layout, const Columns& columns,
-                 AccelerationTable& table) {
+std::string take(const CsvRecord& record, TableReading& reading) {
+    const Layout& layout = reading.layout;
+    const Columns& columns = reading.columns;
+    AccelerationTable& table = reading.table;
     if (record.fields.size() != layout.columns) {
         return "expected " + std::to_string(layout.columns) + " columns as before, got " +
                std::to_string(record.fields.size());
     }
-    const auto number = [&](std::size_t column) {
-        return number_in(record.fields[column], layout.separator);
+    std::string fault;
+    const auto number = [&](std::size_t column, const char* what, std::vector<double>& to) {
+        const std::string& field = record.fields[column];
+        const auto value = number_in(field, layout.separator);
+        if (fault.empty()) fault = sign_fault(reading, field);
+        if (!value && fault.empty()) {
+            fault = std::string("expected ") + what + ", got " + in_quotes(field);
+        }
+        if (value) to.push_back(*value);
     };
     for (std::size_t a = 0; a < columns.axes.size(); ++a) {
-        const auto value = number(columns.axes[a]);
-        if (!value) {
-            return "expected a finite number, got " + in_quotes(record.fields[columns.axes[a]]);
-        }
-        table.axes[a].push_back(*value);
+        number(columns.axes[a], "a finite number", table.axes[a]);
     }
-    if (!columns.time) return {};
-    const auto time = number(*columns.time);
-    if (!time) return "expected a time, got " + in_quotes(record.fields[*columns.time]);
-    table.time.push_back(*time);
-    return {};
+    if (columns.time) number(*columns.time, "a time", table.time);
+    const std::size_t rows = table.axes.front().size();
+    if (fault.empty() && rows > kMaxDecodedSamples / (columns.axes.size() + 1)) {
+        return "expected at most " + grouped_digits(kMaxDecodedSamples) + " numbers in all";
+    }
+    return fault;
 }
 
 void take_units(const Layout& layout, const Columns& columns, AccelerationTable& table) {
@@ -219,23 +293,24 @@ void take_units(const Layout& layout, const Columns& columns, AccelerationTable&
 
 }  // namespace
 
-Expected<AccelerationTable> parse_acceleration_table(std::string_view bytes,
-                                                     const std::string& file, bool rising_time) {
-    const std::string text = without_comments(without_bom(bytes));
+Expected<AccelerationTable> parse_acceleration_table(std::string_view text, const std::string& file,
+                                                     bool rising_time) {
+    text = without_bom(text);
     const std::optional<Layout> layout = layout_of(text);
     if (!layout) return at_line(file, 1, "expected a line of numbers, got none");
-    const Columns columns = columns_of(*layout);
-    AccelerationTable table;
-    table.axes.resize(columns.axes.size());
-    take_units(*layout, columns, table);
-    CsvReader reader{text, 1, layout->separator};
-    while (reader.line < layout->first_line) {
-        const std::size_t end = reader.rest.find('\n');
-        reader.rest.remove_prefix(end + 1);
-        ++reader.line;
+    TableReading reading{*layout, {}, {}, 0};
+    CsvReader reader{text, 1, ','};
+    for (; reader.line < layout->first_line; ++reader.line) take_line(reader.rest);
+    if (const std::string fault = settle_commas(reader, reading.layout); !fault.empty()) {
+        return at_line(file, layout->first_line, fault);
     }
-    for (CsvRecord record = next_record(reader); record.line > 0; record = next_record(reader)) {
-        const std::string fault = take(record, *layout, columns, table);
+    reader.separator = reading.layout.separator;
+    reading.columns = columns_of(reading.layout);
+    AccelerationTable& table = reading.table;
+    table.axes.resize(reading.columns.axes.size());
+    take_units(reading.layout, reading.columns, table);
+    for (CsvRecord record = next_row(reader); record.line > 0; record = next_row(reader)) {
+        const std::string fault = take(record, reading);
         if (!fault.empty()) return at_line(file, record.line, fault);
         const std::size_t count = table.time.size();
         if (rising_time && count > 1 && !(table.time[count - 1] > table.time[count - 2])) {
@@ -245,7 +320,7 @@ Expected<AccelerationTable> parse_acceleration_table(std::string_view bytes,
                                " (with a rate of your own the times do not matter)");
         }
     }
-    return table;
+    return std::move(reading.table);
 }
 
 }  // namespace tact

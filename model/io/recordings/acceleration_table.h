@@ -4,10 +4,14 @@
 // (m/s^2)", "Z", "voltage (V)"); without names by their number: 1 or 3 are axes, 2 or 4 a time and
 // axes.
 //
-// Input     commas, semicolons, tabs or blanks between fields; decimal commas with any but commas;
-//           lines that begin with "#", names of columns and other lines before the first number
+// Input     commas, semicolons, tabs or blanks between fields; decimal commas with any but commas,
+//           or in a single column that the line before it names; lines that begin with "#", names
+//           of columns and other lines before the first number. Where commas may be either and
+//           nothing tells, the file is refused, as it is where points and commas occur together.
 // Output    errors as "FILE:LINE: expected .."
-// Valid     1 sample and more of any number of axes; NaN is refused
+// Valid     1 sample and more of any number of axes, kMaxDecodedSamples in all (recording.h); NaN
+// is
+//           refused
 // Left out  more than one time column; text between the numbers.
 #pragma once
 
@@ -29,6 +33,8 @@ struct AccelerationTable {
     std::vector<std::vector<double>> axes;
     std::optional<AccelerationUnit> unit;  // that the name of the first axis says
 };
+
+inline constexpr std::size_t kMaxTableBytes = std::size_t{1} << 28;
 
 // With `rising_time`, a time that is not later than the one before is an Error.
 Expected<AccelerationTable> parse_acceleration_table(std::string_view text, const std::string& file,

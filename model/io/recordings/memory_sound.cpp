@@ -39,11 +39,19 @@ sf_count_t write(const void* source, sf_count_t count, void* user) {
     return count;
 }
 
+SNDFILE* opened_in(MemorySound& memory, int mode, SF_INFO& info) {
+    static SF_VIRTUAL_IO calls{length, seek, read, write, tell};
+    return sf_open_virtual(&calls, mode, &info, &memory);
+}
+
 }  // namespace
 
+SNDFILE* open_for_reading(MemorySound& memory, SF_INFO& info) {
+    return opened_in(memory, SFM_READ, info);
+}
+
 SNDFILE* open_for_writing(MemorySound& memory, SF_INFO& info) {
-    static SF_VIRTUAL_IO calls{length, seek, read, write, tell};
-    return sf_open_virtual(&calls, SFM_WRITE, &info, &memory);
+    return opened_in(memory, SFM_WRITE, info);
 }
 
 }  // namespace tact

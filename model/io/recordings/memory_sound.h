@@ -1,4 +1,5 @@
-// A sound file in memory, so that it can be written to the disk whole or not at all.
+// A sound file in memory: written to the disk whole or not at all, and read from what was looked
+// at.
 #pragma once
 
 #include <sndfile.h>
@@ -14,6 +15,7 @@ struct MemorySound {
 };
 
 // As sf_open_virtual; `memory` must outlive the result.
+SNDFILE* open_for_reading(MemorySound& memory, SF_INFO& info);
 SNDFILE* open_for_writing(MemorySound& memory, SF_INFO& info);
 
 }  // namespace tact

@@ -17,7 +17,7 @@ Expected<Recording> read_text_recording(const fs::path& path, double scale_g) {
     auto waveform = read_text_waveform(path);
     if (!waveform) return waveform.error();
     for (double& sample : waveform->samples_g) sample *= scale_g;
-    if (peak_g(*waveform) > kMaxSampleG) {
+    if (!(peak_g(*waveform) <= kMaxSampleG)) {
         return Error{path.string() +
                      ": with the scale of the set, accelerations exceed 1,000,000 g"};
     }

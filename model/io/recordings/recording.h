@@ -22,6 +22,10 @@ struct RecordingOptions {
     std::optional<std::size_t> channel;  // from 0; of WAV files
 };
 
+// Samples of all channels or columns that are read. With them in three copies on the way to 10 kHz
+// a reader stays below 1 GB. A minute of one channel at 500 kHz.
+inline constexpr std::size_t kMaxDecodedSamples = 30'000'000;
+
 // Whether read_recording reads files of this name: .txt and .wav, in any case.
 bool is_recording(const std::filesystem::path& path);
 

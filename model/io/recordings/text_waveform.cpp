@@ -12,8 +12,6 @@
 
 namespace tact {
 
-namespace {}  // namespace
-
 Expected<Waveform> parse_text_waveform(std::string_view text, const std::string& file) {
     const std::size_t most = sample_count(limits::kDurationS.high, kModelRateHz);
     text = without_bom(text);
@@ -52,7 +50,7 @@ Expected<Waveform> parse_text_waveform(std::string_view text, const std::string&
 }
 
 Expected<Waveform> read_text_waveform(const std::filesystem::path& path) {
-    const auto text = read_text_file(path);
+    const auto text = read_text_file(path, kMaxTextWaveformBytes);
     if (!text) return text.error();
     return parse_text_waveform(*text, path.string());
 }
@@ -67,6 +65,11 @@ std::string print_text_waveform(const Waveform& waveform) {
 }
 
 Expected<Done> write_text_waveform(const std::filesystem::path& path, const Waveform& waveform) {
+    const double peak = peak_g(waveform);
+    if (!(peak <= kMaxSampleG)) {
+        return Error{path.string() + ": expected a peak of at most 1,000,000 g, got " +
+                     shortest_digits(peak) + " g"};
+    }
     return write_atomically(path, print_text_waveform(waveform));
 }
 

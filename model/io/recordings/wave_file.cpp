@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
 
+#include "model/common/fingerprint.h"
 #include "model/io/recordings/memory_sound.h"
 #include "model/io/recordings/wave_size.h"
 #include "model/pattern/pattern.h"
@@ -28,78 +31,127 @@ struct Closer {
 };
 using Sound = std::unique_ptr<SNDFILE, Closer>;
 
+// A channel of its own, or all.
+struct Wanted {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+// A WAV file in memory, its header read.
+struct OpenWave {
+    MemorySound memory;
+    SF_INFO info{};
+    Sound sound;
+};
+
 fs::path sidecar_of(const fs::path& path) { return fs::path(path) += ".json"; }
 
-// The options with what the sidecar says where they say nothing.
-Expected<RecordingOptions> with_sidecar(RecordingOptions options, const fs::path& wave) {
+std::string fingerprint_of(std::string_view bytes) {
+    char text[24];
+    std::snprintf(text, sizeof text, "%016llx",
+                  static_cast<unsigned long long>(mixed(0, std::span<const char>(bytes))));
+    return text;
+}
+
+// The options with what the sidecar says where they say nothing, and a remark on it or none.
+struct Told {
+    RecordingOptions options;
+    std::string remark;
+};
+
+Expected<Told> with_sidecar(RecordingOptions options, const fs::path& path, const OpenWave& wave) {
     constexpr Range kChannels{1, 1024};  // libsndfile's own limit
-    const fs::path path = sidecar_of(wave);
+    const fs::path sidecar = sidecar_of(path);
     std::error_code none;
-    if (!fs::exists(path, none)) return options;
-    const auto text = read_text_file(path);
+    if (!fs::exists(sidecar, none)) return Told{options, {}};
+    const auto text = read_text_file(sidecar);
     if (!text) return text.error();
-    auto document = parse_json(*text, path.string());
+    auto document = parse_json(*text, sidecar.string());
     if (!document) return document.error();
-    JsonReading reading{path.string(), {}};
+    JsonReading reading{sidecar.string(), {}};
     JsonObject object = object_at(reading, *document, "");
     const double scale_g = number_field(object, "scale_g", 0.0, limits::kScaleG);
     const int channel = whole_field(object, "channel", 0, kChannels);
+    const std::string of = text_field(object, "of", "");
     if (!reading.fault.empty()) return Error{reading.fault};
-    if (!options.scale_g && scale_g > 0.0) options.scale_g = scale_g;
-    if (!options.channel && channel > 0) options.channel = static_cast<std::size_t>(channel - 1);
-    return options;
+    Told told{options, {}};
+    if (!options.scale_g && scale_g > 0.0) {
+        told.options.scale_g = scale_g;
+        if (!of.empty() && of != fingerprint_of(wave.memory.bytes)) {
+            told.remark = "its .json was written for other samples, their full scale of " +
+                          shortest_digits(scale_g) + " g may not be that of these";
+        }
+    }
+    if (!options.channel && channel > 0) {
+        told.options.channel = static_cast<std::size_t>(channel - 1);
+    }
+    return told;
 }
 
-// What a header says that we do not read, or empty.
-std::string header_fault(const SF_INFO& info, std::size_t channel) {
+// What a header says that we do not read, or empty. Before anything of the sizes in it is made.
+std::string header_fault(const OpenWave& wave, Wanted wanted) {
+    constexpr std::size_t kMostPerByte = 64;  // samples, however well they are packed
+    const SF_INFO& info = wave.info;
     const auto channels = static_cast<std::size_t>(info.channels);
-    if (info.frames <= 0) return "expected at least one sample, got none";
+    const auto frames = static_cast<std::size_t>(std::max<sf_count_t>(info.frames, 0));
+    if (frames == 0) return "expected at least one sample, got none";
     if (info.samplerate < kLowestRateHz || info.samplerate > kHighestRateHz) {
         return "expected a rate of 100 Hz to 10 MHz, got " + std::to_string(info.samplerate) +
                " Hz";
     }
     if (static_cast<double>(info.frames) > limits::kDurationS.high * info.samplerate) {
-        return "expected at most 60 s, got " +
-               grouped_digits(static_cast<std::size_t>(info.frames)) + " samples at " +
+        return "expected at most 60 s, got " + grouped_digits(frames) + " samples at " +
                std::to_string(info.samplerate) + " Hz";
     }
-    if (channel >= channels) {
-        return "expected channel " + std::to_string(channel + 1) + ", got a file of " +
+    if (wanted.end > channels) {
+        return "expected channel " + std::to_string(wanted.end) + ", got a file of " +
                std::to_string(channels);
+    }
+    if (frames / kMostPerByte > wave.memory.bytes.size()) {
+        return "is truncated: expected " + grouped_digits(frames) + " samples";
+    }
+    const std::size_t count = wanted.end - wanted.begin;
+    if (frames > kMaxDecodedSamples / count) {
+        return "expected at most " + grouped_digits(kMaxDecodedSamples) + " samples, got " +
+               grouped_digits(frames) + " of " + std::to_string(count) + " channels";
     }
     return {};
 }
 
-// The samples of one channel, 1 being full scale.
-std::vector<double> read_channel(SNDFILE* sound, const SF_INFO& info, std::size_t channel) {
-    constexpr sf_count_t kBlockFrames = 4096;
-    const auto channels = static_cast<std::size_t>(info.channels);
-    std::vector<double> block(static_cast<std::size_t>(kBlockFrames) * channels);
-    std::vector<double> samples;
-    samples.reserve(static_cast<std::size_t>(info.frames));
-    while (const sf_count_t frames = sf_readf_double(sound, block.data(), kBlockFrames)) {
-        for (std::size_t k = 0; k < static_cast<std::size_t>(frames); ++k) {
-            samples.push_back(block[k * channels + channel]);
+Expected<std::unique_ptr<OpenWave>> opened(const fs::path& path) {
+    const std::string name = path.string();
+    auto bytes = read_text_file(path, kMaxWaveBytes);
+    if (!bytes) return bytes.error();
+    const std::size_t size = bytes->size();
+    std::istringstream stream(*std::move(bytes));
+    if (const std::string fault = wave_size_fault(stream, size); !fault.empty()) {
+        return Error{name + ": " + fault};
+    }
+    auto wave = std::make_unique<OpenWave>();
+    wave->memory.bytes = std::move(stream).str();
+    wave->sound.reset(open_for_reading(wave->memory, wave->info));
+    if (!wave->sound) return Error{name + ": expected a WAV file: " + sf_strerror(nullptr)};
+    return wave;
+}
+
+// The samples of the channels that are wanted, 1 being full scale, in one pass through the file.
+std::vector<std::vector<double>> read_channels(OpenWave& wave, Wanted wanted) {
+    constexpr std::size_t kBlockSamples = std::size_t{1} << 16;
+    const auto channels = static_cast<std::size_t>(wave.info.channels);
+    const auto block_frames = static_cast<sf_count_t>(1 + kBlockSamples / channels);
+    std::vector<double> block(static_cast<std::size_t>(block_frames) * channels);
+    std::vector<std::vector<double>> samples(wanted.end - wanted.begin);
+    for (auto& one : samples) one.reserve(static_cast<std::size_t>(wave.info.frames));
+    while (const sf_count_t frames =
+               sf_readf_double(wave.sound.get(), block.data(), block_frames)) {
+        for (std::size_t k = wanted.begin; k < wanted.end; ++k) {
+            auto& one = samples[k - wanted.begin];
+            for (std::size_t n = 0; n < static_cast<std::size_t>(frames); ++n) {
+                one.push_back(block[n * channels + k]);
+            }
         }
     }
     return samples;
-}
-
-// The opened file, its header read, or why not.
-Expected<std::shared_ptr<SNDFILE>> opened(const fs::path& path, SF_INFO& info) {
-    const std::string name = path.string();
-    const auto size = readable_size(path);
-    if (!size) return size.error();
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) return Error{name + ": cannot be opened for reading"};
-    if (const std::string fault = wave_size_fault(stream, *size); !fault.empty()) {
-        return Error{name + ": " + fault};
-    }
-    std::shared_ptr<SNDFILE> sound(sf_open(path.c_str(), SFM_READ, &info), [](SNDFILE* open) {
-        if (open != nullptr) sf_close(open);
-    });
-    if (!sound) return Error{name + ": expected a WAV file: " + sf_strerror(nullptr)};
-    return sound;
 }
 
 // What is wrong with the samples in g, or empty.
@@ -144,41 +196,45 @@ bool write_samples(SNDFILE* sound, std::vector<double> samples, const WaveOption
 
 }  // namespace
 
-Expected<WaveChannels> read_wave_channels(const fs::path& path) {
-    SF_INFO info{};
-    const auto sound = opened(path, info);
-    if (!sound) return sound.error();
-    const auto options = with_sidecar({}, path);
-    if (!options) return options.error();
-    if (const auto fault = header_fault(info, 0); !fault.empty()) {
-        return Error{path.string() + ": " + fault};
-    }
-    WaveChannels result{static_cast<double>(info.samplerate), {}, options->scale_g};
-    for (std::size_t k = 0; k < static_cast<std::size_t>(info.channels); ++k) {
-        sf_seek(sound->get(), 0, SEEK_SET);
-        result.channels.push_back(read_channel(sound->get(), info, k));
-        if (const auto fault = sample_fault(result.channels.back(), info); !fault.empty()) {
-            return Error{path.string() + ": " + fault};
-        }
+Expected<WaveChannels> read_wave_channels(const fs::path& path, std::size_t only,
+                                          const ChannelFault& fault_of) {
+    const auto refused = [&path](const std::string& why) {
+        return Error{path.string() + ": " + why};
+    };
+    const auto wave = opened(path);
+    if (!wave) return wave.error();
+    const SF_INFO& info = (*wave)->info;
+    const auto count = static_cast<std::size_t>(info.channels);
+    if (const auto fault = fault_of ? fault_of(count) : ""; !fault.empty()) return refused(fault);
+    const auto told = with_sidecar({}, path, **wave);
+    if (!told) return told.error();
+    const Wanted wanted = only > 0 ? Wanted{only - 1, only} : Wanted{0, count};
+    if (const auto fault = header_fault(**wave, wanted); !fault.empty()) return refused(fault);
+    WaveChannels result{static_cast<double>(info.samplerate), read_channels(**wave, wanted),
+                        told->options.scale_g, told->remark};
+    for (const auto& channel : result.channels) {
+        if (const auto fault = sample_fault(channel, info); !fault.empty()) return refused(fault);
     }
     return result;
 }
 
 Expected<Recording> read_wave_file(const fs::path& path, const RecordingOptions& asked) {
     const std::string name = path.string();
-    SF_INFO info{};
-    const auto sound = opened(path, info);
-    if (!sound) return sound.error();
-    const auto options = with_sidecar(asked, path);
-    if (!options) return options.error();
-    const std::size_t channel = options->channel.value_or(0);
-    if (const auto fault = header_fault(info, channel); !fault.empty()) {
+    const auto wave = opened(path);
+    if (!wave) return wave.error();
+    const SF_INFO& info = (*wave)->info;
+    const auto told = with_sidecar(asked, path, **wave);
+    if (!told) return told.error();
+    const RecordingOptions& options = told->options;
+    const std::size_t channel = options.channel.value_or(0);
+    const Wanted wanted{channel, channel + 1};
+    if (const auto fault = header_fault(**wave, wanted); !fault.empty()) {
         return Error{name + ": " + fault};
     }
     Recording recording;
-    recording.scale_g = options->scale_g.value_or(1.0);
+    recording.scale_g = options.scale_g.value_or(1.0);
     Waveform original{static_cast<double>(info.samplerate),
-                      read_channel(sound->get(), info, channel)};
+                      std::move(read_channels(**wave, wanted).front())};
     for (double& sample : original.samples_g) sample *= recording.scale_g;
     if (const auto fault = sample_fault(original.samples_g, info); !fault.empty()) {
         return Error{name + ": " + fault};
@@ -187,14 +243,15 @@ Expected<Recording> read_wave_file(const fs::path& path, const RecordingOptions&
     if (recording.waveform.samples_g.empty()) {
         return Error{name + ": expected at least one sample at 10 kHz, got a shorter file"};
     }
+    if (!told->remark.empty()) recording.remarks.push_back(told->remark);
     if (original.rate_hz != kModelRateHz) {
         recording.remarks.push_back("resampled from " + rate_text(original.rate_hz) + " to " +
                                     rate_text(kModelRateHz));
     }
-    if (info.channels > 1 && !options->channel) {
+    if (info.channels > 1 && !options.channel) {
         recording.remarks.push_back("first of " + std::to_string(info.channels) + " channels used");
     }
-    if (!options->scale_g) recording.remarks.push_back("full scale taken as 1 g");
+    if (!options.scale_g) recording.remarks.push_back("full scale taken as 1 g");
     return recording;
 }
 
@@ -202,6 +259,10 @@ Expected<Done> write_wave_file(const fs::path& path, const Waveform& waveform,
                                const WaveOptions& options) {
     const std::string name = path.string();
     const double peak = peak_g(waveform);
+    if (!(peak <= kMaxSampleG)) {
+        return Error{name + ": expected a peak of at most 1,000,000 g, got " +
+                     shortest_digits(peak) + " g"};
+    }
     if (options.encoding != WaveEncoding::float32 && peak > options.scale_g) {
         return Error{name + ": expected a peak within the full scale of " +
                      shortest_digits(options.scale_g) + " g, got " + shortest_digits(peak) + " g"};
@@ -222,10 +283,11 @@ Expected<Done> write_wave_file(const fs::path& path, const Waveform& waveform,
     }
     sound.reset();  // completes the header
 
-    // The sidecar first: of a new sidecar and an old recording, the next save makes a pair again.
+    // Two files are not replaced at once. The sidecar says whose it is, so that a new one beside
+    // the old samples, which a power cut may leave, is noticed.
     std::error_code none;
     if (options.scale_g != 1.0 || fs::exists(sidecar_of(path), none)) {
-        const Json sidecar = {{"scale_g", options.scale_g}};
+        const Json sidecar = {{"scale_g", options.scale_g}, {"of", fingerprint_of(memory.bytes)}};
         auto written = write_atomically(sidecar_of(path), sidecar.dump() + "\n");
         if (!written) return written;
     }

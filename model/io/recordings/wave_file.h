@@ -1,17 +1,22 @@
 // Recordings as WAV files.
 //
 // A sidecar, `<file>.json`, says what its full scale is and which channel counts (from 1):
-//     {"scale_g": 2.0, "channel": 1}
+//     {"scale_g": 2.0, "channel": 1, "of": "0123456789abcdef"}
+// Where "of" is there and not the fingerprint of the file, a remark says so.
 //
 // Source    libsndfile; RIFF, RIFX and RF64 with any encoding that it knows
 // Input     any rate of 100 Hz to 10 MHz, any number of channels
 // Output    10 kHz, in g; errors as "FILE: .."
-// Valid     1 frame to 60 s; a file shorter than its header says is refused
+// Valid     1 frame to 60 s; at most kMaxWaveBytes, and kMaxDecodedSamples of the channels that are
+//           read; a file shorter than its header says is refused. The whole file is decoded once,
+//           however many channels it has.
 // Left out  calibration, cue points, writing of more than one channel.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "model/common/expected.h"
@@ -24,13 +29,21 @@ namespace tact {
 Expected<Recording> read_wave_file(const std::filesystem::path& path,
                                    const RecordingOptions& options = {});
 
-// All channels as they are in the file: at its rate, 1 being full scale.
+inline constexpr std::size_t kMaxWaveBytes = std::size_t{1} << 28;
+
+// Channels as they are in the file: at its rate, 1 being full scale.
 struct WaveChannels {
     double rate_hz = kModelRateHz;
     std::vector<std::vector<double>> channels;
     std::optional<double> scale_g;  // that the sidecar says
+    std::string remark;             // on that, or empty
 };
-Expected<WaveChannels> read_wave_channels(const std::filesystem::path& path);
+
+// What reads the channels decides by their number: a sentence without its end stop that says why
+// not, or empty. `only`: one channel, from 1; 0: all.
+using ChannelFault = std::function<std::string(std::size_t channels)>;
+Expected<WaveChannels> read_wave_channels(const std::filesystem::path& path, std::size_t only = 0,
+                                          const ChannelFault& fault_of = {});
 
 enum class WaveEncoding { float32, int16, int24 };
 
@@ -40,7 +53,8 @@ struct WaveOptions {
 };
 
 // One channel at the waveform's own rate, a whole number of Hz. With whole-number encodings a peak
-// beyond full scale is an Error, as it would be cut off.
+// beyond full scale is an Error, as it would be cut off; so is what could not be read again: a peak
+// above 1,000,000 g, or NaN.
 Expected<Done> write_wave_file(const std::filesystem::path& path, const Waveform& waveform,
                                const WaveOptions& options = {});
 

@@ -29,4 +29,12 @@ TEST_CASE("waveform: without its mean a waveform sums to nothing") {
     CHECK(without_mean({}).empty());
 }
 
+TEST_CASE("waveform: a peak among which is NaN is NaN, wherever it stands") {
+    const double nan = std::nan("");
+    for (const std::vector<double>& samples :
+         {std::vector<double>{nan}, {nan, 1.0}, {1.0, nan}, {-2.0, nan, 1.0}}) {
+        CHECK(std::isnan(peak_g({kModelRateHz, samples})));
+    }
+}
+
 }  // namespace waveform_test

@@ -7,6 +7,7 @@
 #include "model/signal/resample.h"
 #include "model/text/numbers.h"
 #include "tests/support/golden.h"
+#include "tests/support/mutations.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wave_bytes.h"
 
@@ -164,6 +165,114 @@ TEST_CASE("acceleration file: uneven times are evened, little ones let be") {
     const auto inner = [](const Samples& all) { return Samples(all.begin() + 50, all.end() - 50); };
     CHECK(golden::worst_difference(inner(evened->waveform.samples_g),
                                    inner(expected->waveform.samples_g)) < 3e-3);
+}
+
+TEST_CASE("acceleration file: steps that stray by one part in a hundred are uneven, by less even") {
+    const Case file;
+    const auto is_evened = [&](double first_step) {
+        std::string rows = "t,x (g)\n0,1\n" + shortest_digits(first_step) + ",2\n";
+        for (int n = 2; n < 2000; ++n)
+            rows += shortest_digits(n) + "," + std::to_string(n % 3) + "\n";
+        return says(*file.read(rows), "evened");  // a mean step of 1 ms
+    };
+    CHECK_FALSE(is_evened(1.0));
+    CHECK_FALSE(is_evened(1.0095));
+    CHECK_FALSE(is_evened(0.9905));
+    CHECK(is_evened(1.0105));
+    CHECK(is_evened(0.9895));
+}
+
+TEST_CASE("acceleration file: decimal commas in a single column are decimals, not columns") {
+    const Case file;
+    AccelerationOptions at_10khz;
+    at_10khz.rate_hz = 1e4;
+    const std::string plain = table("accel (g)\n", "", 0.0, 0.0, 1.0);
+    check_is_the_sine(file.read(with_decimal_commas(plain), at_10khz));
+    const std::string few = "x\n0\n0,5\n-0,25\n+1\n";
+    const auto recording = file.read(few, at_10khz);
+    REQUIRE_MESSAGE(recording, recording.error().message);
+    CHECK(recording->waveform.samples_g == Samples{-0.3125, 0.1875, -0.5625, 0.6875});
+}
+
+TEST_CASE("acceleration file: commas that may be decimal ones are not guessed at") {
+    const Case file;
+    AccelerationOptions rate;
+    rate.rate_hz = 1e4;
+    for (const char* text : {"0,0471\n0,0473\n-1,0022\n", "Logger 7\n0,0471\n0,0473\n",
+                             "# two or one?\n1,5\n2,5\n", "t,x\n0,001,0,0471\n0,002,0,0473\n"}) {
+        CAPTURE(text);
+        CHECK(contains(file.fault(text, rate), "these commas may be decimal ones"));
+    }
+    CHECK(contains(file.fault("x (g)\n1.234,5\n1.234,6\n", rate), "names one column, got 2"));
+    // Whatever tells: names, a decimal point, a sign, a blank, a number of columns.
+    CHECK(file.read("t,x\n0,471\n1,473\n", rate));
+    for (const char* rows : {"0,1\n1,2.5\n", "0,1\n1,-2\n", "0, 1\n1, 2\n", "0,1\n1,2e3\n",
+                             "0,1,2\n1,2,3\n", "0;1\n1;2\n"}) {
+        CAPTURE(rows);
+        CHECK(file.read(rows, rate));
+    }
+}
+
+TEST_CASE("acceleration file: points and commas together are no decimal signs") {
+    const Case file;
+    AccelerationOptions rate;
+    rate.rate_hz = 1e4;
+    CHECK(
+        contains(file.fault("t;x\n0;0.5\n1;1,234\n", rate), "a.csv:3: expected one decimal sign"));
+    CHECK(contains(file.fault("0,5\t1\n0.5\t2\n", rate), "a.csv:2: expected one decimal sign"));
+    CHECK_FALSE(file.read("t;x\n0;1\n1;1.234,5\n", rate));
+    CHECK(file.read("t;x;note\n0;0,5;1.1\n1;1,234;1.1\n", rate));  // columns nobody reads
+}
+
+TEST_CASE("acceleration file: no NaN comes in beside the numbers of the file") {
+    const Case file;
+    const double nan = std::nan("");
+    for (double AccelerationOptions::*number :
+         {&AccelerationOptions::sensitivity_v_per_g, &AccelerationOptions::offset_v}) {
+        AccelerationOptions options;
+        options.unit = AccelerationUnit::volt;
+        options.*number = nan;
+        CHECK(contains(file.fault("t,x\n0,0.5\n0.001,0.25\n", options), "got nan"));
+    }
+    AccelerationOptions options;
+    options.full_scale = nan;
+    CHECK(contains(file.fault("t,x\n0,0.5\n0.001,0.25\n", options), "got nan"));
+    options.full_scale.reset();
+    options.rate_hz = nan;
+    CHECK(contains(file.fault("t,x\n0,0.5\n0.001,0.25\n", options), "got nan"));
+}
+
+TEST_CASE("acceleration file: a table after an accident is refused, or its numbers are kept") {
+    std::size_t accepted = 0;
+    for (unsigned seed = 0; seed < 300; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        const std::string whole = seed % 2 == 0
+                                      ? "time (ms),ax,ay,az\n0,1,-2,0.5\n0.1,3,4e-3,5\n0.2,5,6,7\n"
+                                      : "t;x\n0;1,5\n0,1;-2,5\n0,2;3\n";
+        const auto table = parse_acceleration_table(after_mishaps(whole, random), "a.csv", true);
+        if (!table) {
+            CHECK(contains(table.error().message, "a.csv:"));
+            continue;
+        }
+        ++accepted;
+        std::string text = table->time.empty() ? "" : "t";
+        for (std::size_t a = 0; a < table->axes.size(); ++a) text += text.empty() ? "x" : ",x";
+        text += "\n";
+        for (std::size_t n = 0; n < table->axes[0].size(); ++n) {
+            std::string row = table->time.empty() ? "" : shortest_digits(table->time[n]);
+            for (const auto& axis : table->axes) {
+                REQUIRE(std::isfinite(axis[n]));
+                row += (row.empty() ? "" : ",") + shortest_digits(axis[n]);
+            }
+            text += row + "\n";
+        }
+        const auto again = parse_acceleration_table(text, "again.csv", true);
+        REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
+        CHECK(again->time == table->time);
+        CHECK(again->axes == table->axes);
+    }
+    CHECK(accepted > 20);
 }
 
 TEST_CASE("acceleration file: a slow logger is resampled, and what it cannot say is said") {

@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "model/text/numbers.h"
+#include "tests/support/mutations.h"
 #include "tests/support/temporary_folder.h"
 
 namespace text_waveform_test {
@@ -83,6 +86,30 @@ TEST_CASE("text waveform: a missing file is named") {
     const auto missing = read_text_waveform("no/such.txt");
     REQUIRE_FALSE(missing);
     CHECK(missing.error().message == "no/such.txt: there is no such file");
+}
+
+TEST_CASE(
+    "text waveform: after an accident it is refused by a line, or printed and read the same") {
+    std::size_t accepted = 0;
+    for (unsigned seed = 0; seed < 300; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        const std::string whole = "0.5\n-1e-3\r\n-0\n5e-324\n123456.789\n";
+        const auto waveform = parse_text_waveform(after_mishaps(whole, random), "a.txt");
+        if (!waveform) {
+            CHECK(contains(waveform.error().message, "a.txt:"));
+            continue;
+        }
+        ++accepted;
+        const auto again = parse_text_waveform(print_text_waveform(*waveform), "again.txt");
+        REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
+        REQUIRE(again->samples_g.size() == waveform->samples_g.size());
+        for (std::size_t n = 0; n < again->samples_g.size(); ++n) {
+            CHECK(std::bit_cast<std::uint64_t>(again->samples_g[n]) ==
+                  std::bit_cast<std::uint64_t>(waveform->samples_g[n]));  // -0 and denormals, too
+        }
+    }
+    CHECK(accepted > 20);
 }
 
 }  // namespace text_waveform_test

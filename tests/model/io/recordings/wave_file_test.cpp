@@ -1,11 +1,14 @@
 #include "model/io/recordings/wave_file.h"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <limits>
 #include <numbers>
 
+#include "model/io/recordings/text_waveform.h"
+#include "tests/support/mutations.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wave_bytes.h"
 
@@ -203,6 +206,115 @@ TEST_CASE(
     CHECK_FALSE(write_wave_file(folder.path / "a.wav" / "below.wav", waveform));
     CHECK(bytes_of(folder.path / "a.wav") == bytes_of(folder.path / "b.wav"));
     CHECK(file_count(folder.path) == 2);
+}
+
+TEST_CASE("wave file: all of many channels are read, or the one that is asked for") {
+    const TemporaryFolder folder;
+    constexpr std::size_t kChannels = 1000;
+    WaveBytes wave;
+    wave.channels = static_cast<int>(kChannels);
+    const auto sample = [](std::size_t channel, std::size_t frame) {
+        return std::ldexp(static_cast<double>(channel) - 31.0 * static_cast<double>(frame), -15);
+    };
+    constexpr std::size_t kFrames = 150;  // more than one block of them
+    for (std::size_t n = 0; n < kFrames; ++n) {
+        for (std::size_t k = 0; k < kChannels; ++k) wave.samples.push_back(sample(k, n));
+    }
+    const fs::path file = folder.write("many.wav", wave.file());
+    const auto all = read_wave_channels(file);
+    REQUIRE_MESSAGE(all, (all ? "" : all.error().message));
+    REQUIRE(all->channels.size() == kChannels);
+    CHECK(all->rate_hz == 10'000.0);
+    CHECK_FALSE(all->scale_g);
+    for (std::size_t k = 0; k < kChannels; ++k) {
+        REQUIRE(all->channels[k].size() == kFrames);
+        for (std::size_t n = 0; n < kFrames; ++n) REQUIRE(all->channels[k][n] == sample(k, n));
+    }
+    const auto last = read_wave_channels(file, kChannels);
+    REQUIRE(last);
+    REQUIRE(last->channels.size() == 1);
+    CHECK(last->channels[0] == all->channels.back());
+    CHECK(contains(read_wave_channels(file, kChannels + 1).error().message,
+                   "expected channel 1001, got a file of 1000"));
+    const auto refused =
+        read_wave_channels(file, 0, [](std::size_t channels) { return std::to_string(channels); });
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message == file.string() + ": 1000");
+}
+
+TEST_CASE("wave file: a scale that came with other samples is used, and said to be doubtful") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path / "a.wav";
+    REQUIRE(write_wave_file(file, {kModelRateHz, {0.5, 1.0}}, {WaveEncoding::int16, 1.0}));
+    const std::string old_samples = bytes_of(file);
+    REQUIRE(write_wave_file(file, {kModelRateHz, {0.5, 4.0}}, {WaveEncoding::int16, 4.0}));
+    CHECK(read(file).remarks.empty());
+    folder.write("a.wav", old_samples);  // as after a power cut between the two files
+    const Recording mixed = read(file);
+    CHECK(mixed.scale_g == 4.0);
+    REQUIRE(mixed.remarks.size() == 1);
+    CHECK(contains(mixed.remarks[0], "full scale of 4 g may not be that of these"));
+    CHECK(contains(read_wave_channels(file)->remark, "may not be"));
+    CHECK(read(file, {1.0, {}}).remarks.empty());
+}
+
+TEST_CASE("wave file: what could not be read again is not written") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path / "a.wav";
+    const double inf = std::numeric_limits<double>::infinity();
+    for (const auto encoding : {WaveEncoding::float32, WaveEncoding::int16, WaveEncoding::int24}) {
+        for (const double sample : {std::nan(""), inf, -inf, 1.1e6}) {
+            CAPTURE(sample);
+            for (const std::vector<double>& samples :
+                 {std::vector<double>{sample, 0.5}, std::vector<double>{0.5, sample, -0.5}}) {
+                const Waveform waveform{kModelRateHz, samples};
+                CHECK_FALSE(write_wave_file(file, waveform, {encoding, 2.0}));
+                CHECK_FALSE(write_text_waveform(folder.path / "a.txt", waveform));
+            }
+        }
+    }
+    CHECK(file_count(folder.path) == 0);
+}
+
+TEST_CASE("wave file: of any bytes no pipe is made, and none is waited for") {
+    const TemporaryFolder folder;
+    REQUIRE(::mkfifo((folder.path / "a.wav").c_str(), 0600) == 0);
+    CHECK(fault(folder.path / "a.wav") == ": is a pipe, expected a file");
+    WaveBytes wave;
+    wave.samples = {0.5};
+    const fs::path file = folder.write("b.wav", wave.file());
+    REQUIRE(::mkfifo((folder.path / "b.wav.json").c_str(), 0600) == 0);
+    CHECK(contains(fault(file), "is a pipe, expected a file"));
+}
+
+TEST_CASE("wave file: after an accident it is refused, or written and read again the same") {
+    const TemporaryFolder folder;
+    std::size_t accepted = 0;
+    for (unsigned seed = 0; seed < 400; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        WaveBytes wave;
+        wave.channels = 1 + static_cast<int>(seed % 3);
+        wave.bits = seed % 2 == 0 ? 16 : 32;
+        wave.is_float = wave.bits == 32;
+        for (int n = 0; n < 60; ++n) wave.samples.push_back(std::sin(0.3 * n));
+        const fs::path file = folder.write("a.wav", after_mishaps(wave.file(), random));
+        const auto recording = read_wave_file(file);
+        if (!recording) {
+            CHECK(recording.error().message.starts_with(file.string() + ": "));
+            continue;
+        }
+        ++accepted;
+        if (!write_wave_file(folder.path / "b.wav", recording->waveform)) continue;
+        const auto first = read_wave_file(folder.path / "b.wav");
+        REQUIRE_MESSAGE(first, (first ? "" : first.error().message));
+        REQUIRE(first->waveform.samples_g.size() == recording->waveform.samples_g.size());
+        for (std::size_t n = 0; n < first->waveform.samples_g.size(); ++n) {
+            CHECK(first->waveform.samples_g[n] ==
+                  static_cast<float>(recording->waveform.samples_g[n]));
+        }
+    }
+    CHECK(accepted > 20);
 }
 
 }  // namespace wave_file_test
