@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 
 #include "app/command_line/commands.h"
@@ -15,24 +14,12 @@
 #include "model/io/recordings/wave_file.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/text/atomic_file.h"
+#include "model/text/file_stem.h"
+#include "model/text/unused_names.h"
 
 namespace tact {
 
 namespace {
-
-// A name as a file may have it: no separators, no leading dot, not empty, none twice.
-std::string file_stem(const std::string& name, std::set<std::string>& taken) {
-    std::string stem = name;
-    for (char& c : stem) {
-        if (c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20) c = '_';
-    }
-    if (stem.empty() || stem.front() == '.') stem.insert(stem.begin(), '_');
-    std::string unused = stem;
-    for (int number = 2; !taken.insert(unused).second; ++number) {
-        unused = stem + " " + std::to_string(number);
-    }
-    return unused;
-}
 
 Expected<Done> write_csv(const std::filesystem::path& path, const Waveform& waveform) {
     std::ostringstream text;
@@ -113,11 +100,11 @@ Expected<Done> run(const RenderCommand& command) {
     // One scale for all, so that their relative strength survives and nothing clips.
     WaveOptions wave;
     wave.scale_g = loudest_g > 0.0 ? loudest_g : 1.0;
-    std::set<std::string> taken;
-    if (*by) taken = {"bands", "packets"};
+    UnusedNames stems;
+    if (*by) stems.taken = {"bands", "packets"};
     nlohmann::json files = nlohmann::json::array();
     for (std::size_t k = 0; k < waveforms.size(); ++k) {
-        const std::string stem = file_stem(set->vibrations[k].name, taken);
+        const std::string stem = stems.unused(file_stem(set->vibrations[k].name));
         const std::filesystem::path path = command.out / (stem + "." + command.format);
         Expected<Done> written = Done{};
         if (command.format == "wav") written = write_wave_file(path, waveforms[k], wave);

@@ -7,6 +7,7 @@
 #include "model/io/set/set_file.h"
 #include "model/io/set/waveform_folder.h"
 #include "model/text/atomic_file.h"
+#include "model/text/enough_memory.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -27,6 +28,17 @@ Expected<Loaded> load_recording(const fs::path& path) {
     return loaded;
 }
 
+Expected<Loaded> load_by_kind(const fs::path& path) {
+    std::error_code none;
+    if (fs::is_directory(path, none)) return read_waveform_folder(path);
+    if (const auto size = readable_size(path); !size) return size.error();
+    if (is_recording(path)) return load_recording(path);
+    if (extension_of(path) == ".json") return read_set_file(path);
+    return Error{path.string() +
+                 ": expected a set (.tactspace.json), a folder of .txt or .wav files, or one such "
+                 "file"};
+}
+
 template <class Value>
 void append(std::vector<Value>& all, std::vector<Value>&& more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()),
@@ -36,14 +48,7 @@ void append(std::vector<Value>& all, std::vector<Value>&& more) {
 }  // namespace
 
 Expected<Loaded> load_set(const fs::path& path) {
-    std::error_code none;
-    if (fs::is_directory(path, none)) return read_waveform_folder(path);
-    if (const auto size = readable_size(path); !size) return size.error();
-    if (is_recording(path)) return load_recording(path);
-    if (extension_of(path) == ".json") return read_set_file(path);
-    return Error{path.string() +
-                 ": expected a set (.tactspace.json), a folder of .txt or .wav files, or one such "
-                 "file"};
+    return with_enough_memory(path.string(), [&path] { return load_by_kind(path); });
 }
 
 Expected<Loaded> load_sets(std::span<const fs::path> paths) {
@@ -74,6 +79,9 @@ Expected<Loaded> load_sets(std::span<const fs::path> paths) {
     if (all->set.vibrations.size() > limits::kMaxPatterns) {
         return Error{"expected at most " + grouped_digits(limits::kMaxPatterns) +
                      " patterns in all, got " + grouped_digits(all->set.vibrations.size())};
+    }
+    if (const auto fault = samples_fault(recorded_samples(all->set)); !fault.empty()) {
+        return Error{fault};
     }
     return all;
 }

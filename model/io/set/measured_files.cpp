@@ -1,27 +1,15 @@
 #include "model/io/set/measured_files.h"
 
-#include <algorithm>
-
 #include "model/io/recordings/recording.h"
 #include "model/io/recordings/wave_file.h"
+#include "model/text/atomic_file.h"
+#include "model/text/file_stem.h"
 
 namespace tact {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-// A name as a file's: what file systems refuse or hide becomes "-".
-std::string file_stem(const std::string& name) {
-    constexpr std::string_view kRefused = "/\\:*?\"<>|";
-    constexpr std::size_t kLongest = 120;
-    std::string stem = name.substr(0, kLongest);
-    for (char& c : stem) {
-        if (kRefused.find(c) != kRefused.npos || (c >= 0 && c < 32)) c = '-';
-    }
-    if (stem.empty() || stem.front() == '.') stem.insert(stem.begin(), '-');
-    return stem;
-}
 
 bool holds(const fs::path& file, const Waveform& waveform) {
     const auto recording = read_recording(file, {1.0, 0});
@@ -62,6 +50,7 @@ Expected<Done> store_measurements(PatternSet& set, const fs::path& set_file,
     std::error_code none;
     const fs::path until_now = fs::weakly_canonical(kept_in, none);
     const fs::path folder = fs::absolute(set_file).parent_path() / "measured";
+    remove_abandoned_files(folder);
     for (Vibration& vibration : stored.vibrations) {
         auto* measurement = std::get_if<Measurement>(&vibration.source);
         if (measurement == nullptr || !lies_in(until_now, measurement->path)) continue;

@@ -1,8 +1,8 @@
 // The files of measured twins, which lie beside the set file in a folder of their own.
 //
 // Source    the set file's layout: "waveform": "measured/NAME.wav"
-// Output    WAV, 32 bits float, in g; each file whole or not at all
-// Left out  removing files that no set names any more.
+// Output    WAV, 32 bits float, in g; each file whole or not at all; names by
+// model/text/file_stem.h Left out  removing files that no set names any more.
 #pragma once
 
 #include <filesystem>

@@ -5,6 +5,7 @@
 #include "model/io/recordings/recording.h"
 #include "model/io/set/set_json.h"
 #include "model/text/atomic_file.h"
+#include "model/text/enough_memory.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -25,6 +26,23 @@ fs::path resolved(const fs::path& folder, const std::string& path) {
     return fs::weakly_canonical(whole.parent_path(), none) / whole.filename();
 }
 
+// Whether a file, with all links followed, lies in a folder or below it.
+bool lies_below(const fs::path& folder, const fs::path& file) {
+    std::error_code none;
+    const fs::path base = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, none);
+    const fs::path way = fs::weakly_canonical(file, none).lexically_relative(base);
+    return !way.empty() && *way.begin() != "..";
+}
+
+// What may be told of a recording that is none: of a file outside of the set's folder, nothing that
+// stands in it.
+std::string told(const Error& error, const fs::path& file, const fs::path& folder) {
+    if (lies_below(folder, file)) return error.message;
+    if (const auto size = readable_size(file); !size) return size.error().message;
+    return file.string() + ": is no recording that can be read. It lies outside of the set's " +
+           "folder, so its content is not shown; opened by itself it says more";
+}
+
 // Reads the waveform of a recording that a document names; what is wrong, or empty.
 std::string load_recording(Vibration& vibration, const fs::path& folder,
                            std::vector<std::string>& remarks) {
@@ -34,7 +52,7 @@ std::string load_recording(Vibration& vibration, const fs::path& folder,
     RecordingOptions options;
     if (measurement->scale_g > 0.0) options.scale_g = measurement->scale_g;
     Expected<Recording> recording = read_recording(path, options);
-    if (!recording) return recording.error().message;
+    if (!recording) return told(recording.error(), path, folder);
     for (const std::string& remark : recording->remarks) {
         remarks.push_back(in_quotes(vibration.name) + ": " + remark);
     }
@@ -56,9 +74,12 @@ Expected<Loaded> loaded_from(std::string_view text, const std::string& name,
     Loaded loaded;
     loaded.set = set_of(reading, *document, loaded.remarks);
     if (!reading.fault.empty()) return Error{reading.fault};
+    std::size_t samples = 0;
     for (std::size_t k = 0; k < loaded.set.vibrations.size(); ++k) {
         Vibration& vibration = loaded.set.vibrations[k];
-        const std::string fault = load_recording(vibration, folder, loaded.remarks);
+        std::string fault = load_recording(vibration, folder, loaded.remarks);
+        samples += recorded_samples(vibration);
+        if (fault.empty()) fault = samples_fault(samples);
         if (!fault.empty()) return Error{recording_place(name, k, vibration) + ": " + fault};
     }
     return loaded;
@@ -67,16 +88,20 @@ Expected<Loaded> loaded_from(std::string_view text, const std::string& name,
 }  // namespace
 
 Expected<Loaded> read_set_file(const fs::path& path) {
-    const auto text = read_text_file(path);
-    if (!text) return text.error();
-    return loaded_from(*text, path.string(), path.parent_path());
+    return with_enough_memory(path.string(), [&]() -> Expected<Loaded> {
+        const auto text = read_text_file(path);
+        if (!text) return text.error();
+        return loaded_from(*text, path.string(), path.parent_path());
+    });
 }
 
 Expected<PatternSet> parse_set(std::string_view text, const std::string& name_for_messages,
                                const fs::path& folder) {
-    auto loaded = loaded_from(text, name_for_messages, folder);
-    if (!loaded) return loaded.error();
-    return std::move(loaded->set);
+    return with_enough_memory(name_for_messages, [&]() -> Expected<PatternSet> {
+        auto loaded = loaded_from(text, name_for_messages, folder);
+        if (!loaded) return loaded.error();
+        return std::move(loaded->set);
+    });
 }
 
 std::string print_set(const PatternSet& set) { return text_of(json_of(set, {})); }
@@ -87,12 +112,19 @@ std::string print_set(const PatternSet& set, const fs::path& folder) {
 
 Expected<Done> write_set_file(const fs::path& path, const PatternSet& set) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    const Json document = json_of(set, folder);
-    JsonReading reading{path.string(), {}};
+    const std::string name = path.string();
+    const std::string text = print_set(set, folder);
+    const auto document = parse_json(text, name);
+    if (!document) return document.error();
+    JsonReading reading{name, {}};
     std::vector<std::string> remarks;
-    set_of(reading, document, remarks);
+    set_of(reading, *document, remarks);
     if (!reading.fault.empty()) return Error{reading.fault};
-    return write_atomically(path, text_of(document));
+    if (const auto fault = samples_fault(recorded_samples(set)); !fault.empty()) {
+        return Error{name + ": " + fault};
+    }
+    remove_abandoned_files(folder);
+    return write_atomically(path, text);
 }
 
 }  // namespace tact

@@ -2,7 +2,12 @@
 //
 // Source    format 1: UTF-8 JSON; missing keys take defaults, unknown ones are kept on save.
 // Output    errors as "FILE: PLACE: expected ..", PLACE a JSON pointer; syntax by line and column
-// Valid     the limits of model/pattern/pattern.h; a file of at most 1 GiB
+// Valid     the limits of model/pattern/pattern.h and of model/text/json_fields.h; at most
+//           kMaxSetSamples (loaded.h) in all recordings
+//           Recordings may lie anywhere, as those of a set that was saved elsewhere do: the set
+//           names them by "../" or in full. Outside of the set's folder only what is a regular file
+//           of a recording's ending and parses as one is taken, and a message never quotes what is
+//           in others: a set from somebody else cannot be used to look into them.
 // Left out  the samples of recordings: the set names their files, by paths relative to its own.
 #pragma once
 
@@ -28,8 +33,9 @@ std::string print_set(const PatternSet& set);
 // The same with paths relative to `folder`, as a set file in it has them.
 std::string print_set(const PatternSet& set, const std::filesystem::path& folder);
 
-// Replaces the file whole or not at all. A set that could not be read again (two equal names, a
-// number out of range) is an Error: the old file is worth more.
+// Replaces the file whole or not at all. The text is read again before it is written: a set that
+// could not be opened (two equal names, a number out of range) is an Error, as the old file is
+// worth more.
 Expected<Done> write_set_file(const std::filesystem::path& path, const PatternSet& set);
 
 }  // namespace tact

@@ -1,6 +1,8 @@
 #include "model/io/set/set_json.h"
 
+#include <charconv>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/io/set/design_space_json.h"
@@ -16,7 +18,41 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMaxRatings = 1000;
+// As many as files of ratings can bring together; what they need is bounded by their memory.
+constexpr std::size_t kMaxRatings = 100'000;
+
+// Names of files are bytes, JSON is UTF-8: where they are not, "%" and two hexadecimal digits stand
+// for a byte. None for a text that is not written so.
+std::optional<std::string> percent_decoded(const std::string& text) {
+    std::string bytes;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        unsigned byte = 0;
+        const char* digits = text.data() + k + 1;
+        if (text[k] != '%') {
+            bytes += text[k];
+            continue;
+        }
+        if (k + 2 >= text.size() || std::from_chars(digits, digits + 2, byte, 16).ptr != digits + 2)
+            return std::nullopt;
+        bytes += static_cast<char>(byte);
+        k += 2;
+    }
+    return bytes;
+}
+
+std::string percent_encoded(const std::string& bytes) {
+    constexpr std::string_view kDigits = "0123456789ABCDEF";
+    std::string text;
+    for (const char c : bytes) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80 && c != '%') {
+            text += c;
+        } else {
+            text += {'%', kDigits[byte / 16], kDigits[byte % 16]};
+        }
+    }
+    return text;
+}
 
 // Text of unknown fields as a value of the set keeps them: empty where there are none.
 std::string kept_text(const Json& unknown) {
@@ -92,6 +128,14 @@ Measurement measurement_of(JsonObject& object) {
     if (measurement.path.empty()) {
         refuse(*object.reading, place_of(object, "waveform"), "the path of a file",
                *field(object, "waveform"));
+    }
+    if (yes_no_field(object, "percent_encoded", false)) {
+        const auto bytes = percent_decoded(measurement.path);
+        if (!bytes) {
+            refuse(*object.reading, place_of(object, "waveform"), "two digits behind each %",
+                   *field(object, "waveform"));
+        }
+        measurement.path = bytes.value_or("");
     }
     measurement.scale_g = number_field(object, "scale_g", 0.0, limits::kScaleG);
     measurement.measures = text_field(object, "measures", "");
@@ -249,8 +293,11 @@ Json json_of(const Pattern& pattern, double set_duration_s) {
 }
 
 Json json_of(const Measurement& measurement, const fs::path& folder) {
-    Json fields = {{"waveform", path_from(folder, measurement.path)},
+    const std::string path = path_from(folder, measurement.path);
+    const bool is_text = !first_invalid_utf8(path);
+    Json fields = {{"waveform", is_text ? path : percent_encoded(path)},
                    {"scale_g", measurement.scale_g}};
+    if (!is_text) fields["percent_encoded"] = true;
     if (!measurement.measures.empty()) fields["measures"] = measurement.measures;
     if (measurement.synthetic) fields["synthetic"] = true;
     return fields;

@@ -2,7 +2,10 @@
 //
 // Source    format 1 of the set file. Keys that this version does not know are kept with the value
 //           that they belong to, as text in its `unknown_json`.
-// Left out  the waveforms of recordings: they have files of their own.
+//           Those of a carrier are kept with its position: where a carrier is removed, its
+//           successor gets them, and those of the last are dropped.
+// Left out  the waveforms of recordings: they have files of their own. Their paths are text; one
+//           that is not UTF-8 is written with "%E9" for such a byte, and "percent_encoded": true.
 #pragma once
 
 #include <filesystem>

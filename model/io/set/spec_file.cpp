@@ -1,14 +1,18 @@
 #include "model/io/set/spec_file.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "model/io/set/design_space_json.h"
 #include "model/io/set/set_file.h"
 #include "model/text/atomic_file.h"
+#include "model/text/utf8.h"
 
 namespace tact {
 
 namespace {
+
+constexpr std::size_t kMostNamed = 20;
 
 Expected<Loaded> generator_alone(const std::filesystem::path& path, const Json& document) {
     JsonReading reading{path.string(), {}};
@@ -20,19 +24,36 @@ Expected<Loaded> generator_alone(const std::filesystem::path& path, const Json& 
     if (!reading.fault.empty()) return Error{reading.fault};
     const auto* durations = std::get_if<std::vector<double>>(&space.duration_s);
     if (durations != nullptr && durations->size() == 1) set.duration_s = durations->front();
-    set.name = path.stem().string();
+    set.name = valid_utf8(path.stem().string());
     set.generator = std::move(space);
     if (!unknown.empty()) set.unknown_json = Json{{"generator", unknown}}.dump();
     return loaded;
 }
 
+// Where the values are that nothing is nested in. No more than are named, as their number times the
+// length of a place has no bound.
+void add_places(const Json& value, const std::string& place, std::vector<std::string>& places) {
+    if (!value.is_structured() || value.empty()) {
+        places.push_back(shortened(place, 100));
+        return;
+    }
+    for (const auto& [key, part] : value.items()) {
+        if (places.size() > kMostNamed) return;
+        add_places(part, place + "/" + key, places);
+    }
+}
+
 void remark_unknown(const std::filesystem::path& path, Loaded& loaded) {
     const Json unknown = Json::parse(loaded.set.unknown_json, nullptr, false);
     if (!unknown.is_object() || !unknown.contains("generator")) return;
-    const Json places = unknown["generator"].flatten();
-    for (const auto& [place, value] : places.items()) {
-        loaded.remarks.push_back(path.string() + ": " + place +
+    std::vector<std::string> places;
+    add_places(unknown["generator"], "", places);
+    for (std::size_t k = 0; k < std::min(places.size(), kMostNamed); ++k) {
+        loaded.remarks.push_back(path.string() + ": " + places[k] +
                                  " means nothing to a generator and was left aside");
+    }
+    if (places.size() > kMostNamed) {
+        loaded.remarks.push_back(path.string() + ": more keys mean nothing to a generator");
     }
 }
 

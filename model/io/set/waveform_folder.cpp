@@ -89,9 +89,14 @@ Expected<Loaded> read_folder(const fs::path& folder,
     loaded.set.name = valid_utf8(fs::weakly_canonical(folder, none).filename().string());
     std::vector<std::string> names;
     std::vector<FileRemark> remarks;
+    std::size_t samples = 0;
     for (const fs::path& file : listing->files) {
         auto vibration = vibration_from(file, remarks);
         if (!vibration) return vibration.error();
+        samples += recorded_samples(*vibration);
+        if (const auto fault = samples_fault(samples); !fault.empty()) {
+            return Error{file.string() + ": " + fault};
+        }
         names.push_back(vibration->name);
         loaded.set.vibrations.push_back(*std::move(vibration));
     }

@@ -2,7 +2,7 @@
 //
 // Source    the layout of the files that the paper's authors publish (testVibration_0.txt ..)
 // Output    vibrations in natural order of their names: 2 before 10
-// Valid     1 to 10,000 files
+// Valid     1 to 10,000 files of kMaxSetSamples in all (loaded.h)
 // Left out  folders within the folder.
 #pragma once
 

@@ -1,11 +1,13 @@
 #include "model/io/set/set_file.h"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 
 #include "model/io/recordings/text_waveform.h"
 #include "model/io/recordings/wave_file.h"
+#include "model/io/set/load.h"
 #include "tests/support/temporary_folder.h"
 
 namespace set_file_test {
@@ -334,6 +336,92 @@ TEST_CASE("set file: what could not be read again is not written, and the old fi
     CHECK(bytes_of(file) == "old");
     CHECK(write_set_file(file, unusual_set()));
     CHECK(read_set_file(file)->set == unusual_set());
+}
+
+TEST_CASE("set file: a set of which a pair was not rated is saved, and the old one replaced") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("s.json", "old");
+    PatternSet set = unusual_set();
+    set.ratings[0].condensed[1] = kUnrated;
+    const auto written = write_set_file(file, set);
+    REQUIRE_MESSAGE(written, (written ? "" : written.error().message));
+    CHECK(read_set_file(file)->set == set);
+}
+
+TEST_CASE("set file: recordings whose path is no UTF-8 are found again") {
+    const TemporaryFolder folder;
+    const std::string latin = "caf\xE9 100% \xFF";
+    const fs::path inside = folder.path / (latin + ".wav");
+    const fs::path outside = folder.path / latin / "b.txt";
+    REQUIRE(write_wave_file(inside, {kModelRateHz, {0.5, -0.25}}));
+    fs::create_directory(folder.path / latin);
+    REQUIRE(write_text_waveform(outside, {kModelRateHz, {1.0}}));
+    auto set = *load_sets(std::vector<fs::path>{inside, outside});
+    for (const fs::path& file : {folder.path / "s.json", folder.path / latin / "s.json"}) {
+        REQUIRE(write_set_file(file, set.set));
+        CHECK(contains(bytes_of(file), "caf%E9"));
+        const auto again = read_set_file(file);
+        REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
+        CHECK(std::get<Measurement>(again->set.vibrations[0].source) ==
+              std::get<Measurement>(set.set.vibrations[0].source));
+        CHECK(std::get<Measurement>(again->set.vibrations[1].source) ==
+              std::get<Measurement>(set.set.vibrations[1].source));
+    }
+    const auto kept = parse_set(print_set(set.set), "autosave", "/");
+    REQUIRE_MESSAGE(kept, (kept ? "" : kept.error().message));
+    CHECK(*kept == set.set);
+    CHECK(contains(fault(with_pattern(R"(, "waveform": "%G1", "percent_encoded": true)")),
+                   "/patterns/0/waveform: expected two digits"));
+    CHECK(contains(fault(with_pattern(R"(, "waveform": "a%2", "percent_encoded": true)")),
+                   "/patterns/0/waveform: expected two digits"));
+}
+
+TEST_CASE("set file: what a set names outside of its folder is heard, but never told") {
+    const TemporaryFolder folder;
+    folder.write("secret.txt", "root:x:0:0\n");
+    folder.write("secret.wav", "root:x:0:0 and much more than a header\n");
+    folder.write("loud.wav.json", R"({"scale_g": "root:x:0:0"})");
+    REQUIRE(write_wave_file(folder.path / "plain.wav", {kModelRateHz, {0.5}}));
+    fs::copy_file(folder.path / "plain.wav", folder.path / "loud.wav");
+    folder.write("set/own.txt", "root:x:0:0\n");
+    fs::create_symlink("../secret.txt", folder.path / "set/link.txt");
+    const auto read = [&](const std::string& name) {
+        return read_set_file(
+            folder.write("set/s.json", with_pattern(", \"waveform\": \"" + name + "\"")));
+    };
+    const std::vector<std::string> names{"../secret.txt",     "../secret.wav",
+                                         "../loud.wav",       "link.txt",
+                                         "../set/link.txt",   (folder.path / "secret.txt").string(),
+                                         "x/../../secret.txt"};
+    for (const std::string& name : names) {
+        CAPTURE(name);
+        const auto refused = read(name);
+        REQUIRE_FALSE(refused);
+        CHECK_FALSE(contains(refused.error().message, "root"));
+        CHECK(contains(refused.error().message, "outside of the set's folder"));
+    }
+    // Of its own files and by themselves they say what is wrong with them.
+    CHECK(contains(read("own.txt").error().message, "root:x"));
+    CHECK(contains(read("../set/own.txt").error().message, "root:x"));
+    CHECK(contains(load_set(folder.path / "secret.txt").error().message, "root:x"));
+    CHECK(contains(read("../gone.txt").error().message, "there is no such file"));
+    // What users have saved goes on opening.
+    CHECK(read("../plain.wav"));
+    CHECK(read((folder.path / "plain.wav").string()));
+}
+
+TEST_CASE("set file: a set that names a pipe or a device is refused at once") {
+    const TemporaryFolder folder;
+    REQUIRE(::mkfifo((folder.path / "pipe.txt").c_str(), 0600) == 0);
+    fs::create_symlink("/dev/zero", folder.path / "endless.txt");
+    for (const char* name : {"pipe.txt", "endless.txt"}) {
+        CAPTURE(name);
+        const auto set = read_set_file(
+            folder.write("s.json", with_pattern(std::string(", \"waveform\": \"") + name + "\"")));
+        REQUIRE_FALSE(set);
+        CHECK(contains(set.error().message, "expected a file"));
+    }
+    CHECK(contains(load_set(folder.path / "pipe.txt").error().message, "is a pipe"));
 }
 
 }  // namespace set_file_test

@@ -1,0 +1,25 @@
+#include "model/io/set/loaded.h"
+
+#include "model/text/numbers.h"
+
+namespace tact {
+
+std::size_t recorded_samples(const Vibration& vibration) {
+    const auto* measurement = std::get_if<Measurement>(&vibration.source);
+    const bool is_there = measurement != nullptr && measurement->waveform != nullptr;
+    return is_there ? measurement->waveform->samples_g.size() : 0;
+}
+
+std::size_t recorded_samples(const PatternSet& set) {
+    std::size_t samples = 0;
+    for (const Vibration& vibration : set.vibrations) samples += recorded_samples(vibration);
+    return samples;
+}
+
+std::string samples_fault(std::size_t samples) {
+    if (samples <= kMaxSetSamples) return {};
+    return "expected at most " + grouped_digits(kMaxSetSamples) +
+           " samples in all recordings, got more";
+}
+
+}  // namespace tact
