@@ -4,6 +4,7 @@
 //     low,0.1,-0.2,0.3
 //
 // Output    errors as "FILE:LINE: expected .."
+// Valid     finite numbers, in UTF-8, kMaxCoordinatesBytes: a row of four bytes takes a hundred
 #pragma once
 
 #include <Eigen/Core>
@@ -15,6 +16,8 @@
 #include "model/common/expected.h"
 
 namespace tact {
+
+inline constexpr std::size_t kMaxCoordinatesBytes = std::size_t{1} << 25;
 
 struct LabelledPoints {
     std::vector<std::string> labels;

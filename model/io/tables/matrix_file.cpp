@@ -9,6 +9,7 @@
 #include "model/pattern/pattern.h"
 #include "model/text/atomic_file.h"
 #include "model/text/csv.h"
+#include "model/text/enough_memory.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -37,10 +38,10 @@ std::string matrix_row(std::span<const std::string> labels, const Dissimilarity&
 // A matrix while its lines are read.
 struct MatrixReading {
     std::string file;
+    std::size_t text_bytes = 0;
     bool is_labelled = false;
     LabelledMatrix matrix;
-    std::vector<double> below;       // the lower triangle, row by row
-    std::vector<std::size_t> lines;  // of every row
+    std::size_t rows = 0;
 };
 
 Error at_line(const MatrixReading& reading, std::size_t line, const std::string& fault) {
@@ -65,13 +66,21 @@ std::string take_labels(MatrixReading& reading, const CsvRecord& first) {
             return "expected names that differ, got " + in_quotes(label) + " twice";
     }
     reading.matrix.dissimilarity.size = labels.size();
+    // A number takes two characters at least: names alone make no memory.
+    const std::size_t pairs = pair_count(labels.size());
+    reading.matrix.dissimilarity.condensed.reserve(std::min(pairs, reading.text_bytes / 4));
     return {};
+}
+
+// Whether a value below the diagonal is that above it, but for rounding.
+bool is_reverse(double lower, double upper) {
+    return std::abs(lower - upper) <= kAsymmetry * std::max(std::abs(lower), std::abs(upper));
 }
 
 // One row; what is wrong with it, or empty.
 std::string take_row(MatrixReading& reading, const CsvRecord& record) {
     const auto& labels = reading.matrix.labels;
-    const std::size_t i = reading.lines.size();
+    const std::size_t i = reading.rows;
     const std::size_t head = reading.is_labelled ? 1 : 0;
     if (i == labels.size()) return "expected as many rows as columns, got more";
     if (record.fields.size() != labels.size() + head) {
@@ -92,29 +101,14 @@ std::string take_row(MatrixReading& reading, const CsvRecord& record) {
         if (j == i && *value != 0.0) {
             return "expected 0 on the diagonal, got " + in_quotes(field);
         }
-        if (j < i) reading.below.push_back(*value);
+        if (j < i && !is_reverse(*value, reading.matrix.dissimilarity(j, i))) {
+            return "expected a symmetric matrix, got other values for " + in_quotes(labels[i]) +
+                   " and " + in_quotes(labels[j]) + " than for the reverse";
+        }
         if (j > i) reading.matrix.dissimilarity.condensed.push_back(*value);
     }
-    reading.lines.push_back(record.line);
+    ++reading.rows;
     return {};
-}
-
-// The first place where the triangles differ, as an Error, or the matrix.
-Expected<LabelledMatrix> checked(MatrixReading reading) {
-    const Dissimilarity& upper = reading.matrix.dissimilarity;
-    std::size_t next = 0;
-    for (std::size_t i = 1; i < upper.size; ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            const double lower = reading.below[next++];
-            const double larger = std::max(std::abs(lower), std::abs(upper(j, i)));
-            if (std::abs(lower - upper(j, i)) <= kAsymmetry * larger) continue;
-            return at_line(reading, reading.lines[i],
-                           "expected a symmetric matrix, got other values for " +
-                               in_quotes(reading.matrix.labels[i]) + " and " +
-                               in_quotes(reading.matrix.labels[j]) + " than for the reverse");
-        }
-    }
-    return std::move(reading.matrix);
 }
 
 }  // namespace
@@ -142,6 +136,7 @@ Expected<Done> write_matrix_file(const std::filesystem::path& path,
                                  std::span<const std::string> labels,
                                  const Dissimilarity& dissimilarity) {
     assert(labels.size() == dissimilarity.size && "one label for each object");
+    remove_abandoned_files(path.has_parent_path() ? path.parent_path() : ".");
     auto file = AtomicFile::open(path);
     if (!file) return file.error();
     if (auto appended = file->append(head_row(labels)); !appended) return appended;
@@ -172,6 +167,7 @@ Expected<LabelledMatrix> parse_matrix(std::string_view text, const std::string& 
     MatrixReading reading;
     reading.file = file;
     text = without_bom(text);
+    reading.text_bytes = text.size();
     if (const auto invalid = first_invalid_utf8(text)) {
         return at_line(reading, position_of(text, *invalid).line, "expected text in UTF-8");
     }
@@ -189,19 +185,20 @@ Expected<LabelledMatrix> parse_matrix(std::string_view text, const std::string& 
         if (fault.empty()) fault = take_row(reading, record);
         if (!fault.empty()) return at_line(reading, record.line, fault);
     }
-    const std::size_t rows = reading.lines.size();
-    if (rows < reading.matrix.labels.size() || rows == 0) {
+    if (reading.rows < reading.matrix.labels.size() || reading.rows == 0) {
         return at_line(reading, reader.line,
                        "expected " + std::to_string(reading.matrix.labels.size()) +
-                           " rows, as there are columns, got " + std::to_string(rows));
+                           " rows, as there are columns, got " + std::to_string(reading.rows));
     }
-    return checked(std::move(reading));
+    return std::move(reading.matrix);
 }
 
 Expected<LabelledMatrix> read_matrix_file(const std::filesystem::path& path) {
-    const auto text = read_text_file(path);
-    if (!text) return text.error();
-    return parse_matrix(*text, path.string());
+    return with_enough_memory(path.string(), [&path]() -> Expected<LabelledMatrix> {
+        const auto text = read_text_file(path);
+        if (!text) return text.error();
+        return parse_matrix(*text, path.string());
+    });
 }
 
 }  // namespace tact

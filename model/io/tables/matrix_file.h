@@ -7,7 +7,9 @@
 // Source    quoting as in RFC 4180; numbers in the shortest digits that read back as the same
 // Input     also bare numbers, separated by blanks or commas: their names are 1, 2, 3 ..
 // Output    errors as "FILE:LINE: expected .."
-// Valid     at most 10,000 objects; symmetric to 1e-9 of the larger value, 0 on the diagonal
+// Valid     at most 10,000 objects, in a file of at most kMaxFileBytes (0.4 GB of numbers beside
+// it);
+//           symmetric to 1e-9 of the larger value, 0 on the diagonal
 // Left out  other separators, triangular and rectangular matrices.
 #pragma once
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "tests/support/mutations.h"
 #include "tests/support/temporary_folder.h"
 
 namespace matrix_file_test {
@@ -110,6 +111,36 @@ TEST_CASE("matrix file: coordinates have a column for each dimension") {
     std::ostringstream stream;
     write_coordinates_csv(stream, labels, points);
     CHECK(stream.str() == "name,D1,D2,D3\na,0.1,-0.25,0\n\"b,c\",1,2,1e-17\n");
+}
+
+TEST_CASE("matrix file: after an accident it is refused, or written and read again the same") {
+    std::size_t accepted = 0;
+    for (unsigned seed = 0; seed < 1500; ++seed) {  // few stay symmetric
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        const std::string whole = seed % 2 == 0
+                                      ? ",a,\"b,\"\"\",c\na,0,0.1,-0\n\"b,\"\"\",0.1,0,5e-324\n"
+                                        "c,-0,5e-324,0\n"
+                                      : "0 1 2\n1 0 3.5\n2 3.5 0\n";
+        const auto matrix = parse_matrix(after_mishaps(whole, random), "m.csv");
+        if (!matrix) {
+            CHECK(contains(matrix.error().message, "m.csv:"));
+            continue;
+        }
+        ++accepted;
+        const LabelledMatrix again = parsed(printed(*matrix));
+        CHECK(again.labels == matrix->labels);
+        CHECK(again.dissimilarity.size == matrix->dissimilarity.size);
+        CHECK(again.dissimilarity.condensed == matrix->dissimilarity.condensed);
+    }
+    CHECK(accepted > 20);
+}
+
+TEST_CASE("matrix file: as many names as one likes make no memory without their numbers") {
+    std::string names;
+    for (int k = 0; k < 10'000; ++k) names += "," + std::to_string(k) + "x";
+    CHECK(contains(fault(names + "\n"), "expected 10000 rows, as there are columns, got 0"));
+    CHECK(contains(fault(names + ",more\n"), "at most 10,000 columns"));
 }
 
 }  // namespace matrix_file_test
