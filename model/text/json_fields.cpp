@@ -25,6 +25,7 @@ constexpr std::size_t kContainerBytes = 72;
 constexpr std::size_t kElementBytes = 40;  // with its share of room to grow
 constexpr std::size_t kKeyBytes = 112;
 constexpr std::size_t kTextBytes = 48;
+constexpr std::size_t kCharacterBytes = 3;  // of a text, which the parser keeps and copies
 
 // A text looked at before a parser trusts it: its depth, as values nested too deep overflow the
 // stack; its keys, as the parser compares each with all before it; and the memory it will take.
@@ -61,7 +62,7 @@ std::string size_fault(const std::string& file, std::string_view text) {
         const char c = text[k];
         std::string fault;
         if (in_string) {
-            ++scan.memory;
+            scan.memory += kCharacterBytes;
             if (c == '\\') ++k;
             if (c == '"') in_string = false;
         } else if (c == '"') {

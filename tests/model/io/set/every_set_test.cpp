@@ -229,7 +229,7 @@ TEST_CASE("every set: a file after an accident is refused, or its set can be sav
 TEST_CASE("every set: a generator's file after an accident is refused, or kept as it was read") {
     const TemporaryFolder folder;
     std::size_t accepted = 0;
-    for (unsigned seed = 0; seed < 300; ++seed) {
+    for (unsigned seed = 0; seed < 600; ++seed) {
         CAPTURE(seed);
         Dice dice{std::mt19937(seed)};
         const std::string whole = R"({"design": "sobol", "samples": 120, "seed": 1,
