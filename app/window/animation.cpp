@@ -75,9 +75,6 @@ bool is_exporting(const App& app) {
 }
 
 void continue_exports(App& app) {
-    if (std::exchange(app.exports.cancel_asked, false) && app.exports.animation) {
-        cancel_animation(app);
-    }
     if (!app.subset->export_to.empty()) return continue_subset_export(app);
     if (!app.exports.picture.empty()) return draw_waiting_picture(app);
     if (app.exports.animation) draw_next_frame(app);

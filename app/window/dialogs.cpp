@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "app/calibrate/calibrate_dialog.h"
 #include "app/calibrate/measuring_response.h"
@@ -127,6 +128,7 @@ void draw_chooser(App& app) {
 void draw_dialogs(App& app) {
     draw_chooser(app);
     draw_exports(app);
+    if (std::exchange(app.exports.cancel_asked, false)) cancel_animation(app);
     draw_import_dialogs(app);
     if (app.dialog == Dialog::about) draw_about(app);
     if (app.dialog == Dialog::keys) draw_keys(app);
