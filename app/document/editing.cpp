@@ -1,6 +1,7 @@
 #include "app/document/editing.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/ui/widgets.h"
 
@@ -54,6 +55,10 @@ const Vibration* current_vibration(const App& app) {
 std::vector<std::size_t> selected_indices(const App& app) {
     if (app.document.set.vibrations.empty()) return {};
     std::set<std::size_t> all = app.selection.others;
+    if (!all.empty() && !app.selection.search.empty()) {
+        const std::vector<std::size_t> listed = listed_indices(app);
+        std::erase_if(all, [&](std::size_t k) { return !std::ranges::binary_search(listed, k); });
+    }
     all.insert(app.selection.current);
     return {all.begin(), all.end()};
 }
@@ -80,16 +85,17 @@ void toggle_selected(App& app, std::size_t index) {
 
 void select_through(App& app, std::size_t index) {
     const auto [first, last] = std::minmax(app.selection.current, index);
-    for (std::size_t k = first; k <= last; ++k) {
-        if (k != app.selection.current) app.selection.others.insert(k);
+    for (const std::size_t k : listed_indices(app)) {
+        if (k >= first && k <= last && k != app.selection.current) app.selection.others.insert(k);
     }
 }
 
 void select_all(App& app) {
-    if (!vibrations(app).empty()) {
-        select_through(app, 0);
-        select_through(app, vibrations(app).size() - 1);
-    }
+    const std::vector<std::size_t> listed = listed_indices(app);
+    if (listed.empty()) return;
+    if (!std::ranges::binary_search(listed, app.selection.current)) select_only(app, listed[0]);
+    app.selection.others.insert(listed.begin(), listed.end());
+    app.selection.others.erase(app.selection.current);
 }
 
 void choose_pair(App& app, std::size_t current, std::size_t partner) {
@@ -105,7 +111,12 @@ void predictions_changed(App& app) { ++app.revision; }
 
 void commit_step(App& app, const std::string& label) {
     auto after = std::make_shared<const PatternSet>(app.document.set);
-    if (app.history.commit(app.committed, after, label)) app.committed = std::move(after);
+    const std::string* last = app.history.undo_label();
+    const bool joins =
+        std::exchange(app.editor.nudges_on, false) && last != nullptr && *last == label;
+    const bool moved = joins ? app.history.join(app.committed, after, label)
+                             : app.history.commit(app.committed, after, label);
+    if (moved) app.committed = std::move(after);
 }
 
 void edit_patterns(App& app, const std::function<void(Pattern&)>& change) {
@@ -121,7 +132,7 @@ void edit_patterns(App& app, const std::function<void(Pattern&)>& change) {
 }
 
 std::string of_selection(const App& app, const std::string& what) {
-    const std::size_t count = app.selection.others.size() + 1;
+    const std::size_t count = selected_indices(app).size();
     if (count > 1) return what + " of " + std::to_string(count) + " patterns";
     const Vibration* current = current_vibration(app);
     return what + (current == nullptr ? "" : " of " + current->name);
@@ -159,7 +170,9 @@ void duplicate_selected(App& app) {
 }
 
 void remove_selected(App& app) {
-    std::vector<std::size_t> gone = selected_indices(app);
+    std::set<std::size_t> all = app.selection.others;
+    if (current_vibration(app) != nullptr) all.insert(app.selection.current);
+    std::vector<std::size_t> gone(all.begin(), all.end());
     const std::vector<std::size_t> listed = listed_indices(app);
     const std::size_t hidden = std::erase_if(
         gone, [&listed](std::size_t k) { return !std::ranges::binary_search(listed, k); });

@@ -13,7 +13,8 @@ namespace tact {
 // The vibration in the editor; null in an empty set.
 const Vibration* current_vibration(const App& app);
 
-// Current and others, ascending; empty in an empty set.
+// Current, and those others that the search shows, ascending; empty in an empty set. Nothing hidden
+// is changed with what is seen.
 std::vector<std::size_t> selected_indices(const App& app);
 
 // What the list shows: those with the search's text in their names, ascending.
@@ -21,7 +22,7 @@ std::vector<std::size_t> listed_indices(const App& app);
 
 void select_only(App& app, std::size_t index);
 void toggle_selected(App& app, std::size_t index);
-void select_through(App& app, std::size_t index);  // everything between current and index
+void select_through(App& app, std::size_t index);  // everything listed from current to index
 void select_all(App& app);
 // Makes the first pattern current and the second its partner.
 void choose_pair(App& app, std::size_t current, std::size_t partner);

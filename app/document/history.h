@@ -5,7 +5,7 @@
 //
 // Input     the value before and after a gesture, and what the gesture did ("Change amplitude")
 // Output    the value to go back or forward to
-// Left out  merging of steps: the caller commits when a gesture ends.
+// Left out  knowing what is one gesture: the caller commits when it ends, or has it join the last.
 #pragma once
 
 #include <cassert>
@@ -34,6 +34,20 @@ class History {
         steps_.resize(done_);
         steps_.push_back({std::move(before), std::move(after), std::move(label)});
         if (steps_.size() > limit_) steps_.pop_front();
+        done_ = steps_.size();
+        return true;
+    }
+
+    // Moves the end of the last step, where one can be undone and ends at `before`; one that comes
+    // back to where it began is none. Else a step of its own.
+    bool join(State before, State after, std::string label) {
+        if (done_ == 0 || steps_[done_ - 1].after != before) {
+            return commit(std::move(before), std::move(after), std::move(label));
+        }
+        if (*before == *after) return false;
+        steps_.resize(done_);
+        steps_.back().after = std::move(after);
+        if (*steps_.back().before == *steps_.back().after) steps_.pop_back();
         done_ = steps_.size();
         return true;
     }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace tact {
 
@@ -17,6 +18,9 @@ struct Selection {
     bool scroll_to_current = false;           // in the list, in the next frame
     std::set<std::string> too_close{};        // names in pairs that are marked as too close
     std::optional<std::size_t> hovered_last;  // in the last frame, by any panel
+    // Two at once, as a cell of the matrix has them: in this frame, and in the last.
+    std::optional<std::pair<std::size_t, std::size_t>> hovered_pair{};
+    std::optional<std::pair<std::size_t, std::size_t>> hovered_pair_last{};
 };
 
 }  // namespace tact

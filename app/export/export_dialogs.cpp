@@ -10,14 +10,15 @@
 #include "app/document/editing.h"
 #include "app/export/exports.h"
 #include "app/ui/dialog.h"
+#include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 
 namespace tact {
 
 namespace {
 
-constexpr int kLeastPx = 64;
-constexpr int kMostPx = 8192;
+constexpr Range kPixels{64.0, 8192.0};
+constexpr Range kTextScale{0.75, 4.0};
 
 const char* label_of(PictureView view) {
     switch (view) {
@@ -56,32 +57,33 @@ void draw_views(App& app, std::span<const PictureView> views, PictureView& chose
     ImGui::NewLine();
 }
 
+NumberEntry entry_of(const App& app, const char* id, const char* label, Range allowed) {
+    return {.id = id,
+            .label = label,
+            .format = "%.6g",
+            .rules = {allowed},
+            .width_px = 90.0F * app.theme.scale};
+}
+
 void draw_size(App& app, PictureSize& size) {
-    const float width = 90.0F * app.theme.scale;
     draw_label(app, "Size");
-    ImGui::SetNextItemWidth(width);
-    ImGui::InputInt("##width", &size.width, 0);
-    note_item(app.rects, "export:width");
+    enter_whole(app, entry_of(app, "width", "Width", kPixels), size.width);
+    note_item(app.rects, "export:width", std::to_string(size.width));
     ImGui::SameLine();
     dim_text(app, "\u00d7");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(width);
-    ImGui::InputInt("##height", &size.height, 0);
-    note_item(app.rects, "export:height");
+    enter_whole(app, entry_of(app, "height", "Height", kPixels), size.height);
+    note_item(app.rects, "export:height", std::to_string(size.height));
     ImGui::SameLine();
     dim_text(app, "pixels");
     draw_label(app, "Text");
-    ImGui::SetNextItemWidth(width);
-    ImGui::InputFloat("##scale", &size.scale, 0.0F, 0.0F, "%.2f");
+    double scale = static_cast<double>(size.scale);
+    if (enter_number(app, entry_of(app, "scale", "Text", kTextScale), scale)) {
+        size.scale = static_cast<float>(scale);
+    }
+    note_item(app.rects, "export:scale", std::to_string(size.scale));
     ImGui::SameLine();
     dim_text(app, "times as large as usual");
-}
-
-// While typing, numbers may be anything; what is drawn may not.
-void keep_in_range(PictureSize& size) {
-    size.width = std::clamp(size.width, kLeastPx, kMostPx);
-    size.height = std::clamp(size.height, kLeastPx, kMostPx);
-    size.scale = std::isfinite(size.scale) ? std::clamp(size.scale, 0.75F, 4.0F) : 1.0F;
 }
 
 void draw_view_dialog(App& app) {
@@ -90,15 +92,15 @@ void draw_view_dialog(App& app) {
     draw_size(app, app.exports.picture_size);
     dim_text(app, "PNG for pixels, SVG to magnify and to edit: by the ending of the name.");
     if (!draw_ends(app, "Choose a file...", true)) return;
-    keep_in_range(app.exports.picture_size);
     choose_picture(app);
 }
 
 void draw_seconds(App& app, const char* id, const char* label, double& value) {
     draw_label(app, label);
-    ImGui::SetNextItemWidth(90.0F * app.theme.scale);
-    ImGui::InputDouble((std::string("##") + id).c_str(), &value, 0.0, 0.0, "%.3f");
-    note_item(app.rects, std::string("export:") + id);
+    NumberEntry entry = entry_of(app, id, label, {0.0, shown_duration_s(app)});
+    entry.rules.unit = "s";
+    enter_number(app, entry, value);
+    note_item(app.rects, std::string("export:") + id, std::to_string(value));
     ImGui::SameLine();
     dim_text(app, "s");
 }
@@ -111,9 +113,8 @@ void draw_animation_dialog(App& app) {
     draw_seconds(app, "from", "From", state.from_s);
     draw_seconds(app, "to", "To", state.to_s);
     draw_label(app, "Frames");
-    ImGui::SetNextItemWidth(90.0F * app.theme.scale);
-    ImGui::InputInt("##frames", &state.frames, 0);
-    note_item(app.rects, "export:frames");
+    enter_whole(app, entry_of(app, "frames", "Frames", {1.0, kMostFrames}), state.frames);
+    note_item(app.rects, "export:frames", std::to_string(state.frames));
     const double duration_s = shown_duration_s(app);
     const bool is_good = state.from_s >= 0.0 && state.from_s < state.to_s &&
                          state.to_s <= duration_s && state.frames >= 1 &&
@@ -131,7 +132,6 @@ void draw_animation_dialog(App& app) {
     dim_text(app, text);
     draw_size(app, state.frame_size);
     if (!draw_ends(app, "Choose a folder...", is_good)) return;
-    keep_in_range(state.frame_size);
     choose_frames(app);
 }
 

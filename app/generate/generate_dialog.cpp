@@ -12,6 +12,7 @@
 #include "app/generate/generating.h"
 #include "app/jobs/time_left.h"
 #include "app/ui/dialog.h"
+#include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
@@ -213,7 +214,7 @@ void draw_generate_dialog(App& app) {
     if (!begin_dialog(app, "Generate candidates", kDialogWidthPx)) return;
     push_dialog_colours(app.theme);
     // Esc leaves an entry first, then the dialog.
-    const bool typing = !app.generate.typing.empty();
+    const bool typing = !app.generate.typing.empty() || is_number_typed(app);
     const bool popup = ImGui::IsPopupOpen("rhythms", ImGuiPopupFlags_AnyPopupId);
     dim_text(app, "Give every parameter a number, several levels, or a range.");
     draw_parameters(app);

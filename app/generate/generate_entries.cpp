@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
@@ -81,27 +82,30 @@ std::optional<std::string> draw_entry(App& app, const std::string& id, const std
     return text == shown ? std::nullopt : std::optional(text);
 }
 
-void draw_number(App& app, const std::string& id, double& value, Range allowed, double times) {
-    const float width = kNumberWidthPx * app.theme.scale;
-    const auto typed = draw_entry(app, id, short_digits(times * value), width);
-    // The decimal comma of half of the world is a point here; in a list it is not.
-    if (app.generate.typing == id) app.editor.typing_number = true;
-    const auto number = typed ? finite_number_in(*typed) : std::nullopt;
-    if (number && allowed.contains(*number / times)) {
-        value = *number / times;
-    } else if (typed) {
-        app.generate.takes_back = true;
+void draw_number(App& app, const std::string& id, double& value, Range allowed, const Unit& unit) {
+    double shown = unit.times * value;
+    const NumberEntry entry{
+        .id = id,
+        .label = id,
+        .format = "%.6g",
+        .rules = {{unit.times * allowed.low, unit.times * allowed.high}, unit.name},
+        .width_px = kNumberWidthPx * app.theme.scale,
+        .live = true};
+    if (enter_number(app, entry, shown)) {
+        value = std::clamp(shown / unit.times, allowed.low, allowed.high);
     }
+    note_item(app.rects, "generate:" + id, short_digits(shown));
 }
 
 void draw_whole(App& app, const std::string& id, int& value, Range allowed) {
-    double number = value;
-    draw_number(app, id, number, allowed);
-    if (number == std::floor(number)) {
-        value = static_cast<int>(number);
-    } else {
-        app.generate.takes_back = true;
-    }
+    const NumberEntry entry{.id = id,
+                            .label = id,
+                            .format = "%.9g",
+                            .rules = {allowed, "", true},
+                            .width_px = kNumberWidthPx * app.theme.scale,
+                            .live = true};
+    enter_whole(app, entry, value);
+    note_item(app.rects, "generate:" + id, std::to_string(value));
 }
 
 bool option_chip(App& app, const std::string& id, const char* text, bool lit, const char* help) {

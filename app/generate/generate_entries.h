@@ -28,7 +28,8 @@ std::optional<std::string> draw_entry(App& app, const std::string& id, const std
                                       float width);
 
 // A single number, and a whole one. What is typed and cannot be leaves it as it was before.
-void draw_number(App& app, const std::string& id, double& value, Range allowed, double times = 1.0);
+void draw_number(App& app, const std::string& id, double& value, Range allowed,
+                 const Unit& unit = {"", 1.0});
 void draw_whole(App& app, const std::string& id, int& value, Range allowed);
 
 // A chip, and a link, in the middle of a row's height; the next item stands beside them.

@@ -67,10 +67,10 @@ void draw_multiple(App& app, const std::string& id, double& multiple, double tim
 }
 
 void draw_span(App& app, const std::string& id, Span& span, Range allowed, const Unit& unit) {
-    draw_number(app, id + " from", span.from, allowed, unit.times);
+    draw_number(app, id + " from", span.from, allowed, unit);
     beside(app, "to");
     ImGui::SameLine(0.0F, app.theme.gap_px);
-    draw_number(app, id + " to", span.to, allowed, unit.times);
+    draw_number(app, id + " to", span.to, allowed, unit);
     if (*unit.name != '\0') beside(app, unit.name);
     if (app.generate.draft.design == Design::factorial) {
         beside(app, "in");
@@ -234,7 +234,8 @@ struct LimitRow {
     const char* id;
     double first;  // when it is put on
     Range allowed;
-    const char* unit;
+    Unit unit;
+    const char* words;  // behind it
     const char* help;
 };
 
@@ -245,8 +246,8 @@ void draw_limit(App& app, std::optional<double>& limit, const LimitRow& row) {
     }
     if (!limit) return ImGui::NewLine();
     leave_gap(app);
-    draw_number(app, std::string(row.id) + " limit", *limit, row.allowed);
-    beside(app, row.unit);
+    draw_number(app, std::string(row.id) + " limit", *limit, row.allowed, row.unit);
+    beside(app, row.words);
 }
 
 }  // namespace
@@ -304,23 +305,32 @@ void draw_constraint_rows(App& app) {
     }
     if (limits_of.band_hz) {
         leave_gap(app);
-        draw_number(app, "band low", limits_of.band_hz->low, limits::kBandHz);
+        draw_number(app, "band low", limits_of.band_hz->low, limits::kBandHz, {"Hz", 1.0});
         beside(app, "to");
         ImGui::SameLine(0.0F, app.theme.gap_px);
-        draw_number(app, "band high", limits_of.band_hz->high, limits::kBandHz);
+        draw_number(app, "band high", limits_of.band_hz->high, limits::kBandHz, {"Hz", 1.0});
         beside(app, "Hz");
     } else {
         ImGui::NewLine();
     }
     draw_limit(app, limits_of.displacement_um,
-               {"Displacement", "displacement", 100.0, limits::kDisplacementUm, "\u00b5m at most",
+               {"Displacement",
+                "displacement",
+                100.0,
+                limits::kDisplacementUm,
+                {"\u00b5m", 1.0},
+                "\u00b5m at most",
                 "Peak displacement if all components meet at their peaks: what the actuator's "
                 "stroke must hold."});
-    draw_limit(
-        app, limits_of.detectable_db,
-        {"Detectable", "detectable", 6.0, limits::kDetectableDb, "dB or more above threshold",
-         "At least one component is so far above the threshold of a receptor type, by the "
-         "model's tables."});
+    draw_limit(app, limits_of.detectable_db,
+               {"Detectable",
+                "detectable",
+                6.0,
+                limits::kDetectableDb,
+                {"dB", 1.0},
+                "dB or more above threshold",
+                "At least one component is so far above the threshold of a receptor type, by the "
+                "model's tables."});
 }
 
 }  // namespace tact

@@ -137,7 +137,8 @@ void draw_filter(App& app) {
     const std::string format = std::string("%.3g ") + traits(*look.filter).unit;
     const float speed = std::max(1e-4F, (most - least) / 200.0F);
     if (ImGui::DragFloatRange2("from, to", &low, &high, speed, least, most, format.c_str(),
-                               format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+                               format.c_str(),
+                               ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
         // A float that stands at an end must not shut out the double there.
         look.passes.low = low <= least ? reach->low : static_cast<double>(low);
         look.passes.high = high >= most ? reach->high : static_cast<double>(high);
@@ -199,7 +200,7 @@ void draw_map_look(App& app) {
     draw_filter(app);
     ImGui::SetNextItemWidth(170.0F * app.theme.scale);
     if (ImGui::SliderInt("Groups", &look.clusters, 0, kMostClusters,
-                         look.clusters < 2 ? "none" : "%d")) {
+                         look.clusters < 2 ? "none" : "%d", ImGuiSliderFlags_NoInput)) {
         if (look.clusters == 1) look.clusters = 0;
         if (look.clusters > 1) look.colour.reset();
     }

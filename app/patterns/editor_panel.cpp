@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "app/document/editing.h"
 #include "app/patterns/editor_panel.h"
@@ -162,6 +163,10 @@ void draw_editor_panel(App& app) {
         ImGui::TextWrapped("Too close to another pattern: see Subset, Too close.");
         ImGui::PopStyleColor();
         note_item(app.rects, "editor:too close");
+    }
+    // Arrow keys nudge what was touched last in this pattern, not in the one before.
+    if (std::exchange(app.editor.active_pattern, vibration->name) != vibration->name) {
+        app.editor.active_field.clear();
     }
     const Vibration shown = *vibration;  // edits below replace the document's own
     ImGui::BeginDisabled(shown.locked);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/patterns/rhythm_choice.h"
+#include "app/ui/number_typing.h"
 
 namespace tact {
 
@@ -21,12 +22,17 @@ struct SetPanelState {
     std::optional<RowClick> clicked;
     std::string rename_text;
     std::optional<std::size_t> renaming;
+    bool rename_begun = false;  // its box has had the keyboard
 };
 
 struct EditorState {
-    std::string active_field;   // arrows nudge it
-    double typed_number = 0.0;  // in the entry of active_field; taken when the entry is left
-    bool typing_number = false;
+    std::string active_field;    // arrows nudge it ...
+    std::string active_pattern;  // ... as long as this one is in the editor
+    std::string locked_field;    // clicked in vain: keys meant for it do nothing else
+    NumberTyping typing;
+    std::string nudged_field;      // by arrows ...
+    double nudged_s = -10.0;       // ... and when: more of it soon is the same undo step
+    bool nudges_on = false;        // the step that is about to be committed joins the last one
     std::string rhythm_text;       // while being typed
     std::string rhythm_typed_for;  // name of the pattern; empty: not being typed
     RhythmChoice rhythms;

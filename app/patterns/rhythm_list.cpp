@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/ui/dialog.h"
+#include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/pattern/rhythm_lists.h"
 #include "model/perceptual_model/rhythm_envelope.h"
@@ -57,9 +58,14 @@ void keep_texts(RhythmChoice& choice) {
 }
 
 void draw_count(App& app, const char* id, const char* label, int& value, int most) {
-    ImGui::SetNextItemWidth(100.0F * app.theme.scale);
-    ImGui::InputInt((std::string("##") + id).c_str(), &value, 1, 4);
     value = std::clamp(value, 1, most);
+    enter_whole_with_buttons(app,
+                             {.id = id,
+                              .label = label,
+                              .format = "%.9g",
+                              .rules = {{1.0, static_cast<double>(most)}},
+                              .width_px = 100.0F * app.theme.scale},
+                             value);
     note_item(app.rects, std::string("rhythm list:") + id, std::to_string(value));
     ImGui::SameLine();
     dim_text(app, label);
@@ -157,9 +163,13 @@ void draw_rows(App& app, const RhythmChoice& choice,
 
 // Over the whole pattern, from 0 to its largest value.
 void draw_envelope(App& app, RhythmChoice& choice, const Pattern& pattern) {
-    if (choice.previewed != pattern || choice.envelope.empty()) {
-        choice.previewed = pattern;
-        choice.envelope = rhythm_envelope(render(pattern).samples_g, EnvelopeParams{});
+    // A rhythm repeats: of a minute, which a frame could not wait for, the beginning tells enough.
+    constexpr double kLongestS = 4.0;
+    Pattern shown = pattern;
+    shown.duration_s = std::min(pattern.duration_s, kLongestS);
+    if (choice.previewed != shown || choice.envelope.empty()) {
+        choice.previewed = shown;
+        choice.envelope = rhythm_envelope(render(shown).samples_g, EnvelopeParams{});
     }
     const Theme& theme = app.theme;
     const ImVec2 size{ImGui::GetContentRegionAvail().x, kEnvelopeHeightPx * theme.scale};
@@ -171,7 +181,7 @@ void draw_envelope(App& app, RhythmChoice& choice, const Pattern& pattern) {
     const Rect inner = inset(area, 4.0F * theme.scale);
     Plot plot;
     plot.area = inner;
-    plot.x = {0.0, pattern.duration_s, Scale::linear, inner.min.x, inner.max.x};
+    plot.x = {0.0, shown.duration_s, Scale::linear, inner.min.x, inner.max.x};
     plot.y = {0.0, 1.0, Scale::linear, inner.max.y, inner.min.y};
     draw_signal(list, theme, plot, choice.envelope, kModelRateHz, theme.accent, TraceStyle::line);
 }

@@ -91,7 +91,7 @@ void draw_level(App& app) {
     auto percent = static_cast<float>(100.0 * app.play.level);
     ImGui::SetNextItemWidth(kLevelWidthPx * app.theme.scale);
     if (ImGui::SliderFloat("##level", &percent, 0.0F, 100.0F, "level %.0f %%",
-                           ImGuiSliderFlags_AlwaysClamp)) {
+                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
         app.play.level = 0.01 * static_cast<double>(percent);
     }
     note_item(app.rects, "level", std::to_string(app.play.level));

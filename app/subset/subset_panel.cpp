@@ -13,6 +13,7 @@
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_panel.h"
 #include "app/subset/subset_views.h"
+#include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -46,8 +47,13 @@ void draw_count(App& app) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Pick");
     ImGui::SameLine(0.0F, app.theme.gap_px);
-    ImGui::SetNextItemWidth(96.0F * app.theme.scale);
-    if (ImGui::InputInt("##count", &state.count)) state.count = std::clamp(state.count, 2, 1000);
+    enter_whole_with_buttons(app,
+                             {.id = "count",
+                              .label = "Pick",
+                              .format = "%.9g",
+                              .rules = {{2.0, 1000.0}},
+                              .width_px = 96.0F * app.theme.scale},
+                             state.count);
     note_item(app.rects, "subset:count", std::to_string(state.count));
     draw_tooltip(app, "How many patterns the subset has.");
 }

@@ -23,7 +23,7 @@ void draw_share_slider(App& app) {
     ImGui::SetNextItemWidth(150.0F * app.theme.scale);
     auto percent = static_cast<float>(100.0 * state.share);
     if (ImGui::SliderFloat("##share", &percent, 0.5F, 30.0F, "closest %.1f %%",
-                           ImGuiSliderFlags_AlwaysClamp)) {
+                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
         state.share = static_cast<double>(percent) / 100.0;
     }
     note_item(app.rects, "subset:share", std::to_string(state.share));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 
 namespace tact {
@@ -22,9 +23,10 @@ ImU32 dialog_field(const Theme& theme) { return theme.is_dark ? theme.pane : the
 
 void end_dialog(App& app) {
     ImGui::Spacing();
-    const bool escape =
-        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !app.escape_taken;
-    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    const bool typing = is_number_typed(app);  // whose keys these are then
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) &&
+                        !app.escape_taken && !typing;
+    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !typing;
     ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
     if (ImGui::Button("Close") || escape || enter) {
         app.dialog = Dialog::none;
@@ -37,12 +39,13 @@ void end_dialog(App& app) {
 
 bool draw_ends(App& app, const char* action, bool enabled) {
     ImGui::Spacing();
-    const auto pressed = [](ImGuiKey which) {
-        return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false);
+    const auto pressed = [&app](ImGuiKey which) {
+        return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false) && !is_number_typed(app);
     };
+    const bool enter = pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter);
     ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
     ImGui::BeginDisabled(!enabled);
-    const bool go = ImGui::Button(action) || (enabled && pressed(ImGuiKey_Enter));
+    const bool go = ImGui::Button(action) || (enabled && enter);
     ImGui::EndDisabled();
     note_item(app.rects, "button:choose");
     ImGui::SameLine();

@@ -2,12 +2,13 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
 
+#include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -95,14 +96,17 @@ void draw_chips_label(App& app, const char* label) {
 bool draw_number_entry(App& app, const char* id, const char* label, double& value, Range range,
                        const char* unit) {
     draw_label(app, label);
-    ImGui::SetNextItemWidth(kNumberPx * app.theme.scale);
-    ImGui::InputDouble((std::string("##") + id).c_str(), &value, 0.0, 0.0, "%.6g");
-    const bool finished = ImGui::IsItemDeactivatedAfterEdit();
-    note_item(app.rects, id);
+    const bool entered = enter_number(app,
+                                      {.id = id,
+                                       .label = label,
+                                       .format = "%.6g",
+                                       .rules = {range, leading_unit(unit)},
+                                       .width_px = kNumberPx * app.theme.scale},
+                                      value);
+    note_item(app.rects, id, shortest_digits(value));
     ImGui::SameLine();
     dim_text(app, unit);
-    if (finished) value = value >= range.low ? std::min(value, range.high) : range.low;
-    return finished;
+    return entered;
 }
 
 }  // namespace tact

@@ -22,7 +22,7 @@ bool draw_recording_fields(App& app, RecordingFields& fields, bool has_wave);
 // A row's label, and the cursor where chips beside it stand level with it.
 void draw_chips_label(App& app, const char* label);
 
-// A number that is taken, and clamped, when its entry is left: then true. `id` is also its name for
+// A number with its label and unit: true when another one was taken. `id` is also its name for
 // tests.
 bool draw_number_entry(App& app, const char* id, const char* label, double& value, Range range,
                        const char* unit);

@@ -1,9 +1,13 @@
 #include "app/ui/widgets.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
+#include "app/ui/number_field.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 
@@ -87,20 +91,38 @@ double snapped(const Field& field, double value) {
     return std::clamp(value, field.slider.low, field.slider.high);
 }
 
+// One step from where it is, typed values beyond the slider too, onto the next multiple of `snap`
+// on the way.
+double nudged(const Field& field, double value, double step) {
+    constexpr double kSame = 1e-9;  // of a multiple: 0.3 is three tenths
+    double to = value + step;
+    if (field.snap > 0.0 && std::abs(step) >= field.snap) {
+        const double multiples = to / field.snap;
+        to = field.snap *
+             (step > 0.0 ? std::floor(multiples + kSame) : std::ceil(multiples - kSame));
+    }
+    return std::clamp(to, field.typed.low, field.typed.high);
+}
+
 // Left and right nudge the field that was touched last, unless text is being typed.
-bool nudge(const App& app, const Field& field, double& value) {
+bool nudge(App& app, const Field& field, double& value) {
     if (app.editor.active_field != field.id || ImGui::GetIO().WantTextInput) return false;
-    if (ImGui::IsAnyItemActive() || app.keyboard_mode) return false;
+    if (ImGui::IsAnyItemActive() || app.keyboard_mode || !field.enabled) return false;
     const bool right = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow));
     const bool left = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow));
     if (right == left) return false;
-    const double step = std::max(field.step, field.snap) * (ImGui::GetIO().KeyShift ? 5.0 : 1.0);
-    value = snapped(field, value + (right ? step : -step));
-    return true;
+    const ImGuiIO& io = ImGui::GetIO();
+    const double times = io.KeyShift ? kCoarse : io.KeyAlt ? kFine : 1.0;
+    const double step = times * std::max(field.step, field.snap);
+    const double before = std::exchange(value, nudged(field, value, right ? step : -step));
+    join_steps(app, field.id);
+    return value != before;
 }
 
 bool draw_bar(App& app, const Field& field, double& value) {
+    // No input: there is an entry for that, and Tab would turn the bar into another one.
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
+                                   ImGuiSliderFlags_NoInput |
                                    (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     double moved = value;
     const bool changed = ImGui::SliderScalar("##bar", ImGuiDataType_Double, &moved,
@@ -111,22 +133,36 @@ bool draw_bar(App& app, const Field& field, double& value) {
     return changed;
 }
 
-// True when the entry was left, by whatever way, with a number that differs from the value.
-bool draw_entry(App& app, const Field& field, double& value) {
-    double typed = value;
-    if (ImGui::InputDouble("##entry", &typed, 0.0, 0.0, field.format,
-                           ImGuiInputTextFlags_AutoSelectAll)) {
-        // ImGui tells the number while it is typed, not when the entry is left.
-        app.editor.typed_number = typed;
-    }
-    if (ImGui::IsItemActivated()) app.editor.typed_number = value;
-    app.editor.typing_number |= ImGui::IsItemActive();
-    typed = app.editor.typed_number;
-    const bool entered =
-        ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed) && typed != value;
-    if (entered) value = std::clamp(typed, field.typed.low, field.typed.high);
+bool draw_entry(App& app, const Field& field, double& value, float width_px) {
+    const bool entered = enter_number(app,
+                                      {.id = "entry",
+                                       .label = field.label,
+                                       .format = field.format,
+                                       .rules = {field.typed, unit_in(field.format)},
+                                       .width_px = width_px,
+                                       .step = std::max(field.step, field.snap)},
+                                      value);
     note_item(app.rects, std::string("entry:") + field.id, std::to_string(value));
     return entered;
+}
+
+// A ring on the field that arrow keys nudge.
+void draw_nudge_ring(App& app, const Field& field) {
+    if (app.editor.active_field != field.id || !field.enabled || app.as_picture) return;
+    const float s = app.theme.scale;
+    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin() - ImVec2{s, s},
+                                        ImGui::GetItemRectMax() + ImVec2{s, s}, app.theme.accent,
+                                        app.theme.rounding_px, 0, 1.5F * app.theme.hairline_px);
+    note_item(app.rects, "nudged by arrows", field.id);
+}
+
+// A locked field takes nothing, but what is typed at it is not meant for the window either.
+void follow_locked(App& app, const Field& field, const Rect& row) {
+    const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(row.min, row.max);
+    const bool locked = (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) != 0;
+    if (!over || !locked || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
+    app.editor.locked_field = field.id;
+    app.editor.active_field.clear();
 }
 
 float label_column(const App& app) { return kLabelColumnPx * app.theme.scale; }
@@ -192,6 +228,7 @@ FieldEdit draw_field(App& app, const Field& field, double& value) {
     if (field.help != nullptr) draw_tooltip(app, field.help);
 
     bool touched = false;
+    const ImVec2 begin = ImGui::GetCursorScreenPos();
     if (row.bar_px > 0.0F) {
         ImGui::SetNextItemWidth(row.bar_px);
         edit.changed = draw_bar(app, field, value);
@@ -199,10 +236,11 @@ FieldEdit draw_field(App& app, const Field& field, double& value) {
         touched = ImGui::IsItemActivated();
         ImGui::SameLine(0.0F, app.theme.gap_px);
     }
-    ImGui::SetNextItemWidth(row.entry_px);
-    if (draw_entry(app, field, value)) edit.changed = edit.finished = true;
+    if (draw_entry(app, field, value, row.entry_px)) edit.changed = edit.finished = true;
     touched |= ImGui::IsItemActivated();
     if (touched) app.editor.active_field = field.id;
+    draw_nudge_ring(app, field);
+    follow_locked(app, field, {begin, ImGui::GetItemRectMax()});
     if (nudge(app, field, value)) edit.changed = edit.finished = true;
     ImGui::EndDisabled();
     ImGui::PopID();

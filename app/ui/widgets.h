@@ -22,15 +22,15 @@ void draw_pane(App& app, Pane pane, const Rect& area, const PaneTitle& title,
                const std::function<void()>& content);
 
 // A number with a slider and typed entry. Typing reaches further than the slider and is exact; the
-// slider and the arrow keys keep to multiples of `snap`. Where the row is too narrow for all three
-// the label stands above, and where even that is too narrow the slider goes.
+// slider keeps to multiples of `snap`, and arrow keys step onto them. Where the row is too narrow
+// for all three the label stands above, and where even that is too narrow the slider goes.
 struct Field {
     const char* id;      // "amplitude_g": also its name for tests
     const char* label;   // "Amplitude"
     const char* format;  // of printf, with the unit: "%.2f g"
     Range slider;
     Range typed;
-    double step;  // of an arrow key; 5 steps with Shift
+    double step;  // of an arrow key; 5 steps with Shift, a tenth with Alt
     double snap = 0.0;
     bool logarithmic = false;
     const char* help = nullptr;  // a tooltip

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/compare/compare_state.h"
@@ -134,9 +135,10 @@ struct App {
     Session session;
     StatusLine status;
     std::vector<Vibration> clipboard;
-    // Shortcuts pressed in the middle of a drag or an entry, until that has ended: in the same
-    // frame, for the pattern it began on.
-    std::vector<void (*)(App&)> waiting;
+    // What may not be done in the middle of what is being drawn: a shortcut while something is
+    // dragged or typed, an action of a row while rows are drawn. It is done in the same frame,
+    // after the panels, or after the dialogs.
+    std::vector<std::function<void(App&)>> waiting;
 
     double time_s = 0.0;                 // of the current frame
     double frame_s = 0.0;                // since the last one; short after a rest

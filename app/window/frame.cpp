@@ -100,7 +100,7 @@ void begin_thumbnails(App& app) {
 }
 
 void run_waiting(App& app) {
-    for (const auto run : std::exchange(app.waiting, {})) run(app);
+    for (const auto& act : std::exchange(app.waiting, {})) act(app);
 }
 
 void follow_progress(App& app) {
@@ -131,12 +131,8 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     } else {
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
     }
-    // Half of the world types 1,5: in a number the comma is a point.
-    if (std::exchange(app.editor.typing_number, false)) {
-        for (ImWchar& sign : io.InputQueueCharacters) {
-            if (sign == ',') sign = '.';
-        }
-    }
+    if (io.MouseClicked[0]) app.editor.locked_field.clear();
+    app.editor.nudges_on = false;
     const bool moved = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
     if (moved) app.hover_since_s = app.time_s;
 }
@@ -158,6 +154,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.selection.hovered_last = app.selection.hovered;
     app.selection.hovered.reset();
     app.selection.too_close = too_close_names(app);
+    app.selection.hovered_pair_last = std::exchange(app.selection.hovered_pair, std::nullopt);
     follow_import(app);
     follow_calibrate(app);
     follow_study(app);
@@ -190,6 +187,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     draw_tour(app, columns);
     draw_dialogs(app);
     draw_palette(app, pressed);
+    run_waiting(app);
     follow_map(app);
     follow_current(app);
     follow_bench(app);
@@ -210,6 +208,7 @@ bool wants_another_frame(const App& app) {
     return app.playhead.playing || is_sounding(app) || app.play.meter > 0.0 || app.cache.behind ||
            is_study_playing(app) || is_exporting(app) || tilts || is_moving(app) || hover_rests ||
            app.fonts_outdated || app.selection.hovered != app.selection.hovered_last ||
+           app.selection.hovered_pair != app.selection.hovered_pair_last ||
            app.crosshair_s != app.crosshair_last_s;
 }
 

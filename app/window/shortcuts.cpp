@@ -30,6 +30,12 @@ bool belongs_to_text(const Shortcut& shortcut) {
 
 bool is_text_active() { return ImGui::GetIO().WantTextInput; }
 
+// What is typed at a field that is locked would have been a number.
+bool is_meant_for_locked(const App& app, const Shortcut& shortcut) {
+    return !app.editor.locked_field.empty() && !shortcut.ctrl && shortcut.sign >= '0' &&
+           shortcut.sign <= '9';
+}
+
 bool is_popup_open() {
     return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
@@ -79,6 +85,7 @@ void run_shortcuts(App& app, std::span<const KeyPress> pressed) {
         for (const Command& command : commands()) {
             if (!matches(command.shortcut, press)) continue;
             if (is_text_active() && belongs_to_text(command.shortcut)) continue;
+            if (is_meant_for_locked(app, command.shortcut)) continue;
             const bool arrow = press.code == key::kUp || press.code == key::kDown;
             if (arrow && app.keyboard_mode) continue;
             if (command.enabled(app)) run(app, command);

@@ -1,0 +1,44 @@
+// The entry that every number of the window is typed in.
+//
+// A click selects all of it. Enter, Tab and leaving it take what is typed, Esc does not. Up and
+// down step, Shift coarsely, Alt finely, and are taken at once. What is no number is refused and
+// told, what is out of range is clamped and told; a text that stands as it stood changes nothing,
+// though the number has more digits than are shown.
+#pragma once
+
+#include <string>
+
+#include "app/ui/number_entry.h"
+#include "app/window/app.h"
+
+namespace tact {
+
+inline constexpr double kCoarse = 5.0;  // steps with Shift
+inline constexpr double kFine = 0.1;    // and with Alt
+
+struct NumberEntry {
+    std::string id;      // within its window; its name for tests is of who draws it
+    std::string label;   // what a refusal calls it
+    const char* format;  // of printf, with the unit
+    NumberRules rules;
+    float width_px = 0.0F;
+    double step = 0.0;  // 0: one of the second digit
+    bool live = false;  // what is good is taken while it is typed; what is left bad, taken back
+};
+
+// True when another number was taken. It is the last ImGui item then.
+bool enter_number(App& app, const NumberEntry& entry, double& value);
+
+// In this frame or in the last one a number was typed: Enter and Esc are its own.
+bool is_number_typed(const App& app);
+
+// The undo step of this frame is one with the last, if that was a moment ago and by the same keys.
+void join_steps(App& app, const std::string& field);
+
+// A whole one.
+bool enter_whole(App& app, const NumberEntry& entry, int& value);
+
+// With a button for one less and one for one more, within the width.
+bool enter_whole_with_buttons(App& app, const NumberEntry& entry, int& value);
+
+}  // namespace tact

@@ -1,0 +1,358 @@
+// Typing, stepping and nudging the numbers of the window.
+
+#include <array>
+#include <functional>
+
+#include "app/study/study_follow.h"
+#include "app/study/study_state.h"
+#include "app/window/frame.h"
+#include "tests/support/program.h"
+
+namespace numbers_test {
+
+using namespace tact;
+
+namespace {
+
+// 1 s: bins of 1 Hz, as most sets have.
+PatternSet odd_numbers(std::size_t count) {
+    PatternSet set = short_patterns(count);
+    set.duration_s = 1.0;
+    for (Vibration& vibration : set.vibrations) {
+        auto& pattern = std::get<Pattern>(vibration.source);
+        pattern.duration_s = 1.0;
+        pattern.amplitude_g = 1.5;
+        pattern.carriers[0].frequency_hz = 180.0;
+        pattern.modulation.frequency_hz = 2.5;
+    }
+    return set;
+}
+
+void type(Program& program, const std::string& text) {
+    program.window.type(text);
+    program.settle();
+}
+
+void enter(Program& program, const std::string& entry, const std::string& text) {
+    program.click(entry);
+    type(program, text);
+    program.press_key(key::kEnter);
+}
+
+void hold(Program& program, int code, const std::function<void()>& then) {
+    push(program.window.input, {program.window.now_s, KeyChange{code, true, false, 0}});
+    program.settle();
+    then();
+    push(program.window.input, {program.window.now_s, KeyChange{code, false, false, 0}});
+    program.settle();
+}
+
+bool says(const Program& program, const char* part) {
+    return program.app.status.text.find(part) != std::string::npos;
+}
+
+std::string undo_label(const Program& program) {
+    const std::string* label = program.app.history.undo_label();
+    return label == nullptr ? "" : *label;
+}
+
+// Types into what is there of these and can be clicked, and leaves it by Enter; how many.
+std::size_t try_all(Program& program, const std::vector<std::string>& entries,
+                    const std::string& text) {
+    std::size_t tried = 0;
+    for (const std::string& entry : entries) {
+        if (!program.shows(entry)) continue;
+        CAPTURE(entry);
+        CAPTURE(text);
+        const std::string before = program.at(entry).value;
+        const PatternSet set = program.app.document.set;
+        // At its left: some have buttons within at their right.
+        program.window.click({program.at(entry).min.x + 8.0F, program.at(entry).middle().y});
+        program.settle();
+        if (program.app.editor.typing.entry == 0) continue;  // scrolled away, or disabled
+        ++tried;
+        program.app.status = {};
+        type(program, text);
+        program.press_key(key::kEnter);
+        CHECK(program.at(entry).value == before);
+        CHECK(program.app.document.set == set);
+        CHECK(program.app.status.is_error);
+        CHECK(says(program, "no number"));
+    }
+    return tried;
+}
+
+std::vector<std::string> shown_entries(const Program& program) {
+    std::vector<std::string> entries;
+    for (const auto& [name, place] : program.places) {
+        if (name.starts_with("entry:")) entries.push_back(name);
+    }
+    return entries;
+}
+
+constexpr std::array<const char*, 4> kNoNumbers{"nan", "inf", "-inf", "1e999"};
+
+}  // namespace
+
+TEST_CASE("numbers: the present value typed again leaves it, and is no undo step") {
+    Program program(odd_numbers(2));
+    enter(program, "entry:amplitude_g", "1.5");
+    enter(program, "entry:carrier_1_hz", "180");
+    enter(program, "entry:modulation_hz", "2.5");
+    CHECK(program.pattern(0).amplitude_g == 1.5);
+    CHECK(program.pattern(0).carriers[0].frequency_hz == 180.0);
+    CHECK(program.pattern(0).modulation.frequency_hz == 2.5);
+    CHECK(undo_label(program).empty());
+}
+
+TEST_CASE("numbers: what is looked at and left keeps the digits that are not shown") {
+    PatternSet set = odd_numbers(1);
+    std::get<Pattern>(set.vibrations[0].source).amplitude_g = 1.23456789;
+    Program program(set);
+    program.click("entry:amplitude_g");
+    program.press_key(key::kEnter);
+    enter(program, "entry:amplitude_g", "1.23 g");
+    CHECK(program.pattern(0).amplitude_g == 1.23456789);
+}
+
+TEST_CASE("numbers: a click selects all of it, and typing replaces it") {
+    Program program(odd_numbers(1));
+    enter(program, "entry:amplitude_g", "2");
+    CHECK(program.pattern(0).amplitude_g == 2.0);
+    enter(program, "entry:amplitude_g", "0,8");
+    CHECK(program.pattern(0).amplitude_g == 0.8);
+    enter(program, "entry:amplitude_g", "1.3 g");
+    CHECK(program.pattern(0).amplitude_g == 1.3);
+    enter(program, "entry:amplitude_g", "*2");
+    CHECK(program.pattern(0).amplitude_g == 2.6);
+    enter(program, "entry:amplitude_g", "-50%");
+    CHECK(program.pattern(0).amplitude_g == 1.3);
+    enter(program, "entry:attack_ms", "0.02 s");
+    CHECK(program.pattern(0).attack_s == doctest::Approx(0.02).epsilon(1e-12));
+}
+
+TEST_CASE("numbers: Esc brings back what was") {
+    Program program(odd_numbers(1));
+    program.click("entry:carrier_1_hz");
+    type(program, "350");
+    program.press_key(key::kEscape);
+    CHECK(program.pattern(0).carriers[0].frequency_hz == 180.0);
+    CHECK(undo_label(program).empty());
+    CHECK_FALSE(program.app.status.is_error);
+}
+
+TEST_CASE("numbers: Tab takes the number and goes to the next one, never into a slider") {
+    Program program(odd_numbers(1));
+    program.click("entry:amplitude_g");
+    type(program, "2");
+    program.press_key(key::kTab);
+    CHECK(program.pattern(0).amplitude_g == 2.0);
+    type(program, "222");
+    program.press_key(key::kTab);
+    CHECK(program.pattern(0).carriers[0].frequency_hz == 222.0);
+    type(program, "7");
+    program.press_key(key::kEnter);
+    CHECK(program.pattern(0).modulation.frequency_hz == 7.0);
+}
+
+TEST_CASE("numbers: a click elsewhere takes what was typed") {
+    Program program(odd_numbers(2));
+    program.click("entry:amplitude_g");
+    type(program, "2.25");
+    program.click("row:p2");
+    CHECK(program.pattern(0).amplitude_g == 2.25);
+    CHECK(program.pattern(1).amplitude_g == 1.5);
+    CHECK(undo_label(program) == "Change amplitude of p1");
+}
+
+TEST_CASE("numbers: what is no number is refused in sight, and what is out of range clamped so") {
+    Program program(odd_numbers(1));
+    enter(program, "entry:amplitude_g", "loud");
+    CHECK(program.pattern(0).amplitude_g == 1.5);
+    CHECK(program.app.status.is_error);
+    CHECK(says(program, "Amplitude: \"loud\" is no number"));
+    CHECK(program.shows("status"));
+    enter(program, "entry:amplitude_g", "99");
+    CHECK(program.pattern(0).amplitude_g == limits::kAmplitudeG.high);
+    CHECK(says(program, "Amplitude: 99 g is too much: 50 g"));
+    enter(program, "entry:carrier_1_hz", "+3dB");
+    CHECK(program.pattern(0).carriers[0].frequency_hz == 180.0);
+    CHECK(says(program, "changes a strength"));
+}
+
+TEST_CASE("numbers: no entry of the panes takes what is not finite") {
+    PatternSet set = odd_numbers(3);
+    auto& pattern = std::get<Pattern>(set.vibrations[0].source);
+    pattern.carriers = {{100.0, 0.5}, {200.0, 0.25}, {300.0, 0.25}};
+    pattern.rhythm.text = "x=--x=--";
+    pattern.modulation.kind = ModulationKind::am;
+    Program program(set);
+    std::size_t tried = 0;
+    const auto all = [&](const char* text) {
+        tried += try_all(program, shown_entries(program), text);
+    };
+    program.app.layout.maximised = Pane::editor;
+    program.settle();
+    for (const char* text : kNoNumbers) all(text);
+    CHECK(tried >= 4 * 11);
+    tried = 0;
+    program.app.layout.maximised = Pane::matrix;
+    program.app.bench = BenchTab::model;
+    program.settle();
+    all("nan");
+    all("1e999");
+    CHECK(tried >= 20);
+    tried = 0;
+    program.app.bench = BenchTab::subset;
+    program.settle();
+    for (const char* text : kNoNumbers) tried += try_all(program, {"subset:count"}, text);
+    CHECK(tried == 4);
+    tried = 0;
+    program.app.layout.maximised.reset();
+    open_study(program.app);
+    program.settle();
+    all("nan");
+    all("inf");
+    CHECK(tried >= 4);
+    program.app.study->is_open = false;
+}
+
+TEST_CASE("numbers: no entry of a dialog takes what is not finite") {
+    Program program(odd_numbers(3));
+    const auto refuses = [&](Dialog dialog, const std::vector<std::string>& entries,
+                             std::size_t least) {
+        program.app.dialog = dialog;
+        program.settle();
+        for (const char* text : kNoNumbers) CHECK(try_all(program, entries, text) >= least);
+        program.press_key(key::kEscape);
+        program.app.dialog = Dialog::none;
+        program.settle();
+    };
+    refuses(Dialog::export_view, {"export:width", "export:height", "export:scale"}, 3);
+    refuses(Dialog::export_animation,
+            {"export:from", "export:to", "export:frames", "export:width", "export:height"}, 5);
+    refuses(Dialog::devices, {"entry:full_scale_g"}, 0);
+    program.press('g', true);
+    program.click("generate:modulation range");
+    program.click("generate:Sobol");
+    program.click("generate:band");
+    for (const char* text : kNoNumbers) {
+        CHECK(try_all(program,
+                      {"generate:modulation from", "generate:modulation to", "generate:samples",
+                       "generate:seed", "generate:band low", "generate:band high"},
+                      text) >= 5);
+    }
+}
+
+TEST_CASE("numbers: Enter in an entry of a dialog takes the number and leaves the dialog open") {
+    Program program(odd_numbers(2));
+    program.app.dialog = Dialog::export_view;
+    program.settle();
+    enter(program, "export:width", "1234");
+    CHECK(program.app.exports.picture_size.width == 1234);
+    CHECK(program.app.dialog == Dialog::export_view);
+    CHECK_FALSE(program.app.chooser.is_open);
+    program.click("export:width");
+    type(program, "99");
+    program.press_key(key::kEscape);
+    CHECK(program.app.exports.picture_size.width == 1234);
+    CHECK(program.app.dialog == Dialog::export_view);
+}
+
+TEST_CASE("numbers: Up and Down step at once, Shift coarsely, and Esc takes all of it back") {
+    Program program(odd_numbers(1));
+    program.click("entry:amplitude_g");
+    program.press_key(key::kUp);
+    CHECK(program.pattern(0).amplitude_g == doctest::Approx(1.55).epsilon(1e-12));
+    program.press_key(key::kDown);
+    program.press_key(key::kDown);
+    CHECK(program.pattern(0).amplitude_g == doctest::Approx(1.45).epsilon(1e-12));
+    hold(program, key::kLeftShift, [&] { program.press_key(key::kUp); });
+    CHECK(program.pattern(0).amplitude_g == doctest::Approx(1.70).epsilon(1e-12));
+    program.press_key(key::kEscape);
+    CHECK(program.pattern(0).amplitude_g == 1.5);
+    program.press('z', true);
+    CHECK(program.pattern(0).amplitude_g == 1.5);
+    CHECK(program.app.selection.current == 0);
+}
+
+TEST_CASE("numbers: a nudge goes on from a typed value, beyond the slider too") {
+    Program program(odd_numbers(1));
+    enter(program, "entry:amplitude_g", "10");
+    program.press_key(key::kRight);
+    CHECK(program.pattern(0).amplitude_g == doctest::Approx(10.05).epsilon(1e-12));
+    enter(program, "entry:carrier_1_hz", "700");
+    program.press_key(key::kLeft);
+    CHECK(program.pattern(0).carriers[0].frequency_hz == 699.0);
+    // Off the grid it goes to the next multiple on its way, and never further than a step.
+    enter(program, "entry:modulation_hz", "2.25");
+    program.press_key(key::kRight);
+    CHECK(program.pattern(0).modulation.frequency_hz == 3.0);
+    enter(program, "entry:modulation_hz", "2.25");
+    program.press_key(key::kLeft);
+    CHECK(program.pattern(0).modulation.frequency_hz == 2.0);
+    enter(program, "entry:amplitude_g", "50");
+    program.press_key(key::kRight);
+    CHECK(program.pattern(0).amplitude_g == 50.0);
+}
+
+TEST_CASE("numbers: nudges in quick succession are one undo step, after a pause another") {
+    Program program(odd_numbers(1));
+    program.click("slider:amplitude_g");
+    const double start_g = program.pattern(0).amplitude_g;
+    program.window.now_s += 5.0;
+    for (int k = 0; k < 6; ++k) program.press_key(key::kRight);
+    const double first_g = program.pattern(0).amplitude_g;
+    program.window.now_s += 5.0;
+    for (int k = 0; k < 3; ++k) program.press_key(key::kRight);
+    program.press('z', true);
+    CHECK(program.pattern(0).amplitude_g == first_g);
+    program.press('z', true);
+    CHECK(program.pattern(0).amplitude_g == start_g);
+    program.press('z', true, true);
+    CHECK(program.pattern(0).amplitude_g == first_g);
+}
+
+TEST_CASE("numbers: nudges of one pattern and then of another are two steps, however quick") {
+    Program program(odd_numbers(2));
+    program.click("entry:amplitude_g");
+    program.press_key(key::kEnter);
+    program.press_key(key::kRight);
+    program.click("row:p2");
+    program.click("entry:amplitude_g");
+    program.press_key(key::kEnter);
+    program.press_key(key::kRight);
+    program.press('z', true);
+    CHECK(program.pattern(1).amplitude_g == 1.5);
+    CHECK(program.pattern(0).amplitude_g > 1.5);
+}
+
+TEST_CASE("numbers: the field that arrows nudge is marked, and forgotten with its pattern") {
+    Program program(odd_numbers(2));
+    CHECK_FALSE(program.shows("nudged by arrows"));
+    program.click("slider:modulation_hz");
+    REQUIRE(program.shows("nudged by arrows"));
+    CHECK(program.at("nudged by arrows").value == "modulation_hz");
+    program.click("row:p2");
+    CHECK_FALSE(program.shows("nudged by arrows"));
+    program.press_key(key::kRight);
+    CHECK(program.pattern(1).modulation.frequency_hz == 2.5);
+}
+
+TEST_CASE("numbers: digits typed at a field, locked or not, do not change the layout") {
+    PatternSet set = odd_numbers(1);
+    set.vibrations[0].locked = true;
+    Program program(set);
+    const float left = program.app.layout.left;
+    const float right = program.app.layout.right;
+    program.click("entry:amplitude_g");
+    for (const char32_t digit : {U'1', U'2', U'3', U'5'}) program.press(digit);
+    CHECK(program.app.layout.left == left);
+    CHECK(program.app.layout.right == right);
+    CHECK_FALSE(program.app.study->is_open);
+    program.click("row:p1");
+    program.press(U'3');
+    CHECK((program.app.layout.left != left || program.app.layout.right != right));
+}
+
+}  // namespace numbers_test
