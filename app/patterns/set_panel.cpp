@@ -82,10 +82,17 @@ void drag_row(App& app, std::size_t index) {
     }
     if (ImGui::BeginDragDropTarget()) {
         if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kDragKind)) {
-            move_vibration(app, *static_cast<const std::size_t*>(payload->Data), index);
+            const std::size_t from = *static_cast<const std::size_t*>(payload->Data);
+            app.waiting.emplace_back([from, index](App& a) { move_vibration(a, from, index); });
         }
         ImGui::EndDragDropTarget();
     }
+}
+
+void begin_rename(App& app, std::size_t index) {
+    app.set_panel.renaming = index;
+    app.set_panel.rename_text = app.document.set.vibrations[index].name;
+    app.set_panel.rename_begun = false;
 }
 
 void draw_row_menu(App& app, std::size_t index) {
@@ -94,28 +101,38 @@ void draw_row_menu(App& app, std::size_t index) {
         select_only(app, index);
     }
     const Vibration& vibration = app.document.set.vibrations[index];
-    if (ImGui::MenuItem("Rename", "F2")) {
-        app.set_panel.renaming = index;
-        app.set_panel.rename_text = vibration.name;
-    }
-    if (ImGui::MenuItem(vibration.locked ? "Unlock" : "Lock")) toggle_locked(app);
-    if (ImGui::MenuItem(vibration.dropped ? "Take back" : "Drop")) toggle_dropped(app);
-    if (ImGui::MenuItem("Duplicate", "Ctrl+D")) duplicate_selected(app);
-    if (ImGui::MenuItem("Copy", "Ctrl+C")) copy_selected(app);
-    if (ImGui::MenuItem("Delete", "Del")) remove_selected(app);
+    if (ImGui::MenuItem("Rename", "F2")) begin_rename(app, index);
+    note_item(app.rects, "row menu:Rename");
+    // Once all rows are drawn: there may be fewer of them then.
+    const auto item = [&app](const char* text, const char* keys, void (*act)(App&)) {
+        if (ImGui::MenuItem(text, keys)) app.waiting.emplace_back(act);
+        note_item(app.rects, std::string("row menu:") + text);
+    };
+    item(vibration.locked ? "Unlock" : "Lock", "", toggle_locked);
+    item(vibration.dropped ? "Take back" : "Drop", "", toggle_dropped);
+    item("Duplicate", "Ctrl+D", duplicate_selected);
+    item("Copy", "Ctrl+C", copy_selected);
+    item("Delete", "Del", remove_selected);
     ImGui::EndPopup();
 }
 
-// The text field that stands in the row while it is renamed.
+// The text field that stands in the row while it is renamed. Enter and leaving it take the name;
+// Esc brings the one before back.
 void draw_rename(App& app, std::size_t index) {
     SetPanelState& state = app.set_panel;
     ImGui::SetNextItemWidth(-1.0F);
-    ImGui::SetKeyboardFocusHere();
-    const bool entered =
-        ImGui::InputText("##rename", &state.rename_text,
-                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    if (entered) rename_vibration(app, index, state.rename_text);
-    if (entered || ImGui::IsItemDeactivated()) state.renaming.reset();
+    if (!state.rename_begun) ImGui::SetKeyboardFocusHere();
+    ImGui::InputText("##rename", &state.rename_text, ImGuiInputTextFlags_AutoSelectAll);
+    note_item(app.rects, "rename", state.rename_text);
+    if (ImGui::IsItemActive()) state.rename_begun = true;
+    if (ImGui::IsItemActive() || !state.rename_begun) return;
+    state.renaming.reset();
+    const auto rename = [before = app.document.set.vibrations[index].name,
+                         name = state.rename_text](App& a) {
+        if (const auto place = place_named(a.document.set, before))
+            rename_vibration(a, *place, name);
+    };
+    app.waiting.emplace_back(rename);
 }
 
 // Strength and thumbnail at the right end; where they begin. A name that needs the room has it.
@@ -191,8 +208,7 @@ void draw_row(App& app, std::size_t index, const RowParts& parts) {
     if (ImGui::IsItemHovered()) {
         app.selection.hovered = index;
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-            app.set_panel.renaming = index;
-            app.set_panel.rename_text = app.document.set.vibrations[index].name;
+            begin_rename(app, index);
         }
     }
     const Rect row = rect_at(corner, {width, height});
@@ -226,11 +242,7 @@ void draw_rows(App& app) {
         clipper.Begin(static_cast<int>(rows.size()));
         while (clipper.Step()) {
             for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
-                const std::size_t index = rows[static_cast<std::size_t>(k)];
-                // A row's own action may have removed patterns.
-                if (index < app.document.set.vibrations.size()) {
-                    draw_row(app, index, parts);
-                }
+                draw_row(app, rows[static_cast<std::size_t>(k)], parts);
             }
         }
         if (rows.empty()) {

@@ -155,6 +155,7 @@ void apply_separation(App& app, std::size_t place, const Separation& separation)
     auto* pattern = std::get_if<Pattern>(&vibration.source);
     if (pattern == nullptr || vibration.locked) return;
     *pattern = with_value(*pattern, separation.parameter, separation.to);
+    vibration.generated = false;  // another generation is not to take it away
     document_changed(app);
     const std::string what =
         std::string(traits(separation.parameter).name) + " of " + vibration.name;

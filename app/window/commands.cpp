@@ -47,6 +47,7 @@ void step_selection(App& app, int step) {
 
 void start_rename(App& app) {
     app.set_panel.renaming = app.selection.current;
+    app.set_panel.rename_begun = false;
     app.set_panel.rename_text = current_vibration(app)->name;
     app.selection.scroll_to_current = true;
 }
