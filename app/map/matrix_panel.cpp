@@ -81,6 +81,18 @@ void draw_pair(App& app, const Rect& area, std::optional<Pair> pair,
     note_rect(app.rects, "pair", area.min, area.max, names + "\t" + numbers);
 }
 
+// The pair that the map joins by a line while one of its points is under the mouse: the cell of it.
+std::optional<Pair> pair_in_map(const App& app, const PatternSet& mapped) {
+    const Vibration* current = current_vibration(app);
+    const auto hovered = app.selection.hovered_last;
+    const auto& all = app.document.set.vibrations;
+    if (current == nullptr || !hovered || *hovered >= all.size()) return std::nullopt;
+    const auto a = place_named(mapped, current->name);
+    const auto b = place_named(mapped, all[*hovered].name);
+    if (!a || !b || *a == *b) return std::nullopt;
+    return Pair{*a, *b};
+}
+
 }  // namespace
 
 void draw_matrix_panel(App& app) {
@@ -113,7 +125,10 @@ void draw_matrix_panel(App& app) {
     const PatternSet& set = app.document.set;
     const Vibration* current = current_vibration(app);
     if (current != nullptr) scene.selected = place_named(mapped, current->name);
-    note_rect(app.rects, "view:Matrix", area.min, area.max);
+    scene.pointed = pair_in_map(app, mapped);
+    note_rect(
+        app.rects, "view:Matrix", area.min, area.max,
+        scene.pointed ? labels[scene.pointed->first] + "|" + labels[scene.pointed->second] : "");
     const MatrixAction action = draw_matrix("matrix", app.theme, area, scene);
     const auto place = [&](std::size_t row) { return place_named(set, labels[row]); };
     if (action.clicked) {
@@ -124,7 +139,13 @@ void draw_matrix_panel(App& app) {
     if (action.clicked_row) {
         if (const auto row = place(*action.clicked_row)) select_only(app, *row);
     }
-    if (action.hovered) app.selection.hovered = place(action.hovered->second);
+    if (action.hovered) {
+        app.selection.hovered = place(action.hovered->second);
+        const auto first = place(action.hovered->first);
+        if (first && app.selection.hovered) {
+            app.selection.hovered_pair = {*first, *app.selection.hovered};
+        }
+    }
     if (has_foot) draw_pair(app, foot_area, action.hovered, labels);
 }
 

@@ -1,5 +1,6 @@
 // The perceptual space of the set, following the document.
 
+#include <algorithm>
 #include <cstdio>
 
 #include "app/document/editing.h"
@@ -132,6 +133,16 @@ SpaceScene scene_of(const App& app, const std::vector<std::string>& labels,
         if (places[k] == app.selection.current) scene.selected = k;
         if (places[k] && places[k] == app.selection.hovered_last) scene.pointed = k;
     }
+    // The two of a cell of the matrix, whatever is selected.
+    if (const auto& pair = app.selection.hovered_pair_last) {
+        const auto row_of = [&places](std::size_t place) -> std::optional<std::size_t> {
+            const auto found = std::ranges::find(places, std::optional(place));
+            if (found == places.end()) return std::nullopt;
+            return static_cast<std::size_t>(found - places.begin());
+        };
+        scene.selected = row_of(pair->first);
+        scene.pointed = row_of(pair->second);
+    }
     const Dissimilarity& pm = app.map.shown->prediction.pm;
     scene.dissimilarity = [&pm](std::size_t i, std::size_t j) { return pm(i, j); };
     scene.quantity = "PM";
@@ -206,6 +217,11 @@ SpacePaneAction draw_space_panel(App& app, const MapMarks& marks) {
     }
     const SpaceAction action = draw_space("space", app.theme, area, scene, app.camera);
     const SpacePaneAction done = taken(app, action, places);
+    const auto pointed = action.hovered ? action.hovered : scene.pointed;
+    if (scene.selected && pointed && *scene.selected != *pointed) {
+        note_rect(app.rects, "map pair", area.min, area.max,
+                  labels[*scene.selected] + "|" + labels[*pointed]);
+    }
     if (!app.as_picture) draw_point_menu(app, action, places);
     draw_map_legend(app, area);
     note_points(app, area, labels, points);
