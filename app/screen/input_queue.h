@@ -100,8 +100,11 @@ struct KeyPress {
     bool super = false;
 };
 
+// The Enter of the keypad is one, too.
 inline bool was_pressed(std::span<const KeyPress> pressed, int code) {
-    return std::ranges::any_of(pressed, [code](const KeyPress& p) { return p.code == code; });
+    return std::ranges::any_of(pressed, [code](const KeyPress& p) {
+        return p.code == code || (code == key::kEnter && p.code == key::kKeypadEnter);
+    });
 }
 
 struct InputQueue {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "model/set/set_study.h"
+
 namespace tact {
 
 namespace {
@@ -48,7 +50,9 @@ std::optional<StudyAnswers> read_answers(const StudyQuestion& question, std::sto
     part_by_kind(answers, *std::move(records));
     if (answers.records.empty()) return answers;
     answers.is_of_other_patterns =
-        answers.records.front().header.set_fingerprint != question.set_fingerprint;
+        question.set == nullptr ||
+        answers.records.front().header.set_fingerprint !=
+            study_fingerprint(*question.set, study_patterns(*question.set));
     Expected<StudyResults> results = study_results(answers.records, question.rule);
     if (!results) {
         answers.fault = results.error().message;

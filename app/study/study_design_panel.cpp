@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <set>
+#include <string_view>
 
 #include "app/document/editing.h"
 #include "app/study/study_follow.h"
@@ -267,8 +269,9 @@ void draw_patterns(App& app) {
         head.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
     note_item(app.rects, "study:patterns", std::to_string(chosen.size()));
     if (!is_open) return;
+    const std::set<std::string_view> taking_part(chosen.begin(), chosen.end());
     for (const std::string& name : all) {
-        bool takes_part = std::ranges::find(chosen, name) != chosen.end();
+        bool takes_part = taking_part.contains(name);
         if (ImGui::Checkbox(name.c_str(), &takes_part)) toggle_pattern(app, name, takes_part);
         note_item(app.rects, "study pattern:" + name, takes_part ? "on" : "off");
     }

@@ -35,11 +35,7 @@ void follow_question(App& app) {
     question.kind = state.kind;
     question.rule = state.rule;
     question.rule.attention = app.document.set.study.attention;
-    if (state.fingerprint_of != app.revision) {
-        state.fingerprint_of = app.revision;
-        state.fingerprint = study_fingerprint(app.document.set, study_names(app));
-    }
-    question.set_fingerprint = state.fingerprint;
+    question.set = app.committed;
     if (!state.job) {
         state.job = std::make_unique<LatestJob<StudyQuestion, StudyAnswers>>(
             JobPolicy::supersede, read_answers, app.wake);

@@ -14,7 +14,14 @@ namespace {
 using What = StudyEvent::What;
 
 constexpr float kTokenPx = 56.0F;
-constexpr std::size_t kMostKeys = 9;
+constexpr std::size_t kDigits = 9;
+constexpr std::size_t kMostKeys = kDigits + 26;
+
+// The key that puts a pattern into a group: 1 to 9, then a, b, c ...
+char32_t key_of(std::size_t group) {
+    const std::size_t sign = group < kDigits ? U'1' + group : U'a' + (group - kDigits);
+    return static_cast<char32_t>(sign);
+}
 
 // Boxes on the screen: as many as asked for; of free ones always an empty one more.
 std::size_t box_count(const StudyRun& run) {
@@ -153,7 +160,7 @@ void take_keys(App& app, std::span<const KeyPress> pressed, std::size_t boxes) {
     if (was_pressed(pressed, key::kSpace)) act(app, {What::play, *state.held, 0.0, {}, {}});
     if (was_typed(pressed, U'0')) act(app, {What::put, *state.held, -1.0, {}, {}});
     for (std::size_t k = 0; k < std::min(boxes, kMostKeys); ++k) {
-        if (was_typed(pressed, static_cast<char32_t>(U'1' + k))) {
+        if (was_typed(pressed, key_of(k))) {
             act(app, {What::put, *state.held, static_cast<double>(k), {}, {}});
         }
     }
@@ -186,7 +193,11 @@ void draw_sorting_page(App& app, const Rect& area, std::span<const KeyPress> pre
     note_rect(app.rects, "study:tray", layout.tray.min, layout.tray.max);
     for (std::size_t k = 0; k < boxes; ++k) {
         const Rect& box = layout.boxes[k];
-        draw_box(app, box, "group " + std::to_string(k + 1), drags && box.contains(mouse));
+        std::string label = "group " + std::to_string(k + 1);
+        if (k >= kDigits && k < kMostKeys) {
+            label += std::string(", key ") + static_cast<char>(key_of(k));
+        }
+        draw_box(app, box, label, drags && box.contains(mouse));
         note_rect(app.rects, "study:group " + std::to_string(k + 1), box.min, box.max);
     }
     // Places first: a token that is let go changes them.

@@ -24,7 +24,9 @@ struct StudyQuestion {
     std::filesystem::path folder;
     StudyKind kind = StudyKind::pairwise;
     CollectRule rule;
-    std::string set_fingerprint;
+    // Its fingerprint is made where the answers are read: of a large set it takes longer than a
+    // frame may. As of the last undo step.
+    std::shared_ptr<const PatternSet> set;
 
     bool operator==(const StudyQuestion&) const = default;
 };
@@ -56,8 +58,6 @@ struct StudyState {
     std::shared_ptr<const StudyAnswers> answers;
     StudyQuestion asked;
     std::uint64_t folder_revision = 1;  // raised when a file was written, or may have been
-    std::string fingerprint;            // of the patterns that take part ...
-    std::uint64_t fingerprint_of = 0;   // ... at this revision
     std::optional<std::size_t> shown;   // a participant; none: the mean
     StudyShow show = StudyShow::matrix;
     CollectRule rule;  // but for the attention, which is the design's
