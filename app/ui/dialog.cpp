@@ -24,8 +24,8 @@ ImU32 dialog_field(const Theme& theme) { return theme.is_dark ? theme.pane : the
 void end_dialog(App& app) {
     ImGui::Spacing();
     const bool typing = is_number_typed(app);  // whose keys these are then
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) &&
-                        !app.escape_taken && !typing;
+    const bool escape =
+        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !app.escape_taken && !typing;
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !typing;
     ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
     if (ImGui::Button("Close") || escape || enter) {
