@@ -7,6 +7,7 @@
 
 #include "app/map/live_map.h"
 #include "model/evaluation/metric.h"
+#include "viz/charts/scatter_view.h"
 
 namespace tact {
 
@@ -18,6 +19,7 @@ struct ShepardFit {
     const PerceptualSpace* of = nullptr;  // in the owner
     std::vector<double> distances;        // in the map, of all pairs
     std::vector<double> disparities;
+    ScatterSummary summary;  // of both: sorting half a million pairs is not for every frame
 };
 
 struct ComparePanelState {

@@ -62,6 +62,7 @@ const ShepardFit& followed_fit(ShepardFit& kept, const ShownFit& fit) {
     kept.of = fit.space;
     kept.distances = distances(fit.space->points);
     kept.disparities = disparities(fit.matrix->condensed, kept.distances);
+    kept.summary = summary_of(fit.matrix->condensed, kept.distances, kept.disparities);
     return kept;
 }
 
@@ -76,6 +77,7 @@ void draw_fit(App& app, const ShownFit& fit, const std::vector<Vibration>& vibra
     scene.x = fit.matrix->condensed;
     scene.y = apart;
     scene.fitted = fitted;
+    scene.summary = &kept.summary;
     scene.x_title = x_title;
     scene.y_title = "distance in the map";
     scene.corner = corner;
