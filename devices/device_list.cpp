@@ -23,9 +23,15 @@ std::string quoted_list(const std::vector<std::string>& names) {
 }
 
 // How many channels a stream to it has.
-int stream_channels(const DeviceInfo& device, const DeviceChoice& choice) {
+Expected<int> stream_channels(const DeviceInfo& device, const DeviceChoice& choice) {
     const auto most = static_cast<int>(device.channels.size());
     if (!device.is_server) return most;
+    if (!device.server_output.empty()) {
+        if (choice.of_channels == 0 || choice.of_channels == most) return most;
+        return Error{device.name + " plays on \"" + device.server_output + "\", which has " +
+                     std::to_string(most) + " channels, not " + std::to_string(choice.of_channels) +
+                     ": it would mix them"};
+    }
     if (choice.of_channels > 0) return std::min(choice.of_channels, most);
     // A server mixes what does not match its outputs: stereo does no harm, and more only on
     // request.
@@ -101,16 +107,18 @@ Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& 
                                               const DeviceInfo& device,
                                               const DeviceChoice& choice) {
     if (device.kind == DeviceKind::hid) return open_hid(device);
-    const int channels = stream_channels(device, choice);
-    if (choice.channel < 1 || choice.channel > channels) {
+    const Expected<int> channels = stream_channels(device, choice);
+    if (!channels) return channels.error();
+    if (choice.channel < 1 || choice.channel > *channels) {
         return Error{device.name + " has no channel " + std::to_string(choice.channel) +
-                     ": expected 1 to " + std::to_string(channels)};
+                     ": expected 1 to " + std::to_string(*channels)};
     }
     AudioStream::Place place;
     place.id = device.id;
     place.name = device.name;
     place.channel = static_cast<std::size_t>(choice.channel - 1);
-    place.channels = static_cast<std::size_t>(channels);
+    place.channels = static_cast<std::size_t>(*channels);
+    place.buffer_s = choice.buffer_s;
     place.latency_offset_s = choice.latency_offset_s;
     place.everywhere = choice.everywhere;
     return std::unique_ptr<Device>(std::make_unique<AudioDevice>(host, std::move(place)));

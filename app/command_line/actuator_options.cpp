@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kDeviceHelp =
     "id or name of the device, or a part of its name that no other has; see tactspace devices. "
-    "Another one is never played on";
+    "Another one is never played on: where a sound server moves the pattern, it is silenced";
 
 void add_measured_options(CLI::App& sub, std::filesystem::path& set, std::filesystem::path& out,
                           bool& json) {
@@ -71,15 +71,28 @@ void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen) {
     play.add_option("--device", options.device, kDeviceHelp);
     play.add_option("--channel", options.channel, "number from 1, or name; else the first");
     play.add_option("--channels", options.of_channels,
-                    "how many the outputs behind a sound server have")
+                    "how many the output behind a sound server has, where the server does not say; "
+                    "PULSE_SINK says which output of PulseAudio's")
         ->check(within(1, 8));
-    play.add_option("--level", options.level, "how strong, 0-1; else 0.1")->check(within(0.0, 1.0));
+    play.add_option("--level", options.level, "how strong, 0-1; else 0.1")
+        ->check(within(0.0, 1.0));
     play.add_option("--full-scale", options.full_scale_g,
                     "acceleration that full scale stands for without a calibration, g; else 1")
         ->check(within(1e-3, 1e3));
     play.add_option("--calibration", options.calibration,
                     "of this device and channel, as tactspace calibrate makes it: strengths are "
-                    "then true at --level 1");
+                    "then true at --level 1, and all of a pattern is turned down that is more than "
+                    "the actuator bears");
+    play.add_flag("--no-protection", options.no_protection,
+                  "without a calibration: also what is slower than 16 Hz, without the ramps of 5 "
+                  "ms at both ends, and for however long; an actuator may be harmed");
+    play.add_option("--longest", options.longest_s,
+                    "that a pattern or a loop may play on end without a calibration, s; else 60")
+        ->check(within(0.1, 86'400.0));
+    play.add_option("--buffer", options.buffer_ms,
+                    "of sound rendered ahead, ms; else 100. Less follows --level sooner and has "
+                    "gaps on a busy computer; up to 10 a stop is a fade, else a cut")
+        ->check(within(5.0, 2000.0));
     play.add_flag("--loop", options.loop, "until Ctrl+C");
     play.callback([&options, &chosen] {
         if (options.pattern.empty() && !options.all) {

@@ -227,11 +227,14 @@ struct PlayCommand {
     bool all = false;                   // instead, one after the other
     std::string device;                 // empty: the only one
     std::string channel;                // number or name; empty: the first
-    int of_channels = 0;                // of a sound server; 0: 2, or enough
+    int of_channels = 0;                // of a sound server; 0: what it says; else 2, or enough
     double level = 0.1;                 // of full scale
     double full_scale_g = 1.0;          // that full scale stands for
     std::filesystem::path calibration;  // in its place; empty: none
     double gap_s = 0.5;                 // between patterns
+    double buffer_ms = 100.0;           // of an output
+    bool no_protection = false;         // of an actuator without a calibration
+    double longest_s = 60.0;            // that one plays on end
     bool loop = false;
 };
 Expected<Done> run(const PlayCommand& command);

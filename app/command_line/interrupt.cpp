@@ -30,7 +30,7 @@ void end_by(int signal) {
 
 Interrupt::Interrupt() {
     sigemptyset(&signals_);
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
         if (!is_ignored(signal)) sigaddset(&signals_, signal);
     }
     // To wake the watcher when all is done; sent to its thread alone.

@@ -1,4 +1,5 @@
-// Ctrl+C and SIGTERM as a request to stop, for work that has something to keep.
+// Ctrl+C, Ctrl+\, SIGTERM and a closed terminal as a request to stop, for work that has something
+// to keep.
 //
 // The first one asks the work to stop and says so; the second ends the program at once. A signal
 // that was ignored when the program began (nohup, a shell's background job) stays ignored.
@@ -32,7 +33,7 @@ class Interrupt {
 };
 
 // The exit code that shells expect of a program that was interrupted: 130 after Ctrl+C, 143 after
-// SIGTERM. 0: no Interrupt was asked to stop.
+// SIGTERM, 129 after SIGHUP, 131 after SIGQUIT. 0: no Interrupt was asked to stop.
 int interrupted_exit_code();
 
 }  // namespace tact

@@ -41,13 +41,20 @@ struct NumberedOutput {
     DeviceInfo info;
 };
 
-DeviceInfo info_of(const PaDeviceInfo& device, const std::string& interface) {
+// A server takes any number of channels; where it says how many its output has, it is those. It
+// is not asked where there is no `server`.
+DeviceInfo info_of(const PaDeviceInfo& device, const std::string& interface, SoundServer* server) {
     DeviceInfo info;
     info.name = spoken_name(interface, device.name);
     info.interface = interface;
     info.is_server = is_sound_server(interface, device.name);
-    const int channels = info.is_server ? std::min(device.maxOutputChannels, kMostServerChannels)
-                                        : device.maxOutputChannels;
+    int channels = device.maxOutputChannels;
+    if (info.is_server) {
+        const bool is_asked = server != nullptr && std::string(device.name) != "pipewire";
+        const auto behind = is_asked ? server->usual_output() : std::nullopt;
+        channels = std::min(channels, behind ? behind->channels : kMostServerChannels);
+        if (behind) info.server_output = behind->name;
+    }
     info.channels = channel_names(interface, device.name, channels);
     info.rate_hz = device.defaultSampleRate;
     info.latency_s = device.defaultLowOutputLatency;
@@ -64,7 +71,7 @@ bool is_second_name(const std::string& interface, const std::string& name) {
     return false;
 }
 
-std::vector<NumberedOutput> numbered_outputs() {
+std::vector<NumberedOutput> numbered_outputs(SoundServer* server) {
     std::vector<NumberedOutput> outputs;
     std::map<std::string, int> alike;
     for (int number = 0; number < Pa_GetDeviceCount(); ++number) {
@@ -72,7 +79,7 @@ std::vector<NumberedOutput> numbered_outputs() {
         const std::string interface = interface_of(device);
         if (device.maxOutputChannels < 1 || is_alias(interface, device.name)) continue;
         if (is_second_name(interface, device.name)) continue;
-        NumberedOutput output{number, info_of(device, interface)};
+        NumberedOutput output{number, info_of(device, interface, server)};
         const int which = ++alike[audio_id(interface, device.name, 1)];
         output.info.id = audio_id(interface, device.name, which);
         if (which > 1) output.info.name += " " + std::to_string(which);
@@ -84,7 +91,7 @@ std::vector<NumberedOutput> numbered_outputs() {
 }  // namespace
 
 int output_numbered(const std::string& id) {
-    for (const NumberedOutput& output : numbered_outputs()) {
+    for (const NumberedOutput& output : numbered_outputs(nullptr)) {
         if (output.info.id == id) return output.number;
     }
     return -1;
@@ -133,7 +140,8 @@ bool AudioHost::refresh() {
     is_initialised_ = Pa_Initialize() == paNoError;
     listed_.clear();
     if (!is_initialised_) return true;
-    for (NumberedOutput& output : numbered_outputs()) listed_.push_back(std::move(output.info));
+    for (NumberedOutput& output : numbered_outputs(&server_))
+        listed_.push_back(std::move(output.info));
     return true;
 }
 
@@ -145,8 +153,9 @@ void AudioHost::make_room() {
 }
 
 void AudioHost::poll_streams() {
-    std::erase_if(open_, [this](const auto& stream) {
-        const StreamState state = stream->poll();
+    const bool changed = server_.has_changed();
+    std::erase_if(open_, [&](const auto& stream) {
+        const StreamState state = stream->poll(server_, changed);
         if (state == StreamState::stuck) {
             is_stuck_ = true;
             // Whoever is stuck there may still look at it.

@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "devices/audio/sound_server.h"
 #include "devices/device/device_info.h"
 
 namespace tact {
@@ -40,6 +41,7 @@ class AudioHost {
     bool refresh();    // false: something plays, and all stays as it is
     void make_room();  // closes what was released: a card may take one stream only
     bool is_stuck() const { return is_stuck_; }
+    SoundServer& server() { return server_; }
 
   private:
     void run(const std::stop_token& stop);
@@ -51,6 +53,7 @@ class AudioHost {
     // The thread's own.
     std::vector<std::shared_ptr<AudioStream>> open_;
     std::vector<DeviceInfo> listed_;
+    SoundServer server_;
     bool is_initialised_ = false;
     bool is_stuck_ = false;  // in PortAudio: it can be used no more
     std::jthread thread_;    // last: ends before what it uses

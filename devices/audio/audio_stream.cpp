@@ -1,5 +1,6 @@
 #include "devices/audio/audio_stream.h"
 
+#include <pa_linux_alsa.h>
 #include <portaudio.h>
 
 #include <algorithm>
@@ -22,7 +23,9 @@ constexpr auto kClosePatience = std::chrono::seconds(1);
 // Between two patterns the card stays open: the next one starts at once.
 constexpr double kLingerS = 1.5;
 constexpr double kWantedRateHz = 48'000.0;
-constexpr double kLatencyS = 0.01;
+// A callback each of so many parts of the buffer: it is what a stop waits for.
+constexpr double kPeriodS = 0.005;
+constexpr auto kCutPatience = std::chrono::milliseconds(200);
 
 double steady_s() {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -37,10 +40,25 @@ double believable(double latency_s) {
 
 int audio_callback(const void*, void* output, unsigned long frames,
                    const PaStreamCallbackTimeInfo* time, PaStreamCallbackFlags flags, void* self) {
-    render(*static_cast<Playback*>(self), static_cast<float*>(output), frames,
-           time->currentTime + believable(time->outputBufferDacTime - time->currentTime),
-           (flags & paOutputUnderflow) != 0);
-    return paContinue;
+    const bool goes_on =
+        render(*static_cast<Playback*>(self), static_cast<float*>(output), frames,
+               time->currentTime + believable(time->outputBufferDacTime - time->currentTime),
+               (flags & paOutputUnderflow) != 0);
+    return goes_on ? paContinue : paAbort;
+}
+
+bool is_alsa(int number) {
+    return Pa_GetHostApiInfo(Pa_GetDeviceInfo(number)->hostApi)->type == paALSA;
+}
+
+// Ahead of other work, where the system allows it to this program.
+PaError start_ahead(PaStream* stream, bool is_alsa) {
+    if (!is_alsa) return Pa_StartStream(stream);
+    PaAlsa_EnableRealtimeScheduling(stream, 1);
+    const PaError fault = Pa_StartStream(stream);
+    if (fault == paNoError) return fault;
+    PaAlsa_EnableRealtimeScheduling(stream, 0);
+    return Pa_StartStream(stream);
 }
 
 // 48 kHz where the output takes it, as most run at it and need no second resampling.
@@ -65,19 +83,28 @@ std::string open_fault(const std::string& name, PaError fault) {
 }  // namespace
 
 std::uint64_t AudioStream::ask() {
-    const std::lock_guard lock(trouble_mutex_);
+    const std::lock_guard lock(mutex_);
     trouble_.clear();
-    playback_.clipped.store(false, std::memory_order_relaxed);
-    return ++asked_;
+    const std::uint64_t serial = ++asked_;
+    superseded_ = serial;
+    plays_ = {{serial}};
+    return serial;
+}
+
+std::uint64_t AudioStream::ask_after() {
+    const std::lock_guard lock(mutex_);
+    plays_.push_back({++asked_});
+    return plays_.back().serial;
 }
 
 void AudioStream::set_level(double level) {
-    playback_.level.store(static_cast<float>(level), std::memory_order_relaxed);
+    playback_.level.store(kept_level(level), std::memory_order_relaxed);
 }
 
 void AudioStream::stop() {
     stopped_.store(asked_.load());
     playback_.wanted.store(nullptr);
+    playback_.cut.store(Cut::asked);
 }
 
 DeviceStatus AudioStream::status() {
@@ -85,34 +112,45 @@ DeviceStatus AudioStream::status() {
     status.name = place_.name;
     status.connected = connected_.load();
     status.peak = static_cast<double>(playback_.peak.exchange(0.0F));
-    status.clipped = playback_.clipped.load();
-    status.dropouts = playback_.dropouts.load();
-    {
-        const std::lock_guard lock(trouble_mutex_);
-        status.trouble = trouble_;
-    }
-    const std::uint64_t asked = asked_.load();
-    if (asked == 0 || stopped_.load() >= asked || !status.trouble.empty()) return status;
-    status.playing = true;
-    if (playback_.begun.load() < asked) return status;
-    const double duration_s = duration_s_.load();
-    const double since_s = steady_s() + clock_offset_s_.load() - playback_.origin_s.load() -
-                           lead_s_.load() - place_.latency_offset_s;
-    if (looping_.load()) {
-        // Before the first round is heard there is none to be at the end of.
-        if (duration_s <= 0.0 || (since_s < 0.0 && playback_.rounds.load() == 0)) return status;
-        const double rest_s = std::fmod(since_s, duration_s);
-        status.position_s = rest_s < 0.0 ? rest_s + duration_s : rest_s;
-        return status;
-    }
-    status.position_s = std::clamp(since_s, 0.0, duration_s);
-    // Rendered is not yet felt.
-    status.playing = playback_.ended.load() < asked || since_s < duration_s;
+    const std::lock_guard lock(mutex_);
+    status.trouble = trouble_;
+    if (plays_.empty()) return status;
+    status = status_of(plays_.front(), std::move(status));
+    if (!status.playing && plays_.size() > 1) plays_.erase(plays_.begin());
     return status;
 }
 
-bool AudioStream::play(AudioHost& host, const Drive& drive, bool loop, std::uint64_t serial) {
-    if (serial <= stopped_.load() || serial < asked_.load()) return stream_ != nullptr;
+DeviceStatus AudioStream::status_of(const Asked& asked, DeviceStatus status) {
+    if (playback_.begun.load() >= asked.serial) {
+        const PlayNotes& notes = notes_of(playback_, asked.serial);
+        status.clipped = notes.clipped.load();
+        status.dropouts = notes.dropouts.load();
+    }
+    if (stopped_.load() >= asked.serial || !status.trouble.empty()) return status;
+    status.playing = true;
+    if (playback_.begun.load() < asked.serial) return status;
+    const PlayNotes& notes = notes_of(playback_, asked.serial);
+    const double since_s = steady_s() + clock_offset_s_.load() - notes.origin_s.load() -
+                           asked.lead_s - place_.latency_offset_s;
+    const bool has_ended = playback_.ended.load() >= asked.serial;
+    if (asked.looping) {
+        status.playing = !has_ended;
+        // Before the first round is heard there is none to be at the end of.
+        if (asked.duration_s <= 0.0 || (since_s < 0.0 && notes.rounds.load() == 0)) return status;
+        const double rest_s = std::fmod(since_s, asked.duration_s);
+        status.position_s = rest_s < 0.0 ? rest_s + asked.duration_s : rest_s;
+        return status;
+    }
+    status.position_s = std::clamp(since_s, 0.0, asked.duration_s);
+    // Rendered is not yet felt.
+    status.playing = !has_ended || since_s < asked.duration_s;
+    return status;
+}
+
+bool AudioStream::play(AudioHost& host, const Drive& drive, bool loop, std::uint64_t serial,
+                       std::optional<double> rest_s) {
+    if (serial <= stopped_.load() || serial < superseded_.load()) return stream_ != nullptr;
+    if (stream_ != nullptr) settle_cut();
     if (stream_ == nullptr) {
         const Expected<Done> opened = open(host);
         connected_ = static_cast<bool>(opened);
@@ -121,15 +159,24 @@ bool AudioStream::play(AudioHost& host, const Drive& drive, bool loop, std::uint
             return false;
         }
     }
-    auto clip = std::make_unique<Clip>(clip_of(drive, playback_.layout.rate_hz, loop));
+    const double rate_hz = playback_.layout.rate_hz;
+    auto clip = std::make_unique<Clip>(rest_s ? clip_after(drive, rate_hz, *rest_s)
+                                              : clip_of(drive, rate_hz, loop));
     clip->serial = serial;
-    duration_s_ = static_cast<double>(drive.samples.size()) / drive.rate_hz;
-    lead_s_ = loop ? 0.0 : kClipMarginS;
-    looping_ = loop;
-    start(std::move(clip));
+    const double duration_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
+    start(std::move(clip), loop ? duration_s : std::min(duration_s, drive.longest_s));
     // Stopped while it was being made ready.
     if (serial <= stopped_.load()) playback_.wanted.store(nullptr);
     return true;
+}
+
+// A stop that is still to be answered would take the next clip along.
+void AudioStream::settle_cut() {
+    const auto until = std::chrono::steady_clock::now() + kCutPatience;
+    while (playback_.cut == Cut::asked && std::chrono::steady_clock::now() < until) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (playback_.cut != Cut::none) close();
 }
 
 Expected<Done> AudioStream::open(AudioHost& host) {
@@ -139,14 +186,22 @@ Expected<Done> AudioStream::open(AudioHost& host) {
             "start tactspace anew"};
     }
     host.make_room();
+    lock_ =
+        ActuatorLock(place_.id + (place_.everywhere ? "" : " " + std::to_string(place_.channel)));
+    if (lock_.is_anothers()) {
+        lock_ = {};
+        return Error{"another tactspace plays on " + place_.name +
+                     ": stop it there, as the two would add up"};
+    }
     if (output_numbered(place_.id) < 0) host.refresh();
-    Expected<Done> opened = open_once();
+    Expected<Done> opened = open_once(host.server());
     // A server that was started anew, a card that was taken out and put back.
-    if (!opened && host.refresh()) opened = open_once();
+    if (!opened && stream_ == nullptr && host.refresh()) opened = open_once(host.server());
+    if (!opened) lock_ = {};
     return opened;
 }
 
-Expected<Done> AudioStream::open_once() {
+Expected<Done> AudioStream::open_once(SoundServer& server) {
     const int number = output_numbered(place_.id);
     if (number < 0) return Error{place_.name + " is not there: plug it in, or choose another"};
     PaStreamParameters parameters{};
@@ -154,7 +209,7 @@ Expected<Done> AudioStream::open_once() {
     parameters.channelCount = static_cast<int>(place_.channels);
     parameters.sampleFormat = paFloat32;
     parameters.suggestedLatency =
-        std::max(kLatencyS, Pa_GetDeviceInfo(number)->defaultLowOutputLatency);
+        std::max(place_.buffer_s, Pa_GetDeviceInfo(number)->defaultLowOutputLatency);
     // No callback runs: all of it may be made anew.
     playback_.layout = {rate_for(parameters), place_.channels, place_.channel, kCeiling,
                         place_.everywhere};
@@ -162,25 +217,58 @@ Expected<Done> AudioStream::open_once() {
     playback_.wanted = nullptr;
     playback_.held = nullptr;
     playback_.quiet_frames = 0;
-    playback_.dropouts = 0;
+    playback_.cut = Cut::none;
+    const double periods = std::ceil(parameters.suggestedLatency / kPeriodS);
+    if (is_alsa(number)) PaAlsa_SetNumPeriods(static_cast<int>(std::max(4.0, periods)));
     PaStream* stream = nullptr;
     const PaStreamFlags flags = paClipOff | paDitherOff;
-    PaError fault = Pa_OpenStream(&stream, nullptr, &parameters, playback_.layout.rate_hz,
-                                  paFramesPerBufferUnspecified, flags, audio_callback, &playback_);
+    const PaError fault =
+        Pa_OpenStream(&stream, nullptr, &parameters, playback_.layout.rate_hz,
+                      paFramesPerBufferUnspecified, flags, audio_callback, &playback_);
     if (fault != paNoError) return Error{open_fault(place_.name, fault)};
     stream_ = stream;
-    fault = Pa_StartStream(stream);
-    if (fault != paNoError) {
-        close();
-        return Error{open_fault(place_.name, fault)};
-    }
+    playback_.layout.latency_s = believable(Pa_GetStreamInfo(stream)->outputLatency);
+    Expected<Done> started = start_stream(server, number);
+    if (!started) close();
+    return started;
+}
+
+Expected<Done> AudioStream::start_stream(SoundServer& server, int number) {
+    const bool alsa = is_alsa(number);
+    const std::set<std::uint32_t> before = alsa ? server.own_streams() : std::set<std::uint32_t>{};
+    const PaError fault = start_ahead(stream_, alsa);
+    if (fault != paNoError) return Error{open_fault(place_.name, fault)};
     seen_calls_ = playback_.calls;
     polled_at_s_ = steady_s();
     stalled_s_ = 0.0;
-    return Done{};
+    return alsa ? find_behind(server, before) : Expected<Done>(Done{});
 }
 
-void AudioStream::start(std::unique_ptr<const Clip> clip) {
+// Where a server has taken it to, and whether each channel is one of the output's own: a server
+// mixes what does not match. Nothing sounds before that is known.
+Expected<Done> AudioStream::find_behind(SoundServer& server,
+                                        const std::set<std::uint32_t>& before) {
+    server_stream_.reset();
+    behind_.reset();
+    for (const std::uint32_t stream : server.own_streams()) {
+        if (!before.contains(stream)) server_stream_ = stream;
+    }
+    if (server_stream_) behind_ = server.output_of(*server_stream_);
+    if (!behind_ || behind_->channels == static_cast<int>(place_.channels)) return Done{};
+    return Error{place_.name + " plays on \"" + behind_->name + "\", which has " +
+                 std::to_string(behind_->channels) + " channels, not " +
+                 std::to_string(place_.channels) + ": it would mix them. Choose as many"};
+}
+
+void AudioStream::start(std::unique_ptr<const Clip> clip, double duration_s) {
+    {
+        const std::lock_guard lock(mutex_);
+        for (Asked& asked : plays_) {
+            if (asked.serial == clip->serial) {
+                asked = {clip->serial, duration_s, clip->lead_s, clip->loop};
+            }
+        }
+    }
     playback_.wanted.store(clip.get());
     if (clip_) retired_.push_back({std::move(clip_), playback_.calls.load()});
     clip_ = std::move(clip);
@@ -208,10 +296,10 @@ bool AudioStream::has_stalled() {
 }
 
 // The word first: PortAudio waits ten minutes for a JACK server that was killed.
-StreamState AudioStream::lose() {
+StreamState AudioStream::lose(const std::string& why) {
     if (is_sounding()) {
         connected_ = false;
-        tell(place_.name + " is gone: it stopped taking sound, and nothing plays until it is back");
+        tell(place_.name + why);
     }
     const auto closed = std::make_shared<std::promise<void>>();
     std::future<void> is_closed = closed->get_future();
@@ -230,15 +318,33 @@ bool AudioStream::is_sounding() const {
     return playback_.begun.load() >= clip_->serial || clip_->serial > stopped_.load();
 }
 
-StreamState AudioStream::poll() {
+bool AudioStream::was_moved(SoundServer& server) {
+    if (!server_stream_ || !behind_) return false;
+    const std::optional<ServerOutput> now = server.output_of(*server_stream_);
+    return now && now->number != behind_->number;
+}
+
+StreamState AudioStream::poll(SoundServer& server, bool changed) {
     if (stream_ == nullptr) return StreamState::closed;
-    if (Pa_IsStreamActive(stream_) != 1 || has_stalled()) return lose();
+    if (playback_.cut == Cut::done) {
+        close();
+        return StreamState::closed;
+    }
+    if (changed && was_moved(server)) {
+        return lose(
+            " is gone: the sound server has moved the pattern to another output, where it "
+            "was silenced");
+    }
+    if (Pa_IsStreamActive(stream_) != 1 || has_stalled()) {
+        // The callback may have cut it since.
+        if (playback_.cut == Cut::done) return close(), StreamState::closed;
+        return lose(" is gone: it stopped taking sound, and nothing plays until it is back");
+    }
     clock_offset_s_ = Pa_GetStreamTime(stream_) - steady_s();
     free_clips();
-    const double latency_s = believable(Pa_GetStreamInfo(stream_)->outputLatency);
     const double quiet_s =
         static_cast<double>(playback_.quiet_frames.load()) / playback_.layout.rate_hz;
-    const double enough_s = released_ ? kPadS + latency_s : kLingerS;
+    const double enough_s = released_ ? kPadS + playback_.layout.latency_s : kLingerS;
     if (is_sounding() || quiet_s < enough_s) return StreamState::open;
     close();
     return StreamState::closed;
@@ -258,10 +364,13 @@ void AudioStream::close() {
     playback_.wanted = nullptr;
     clip_.reset();
     retired_.clear();
+    server_stream_.reset();
+    behind_.reset();
+    lock_ = {};
 }
 
 void AudioStream::tell(const std::string& trouble) {
-    const std::lock_guard lock(trouble_mutex_);
+    const std::lock_guard lock(mutex_);
     trouble_ = trouble;
 }
 

@@ -8,9 +8,13 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "devices/audio/sound_server.h"
+#include "devices/device/actuator_lock.h"
 #include "devices/device/device.h"
 #include "devices/device/device_info.h"
 #include "devices/device/playback.h"
@@ -33,20 +37,24 @@ class AudioStream {
         std::size_t channels = 2;
         double latency_offset_s = 0.0;
         bool everywhere = false;  // on all channels instead
+        double buffer_s = kBufferS;
     };
 
     explicit AudioStream(Place place) : place_(std::move(place)) {}
 
-    // Of any one thread.
-    std::uint64_t ask();  // the serial of a play to come
+    // Of any one thread. The serial of a play to come, in place of all others; of one after them.
+    std::uint64_t ask();
+    std::uint64_t ask_after();
     void set_level(double level);
     void stop();
     DeviceStatus status();
 
     // Of the host's thread.
-    // True: it is open, and needs to be polled.
-    bool play(AudioHost& host, const Drive& drive, bool loop, std::uint64_t serial);
-    StreamState poll();
+    // True: it is open, and needs to be polled. `rest_s`: after the end of what plays.
+    bool play(AudioHost& host, const Drive& drive, bool loop, std::uint64_t serial,
+              std::optional<double> rest_s = {});
+    // `changed`: the sound server has moved a stream, perhaps this one.
+    StreamState poll(SoundServer& server, bool changed);
     void release();            // stops, and closes after a last silence
     void close();              // at once
     bool is_sounding() const;  // or about to, or fading
@@ -58,30 +66,45 @@ class AudioStream {
         std::uint64_t at_call = 0;
     };
 
+    // A play that was asked for, until it has been felt to its end.
+    struct Asked {
+        std::uint64_t serial = 0;
+        double duration_s = 0.0;
+        double lead_s = 0.0;  // of the clip, before the pattern in it
+        bool looping = false;
+    };
+
+    DeviceStatus status_of(const Asked& asked, DeviceStatus status);
     Expected<Done> open(AudioHost& host);
-    Expected<Done> open_once();
-    void start(std::unique_ptr<const Clip> clip);
+    Expected<Done> open_once(SoundServer& server);
+    Expected<Done> start_stream(SoundServer& server, int number);
+    Expected<Done> find_behind(SoundServer& server, const std::set<std::uint32_t>& before);
+    void settle_cut();
+    void start(std::unique_ptr<const Clip> clip, double duration_s);
+    bool was_moved(SoundServer& server);
     void free_clips();
     void tell(const std::string& trouble);
     bool has_stalled();
-    StreamState lose();
+    StreamState lose(const std::string& why);
 
     const Place place_;
     Playback playback_;
     std::atomic<std::uint64_t> asked_ = 0;
-    std::atomic<std::uint64_t> stopped_ = 0;  // this play and all before it
-    std::atomic<double> duration_s_ = 0.0;    // of the play begun last
-    std::atomic<double> lead_s_ = 0.0;        // of the clip, before the pattern in it
-    std::atomic<bool> looping_ = false;
-    std::atomic<double> clock_offset_s_ = 0.0;  // stream time - steady time
+    std::atomic<std::uint64_t> superseded_ = 0;  // all before this one
+    std::atomic<std::uint64_t> stopped_ = 0;     // this play and all before it
+    std::atomic<double> clock_offset_s_ = 0.0;   // stream time - steady time
     std::atomic<bool> connected_ = true;
-    std::mutex trouble_mutex_;
+    std::mutex mutex_;  // guards the next two
     std::string trouble_;
+    std::vector<Asked> plays_;  // the one to be felt now, and what waits for its end
 
     // The host's thread's own.
     void* stream_ = nullptr;
     std::unique_ptr<const Clip> clip_;
     std::vector<Retired> retired_;
+    ActuatorLock lock_;
+    std::optional<std::uint32_t> server_stream_;  // its number at a sound server
+    std::optional<ServerOutput> behind_;          // where that goes
     bool released_ = false;
     std::uint64_t seen_calls_ = 0;
     double polled_at_s_ = 0.0;

@@ -97,6 +97,45 @@ std::string digits(double value) {
     return text;
 }
 
+// The nearer of the measured neighbours, in octaves.
+double largest_drive(const Calibration& calibration, double frequency_hz) {
+    const auto& points = calibration.points;
+    auto near = std::ranges::lower_bound(points, frequency_hz, {}, &ResponsePoint::frequency_hz);
+    if (near == points.end()) return points.back().largest_drive;
+    if (near == points.begin()) return near->largest_drive;
+    const auto below = near - 1;
+    const bool is_below = frequency_hz * frequency_hz < below->frequency_hz * near->frequency_hz;
+    return is_below ? below->largest_drive : near->largest_drive;
+}
+
+// Where all was measured up to full scale, the device's own ceiling is limit enough.
+double over_measured(const Drive& drive, const Calibration& calibration) {
+    const auto is_partial = [](const ResponsePoint& point) {
+        return point.largest_drive > 0.0 && point.largest_drive < 1.0;
+    };
+    if (std::ranges::none_of(calibration.points, is_partial)) return 0.0;
+    return largest_of(zero_phase_filtered(drive.samples, drive.rate_hz, [&](double f_hz) {
+        const double largest = largest_drive(calibration, f_hz);
+        return largest > 0.0 ? 1.0 / largest : 1.0;
+    }));
+}
+
+// The level at which `reached` meets its limit; a limit of 0 is not known.
+double level_within(double limit, double reached) {
+    return limit > 0.0 && reached > limit ? limit / reached : 1.0;
+}
+
+// ... at which the first limit is met.
+double largest_level(const CalibratedDrive& driven, const Calibration& limits) {
+    return std::min({level_within(limits.excursion_limit_mm, driven.excursion_mm),
+                     level_within(limits.rms_limit, driven.rms),
+                     level_within(1.0, driven.over_measured)});
+}
+
+std::string turned_down_above(double level) {
+    return ": above a level of " + digits(level) + " all of it is turned down";
+}
+
 std::vector<std::string> warnings_of(const CalibratedDrive& driven, const Calibration& limits) {
     std::vector<std::string> warnings;
     if (driven.peak > 1.0) {
@@ -105,12 +144,18 @@ std::vector<std::string> warnings_of(const CalibratedDrive& driven, const Calibr
     }
     if (limits.excursion_limit_mm > 0.0 && driven.excursion_mm > limits.excursion_limit_mm) {
         warnings.push_back("moves " + digits(driven.excursion_mm) + " mm, farther than the " +
-                           digits(limits.excursion_limit_mm) + " mm the actuator has");
+                           digits(limits.excursion_limit_mm) + " mm the actuator has" +
+                           turned_down_above(limits.excursion_limit_mm / driven.excursion_mm));
     }
     if (limits.rms_limit > 0.0 && driven.rms > limits.rms_limit) {
-        warnings.push_back("drives it with " + digits(driven.rms) +
-                           " of full scale for a second, more than its " +
-                           digits(limits.rms_limit));
+        warnings.push_back(
+            "drives it with " + digits(driven.rms) + " of full scale for a second, more than its " +
+            digits(limits.rms_limit) + turned_down_above(limits.rms_limit / driven.rms));
+    }
+    if (driven.over_measured > 1.0) {
+        warnings.push_back("drives it " + digits(driven.over_measured) +
+                           " times as strongly as it was measured" +
+                           turned_down_above(1.0 / driven.over_measured));
     }
     if (driven.share_lost >= 0.01) {
         warnings.push_back(percent(driven.share_lost) +
@@ -156,9 +201,12 @@ CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& ca
             return passed / std::max(interpolated_g(calibration, f_hz), floor_g);
         });
     driven.peak = largest_of(driven.drive.samples);
-    driven.excursion_mm = peak_displacement_mm(waveform);
+    driven.excursion_mm =
+        peak_displacement_mm({waveform.rate_hz, acceleration_g(driven.drive, calibration)});
     driven.rms = loudest_second(driven.drive);
+    driven.over_measured = over_measured(driven.drive, calibration);
     driven.share_lost = share_lost(waveform, calibration);
+    driven.drive.largest_level = largest_level(driven, calibration);
     driven.warnings = warnings_of(driven, calibration);
     return driven;
 }

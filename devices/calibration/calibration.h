@@ -29,7 +29,7 @@ namespace tact {
 struct ResponsePoint {
     double frequency_hz = 0.0;
     double g_per_full_scale = 0.0;
-    double largest_drive = 1.0;  // up to which it was measured, of full scale
+    double largest_drive = 1.0;  // up to which it was measured, of full scale; no more is sent
     double thd = 0.0;            // total harmonic distortion there: second to fifth, as a share
     double nonlinearity = 0.0;   // largest departure from proportional over the levels, as a share
     bool between = false;        // worked out from the points around it, not measured
@@ -63,12 +63,17 @@ std::string calibration_mismatch(const Calibration& calibration, const DeviceInf
 // g per full scale; none farther than a third of an octave from what was measured.
 std::optional<double> response_g(const Calibration& calibration, double frequency_hz);
 
+// All at level 1. The samples of the drive are what the waveform asks for; its largest level is the
+// one at which the first of the actuator's limits is met, and the device holds all of it back to
+// that: a pattern that is bent would be another.
 struct CalibratedDrive {
     Drive drive;
-    double peak = 0.0;          // of full scale; above 1 it would be cut
-    double excursion_mm = 0.0;  // peak displacement that the waveform asks for
-    double rms = 0.0;           // of the loudest second
-    double share_lost = 0.0;    // of the energy meant: outside the table, or boosted too little
+    double peak = 0.0;           // of full scale; above 1 it would be cut
+    double excursion_mm = 0.0;   // peak displacement of what is driven
+    double rms = 0.0;            // of the loudest second
+    double over_measured = 0.0;  // peak, each frequency as a share of the largest drive measured
+                                 // there; 0: measured up to full scale
+    double share_lost = 0.0;     // of the energy meant: outside the table, or boosted too little
     std::vector<std::string> warnings;  // sentences without a full stop
 
     bool operator==(const CalibratedDrive&) const = default;

@@ -146,11 +146,12 @@ void compare_bands(const Waveform& intended, Rendering& rendering) {
 void render_calibrated(const Waveform& meant, Rendering& rendering) {
     const Calibration& calibration = *rendering.by.calibration;
     CalibratedDrive driven = calibrated_drive(meant, calibration);
-    driven.peak *= rendering.by.level;
-    for (double& sample : driven.drive.samples) sample *= rendering.by.level;
-    const double share = driven.peak > kCeiling ? kCeiling / driven.peak : 1.0;
+    // The level that is asked for, or the strongest that the actuator bears.
+    const double level = rendering.by.level;
+    double share = std::min(level, driven.drive.largest_level);
+    if (share * driven.peak > kCeiling) share = kCeiling / driven.peak;
     for (double& sample : driven.drive.samples) sample *= share;
-    rendering.clipped = share < 1.0;
+    rendering.clipped = share < level;
     rendering.warnings = std::move(driven.warnings);
     rendering.waveform.samples_g = acceleration_g(driven.drive, calibration);
 }

@@ -9,6 +9,18 @@ namespace tact {
 
 namespace {
 
+constexpr double kOversampling = 4.0;
+// Half of what is held back at: between the frames of a quieter clip nothing reaches that. What a
+// drive of the model's rate can hold is at most 6 % higher there.
+constexpr float kQuietPeak = 0.4F;
+
+// No sample of a drive means so much; sums of such numbers are still numbers.
+constexpr double kLargestMeant = 1e6;
+
+double meant(double value) {
+    return std::isfinite(value) ? std::clamp(value, -kLargestMeant, kLargestMeant) : 0.0;
+}
+
 // What lies `n` samples after the start of an endless repetition, n also negative.
 double repeated(const std::vector<double>& samples, std::ptrdiff_t n) {
     const auto length = static_cast<std::ptrdiff_t>(samples.size());
@@ -28,9 +40,33 @@ Waveform widened(const Drive& drive, std::size_t margin, bool loop) {
         } else if (n >= 0 && n < length) {
             value = drive.samples[static_cast<std::size_t>(n)];
         }
-        wide.samples_g.push_back(std::isfinite(value) ? value : 0.0);
+        wide.samples_g.push_back(meant(value));
     }
     return wide;
+}
+
+double largest_of(const std::vector<double>& samples, std::size_t from, std::size_t count) {
+    double largest = 0.0;
+    const std::size_t end = std::min(from + count, samples.size());
+    for (std::size_t n = from; n < end; ++n) largest = std::max(largest, std::abs(samples[n]));
+    return largest;
+}
+
+// Of `count` samples from `from` on, and between them.
+double true_peak(const Waveform& played, std::size_t from, std::size_t count) {
+    const double sampled = largest_of(played.samples_g, from, count);
+    const double fine_hz = kOversampling * played.rate_hz;
+    if (sampled < static_cast<double>(kQuietPeak) || fine_hz > kHighestRateHz) return sampled;
+    const auto times = static_cast<std::size_t>(kOversampling);
+    return std::max(sampled, largest_of(resampled(played, fine_hz).samples_g, times * from,
+                                        times * (count - 1) + 1));
+}
+
+std::uint64_t frames_in(double seconds, double rate_hz) {
+    const double frames = seconds * rate_hz;
+    // A limit that is no number is none.
+    if (!(frames < 1e18)) return std::numeric_limits<std::uint64_t>::max();
+    return static_cast<std::uint64_t>(std::max(0.0, frames));
 }
 
 }  // namespace
@@ -38,24 +74,41 @@ Waveform widened(const Drive& drive, std::size_t margin, bool loop) {
 Clip clip_of(const Drive& drive, double rate_hz, bool loop) {
     Clip clip;
     clip.loop = loop;
+    clip.largest_level = static_cast<float>(drive.largest_level);
+    clip.longest_frames = frames_in(drive.longest_s, rate_hz);
     if (drive.samples.empty()) return clip;
     // A loop is cut back to its own length; the margin lets the filter see the seam from both
     // sides.
     const double margin_s = loop ? 0.1 : kClipMarginS;
     const Waveform wide = widened(drive, sample_count(margin_s, drive.rate_hz), loop);
-    const std::vector<double> played = resampled(wide, rate_hz).samples_g;
+    const Waveform played = resampled(wide, rate_hz);
     std::size_t from = 0;
-    std::size_t count = played.size();
+    std::size_t count = played.samples_g.size();
     if (loop) {
         const double length_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
-        from = std::min(sample_count(margin_s, rate_hz), played.size());
-        count = std::clamp<std::size_t>(sample_count(length_s, rate_hz), 1, played.size() - from);
+        from = std::min(sample_count(margin_s, rate_hz), count);
+        count = std::clamp<std::size_t>(sample_count(length_s, rate_hz), 1, count - from);
     }
     clip.samples.reserve(count);
     for (std::size_t n = from; n < from + count; ++n) {
-        clip.samples.push_back(static_cast<float>(played[n]));
-        clip.peak = std::max(clip.peak, std::abs(clip.samples.back()));
+        clip.samples.push_back(static_cast<float>(played.samples_g[n]));
     }
+    clip.peak = static_cast<float>(true_peak(played, from, count));
+    clip.lead_s = loop ? 0.0 : kClipMarginS;
+    return clip;
+}
+
+Clip clip_after(const Drive& drive, double rate_hz, double rest_s) {
+    Clip clip = clip_of(drive, rate_hz, false);
+    clip.waits = true;
+    const auto margin = static_cast<std::int64_t>(sample_count(kClipMarginS, rate_hz));
+    const auto rest = static_cast<std::int64_t>(std::llround(std::max(0.0, rest_s) * rate_hz));
+    const std::int64_t short_of = std::max<std::int64_t>(0, 2 * margin - rest);
+    const std::int64_t left_out =
+        std::min(short_of / 2, static_cast<std::int64_t>(clip.samples.size()));
+    clip.samples.erase(clip.samples.begin(), clip.samples.begin() + left_out);
+    clip.lead_s -= static_cast<double>(left_out) / rate_hz;
+    clip.rest_frames = rest - 2 * margin + left_out;
     return clip;
 }
 

@@ -1,12 +1,14 @@
 // A drive signal as an output plays it: at the output's own rate, whole in memory.
 //
-// Input     a drive of -1..1 at any rate that model/signal/resample.h takes; what is no number is
-// silence Output    one value a frame of the output, of full scale; never NaN Exact     the frames
-// of a loop are those of the endless signal: its seam is resampled like the
+// Input     a drive of -1..1 at any rate that model/signal/resample.h takes; what is no number, or
+//           too large for one, is silence
+// Output    one value a frame of the output, of full scale; never NaN or infinite
+// Exact     the frames of a loop are those of the endless signal: its seam is resampled like the
 //           rest.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "devices/device/device.h"
@@ -15,14 +17,23 @@ namespace tact {
 
 struct Clip {
     std::vector<float> samples;
-    float peak = 0.0F;
+    float peak = 0.0F;           // of what a converter makes of the samples, between them too
+    float largest_level = 1.0F;  // a level above it counts as this one
     bool loop = false;
     std::uint64_t serial = 0;  // of the play it was made for
+    std::uint64_t longest_frames = std::numeric_limits<std::uint64_t>::max();  // then it fades
+    bool waits = false;            // for the end of the clip before it, which is not cut off ...
+    std::int64_t rest_frames = 0;  // ... and so long after that; below 0: before it
+    double lead_s = 0.0;           // in it before the signal begins
 };
 
 // The filter's ringing before a sudden start and after a sudden end belongs to the signal: without
 // `loop` the clip is `kClipMarginS` longer at either end.
 Clip clip_of(const Drive& drive, double rate_hz, bool loop);
+
+// One that begins `rest_s` after the end of the signal before it, as clip_of() made that. Where
+// the two margins between them are longer than the rest, each gives way by half.
+Clip clip_after(const Drive& drive, double rate_hz, double rest_s);
 
 inline constexpr double kClipMarginS = 0.01;
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ namespace tact {
 struct Drive {
     double rate_hz = kModelRateHz;
     std::vector<double> samples;
+    double largest_level =
+        1.0;  // a level above it counts as this one: more would harm the actuator
+    double longest_s = std::numeric_limits<double>::infinity();  // on end; then it fades
 
     bool operator==(const Drive&) const = default;
 };
@@ -28,7 +32,7 @@ struct DeviceStatus {
     double position_s = 0.0;     // in the pattern, as it is felt now: latency is taken off
     double peak = 0.0;           // of full scale, since the last status
     bool clipped = false;        // the limiter has held this play back somewhere
-    std::uint64_t dropouts = 0;  // gaps since it was opened: the computer was too slow
+    std::uint64_t dropouts = 0;  // gaps in this play: the computer was too slow
     std::string trouble;         // why it stopped by itself: a sentence a person can act on
 
     bool operator==(const DeviceStatus&) const = default;
@@ -41,7 +45,12 @@ class Device {
     // Starts `drive` from the beginning, in place of what was playing; `loop`: until stopped. An
     // Error says what to plug in or to allow.
     virtual Expected<Done> play(const Drive& drive, bool loop) = 0;
-    // How strong, as a share of the drive signal: 0 is silence, 1 all of it. Also while playing.
+    // Starts `drive` so long after the end of what plays, to the sample, and does not cut that off;
+    // its end is told by one status that plays no more before the next ones are of `drive`. False:
+    // this device cannot, and the caller has to wait.
+    virtual bool play_after(const Drive& /*drive*/, double /*rest_s*/) { return false; }
+    // How strong, as a share of the drive signal: 0 is silence, 1 all of it; what is no number is
+    // 0. Also while playing.
     virtual void set_level(double level) = 0;
     virtual void stop() = 0;
     virtual DeviceStatus status() = 0;

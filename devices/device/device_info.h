@@ -8,6 +8,9 @@ namespace tact {
 
 enum class DeviceKind { audio, hid };
 
+// A computer that is busy now and then for so long plays without gaps. A stop does not wait for it.
+inline constexpr double kBufferS = 0.1;
+
 struct DeviceInfo {
     // The same device has the same one tomorrow, at another port, after another card was put in.
     std::string id;
@@ -15,9 +18,10 @@ struct DeviceInfo {
     std::string name;
     std::string interface;              // that it is reached by: "ALSA", "JACK", "Bluetooth"
     std::vector<std::string> channels;  // their names; empty: it has none to choose from
-    // A sound server takes any number of channels and does not say how many the outputs behind it
-    // have: a person has to.
+    // A sound server takes any number of channels, and mixes what its output has not. Where it says
+    // which output that is, `channels` are those of it; else a person has to know.
     bool is_server = false;
+    std::string server_output{};  // empty: it does not say
     double rate_hz = 0.0;
     double latency_s = 0.0;
     std::string trouble;  // why it cannot play now: a sentence a person can act on
@@ -33,6 +37,7 @@ struct DeviceChoice {
     double latency_offset_s = 0.0;  // felt so much later than the device says
     std::string calibration{};      // its file; empty: none
     bool everywhere = false;        // the same on all channels, as masking noise is
+    double buffer_s = kBufferS;     // of an output: rendered ahead
 
     bool operator==(const DeviceChoice&) const = default;
 };

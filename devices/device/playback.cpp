@@ -24,22 +24,31 @@ void flush_denormals() {
 #endif
 }
 
+// A frame that may leave: never beyond the ceiling, and what is no number is silence.
+float kept(float sample, float ceiling) {
+    return std::isfinite(sample) ? std::clamp(sample, -ceiling, ceiling) : 0.0F;
+}
+
 void end_clip(Playback& playback) {
     Playback::Own& own = playback.own;
     own.has_ended = true;
+    own.ended_at = own.frames + 1;
     playback.ended.store(own.clip->serial, std::memory_order_release);
     playback.quiet_frames.store(0, std::memory_order_relaxed);
 }
 
-void begin_clip(Playback& playback, const Clip* clip, float gain) {
+void begin_clip(Playback& playback, const Clip* clip) {
     Playback::Own& own = playback.own;
     own.clip = clip;
     own.at = 0;
+    own.clip_frames = 0;
     own.fade = 1.0F;
-    own.gain = gain;  // nothing sounds yet that could jump
     own.has_ended = clip == nullptr || clip->samples.empty();
     if (clip == nullptr) return;
-    playback.rounds.store(0, std::memory_order_relaxed);
+    PlayNotes& notes = notes_of(playback, clip->serial);
+    notes.rounds.store(0, std::memory_order_relaxed);
+    notes.dropouts.store(0, std::memory_order_relaxed);
+    notes.clipped.store(false, std::memory_order_relaxed);
     playback.begun.store(clip->serial, std::memory_order_release);
     if (own.has_ended) end_clip(playback);
 }
@@ -47,21 +56,28 @@ void begin_clip(Playback& playback, const Clip* clip, float gain) {
 // A limiter that knows the whole clip turns all of it down: bent peaks would be another vibration.
 float held_back(Playback& playback, float level) {
     const Clip* clip = playback.own.clip;
+    if (clip == nullptr) return level;
     const auto ceiling = static_cast<float>(playback.layout.ceiling);
-    if (clip == nullptr || level * clip->peak <= ceiling) return level;
-    playback.clipped.store(true, std::memory_order_relaxed);
-    return ceiling / clip->peak;
+    float most = level > clip->largest_level ? kept_level(clip->largest_level) : level;
+    if (most * clip->peak > ceiling) most = ceiling / clip->peak;
+    if (most < level) {
+        notes_of(playback, clip->serial).clipped.store(true, std::memory_order_relaxed);
+    }
+    return most;
 }
 
-// The next frame of the clip, faded while another one is wanted, or none.
-float next_sample(Playback& playback, bool leaving, float fade_step) {
+// The next frame of the clip, faded while another one is wanted, or none, or it is over its time.
+// Of one that ends by itself the last `spare` frames are left out.
+float next_sample(Playback& playback, bool leaving, float fade_step, std::size_t spare) {
     Playback::Own& own = playback.own;
     if (own.has_ended) return 0.0F;
     const float sample = own.clip->samples[own.at] * own.gain * own.fade;
-    if (leaving) own.fade -= fade_step;
-    if (++own.at == own.clip->samples.size()) {
+    if (leaving || own.clip_frames >= own.clip->longest_frames) own.fade -= fade_step;
+    ++own.clip_frames;
+    const std::size_t last = own.clip->loop ? 0 : spare;
+    if (++own.at + last >= own.clip->samples.size()) {
         own.at = 0;
-        playback.rounds.fetch_add(1, std::memory_order_relaxed);
+        notes_of(playback, own.clip->serial).rounds.fetch_add(1, std::memory_order_relaxed);
         if (!own.clip->loop) end_clip(playback);
     }
     if (!own.has_ended && own.fade <= 0.0F) end_clip(playback);
@@ -71,51 +87,106 @@ float next_sample(Playback& playback, bool leaving, float fade_step) {
 // Where the clip that is being read began, or its newest round of a loop.
 void tell_origin(Playback& playback, double heard_s, std::size_t frame) {
     const double ahead = static_cast<double>(frame) - static_cast<double>(playback.own.at);
-    playback.origin_s.store(heard_s + ahead / playback.layout.rate_hz, std::memory_order_relaxed);
+    notes_of(playback, playback.own.clip->serial)
+        .origin_s.store(heard_s + ahead / playback.layout.rate_hz, std::memory_order_relaxed);
+}
+
+// Something of a clip is being rendered, or on its way to be heard.
+bool is_under_way(const Playback& playback) {
+    const Playback::Own& own = playback.own;
+    const auto late =
+        static_cast<std::uint64_t>(playback.layout.latency_s * playback.layout.rate_hz);
+    return own.clip != nullptr && (!own.has_ended || own.frames < own.ended_at + late);
+}
+
+// Whether the output's clock has leapt: where sound was missing, all that follows is heard later.
+// Its readings jitter and its rate is its own, hence the leap and the slow following.
+bool has_leapt(Playback& playback, double heard_s) {
+    Playback::Own& own = playback.own;
+    const double clock_s = heard_s - static_cast<double>(own.frames) / playback.layout.rate_hz;
+    const double off_s = clock_s - own.clock_s;
+    const bool leapt = own.has_clock && off_s > kGapS;
+    own.clock_s = leapt || !own.has_clock ? clock_s : own.clock_s + 0.02 * off_s;
+    own.has_clock = true;
+    return leapt;
+}
+
+// A waiting one lets the one before it end, and rests after that.
+bool may_begin(const Playback& playback, const Clip* wanted) {
+    const Playback::Own& own = playback.own;
+    if (own.clip == wanted || !own.has_ended) return false;
+    if (wanted == nullptr) return true;
+    const auto pad = static_cast<std::uint64_t>(kPadS * playback.layout.rate_hz);
+    if (own.frames < pad) return false;
+    const auto rest = static_cast<std::uint64_t>(std::max<std::int64_t>(0, wanted->rest_frames));
+    return !wanted->waits || own.clip == nullptr || own.frames >= own.ended_at + rest;
+}
+
+// How much of the clip before it a waiting one does not wait for.
+std::size_t spare_frames(const Playback& playback, const Clip* wanted) {
+    if (wanted == nullptr || wanted == playback.own.clip || !wanted->waits) return 0;
+    return static_cast<std::size_t>(std::max<std::int64_t>(0, -wanted->rest_frames));
+}
+
+// True: the stream has to be cut now. Where the fade is heard in time none needs to be.
+bool answers_cut(Playback& playback) {
+    if (playback.cut.load(std::memory_order_acquire) != Cut::asked) return false;
+    const bool cuts = playback.layout.latency_s > kLongestFadedS && is_under_way(playback);
+    if (cuts && !playback.own.has_ended) end_clip(playback);
+    playback.cut.store(cuts ? Cut::done : Cut::none, std::memory_order_release);
+    return cuts;
 }
 
 }  // namespace
 
-void render(Playback& playback, float* interleaved, std::size_t frames, double heard_s,
+float kept_level(double level) {
+    return level > 0.0 ? static_cast<float>(std::min(level, 1.0)) : 0.0F;
+}
+
+bool render(Playback& playback, float* interleaved, std::size_t frames, double heard_s,
             bool broke_off) {
     flush_denormals();
-    if (broke_off && !playback.own.has_ended) {
-        playback.dropouts.fetch_add(1, std::memory_order_relaxed);
-    }
     const StreamLayout& layout = playback.layout;
     Playback::Own& own = playback.own;
     std::fill_n(interleaved, frames * layout.channels, 0.0F);
+    // One gap may show in both.
+    const bool has_gap = has_leapt(playback, heard_s) || broke_off;
+    if (has_gap && is_under_way(playback)) {
+        notes_of(playback, own.clip->serial).dropouts.fetch_add(1, std::memory_order_relaxed);
+    }
     const Clip* wanted = playback.wanted.load(std::memory_order_seq_cst);
-    const float level = std::clamp(playback.level.load(std::memory_order_relaxed), 0.0F, 1.0F);
+    if (answers_cut(playback)) return false;
+    const float level = kept_level(static_cast<double>(playback.level.load()));
     const auto fade_step = static_cast<float>(1.0 / (kRampS * layout.rate_hz));
     const auto pull = static_cast<float>(4.6 / (kSettleS * layout.rate_hz));  // e^-4.6 = 1 %
     const auto ceiling = static_cast<float>(layout.ceiling);
-    const auto pad = static_cast<std::uint64_t>(kPadS * layout.rate_hz);
     if (!own.has_ended) tell_origin(playback, heard_s, 0);
     float target = held_back(playback, level);
     float peak = 0.0F;
     for (std::size_t n = 0; n < frames; ++n, ++own.frames) {
-        if (own.clip != wanted && own.has_ended && (own.frames >= pad || wanted == nullptr)) {
-            begin_clip(playback, wanted, level);
+        if (may_begin(playback, wanted)) {
+            begin_clip(playback, wanted);
             target = held_back(playback, level);
-            own.gain = target;
+            own.gain = target;  // nothing sounds yet that could jump
             if (!own.has_ended) tell_origin(playback, heard_s, n);
         }
         const float off = target - own.gain;
         own.gain = std::abs(off) < 1e-5F ? target : own.gain + off * pull;
-        const float sample = next_sample(playback, own.clip != wanted, fade_step);
+        const bool leaving = own.clip != wanted && (wanted == nullptr || !wanted->waits);
+        const std::size_t spare = spare_frames(playback, wanted);
+        const float held = kept(next_sample(playback, leaving, fade_step, spare), ceiling);
         float* const frame = interleaved + n * layout.channels;
-        const float held = std::clamp(sample, -ceiling, ceiling);
         if (layout.everywhere) std::fill_n(frame, layout.channels, held);
         frame[layout.channel] = held;
-        peak = std::max(peak, std::abs(sample));
+        peak = std::max(peak, std::abs(held));
     }
     if (own.has_ended) playback.quiet_frames.fetch_add(frames, std::memory_order_relaxed);
     if (peak > playback.peak.load(std::memory_order_relaxed)) {
-        playback.peak.store(std::min(peak, ceiling), std::memory_order_relaxed);
+        playback.peak.store(peak, std::memory_order_relaxed);
     }
     playback.held.store(own.clip, std::memory_order_seq_cst);
     playback.calls.fetch_add(1, std::memory_order_seq_cst);
+    return true;
 }
 
 }  // namespace tact

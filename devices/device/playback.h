@@ -1,16 +1,17 @@
 // What an audio callback does, without the audio library: one clip into one channel of a stream.
 //
 // Everything was prepared before; the callback indexes it, scales it and tells by atomics how far
-// it is. It allocates nothing, waits for nothing and calls nobody (tests/audio_callback_test.cpp
-// lets it run where the system forbids all that).
+// it is. It allocates nothing, waits for nothing and calls nobody (tests/devices/audio lets it run
+// where the system forbids all that).
 //
 // Source    rules for callbacks: R. Bencina, "Real-time audio programming 101", 2011.
-// Output    interleaved frames: silence on all channels but one, or the same on all. No sound in
-// the first kPadS of a
-//           stream, as servers lose some of it; a clip that is stopped fades out in kRampS; a
-//           change of level takes about as long.
-// Left out  starting in the middle of a clip. A pattern's own start and end are left as they are:
-//           a ramp there would be another pattern.
+// Output    interleaved frames: silence on all channels but one, or the same on all; never NaN.
+//           No sound in the first kPadS of a stream, as servers lose some of it. A clip that is
+//           stopped fades out in kRampS where the output is short enough for that to be heard in
+//           time; else the stream is cut, and what is on its way is not heard. A change of level
+//           takes about as long as a fade.
+// Left out  starting in the middle of a clip; ramps of a pattern's own start and end
+//           (devices/device/protection.h).
 // Exact     at a settled level each frame is sample * level, rounded once.
 #pragma once
 
@@ -27,6 +28,9 @@ inline constexpr double kPadS = 0.1;      // of silence before the first clip an
 inline constexpr double kRampS = 0.005;   // of a stop: with 10 ms of latency it is silent in 20
 inline constexpr double kCeiling = 0.8;   // of full scale: no sample leaves that is larger
 inline constexpr double kSettleS = 0.01;  // until a new level is reached to 1 %
+inline constexpr double kGapS = 0.003;    // that the output's clock leaps by where sound is missing
+// Between a frame's rendering and its being heard: with more of it a stop has to cut the stream.
+inline constexpr double kLongestFadedS = 0.0125;
 
 // Of a stream, fixed while it runs.
 struct StreamLayout {
@@ -35,9 +39,21 @@ struct StreamLayout {
     std::size_t channel = 0;
     double ceiling = kCeiling;
     bool everywhere = false;  // on all channels instead
+    double latency_s = 0.0;   // between a frame's rendering and its being heard
 };
 
-// Between the callback and one control thread; level, peak and clipped between any threads.
+// How one play went.
+struct PlayNotes {
+    std::atomic<double> origin_s = 0.0;     // stream time at which its start is heard
+    std::atomic<std::uint64_t> rounds = 0;  // of a loop that are through
+    std::atomic<std::uint64_t> dropouts = 0;
+    std::atomic<bool> clipped = false;  // its level had to be held back
+};
+
+// A stop that cannot wait for a fade: asked for by anyone, done by the callback.
+enum class Cut { none, asked, done };
+
+// Between the callback and one control thread; level, peak and cut between any threads.
 struct Playback {
     StreamLayout layout;
 
@@ -48,14 +64,12 @@ struct Playback {
     // From the callback.
     std::atomic<const Clip*> held = nullptr;  // being read
     std::atomic<std::uint64_t> begun = 0;     // serial of the clip that began last
-    std::atomic<std::uint64_t> rounds = 0;    // of a loop that are through, since it began
     std::atomic<std::uint64_t> ended = 0;     // ... and that ended, or was stopped
-    std::atomic<double> origin_s = 0.0;  // stream time at which the begun clip's start is heard
+    std::array<PlayNotes, 2> notes{};         // of the serials, in turn
     std::atomic<std::uint64_t> calls = 0;
     std::atomic<std::uint64_t> quiet_frames = 0;  // since the last clip, or since the stream began
-    std::atomic<std::uint64_t> dropouts = 0;
-    std::atomic<float> peak = 0.0F;     // of full scale; whoever reads it sets it to 0
-    std::atomic<bool> clipped = false;  // a level had to be held back; whoever shows it clears it
+    std::atomic<float> peak = 0.0F;               // of full scale; whoever reads it sets it to 0
+    std::atomic<Cut> cut = Cut::none;
 
     // The callback's own.
     struct Own {
@@ -63,14 +77,26 @@ struct Playback {
         bool has_ended = true;
         std::size_t at = 0;  // next frame of the clip
         std::uint64_t frames = 0;
+        std::uint64_t clip_frames = 0;  // since the clip began
+        std::uint64_t ended_at = 0;     // frame of the stream
         float gain = 0.0F;
         float fade = 1.0F;
+        double clock_s = 0.0;  // of the output at the stream's first frame, as is believed now
+        bool has_clock = false;
     } own;
 };
 
+inline PlayNotes& notes_of(Playback& playback, std::uint64_t serial) {
+    return playback.notes[serial % 2];
+}
+
+// 0 where it is no number.
+float kept_level(double level);
+
 // The whole callback: writes `frames` frames, of which the first will be heard at `heard_s` of the
-// stream's time. `broke_off`: there was a gap before them.
-void render(Playback& playback, float* interleaved, std::size_t frames, double heard_s,
+// stream's time. `broke_off`: there was a gap before them. False: the stream is to be cut at once,
+// these frames and all that are on their way.
+bool render(Playback& playback, float* interleaved, std::size_t frames, double heard_s,
             bool broke_off = false);
 
 }  // namespace tact

@@ -19,7 +19,8 @@ std::string number_or_dash(bool is_known, double value, int digits) {
 }
 
 std::string channels_text(const DeviceInfo& device) {
-    if (device.is_server) return "1-" + std::to_string(device.channels.size());
+    if (device.is_server && device.server_output.empty())
+        return "1-" + std::to_string(device.channels.size());
     return device.channels.empty() ? "-" : std::to_string(device.channels.size());
 }
 
@@ -33,6 +34,10 @@ std::string table_of(const std::vector<DeviceInfo>& devices) {
     }
     std::string text = aligned(rows);
     for (const DeviceInfo& device : devices) {
+        if (!device.server_output.empty()) {
+            text += "\n" + device.name + " plays on its output \"" + device.server_output +
+                    "\"; PULSE_SINK=NAME tactspace ... chooses another\n";
+        }
         if (!device.trouble.empty()) text += "\n" + device.name + ": " + device.trouble + "\n";
     }
     return text;
@@ -45,6 +50,7 @@ nlohmann::json json_of(const DeviceInfo& device) {
             {"interface", device.interface},
             {"channels", device.channels},
             {"is_server", device.is_server},
+            {"server_output", device.server_output},
             {"rate_hz", device.rate_hz},
             {"latency_s", device.latency_s},
             {"trouble", device.trouble}};

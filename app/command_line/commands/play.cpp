@@ -1,6 +1,7 @@
 // tactspace play: patterns on an actuator, one or all of them.
 
 #include <chrono>
+#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "app/command_line/output.h"
 #include "devices/calibration/calibration_file.h"
 #include "devices/device/drive.h"
+#include "devices/device/protection.h"
 #include "devices/device_list.h"
 
 namespace tact {
@@ -39,6 +41,7 @@ Expected<Chosen> chosen_device(const PlayCommand& command, AudioHost& host) {
     Chosen chosen{*device, {}};
     chosen.choice.id = device->id;
     chosen.choice.of_channels = command.of_channels;
+    chosen.choice.buffer_s = 1e-3 * command.buffer_ms;
     if (command.channel.empty()) return chosen;
     const Expected<int> channel = find_channel(*device, command.channel);
     if (!channel) return channel.error();
@@ -59,15 +62,17 @@ Expected<std::vector<std::size_t>> asked_patterns(const PlayCommand& command,
     return std::vector<std::size_t>{*place};
 }
 
+struct Prepared {
+    std::string name;
+    Drive drive;
+};
+
 // Until it has been felt to its end.
-Expected<DeviceStatus> played(Device& device, const Drive& drive, bool loop, std::stop_token stop) {
-    if (const auto begun = device.play(drive, loop); !begun) return begun.error();
-    const std::stop_callback silence(stop, [&device] { device.stop(); });
+Expected<DeviceStatus> felt(Device& device, std::stop_token stop) {
     for (;;) {
         const DeviceStatus status = device.status();
         if (!status.trouble.empty()) return Error{status.trouble};
-        if (stop.stop_requested()) return Error{"stopped"};
-        if (!status.playing) return status;
+        if (!status.playing || stop.stop_requested()) return status;
         std::this_thread::sleep_for(kPoll);
     }
 }
@@ -90,27 +95,91 @@ void say(const std::string& name, const DeviceStatus& status) {
     }
     if (status.dropouts > 0) {
         std::cerr << "tactspace: \"" << name
-                  << "\" had gaps: the computer was too slow to play it whole\n";
+                  << "\" had gaps: the computer was too slow to play it whole; a larger --buffer "
+                     "may help\n";
     }
 }
 
-// What the calibration makes of it, or full scale taken for so many g.
-Drive drive_for(const Vibration& vibration, const std::optional<Calibration>& calibration,
-                double full_scale_g) {
+void remark(const std::string& name, const std::string& text) {
+    if (!text.empty()) std::cerr << "tactspace: \"" << name << "\" " << text << "\n";
+}
+
+// What the calibration makes of it; or full scale taken for so many g, and the actuator protected.
+Prepared prepared(const Vibration& vibration, const std::optional<Calibration>& calibration,
+                  const PlayCommand& command) {
     const Waveform waveform = waveform_of(vibration);
-    if (!calibration) return drive_of(waveform, full_scale_g);
-    CalibratedDrive driven = calibrated_drive(waveform, *calibration);
-    for (const std::string& warning : driven.warnings) {
-        std::cerr << "tactspace: \"" << vibration.name << "\" " << warning << "\n";
+    if (!calibration) {
+        ProtectedDrive made =
+            protected_drive(drive_of(waveform, command.full_scale_g), command.loop,
+                            !command.no_protection, command.longest_s);
+        remark(vibration.name, made.remark);
+        return {vibration.name, std::move(made.drive)};
     }
-    return std::move(driven.drive);
+    CalibratedDrive driven = calibrated_drive(waveform, *calibration);
+    for (const std::string& warning : driven.warnings) remark(vibration.name, warning);
+    return {vibration.name, std::move(driven.drive)};
 }
 
-nlohmann::json report_of(const std::string& name, const Drive& drive, const DeviceStatus& status) {
-    return {{"pattern", name},
-            {"duration_s", static_cast<double>(drive.samples.size()) / drive.rate_hz},
-            {"clipped", status.clipped},
-            {"dropouts", status.dropouts}};
+// Another actuator gives another strength for the same drive.
+void compare_owner(const Calibration& made, const Chosen& chosen) {
+    const bool is_other = !made.device.empty() && made.device != chosen.info.id;
+    if (!is_other && made.channel == chosen.choice.channel) return;
+    std::cerr << "tactspace: this calibration was made for "
+              << (made.device.empty() ? "this device" : made.device) << ", channel " << made.channel
+              << ": here its strengths may be wrong\n";
+}
+
+void announce(const PlayCommand& command, const Chosen& chosen, bool is_calibrated) {
+    const DeviceInfo& device = chosen.info;
+    std::cerr << "tactspace: playing on " << device.name;
+    if (!device.server_output.empty()) std::cerr << " (" << device.server_output << ")";
+    if (!device.channels.empty()) std::cerr << ", channel " << chosen.choice.channel;
+    if (is_calibrated) {
+        std::cerr << ", calibrated by " << command.calibration.string() << "\n";
+    } else {
+        std::cerr << ", uncalibrated: full scale stands for " << command.full_scale_g << " g\n";
+    }
+}
+
+nlohmann::json report_of(const Prepared& pattern, const DeviceStatus& status) {
+    return {
+        {"pattern", pattern.name},
+        {"duration_s", static_cast<double>(pattern.drive.samples.size()) / pattern.drive.rate_hz},
+        {"clipped", status.clipped},
+        {"dropouts", status.dropouts}};
+}
+
+// One after the other. A device that can keeps the time between them to the sample: it has to have
+// the next one before the end of the one that plays.
+Expected<nlohmann::json> play_in_turn(Device& device, std::size_t count,
+                                      const std::function<Prepared(std::size_t)>& prepare,
+                                      const PlayCommand& command, std::stop_token stop) {
+    nlohmann::json reports = nlohmann::json::array();
+    const std::stop_callback silence(stop, [&device] { device.stop(); });
+    bool waits = false;  // on the device already
+    Prepared next = prepare(0);
+    for (std::size_t k = 0; k < count; ++k) {
+        const Prepared pattern = std::move(next);
+        if (count > 1) std::cerr << "tactspace: " << pattern.name << "\n";
+        if (!waits) {
+            const auto begun = device.play(pattern.drive, command.loop);
+            if (!begun) return begun.error();
+        }
+        const bool is_last = k + 1 == count;
+        if (!is_last) next = prepare(k + 1);
+        waits = !is_last && !command.loop && device.play_after(next.drive, command.gap_s);
+        const auto status = felt(device, stop);
+        if (!status) return status.error();
+        say(pattern.name, *status);
+        if (stop.stop_requested()) return Error{"stopped"};
+        reports.push_back(report_of(pattern, *status));
+        if (!is_last && !waits && !waited(command.gap_s, stop)) return Error{"stopped"};
+    }
+    if (command.loop) {
+        std::cerr << "tactspace: stopped after " << command.longest_s
+                  << " s; --longest says how long\n";
+    }
+    return reports;
 }
 
 }  // namespace
@@ -137,29 +206,19 @@ Expected<Done> run(const PlayCommand& command) {
     const auto device = open_device(host, chosen->info, chosen->choice);
     if (!device) return device.error();
     (*device)->set_level(command.level);
-    std::cerr << "tactspace: playing on " << chosen->info.name;
-    if (!chosen->info.channels.empty()) std::cerr << ", channel " << chosen->choice.channel;
-    if (calibration) {
-        std::cerr << ", calibrated by " << command.calibration.string() << "\n";
-    } else {
-        std::cerr << ", uncalibrated: full scale stands for " << command.full_scale_g << " g\n";
-    }
-    nlohmann::json reports = nlohmann::json::array();
-    for (std::size_t k = 0; k < places->size(); ++k) {
-        if (k > 0 && !waited(command.gap_s, interrupt.token())) return Error{"stopped"};
-        const Vibration& vibration = set->vibrations[(*places)[k]];
-        const Drive drive = drive_for(vibration, calibration, command.full_scale_g);
-        if (places->size() > 1) std::cerr << "tactspace: " << vibration.name << "\n";
-        const auto status = played(**device, drive, command.loop, interrupt.token());
-        if (!status) return status.error();
-        say(vibration.name, *status);
-        reports.push_back(report_of(vibration.name, drive, *status));
-    }
+    announce(command, *chosen, calibration.has_value());
+    if (calibration) compare_owner(*calibration, *chosen);
+    const auto prepare = [&](std::size_t k) {
+        return prepared(set->vibrations[(*places)[k]], calibration, command);
+    };
+    const auto reports =
+        play_in_turn(**device, places->size(), prepare, command, interrupt.token());
+    if (!reports) return reports.error();
     if (command.common.json) {
         std::cout << nlohmann::json{{"device", chosen->info.id},
                                     {"channel", chosen->choice.channel},
                                     {"level", command.level},
-                                    {"played", reports}}
+                                    {"played", *reports}}
                          .dump()
                   << "\n";
     }

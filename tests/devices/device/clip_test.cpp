@@ -77,4 +77,15 @@ TEST_CASE("drive: the test buzz starts and ends softly, and fits full scale") {
     CHECK(std::abs(buzz.samples.back()) < 0.02);
 }
 
+TEST_CASE("clip: its peak is that of the signal, which may lie between two frames") {
+    // A quarter of the rate, and never sampled at its top: 0.8 cos(45 degrees) at every frame.
+    Drive drive{48'000.0, {}};
+    for (int n = 0; n < 4800; ++n) {
+        drive.samples.push_back(0.8 * std::sin(std::numbers::pi * (0.5 * n + 0.25)));
+    }
+    const Clip clip = clip_of(drive, 48'000.0, true);
+    CHECK(std::abs(clip.samples[100]) < 0.57F);
+    CHECK(std::abs(clip.peak - 0.8F) < 0.005F);
+}
+
 }  // namespace clip_test

@@ -81,7 +81,7 @@ TEST_CASE("playback: after 100 ms of silence a clip comes out whole, on its own 
     CHECK(stream.playback.begun == 1);
     CHECK(stream.playback.ended == 1);
     CHECK(stream.playback.peak == doctest::Approx(0.5));
-    CHECK_FALSE(stream.playback.clipped);
+    CHECK_FALSE(notes_of(stream.playback, 1).clipped);
 }
 
 TEST_CASE("playback: how the sound is cut into blocks does not change a sample") {
@@ -165,13 +165,13 @@ TEST_CASE("playback: too loud a clip is turned down as a whole, and the clip lig
     for (std::size_t n = 0; n < clip.samples.size(); ++n) {  // its shape is kept
         REQUIRE(std::abs(stream.heard[kPad + n] - 0.4F * clip.samples[n]) < 1e-6F);
     }
-    CHECK(stream.playback.clipped);
+    CHECK(notes_of(stream.playback, 1).clipped);
     // At a level that fits it is as it is.
     Stream quiet;
     quiet.playback.level = 0.4F;
     quiet.playback.wanted = &clip;
     quiet.run(20'000);
-    CHECK_FALSE(quiet.playback.clipped);
+    CHECK_FALSE(notes_of(quiet.playback, 1).clipped);
 }
 
 TEST_CASE("playback: no sample is larger than the ceiling, whatever happens to the level") {
@@ -192,11 +192,11 @@ TEST_CASE(
     Stream stream;
     stream.playback.wanted = &clip;
     stream.run(kPad + 2400);
-    CHECK(std::abs(stream.playback.origin_s - 0.1) < 1e-9);
-    CHECK(stream.playback.rounds == 0);
+    CHECK(std::abs(notes_of(stream.playback, 1).origin_s - 0.1) < 1e-9);
+    CHECK(notes_of(stream.playback, 1).rounds == 0);
     stream.run(9600 + 240);  // the call that begins the next round tells it in the one after
-    CHECK(std::abs(stream.playback.origin_s - 0.3) < 1e-9);
-    CHECK(stream.playback.rounds == 1);
+    CHECK(std::abs(notes_of(stream.playback, 1).origin_s - 0.3) < 1e-9);
+    CHECK(notes_of(stream.playback, 1).rounds == 1);
 }
 
 TEST_CASE("playback: an empty clip ends as it begins") {
@@ -214,11 +214,11 @@ TEST_CASE("playback: gaps are counted while a clip sounds, and not in silence") 
     Stream stream;
     std::vector<float> buffer(4 * 240);
     render(stream.playback, buffer.data(), 240, 0.0, true);
-    CHECK(stream.playback.dropouts == 0);
+    CHECK(notes_of(stream.playback, 1).dropouts == 0);
     stream.playback.wanted = &clip;
     stream.run(2 * kPad);
     render(stream.playback, buffer.data(), 240, 0.0, true);
-    CHECK(stream.playback.dropouts == 1);
+    CHECK(notes_of(stream.playback, 1).dropouts == 1);
 }
 
 TEST_CASE(
@@ -235,6 +235,134 @@ TEST_CASE(
             REQUIRE(buffer[4 * n + channel] == wanted);
         }
     }
+}
+
+TEST_CASE("playback: gaps belong to the play they are in, and the next one starts without any") {
+    const Clip first = sine(0.5, 4800, false, 1);
+    const Clip second = sine(0.5, 4800, false, 2);
+    Stream stream;
+    std::vector<float> buffer(4 * 240);
+    stream.playback.wanted = &first;
+    stream.run(kPad + 2400);
+    render(stream.playback, buffer.data(), 240, 1.0, true);
+    render(stream.playback, buffer.data(), 240, 1.005, true);
+    CHECK(notes_of(stream.playback, 1).dropouts == 2);
+    stream.playback.wanted = &second;
+    for (int call = 2; call < 50; ++call)
+        render(stream.playback, buffer.data(), 240, 1.0 + 0.005 * call);
+    CHECK(stream.playback.ended == 2);
+    CHECK(notes_of(stream.playback, 2).dropouts == 0);
+    CHECK(notes_of(stream.playback, 1).dropouts == 2);
+}
+
+TEST_CASE("playback: a gap that no flag tells of shows in the output's clock, jitter does not") {
+    const Clip clip = sine(0.5, 480'000, true, 1);
+    Stream stream;
+    stream.playback.wanted = &clip;
+    std::vector<float> buffer(4 * 240);
+    double late_s = 0.0;
+    for (int call = 0; call < 2000; ++call) {
+        if (call == 500 || call == 1500) late_s += 0.006;
+        const double jitter_s = call % 7 == 0 ? 0.001 : -0.001;
+        const double slow_s = 200e-6 * 0.005 * call;  // the card's own idea of a second
+        render(stream.playback, buffer.data(), 240, 0.005 * call + late_s + jitter_s + slow_s);
+    }
+    CHECK(notes_of(stream.playback, 1).dropouts == 2);
+}
+
+TEST_CASE(
+    "playback: one that waits begins to the frame where it was told to, and cuts nothing off") {
+    const Clip first = sine(0.5, 4800, false, 1);
+    for (const std::int64_t rest : {0, 1, 960, 24'000}) {
+        CAPTURE(rest);
+        Clip second = sine(0.25, 2400, false, 2);
+        second.samples.front() = 0.125F;
+        second.waits = true;
+        second.rest_frames = rest;
+        Stream stream;
+        stream.playback.wanted = &first;
+        stream.run(kPad + 480);
+        stream.playback.wanted = &second;
+        stream.run(48'000);
+        for (std::size_t n = 0; n < first.samples.size(); ++n) {
+            REQUIRE(stream.heard[kPad + n] == first.samples[n]);
+        }
+        const std::size_t begin = kPad + 4800 + static_cast<std::size_t>(rest);
+        CHECK(loudest(stream.heard, kPad + 4800, begin) == 0.0);
+        CHECK(stream.heard[begin] == 0.125F);
+        CHECK(stream.playback.ended == 2);
+    }
+}
+
+TEST_CASE("playback: between two signals lies the rest that was asked for, however short") {
+    const Drive pulse{kModelRateHz, std::vector<double>(1000, 0.4)};
+    Clip first = clip_of(pulse, kRateHz, false);
+    first.serial = 1;
+    for (const double rest_s : {0.0, 0.004, 0.02, 0.5}) {
+        CAPTURE(rest_s);
+        Clip second = clip_after(pulse, kRateHz, rest_s);
+        second.serial = 2;
+        Stream stream;
+        stream.playback.wanted = &first;
+        stream.run(kPad + 480);
+        stream.playback.wanted = &second;
+        stream.run(48'000);
+        const double apart_s = notes_of(stream.playback, 2).origin_s + second.lead_s -
+                               notes_of(stream.playback, 1).origin_s - first.lead_s;
+        CHECK(std::abs(apart_s - 0.1 - rest_s) < 1.5 / kRateHz);
+    }
+}
+
+TEST_CASE(
+    "playback: a stop cuts a stream that is far behind, and leaves a prompt or a silent one") {
+    const Clip clip = sine(0.5, 48'000, false, 1);
+    const auto stopped = [&](double latency_s, std::size_t sounded) {
+        Stream stream;
+        stream.playback.layout.latency_s = latency_s;
+        if (sounded > 0) stream.playback.wanted = &clip;
+        stream.run(kPad + sounded);
+        stream.playback.wanted = nullptr;
+        stream.playback.cut = Cut::asked;
+        std::vector<float> buffer(4 * 240, 9.0F);
+        const bool goes_on = render(stream.playback, buffer.data(), 240, 0.0);
+        if (!goes_on) CHECK(loudest(buffer, 0, buffer.size()) == 0.0);
+        CHECK((stream.playback.cut == Cut::done) == !goes_on);
+        return !goes_on;
+    };
+    CHECK(stopped(0.1, 4800));
+    CHECK(stopped(0.1, 48'000 + 2400));  // over, but still on its way
+    CHECK_FALSE(stopped(0.1, 48'000 + 9600));
+    CHECK_FALSE(stopped(0.1, 0));
+    CHECK_FALSE(stopped(0.01, 4800));
+}
+
+TEST_CASE("playback: a level beyond what the actuator bears counts as the largest it does") {
+    Clip clip = sine(0.5, 9600, false, 1);
+    clip.largest_level = 0.25F;
+    Stream stream;
+    stream.playback.wanted = &clip;
+    stream.run(20'000);
+    for (std::size_t n = 0; n < clip.samples.size(); ++n) {
+        REQUIRE(stream.heard[kPad + n] == 0.25F * clip.samples[n]);
+    }
+    CHECK(notes_of(stream.playback, 1).clipped);
+    Stream quiet;
+    quiet.playback.level = 0.2F;
+    quiet.playback.wanted = &clip;
+    quiet.run(20'000);
+    CHECK_FALSE(notes_of(quiet.playback, 1).clipped);
+    CHECK(loudest(quiet.heard, 0, 20'000) > 0.0999);
+}
+
+TEST_CASE("playback: a loop that may play for 100 ms fades then, and has ended") {
+    Clip clip = sine(0.5, 3200, true, 1);
+    clip.longest_frames = 4800;
+    Stream stream;
+    stream.playback.wanted = &clip;
+    stream.run(kPad + 24'000);
+    CHECK(loudest(stream.heard, kPad + 4500, kPad + 4800) > 0.49);
+    CHECK(loudest(stream.heard, kPad + 4800 + 241, stream.heard.size()) == 0.0);
+    CHECK(stream.playback.ended == 1);
 }
 
 }  // namespace playback_test

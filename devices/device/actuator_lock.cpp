@@ -1,0 +1,47 @@
+#include "devices/device/actuator_lock.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+
+namespace tact {
+
+namespace {
+
+// Of this user, gone with the session where there is one.
+std::string lock_folder() {
+    const char* runtime = std::getenv("XDG_RUNTIME_DIR");  // NOLINT(concurrency-mt-unsafe)
+    if (runtime != nullptr && *runtime == '/') return std::string(runtime) + "/tactspace";
+    return "/tmp/tactspace-" + std::to_string(getuid());
+}
+
+std::string file_name(const std::string& actuator) {
+    std::string name;
+    for (const char c : actuator) {
+        const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+        name += is_plain ? c : '_';
+    }
+    return name.substr(0, 200) + ".lock";
+}
+
+}  // namespace
+
+ActuatorLock::ActuatorLock(const std::string& actuator) {
+    const std::string folder = lock_folder();
+    mkdir(folder.c_str(), S_IRWXU);
+    const std::string file = folder + "/" + file_name(actuator);
+    descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, S_IRUSR | S_IWUSR);
+    if (descriptor_ < 0) return;
+    taken_ = flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
+ActuatorLock::~ActuatorLock() {
+    if (descriptor_ >= 0) close(descriptor_);
+}
+
+}  // namespace tact
