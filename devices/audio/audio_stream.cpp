@@ -220,6 +220,9 @@ Expected<Done> AudioStream::open_once(SoundServer& server) {
     playback_.cut = Cut::none;
     const double periods = std::ceil(parameters.suggestedLatency / kPeriodS);
     if (is_alsa(number)) PaAlsa_SetNumPeriods(static_cast<int>(std::max(4.0, periods)));
+    // At a server a stream is there as soon as it is opened.
+    const std::set<std::uint32_t> before =
+        is_alsa(number) ? server.own_streams() : std::set<std::uint32_t>{};
     PaStream* stream = nullptr;
     const PaStreamFlags flags = paClipOff | paDitherOff;
     const PaError fault =
@@ -228,14 +231,13 @@ Expected<Done> AudioStream::open_once(SoundServer& server) {
     if (fault != paNoError) return Error{open_fault(place_.name, fault)};
     stream_ = stream;
     playback_.layout.latency_s = believable(Pa_GetStreamInfo(stream)->outputLatency);
-    Expected<Done> started = start_stream(server, number);
+    Expected<Done> started = start_stream(server, before, is_alsa(number));
     if (!started) close();
     return started;
 }
 
-Expected<Done> AudioStream::start_stream(SoundServer& server, int number) {
-    const bool alsa = is_alsa(number);
-    const std::set<std::uint32_t> before = alsa ? server.own_streams() : std::set<std::uint32_t>{};
+Expected<Done> AudioStream::start_stream(SoundServer& server, const std::set<std::uint32_t>& before,
+                                         bool alsa) {
     const PaError fault = start_ahead(stream_, alsa);
     if (fault != paNoError) return Error{open_fault(place_.name, fault)};
     seen_calls_ = playback_.calls;

@@ -77,7 +77,8 @@ class AudioStream {
     DeviceStatus status_of(const Asked& asked, DeviceStatus status);
     Expected<Done> open(AudioHost& host);
     Expected<Done> open_once(SoundServer& server);
-    Expected<Done> start_stream(SoundServer& server, int number);
+    Expected<Done> start_stream(SoundServer& server, const std::set<std::uint32_t>& before,
+                                bool alsa);
     Expected<Done> find_behind(SoundServer& server, const std::set<std::uint32_t>& before);
     void settle_cut();
     void start(std::unique_ptr<const Clip> clip, double duration_s);

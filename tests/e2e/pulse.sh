@@ -19,7 +19,7 @@ start_server() {
 # Without --latency-msec the last two seconds are lost at the end.
 start_capture() {
     : >"$scratch/stamps"
-    parec -d haptic.monitor --format=float32le --rate=48000 --channels=4 --channel-map=$map \
+    parec -d "${source:-haptic.monitor}" --format=float32le --rate=48000 --channels=4 --channel-map=$map \
         --no-remix --raw --latency-msec=5 > >("$capture" read 4 "$scratch/raw" "$scratch/stamps") &
     recorder=$!
     children+=("$recorder")

@@ -23,8 +23,11 @@ TEST_CASE("play: one pattern or all, and one that there is") {
 }
 
 TEST_CASE("play: a level or a channel count that cannot be is bad usage") {
-    for (const std::string level : {"-0.1", "1.1", "loud"}) {
+    for (const std::string level : {"-0.1", "1.1", "loud", "nan", "-nan", "inf"}) {
         CHECK(run_program({"play", kExample, "--all", "--level", level}).exit_code == 2);
+    }
+    for (const std::string option : {"--gap", "--full-scale", "--buffer", "--longest"}) {
+        CHECK(run_program({"play", kExample, "--all", option, "nan"}).exit_code == 2);
     }
     CHECK(run_program({"play", kExample, "--all", "--channels", "99"}).exit_code == 2);
 }
