@@ -5,6 +5,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "app/document/document_file.h"
 #include "app/document/folders.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
@@ -20,6 +21,7 @@ using nlohmann::json;
 struct Kept {
     std::string set_text;  // a set file; recordings by absolute path, as in memory
     fs::path path;         // of the document; empty: it has none
+    std::optional<std::uint64_t> file_mark{};  // of the document's file, as it was known
 };
 
 void erase_file(const fs::path& path) {
@@ -28,7 +30,8 @@ void erase_file(const fs::path& path) {
 }
 
 std::string text_of(const Kept& kept) {
-    const json all = {{"format", 1}, {"path", kept.path.string()}, {"set", kept.set_text}};
+    json all = {{"format", 1}, {"path", kept.path.string()}, {"set", kept.set_text}};
+    if (kept.file_mark) all["file_mark"] = *kept.file_mark;
     return all.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -40,14 +43,17 @@ std::optional<Kept> read_kept(const fs::path& file) {
     const json set = all.value("set", json());
     const json path = all.value("path", json());
     if (!set.is_string() || !path.is_string()) return std::nullopt;
-    return Kept{set.get<std::string>(), path.get<std::string>()};
+    Kept kept{set.get<std::string>(), path.get<std::string>()};
+    const json mark = all.value("file_mark", json());
+    if (mark.is_number_unsigned()) kept.file_mark = mark.get<std::uint64_t>();
+    return kept;
 }
 
 // As the document had it; `saved` is what is on the disk now.
 Expected<Document> document_of(const Kept& kept, const fs::path& file) {
     Expected<PatternSet> set = parse_set(kept.set_text, file.string(), file.parent_path());
     if (!set) return set.error();
-    Document document{*std::move(set), kept.path, {}};
+    Document document{*std::move(set), kept.path, {}, kept.file_mark};
     if (document.path.empty()) return document;
     if (Expected<Loaded> saved = load_set(document.path)) document.saved = std::move(saved->set);
     return document;
@@ -116,21 +122,27 @@ fs::path lock_of(const fs::path& autosave_file) {
 }
 
 Expected<Done> autosave(const Session& session, const Document& document) {
-    if (session.folder.empty()) return Done{};
     if (document.set == document.saved) {
-        erase_file(session.autosave);
+        if (!session.folder.empty()) erase_file(session.autosave);
         return Done{};
     }
-    return write_atomically(session.autosave, text_of({print_set(document.set), document.path}));
+    if (session.folder.empty()) {
+        return Error{
+            "there is no folder to keep them in, expected XDG_STATE_HOME or HOME to name "
+            "one that can be written"};
+    }
+    return write_atomically(session.autosave,
+                            text_of({print_set(document.set), document.path, document.file_mark}));
 }
 
 Restored restore(Session& session) {
     if (session.folder.empty()) return {};
     if (is_there(session.autosave)) return restore_changes(session);
     if (session.document.empty()) return {};
+    const std::optional<std::uint64_t> mark = content_mark(session.document);
     Expected<Loaded> loaded = load_set(session.document);
     if (!loaded) return {{}, loaded.error().message, true};
-    return {Document{loaded->set, session.document, loaded->set}, {}, false};
+    return {Document{loaded->set, session.document, loaded->set, mark}, {}, false};
 }
 
 Expected<fs::path> set_autosave_aside(Session& session) {

@@ -18,7 +18,8 @@
 
 namespace tact {
 
-// Keeps the document if it has unsaved changes; else forgets what was kept.
+// Keeps the document if it has unsaved changes; else forgets what was kept. An Error: they are in
+// memory alone.
 Expected<Done> autosave(const Session& session, const Document& document);
 
 struct Restored {

@@ -1,7 +1,9 @@
 // What a person works on: the set, where it is stored, and whether it is saved.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "model/set/pattern_set.h"
 
@@ -11,6 +13,8 @@ struct Document {
     PatternSet set;
     std::filesystem::path path;  // empty: never saved
     PatternSet saved;            // as it was last read or written: unsaved means set != saved
+    // Of the file's bytes as of then (app/document/document_file.h); none: not known.
+    std::optional<std::uint64_t> file_mark{};
 };
 
 }  // namespace tact

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/renaming.h"
 #include "app/ui/widgets.h"
 
 namespace tact {
@@ -38,6 +39,7 @@ void insert_after_current(App& app, std::vector<Vibration> fresh) {
 
 void show_state(App& app, const std::shared_ptr<const PatternSet>& state, const std::string& text) {
     if (!state) return;
+    follow_renames(app, app.document.set, *state);
     app.document.set = *state;
     app.committed = state;
     mend_selection(app);
@@ -244,15 +246,8 @@ void rename_vibration(App& app, std::size_t index, const std::string& name) {
         return;
     }
     const std::string before = all[index].name;
-    for (Vibration& vibration : all) {
-        auto* measurement = std::get_if<Measurement>(&vibration.source);
-        if (measurement != nullptr && measurement->measures == before) measurement->measures = name;
-    }
-    for (Ratings& ratings : app.document.set.ratings) {
-        std::ranges::replace(ratings.labels, before, name);
-    }
-    if (app.partner == before) app.partner = name;
-    all[index].name = name;
+    rename_in(app.document.set, index, name);
+    follow_rename(app, before, name);
     all[index].generated = false;  // a name given by hand is to stay
     app.fonts_outdated = true;     // the name may need new glyphs
     document_changed(app);

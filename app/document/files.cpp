@@ -3,7 +3,10 @@
 #include <algorithm>
 
 #include "app/document/autosave.h"
+#include "app/document/document_file.h"
 #include "app/document/editing.h"
+#include "app/document/unsaved.h"
+#include "app/study/study_follow.h"
 #include "app/ui/file_question.h"
 #include "assets/assets.h"
 #include "model/io/set/load.h"
@@ -29,14 +32,9 @@ bool is_set_file(const std::filesystem::path& path) {
     return path.filename().string().ends_with(".json");
 }
 
-// Unsaved changes of the document that another one replaces go to a file of their own, which heads
-// the recent ones: opening never asks, and nothing is lost. Empty: there were none.
-std::filesystem::path keep_unsaved(App& app) {
-    if (app.document.set == app.document.saved) return {};
-    if (!autosave(app.session, app.document)) return {};
-    const auto aside = set_autosave_aside(app.session);
-    return aside ? *aside : std::filesystem::path();
-}
+// What the person is told of a document that another of their windows has open as well.
+constexpr const char* kOpenTwice =
+    " It is open in another window, too: before one writes over what the other saved, it asks.";
 
 std::string joined(const std::vector<std::string>& remarks) {
     constexpr std::size_t kMost = 3;
@@ -60,28 +58,40 @@ std::string patterns_text(std::size_t count) {
 
 }  // namespace
 
-std::string document_title(const App& app) {
+std::string document_name(const App& app) {
     const std::string file = app.document.path.filename().string();
     std::string title = app.document.set.name;
     if (title.empty()) title = file.empty() ? "Untitled" : file;
     if (!file.empty() && title != file) title += "  (" + file + ")";
-    return title + (app.unsaved ? " \u2022" : "");
+    return title;
 }
 
-// Another document takes the place of the open one. Undo does not reach across: a set brought back
-// by it would be saved over the wrong file.
-void show_document(App& app, Document document, std::string text) {
-    const std::filesystem::path aside = keep_unsaved(app);
-    if (!aside.empty()) text += " Unsaved changes before it are kept in " + aside.string();
+std::string document_title(const App& app) {
+    return document_name(app) + (app.unsaved ? " \u2022" : "");
+}
+
+// Another document takes the place of the open one; false: that one has to stay. Undo does not
+// reach across: a set brought back by it would be saved over the wrong file.
+bool show_document(App& app, Document document, std::string text) {
+    const Expected<std::filesystem::path> aside = keep_unsaved(app);
+    if (!aside) {
+        refuse_to_replace(app, aside.error().message);
+        return false;
+    }
+    if (!aside->empty()) text += " Unsaved changes before it are kept in " + aside->string() + ".";
     app.document = std::move(document);
+    ++app.document_number;
+    if (!hold_document(app.session, app.document.path)) text += kOpenTwice;
+    set_study_folder(app, {});
+    app.set_panel.renaming.reset();
     app.selection = {};
     app.fonts_outdated = true;  // its names may need other glyphs
-    ++app.document_number;      // what was asked for of the one before it is forgotten
     app.partner.clear();
     app.history.clear();
     app.committed = std::make_shared<const PatternSet>(app.document.set);
     document_changed(app);
     say(app, text);
+    return true;
 }
 
 void new_document(App& app) { show_document(app, {}, "A new, empty set."); }
@@ -93,21 +103,27 @@ void open_example(App& app) {
 
 void open_paths(App& app, const std::vector<std::filesystem::path>& paths) {
     if (paths.empty()) return;
+    // Before it is read: whoever writes it in between is noticed.
+    const auto mark = is_set_file(paths[0]) ? content_mark(paths[0]) : std::nullopt;
     Expected<Loaded> loaded = load_sets(paths);
     if (!loaded) return complain(app, loaded.error().message);
     Document document;
     document.set = std::move(loaded->set);
     document.saved = document.set;
-    if (paths.size() == 1) document.path = std::filesystem::absolute(paths[0]);
-    for (const auto& path : paths) remember_file(app.session, std::filesystem::absolute(path));
+    if (paths.size() == 1) {
+        document.path = std::filesystem::absolute(paths[0]);
+        document.file_mark = mark;
+    }
     std::string text = "Opened " + patterns_text(document.set.vibrations.size());
     text += loaded->remarks.empty() ? "." : ": " + joined(loaded->remarks) + ".";
-    show_document(app, std::move(document), text);
+    if (!show_document(app, std::move(document), text)) return;
+    for (const auto& path : paths) remember_file(app.session, std::filesystem::absolute(path));
 }
 
-void save_as(App& app, const std::filesystem::path& path) {
-    std::filesystem::path target = std::filesystem::absolute(path);
-    if (!is_set_file(target)) target += kSetEnding;
+namespace {
+
+// The document into the file, whatever is in it.
+void write_document(App& app, const std::filesystem::path& target) {
     PatternSet set = app.document.set;
     if (set.name.empty()) {
         set.name = target.filename().string();
@@ -117,12 +133,36 @@ void save_as(App& app, const std::filesystem::path& path) {
     if (!stored) return complain(app, "Not saved: " + stored.error().message);
     const Expected<Done> written = write_set_file(target, set);
     if (!written) return complain(app, "Not saved: " + written.error().message);
+    const std::filesystem::path people = study_folder(app);
+    const bool had_file = !app.document.path.empty();
     app.document.set = set;  // with its name, and with files of measurements beside it
     app.document.path = target;
     app.document.saved = app.document.set;
+    app.document.file_mark = content_mark(target);
     app.unsaved_revision = 0;  // look again
     remember_file(app.session, target);
-    say(app, "Saved " + target.string());
+    std::string text = "Saved " + target.string() + "." + keep_participants(app, people, !had_file);
+    if (!hold_document(app.session, target)) text += kOpenTwice;
+    say(app, text);
+}
+
+void ask_to_overwrite(App& app, const std::filesystem::path& target) {
+    ask(app, {.title = "Changed by another program",
+              .text = target.filename().string() +
+                      " has been changed since it was opened here, by another program or another "
+                      "window. To save here would lose those changes.",
+              .answers = {{"Save as...", save_dialog},
+                          {"Overwrite", [target](App& to) { write_document(to, target); }},
+                          {"Cancel"}}});
+}
+
+}  // namespace
+
+void save_as(App& app, const std::filesystem::path& path) {
+    std::filesystem::path target = std::filesystem::absolute(path);
+    if (!is_set_file(target)) target += kSetEnding;
+    if (is_changed_outside(app.document, target)) return ask_to_overwrite(app, target);
+    write_document(app, target);
 }
 
 void save(App& app) {
@@ -185,7 +225,12 @@ void autosave_if_due(App& app) {
     if (!app.autosave_pending || app.time_s < app.autosave_due_s) return;
     app.autosave_pending = false;
     const Expected<Done> written = autosave(app.session, app.document);
-    if (!written) complain(app, "Unsaved changes cannot be kept: " + written.error().message);
+    const std::string fault = written ? std::string() : written.error().message;
+    // Once, not after each change.
+    if (!fault.empty() && fault != app.told_unkept) {
+        complain(app, "Unsaved changes cannot be kept aside, save them: " + fault);
+    }
+    app.told_unkept = fault;
 }
 
 }  // namespace tact

@@ -11,6 +11,7 @@ namespace tact {
 
 // "PM 2023, twelve patterns •": the set's name, marked while unsaved.
 std::string document_title(const App& app);
+std::string document_name(const App& app);  // the same without the mark
 
 void new_document(App& app);
 void open_example(App& app);
@@ -22,13 +23,14 @@ void save(App& app);
 void load_tables_dialog(App& app);
 void load_tables(App& app, const std::filesystem::path& path);
 
-// Opens what the paths name, as one set; an error leaves the open document as it is. Undo brings
-// the document before it back.
+// Opens what the paths name, as one set; an error leaves the open document as it is. Unsaved
+// changes of that one are kept in a file of their own; where they cannot be, it stays.
 void open_paths(App& app, const std::vector<std::filesystem::path>& paths);
+// Asks first where another program has changed the document's file.
 void save_as(App& app, const std::filesystem::path& path);
 
 // Puts another document in the place of the open one, whose unsaved changes are kept aside.
-void show_document(App& app, Document document, std::string text);
+bool show_document(App& app, Document document, std::string text);  // false: the open one stays
 
 // Writes the autosave when it is due.
 void autosave_if_due(App& app);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/document/autosave.h"
+#include "app/document/document_file.h"
 #include "app/document/folders.h"
 #include "model/text/atomic_file.h"
 
@@ -177,6 +178,10 @@ Session open_session(const fs::path& folder) {
     session.folder = folder;
     if (folder.empty() || !make_folder(session)) return session;
     take_place(session);
+    if (!session.lock) {
+        session.remarks.push_back("Nothing will be kept after this run: " + folder.string() +
+                                  " cannot be written.");
+    }
     read_settings(session);
     if (!session.is_first) {
         session.document.clear();  // it is open in the other instance
@@ -196,6 +201,7 @@ Expected<Done> write_session(const Session& session) {
 }
 
 Expected<Done> close_session(Session& session) {
+    release_document(session);
     Expected<Done> written = write_session(session);
     std::error_code none;
     if (session.is_first && !session.folder.empty()) {

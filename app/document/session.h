@@ -46,6 +46,8 @@ struct Session {
     std::vector<std::filesystem::path> recovered;  // unsaved changes of instances that are gone
     std::vector<std::string> remarks;              // what was wrong and what was done about it
     std::shared_ptr<FileLock> lock;                // shared, so that a session can be copied
+    std::shared_ptr<FileLock> document_lock;       // of the open document, among windows
+    std::filesystem::path document_lock_file;
 };
 
 // $XDG_STATE_HOME/tactspace or ~/.local/state/tactspace; empty without a home.

@@ -44,6 +44,9 @@ void choose_device(App& app, const DeviceChoice& choice) {
         play.choices.insert(play.choices.begin(), play.choice);
     }
     std::erase_if(play.choices, same(choice.id));
+    // What is a weak level on one actuator may be a strong one on the next.
+    const bool is_other = choice.id != play.choice.id || choice.channel != play.choice.channel;
+    if (is_other) play.level = std::min(play.level, kFirstLevel);
     play.choice = choice;
     play.opened = {};
     play.device.reset();

@@ -85,7 +85,8 @@ void close_study(App& app) { app.study->is_open = false; }
 fs::path study_folder(const App& app) {
     if (!app.study->folder.empty()) return app.study->folder;
     const fs::path& file = app.document.path;
-    if (!file.empty()) {
+    // A set that was recovered into the state folder has its participants where they were.
+    if (!file.empty() && file.parent_path() != app.session.folder) {
         std::string stem = file.stem().string();
         if (stem.ends_with(".tactspace")) stem.resize(stem.size() - 10);
         return file.parent_path() / (stem + " study");

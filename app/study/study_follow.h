@@ -32,6 +32,11 @@ std::filesystem::path study_folder(const App& app);
 void choose_study_folder(App& app);
 void set_study_folder(App& app, const std::filesystem::path& folder);
 
+// The document has another file now: its participants come along from where they were, if they had
+// no place but the state folder (`may_move`), and stay in sight else. What became of them, as a
+// sentence after another; empty: there are none.
+std::string keep_participants(App& app, const std::filesystem::path& before, bool may_move);
+
 // "P1", "P2", ... after a prefix, whichever has no file yet.
 std::string unused_code(const App& app, const std::string& prefix = "");
 

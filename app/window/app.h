@@ -41,6 +41,7 @@
 #include "app/ui/layout.h"
 #include "app/ui/open_dialog.h"
 #include "app/ui/status_line.h"
+#include "app/ui/question.h"
 #include "app/ui/widget_rects.h"
 #include "app/window/palette.h"
 #include "model/evaluation/findings.h"
@@ -126,6 +127,7 @@ struct App {
     ChooserPurpose chooser_purpose = ChooserPurpose::open_document;
     Dialog dialog = Dialog::none;
     bool escape_taken = false;  // Esc has silenced something in this frame: it closes nothing
+    std::optional<Question> question;  // over everything else
     ExportState exports;
     GenerateState generate;
     TourState tour;
@@ -147,6 +149,7 @@ struct App {
     std::uint64_t unsaved_revision = 0;  // ... as of this revision
     bool autosave_pending = false;
     double autosave_due_s = 0.0;
+    std::string told_unkept;  // why unsaved changes are in memory alone
     bool quit = false;
     WidgetRects rects;
     std::function<void()> wake;  // draws a frame soon; from any thread

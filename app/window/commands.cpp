@@ -8,6 +8,7 @@
 #include "app/document/files.h"
 #include "app/document/rating_files.h"
 #include "app/document/shown_side.h"
+#include "app/document/unsaved.h"
 #include "app/export/exports.h"
 #include "app/generate/generating.h"
 #include "app/measured/import_follow.h"
@@ -176,7 +177,7 @@ const auto kCommands = std::to_array<Command>({
      "stages table numbers save"},
     {"File", "Export animation...", {}, has_selection, export_animation_dialog, nullptr,
      "film video frames png save"},
-    {"File", "Quit", ctrl('q'), always, [](App& app) { app.quit = true; }},
+    {"File", "Quit", ctrl('q'), always, quit},
 
     {"Edit", "Undo", ctrl('z'), [](const App& app) { return app.history.undo_label() != nullptr; },
      undo},

@@ -128,6 +128,7 @@ void draw_chooser(App& app) {
 }  // namespace
 
 void draw_dialogs(App& app) {
+    if (app.question) return draw_question(app);
     draw_chooser(app);
     draw_exports(app);
     if (std::exchange(app.exports.cancel_asked, false)) cancel_animation(app);

@@ -2,6 +2,7 @@
 
 #include "app/compare/bench_follow.h"
 #include "app/document/files.h"
+#include "app/document/unsaved.h"
 #include "app/export/exports.h"
 #include "app/map/map_follow.h"
 #include "app/play/emergency_stop.h"
@@ -81,6 +82,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     client.drop = [&app](const std::vector<std::filesystem::path>& paths) {
         drop_paths(app, paths);
     };
+    client.close = [&app] { return may_close(app); };
     client.build_fonts = [&app](float content_scale) {
         app.content_scale = content_scale;
         make_theme(app);

@@ -6,25 +6,15 @@
 #include "app/document/autosave.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
+#include "app/document/unsaved.h"
 #include "app/play/playing.h"
 
 namespace tact {
 
-Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>& paths) {
-    app.session = open_session(state_folder());
-    app.dark = app.session.theme != "light";
-    app.text_scale = std::clamp(static_cast<float>(app.session.text_scale), 0.75F, 2.0F);
-    restore_layout(app);
-    restore_devices(app);
-    if (!paths.empty()) {
-        const auto aside = set_autosave_aside(app.session);
-        open_paths(app, paths);
-        if (app.status.is_error) return Error{app.status.text};
-        if (aside && !aside->empty()) {
-            say(app, "Unsaved changes of the last session are kept in " + aside->string());
-        }
-        return Done{};
-    }
+namespace {
+
+// As the last session was left, or the example.
+void take_up_session(App& app) {
     Restored restored = restore(app.session);
     if (restored.document) {
         Document document = *std::move(restored.document);
@@ -34,6 +24,38 @@ Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>&
         open_example(app);
     }
     if (restored.is_error) complain(app, restored.remark);
+}
+
+// The paths in its place, once what was unsaved in it is safe.
+Expected<Done> open_instead(App& app, const std::vector<std::filesystem::path>& paths) {
+    const Expected<std::filesystem::path> aside = set_autosave_aside(app.session);
+    if (!aside) {
+        take_up_session(app);
+        refuse_to_replace(app, aside.error().message);
+        return Done{};
+    }
+    open_paths(app, paths);
+    if (app.status.is_error) return Error{app.status.text};
+    if (!aside->empty()) {
+        say(app, "Unsaved changes of the last session are kept in " + aside->string());
+    }
+    return Done{};
+}
+
+}  // namespace
+
+Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>& paths) {
+    app.session = open_session(state_folder());
+    app.dark = app.session.theme != "light";
+    app.text_scale = std::clamp(static_cast<float>(app.session.text_scale), 0.75F, 2.0F);
+    restore_layout(app);
+    restore_devices(app);
+    if (paths.empty()) {
+        take_up_session(app);
+    } else if (const Expected<Done> opened = open_instead(app, paths); !opened) {
+        return opened.error();
+    }
+    tell_of_start(app);
     return Done{};
 }
 

@@ -75,7 +75,7 @@ std::string shortcut_text(const Shortcut& shortcut) {
 }
 
 void run_shortcuts(App& app, std::span<const KeyPress> pressed) {
-    const bool dialog = app.dialog != Dialog::none || app.chooser.is_open;
+    const bool dialog = app.dialog != Dialog::none || app.chooser.is_open || app.question;
     if (dialog || app.palette.open) return;
     if (is_popup_open()) {
         if (was_pressed(pressed, key::kEscape)) ImGui::ClosePopupToLevel(0, true);

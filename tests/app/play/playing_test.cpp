@@ -368,4 +368,26 @@ TEST_CASE("playing: a controller is still when another window has the keys, soun
     CHECK_FALSE(is_sounding(program.app));
 }
 
+TEST_CASE("playing: another device, or another of its channels, begins at a low level again") {
+    Felt program;
+    PlayState& play = program.app.play;
+    play.level = 1.0;
+    DeviceChoice choice = play.choice;
+    choice.latency_offset_s = 0.01;  // it is the same actuator
+    choose_device(program.app, choice);
+    CHECK(play.level == 1.0);
+    choice.channel = 2;
+    choose_device(program.app, choice);
+    CHECK(play.level == kFirstLevel);
+    play.level = 1.0;
+    choice.id = "audio/test/another";
+    choose_device(program.app, choice);
+    CHECK(play.level == kFirstLevel);
+    // Who had it lower keeps it.
+    play.level = 0.05;
+    choice.id = "audio/test/a third";
+    choose_device(program.app, choice);
+    CHECK(play.level == 0.05);
+}
+
 }  // namespace playing_test

@@ -1,0 +1,51 @@
+#include "app/document/document_file.h"
+
+#include <cstdio>
+#include <span>
+#include <utility>
+
+#include "app/document/folders.h"
+#include "model/common/fingerprint.h"
+#include "model/text/atomic_file.h"
+
+namespace tact {
+
+namespace {
+
+std::filesystem::path lock_file_of(const Session& session, const std::filesystem::path& file) {
+    std::error_code none;
+    const std::string name = std::filesystem::weakly_canonical(file, none).string();
+    char text[24];
+    std::snprintf(text, sizeof text, "%016llx",
+                  static_cast<unsigned long long>(mixed(0, std::span<const char>(name))));
+    return session.folder / "open" / (std::string(text) + ".lock");
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> content_mark(const std::filesystem::path& file) {
+    const Expected<std::string> text = read_text_file(file);
+    if (!text) return std::nullopt;
+    return mixed(0, std::span<const char>(*text));
+}
+
+bool hold_document(Session& session, const std::filesystem::path& file) {
+    release_document(session);
+    if (session.folder.empty() || file.empty()) return true;
+    const std::filesystem::path lock_file = lock_file_of(session, file);
+    if (!make_folder(lock_file.parent_path())) return true;
+    std::optional<FileLock> lock = try_lock(lock_file);
+    if (!lock) return !is_there(lock_file);
+    session.document_lock = std::make_shared<FileLock>(*std::move(lock));
+    session.document_lock_file = lock_file;
+    return true;
+}
+
+void release_document(Session& session) {
+    if (!session.document_lock) return;
+    std::error_code none;
+    std::filesystem::remove(session.document_lock_file, none);
+    session.document_lock.reset();
+}
+
+}  // namespace tact

@@ -1,0 +1,40 @@
+// Participants' files follow the document that they belong to. Declared in
+// app/study/study_follow.h.
+
+#include "app/document/folders.h"
+#include "app/study/study_follow.h"
+
+namespace tact {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Onto another disk they are copied, and the first ones stay: nobody can be asked again.
+bool move_or_copy(const fs::path& from, const fs::path& to) {
+    std::error_code fault;
+    fs::rename(from, to, fault);
+    if (!fault) return true;
+    fault.clear();
+    fs::copy(from, to, fs::copy_options::recursive, fault);
+    if (!fault) return true;
+    std::error_code none;
+    fs::remove_all(to, none);
+    return false;
+}
+
+}  // namespace
+
+std::string keep_participants(App& app, const fs::path& before, bool may_move) {
+    const fs::path now = study_folder(app);
+    if (now == before || !contains_study(before)) return {};
+    ++app.study->folder_revision;
+    if (may_move && !is_there(now) && move_or_copy(before, now)) {
+        return " Its participants are now in " + now.string() + ".";
+    }
+    set_study_folder(app, before);
+    return " Its participants stay in " + before.string() +
+           "; Study > Folder for participants... chooses another one.";
+}
+
+}  // namespace tact

@@ -1,0 +1,81 @@
+// Who holds a pattern by its name hears of a new one, of its undo, and of its redo.
+
+#include "app/document/renaming.h"
+
+#include <doctest/doctest.h>
+
+#include "app/measured/import_state.h"
+#include "app/study/study_follow.h"
+#include "app/subset/subset_state.h"
+#include "model/set/set_study.h"
+#include "tests/support/program.h"
+
+namespace renaming_test {
+
+using namespace tact;
+
+namespace {
+
+// Everything in the program that keeps "p2" by its name.
+std::vector<std::string> names_kept(App& app) {
+    const SubsetState& subset = *app.subset;
+    return {app.partner,
+            app.pinned,
+            app.tour.before.pinned,
+            subset.reference_a,
+            subset.opened->first,
+            app.play.sounding->names.at(0),
+            app.import->patterns.at(0)};
+}
+
+}  // namespace
+
+TEST_CASE("rename: a pattern stays in the study, in pairs, pinned, and among what sounds") {
+    Program program(short_patterns(4));
+    App& app = program.app;
+    app.document.set.study.patterns = {"p1", "p2", "p4"};
+    app.document.set.ratings = {{"P", {"p1", "p2", "p3", "p4"}, {1, 2, 3, 4, 5, 6}, {}}};
+    commit_step(app, "study");
+    app.partner = app.pinned = app.tour.before.pinned = "p2";
+    app.subset->reference_a = "p2";
+    app.subset->opened = {"p2", "p3"};
+    app.play.sounding = Sounding{.names = {"p2", "p1"}};
+    app.import->patterns = {"p2"};
+    const auto all = [](const char* name) { return std::vector<std::string>(7, name); };
+    rename_vibration(app, 1, "tap");
+    CHECK(study_names(app) == std::vector<std::string>{"p1", "tap", "p4"});
+    CHECK(app.document.set.ratings[0].labels[1] == "tap");
+    CHECK(names_kept(app) == all("tap"));
+    undo(app);
+    CHECK(study_names(app) == std::vector<std::string>{"p1", "p2", "p4"});
+    CHECK(names_kept(app) == all("p2"));
+    redo(app);
+    CHECK(names_kept(app) == all("tap"));
+    app.play.sounding.reset();
+}
+
+TEST_CASE("rename: a copied measurement measures its pattern under the new name") {
+    Program program(with_synthetic_twins(short_patterns(2), {}));
+    App& app = program.app;
+    app.selection.current = 1;
+    const auto twin = [&app](std::size_t k) {
+        return std::get<Measurement>(app.document.set.vibrations[k].source).measures;
+    };
+    REQUIRE(twin(1) == "p1");
+    copy_selected(app);
+    rename_vibration(app, 0, "tap");
+    paste(app);
+    CHECK(twin(1) == "tap");
+    CHECK(twin(2) == "tap");
+}
+
+TEST_CASE("rename: patterns that change places by an undo are no renames") {
+    Program program(short_patterns(3));
+    App& app = program.app;
+    app.pinned = "p1";
+    move_vibration(app, 0, 2);
+    undo(app);
+    CHECK(app.pinned == "p1");
+}
+
+}  // namespace renaming_test

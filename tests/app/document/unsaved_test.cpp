@@ -1,0 +1,309 @@
+// What somebody made is never lost to another document, to closing the window, or to a save.
+
+#include "app/document/unsaved.h"
+
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
+
+#include "app/document/autosave.h"
+#include "app/document/files.h"
+#include "model/io/set/load.h"
+#include "model/io/set/set_file.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace unsaved_test {
+
+using namespace tact;
+namespace fs = std::filesystem;
+
+namespace {
+
+// XDG_STATE_HOME for the time of a test.
+struct StateHome {
+    explicit StateHome(const fs::path& folder) { ::setenv("XDG_STATE_HOME", folder.c_str(), 1); }
+    ~StateHome() {
+        if (before) ::setenv("XDG_STATE_HOME", before->c_str(), 1);
+        if (!before) ::unsetenv("XDG_STATE_HOME");
+    }
+    std::optional<std::string> before = [] {
+        const char* set = std::getenv("XDG_STATE_HOME");
+        return set == nullptr ? std::nullopt : std::optional<std::string>(set);
+    }();
+};
+
+// No file of this process grows.
+struct FullDisk {
+    FullDisk() {
+        ::getrlimit(RLIMIT_FSIZE, &before);
+        const rlimit none{0, before.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &none);
+    }
+    ~FullDisk() {
+        ::setrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, handled);
+    }
+    rlimit before{};
+    void (*handled)(int) = std::signal(SIGXFSZ, SIG_IGN);
+};
+
+// A session that was begun in a folder of its own, with one change that is not saved.
+struct Edited : Program {
+    TemporaryFolder folder;
+
+    Edited() : Program(short_patterns(3)) {
+        app.session = open_session(folder.path / "state");
+        edit();
+    }
+    ~Edited() { (void)close_session(app.session); }
+    void edit() {
+        app.selection.current = 0;
+        edit_patterns(app, [](Pattern& pattern) { pattern.amplitude_g += 0.1; });
+        commit_step(app, "amplitude");
+    }
+    // No room for a byte more, wherever it looks.
+    void fill_disk() { app.session.autosave = "/dev/full"; }
+    // It is there, but nothing can be written into it, by root either.
+    void lock_folder() {
+        app.session.folder = "/proc/self";
+        app.session.autosave = "/proc/self/autosave.json";
+    }
+};
+
+bool refuses_others(Program& program) {
+    App& app = program.app;
+    const PatternSet edited = app.document.set;
+    for (const auto replace : {new_document, open_example}) {
+        app.status = {};
+        replace(app);
+        if (!app.status.is_error || !contains(app.status.text, "Save as...")) return false;
+        if (app.document.set != edited || app.history.undo_label() == nullptr) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("unsaved: with a file where the state folder should be, no document takes its place") {
+    const TemporaryFolder folder;
+    const StateHome home(folder.write("a file", ""));
+    Program program(short_patterns(3));
+    App& app = program.app;
+    REQUIRE(start_session(app, {}));
+    program.settle();
+    // And it is said before anything is made.
+    CHECK(contains(program.at("question").value, "Nothing will be kept after this run"));
+    program.press_key(key::kEnter);
+    CHECK_FALSE(program.shows("question"));
+    new_document(app);
+    CHECK(app.document.set.vibrations.empty());  // nothing was unsaved
+    add_pattern(app);
+    CHECK(refuses_others(program));
+    // Saved, it may go.
+    save_as(app, folder.path / "mine.tactspace.json");
+    new_document(app);
+    CHECK(app.document.set.vibrations.empty());
+}
+
+TEST_CASE("unsaved: in a folder that cannot be written, and on a full disk, it stays as well") {
+    for (const bool is_full : {true, false}) {
+        Edited program;
+        is_full ? program.fill_disk() : program.lock_folder();
+        CHECK(refuses_others(program));
+        const fs::path other = program.folder.path / "other.tactspace.json";
+        REQUIRE(write_set_file(other, short_patterns(2)));
+        open_paths(program.app, {other});
+        CHECK(program.app.document.set.vibrations.size() == 3);
+        CHECK(program.app.session.recent_files.empty());
+    }
+}
+
+TEST_CASE("unsaved: it is kept aside where it can be, and the other document opens") {
+    Edited program;
+    App& app = program.app;
+    const PatternSet edited = app.document.set;
+    open_example(app);
+    CHECK(app.document.set.vibrations.size() == 12);
+    REQUIRE(app.session.recent_files.size() == 1);
+    const auto kept = load_set(app.session.recent_files[0]);
+    REQUIRE(kept);
+    CHECK(kept->set == edited);
+}
+
+TEST_CASE("unsaved: a window with the only copy stays open and asks") {
+    Edited program;
+    App& app = program.app;
+    CHECK(may_close(app));  // kept for the next start
+    program.fill_disk();
+    CHECK_FALSE(may_close(app));
+    program.settle();
+    CHECK(contains(program.at("question").value, "No space left on device"));
+    CHECK(program.at("answer:Save as...").value == "marked");
+    // Esc changes nothing, and the next try asks again.
+    program.press_key(key::kEscape);
+    CHECK_FALSE(program.shows("question"));
+    CHECK_FALSE(app.quit);
+    program.press('q', true);
+    CHECK(program.shows("question"));
+    CHECK_FALSE(app.quit);
+    // Enter takes the marked answer: where to?
+    program.press_key(key::kEnter);
+    CHECK(app.chooser.is_open);
+    CHECK(app.chooser_purpose == ChooserPurpose::save_document);
+    program.press_key(key::kEscape);
+    save_as(app, program.folder.path / "mine.tactspace.json");
+    CHECK(may_close(app));
+}
+
+TEST_CASE("unsaved: only the word to discard discards, by keyboard too") {
+    Edited program;
+    program.fill_disk();
+    program.press('q', true);
+    program.press_key(key::kRight);
+    CHECK(program.at("answer:Discard and quit").value == "marked");
+    CHECK_FALSE(program.app.quit);
+    program.press_key(key::kEnter);
+    CHECK(program.app.quit);
+}
+
+TEST_CASE("unsaved: while a question is open, no command and no drop reaches the document") {
+    Edited program;
+    App& app = program.app;
+    program.fill_disk();
+    program.press('q', true);
+    const PatternSet edited = app.document.set;
+    program.press('n', true);
+    program.press_key(key::kDelete);
+    CHECK(app.document.set == edited);
+    program.click("answer:Cancel");
+    CHECK_FALSE(program.shows("question"));
+    program.press('n', true);
+    CHECK(app.document.set.vibrations.size() == 4);
+}
+
+TEST_CASE("unsaved: a full disk does not cost what the last session left, when a file is opened") {
+    const TemporaryFolder folder;
+    const StateHome home(folder.path / "state");
+    const fs::path other = folder.path / "other.tactspace.json";
+    REQUIRE(write_set_file(other, short_patterns(2)));
+    {
+        Session session = open_session(state_folder());
+        REQUIRE(autosave(session, {short_patterns(5), {}, {}}));
+        (void)close_session(session);
+    }
+    Program program(short_patterns(1));
+    App& app = program.app;
+    {
+        const FullDisk full;
+        REQUIRE(start_session(app, {other}));
+    }
+    CHECK(app.document.set.vibrations.size() == 5);
+    CHECK(contains(app.status.text, "This document stays open"));
+    open_paths(app, {other});  // there is room again
+    CHECK(app.document.set.vibrations.size() == 2);
+    CHECK(contains(app.status.text, "Unsaved changes before it are kept in"));
+    (void)close_session(app.session);
+}
+
+TEST_CASE("save: what another program wrote since is not written over without a word") {
+    Edited program;
+    App& app = program.app;
+    const fs::path file = program.folder.path / "mine.tactspace.json";
+    save_as(app, file);
+    program.edit();
+    save(app);
+    program.settle();
+    CHECK_FALSE(program.shows("question"));  // what was written here is known here
+    PatternSet outside = app.document.set;
+    outside.name = "by another";
+    REQUIRE(write_set_file(file, outside));
+    program.edit();
+    program.press('s', true);
+    CHECK(contains(program.at("question").value, "has been changed since it was opened here"));
+    CHECK(load_set(file)->set.name == "by another");
+    program.press_key(key::kEscape);
+    CHECK(load_set(file)->set.name == "by another");
+    // Elsewhere it never asks.
+    save_as(app, program.folder.path / "elsewhere.tactspace.json");
+    program.settle();
+    CHECK_FALSE(program.shows("question"));
+}
+
+TEST_CASE("save: who says so writes over it, and is not asked again") {
+    Edited program;
+    App& app = program.app;
+    const fs::path file = program.folder.path / "mine.tactspace.json";
+    REQUIRE(write_set_file(file, short_patterns(3)));
+    new_document(app);
+    open_paths(app, {file});
+    REQUIRE(write_set_file(file, short_patterns(2)));
+    program.edit();
+    program.press('s', true);
+    program.click("answer:Overwrite");
+    CHECK(load_set(file)->set == app.document.set);
+    CHECK_FALSE(is_changed_outside(app.document, file));
+    // Not there any more: nothing is lost by writing it.
+    fs::remove(file);
+    program.edit();
+    program.press('s', true);
+    CHECK(load_set(file)->set == app.document.set);
+}
+
+TEST_CASE("save: a change from outside is noticed after a recovery, too") {
+    Edited program;
+    App& app = program.app;
+    const fs::path file = program.folder.path / "mine.tactspace.json";
+    save_as(app, file);
+    program.edit();
+    REQUIRE(autosave(app.session, app.document));
+    REQUIRE(write_set_file(file, short_patterns(2)));
+    const Restored restored = restore(app.session);
+    REQUIRE(restored.document);
+    CHECK(is_changed_outside(*restored.document, file));
+}
+
+TEST_CASE("open: that another window has the document open is said, until that one lets go") {
+    Edited first;
+    Program second(short_patterns(1));
+    second.app.session = open_session(first.folder.path / "state");
+    const fs::path file = first.folder.path / "mine.tactspace.json";
+    save_as(first.app, file);
+    open_paths(second.app, {file});
+    CHECK(contains(second.app.status.text, "open in another window"));
+    open_paths(second.app, {file});  // itself is no other
+    CHECK(contains(second.app.status.text, "open in another window"));
+    new_document(first.app);
+    open_paths(second.app, {file});
+    CHECK_FALSE(contains(second.app.status.text, "another window"));
+    open_paths(first.app, {file});
+    CHECK(contains(first.app.status.text, "open in another window"));
+    (void)close_session(second.app.session);
+    open_paths(first.app, {file});
+    CHECK_FALSE(contains(first.app.status.text, "another window"));
+}
+
+TEST_CASE("start: what was wrong with the settings, and what was recovered, reaches the person") {
+    const TemporaryFolder folder;
+    const StateHome home(folder.path / "state");
+    folder.write("state/tactspace/session.json", "{ damaged");
+    {
+        const FileLock first = *try_lock(state_folder() / "lock");
+        Session second = open_session(state_folder());
+        REQUIRE_FALSE(second.is_first);
+        REQUIRE(autosave(second, {short_patterns(5), {}, {}}));
+    }
+    Program program(short_patterns(1));
+    REQUIRE(start_session(program.app, {}));
+    program.settle();
+    const std::string said = program.at("question").value;
+    CHECK(contains(said, "The settings could not be read"));
+    CHECK(contains(said, "did not end as it should are kept in"));
+    CHECK(contains(said, "recovered-"));
+    program.click("answer:Open them");
+    CHECK(program.app.document.set.vibrations.size() == 5);
+    (void)close_session(program.app.session);
+}
+
+}  // namespace unsaved_test

@@ -1,0 +1,84 @@
+// Participants stay with the set that they rated, whatever happens to its file.
+
+#include "app/document/files.h"
+#include "app/document/unsaved.h"
+#include "app/study/study_follow.h"
+#include "model/io/people/study_file.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace study_place_test {
+
+using namespace tact;
+
+namespace {
+
+// A set without a file, rated by somebody.
+struct Rated : Program {
+    TemporaryFolder folder;
+
+    Rated() : Program(short_patterns(4)) {
+        app.session = open_session(folder.path / "state");
+        std::filesystem::create_directories(study_folder(app));
+        StudyRecord record;
+        record.header = study_header(app, "P1");
+        REQUIRE(write_study_file(study_folder(app) / "P1.jsonl", record));
+    }
+    ~Rated() { (void)close_session(app.session); }
+    bool sees_participant() const { return contains_study(study_folder(app)); }
+};
+
+}  // namespace
+
+TEST_CASE("participants: saving a set that had no file takes them along, and says so") {
+    Rated program;
+    App& app = program.app;
+    const auto before = study_folder(app);
+    save_as(app, program.folder.path / "mine.tactspace.json");
+    CHECK(study_folder(app) == program.folder.path / "mine study");
+    CHECK(program.sees_participant());
+    CHECK_FALSE(std::filesystem::exists(before));
+    CHECK(contains(app.status.text, "Its participants are now in"));
+    // As the next start finds them.
+    open_paths(app, {program.folder.path / "mine.tactspace.json"});
+    CHECK(program.sees_participant());
+}
+
+TEST_CASE("participants: where others are in the way, nobody is mixed up and all stay in sight") {
+    Rated program;
+    App& app = program.app;
+    const auto before = study_folder(app);
+    const auto others = program.folder.path / "mine study";
+    std::filesystem::create_directories(others);
+    save_as(app, program.folder.path / "mine.tactspace.json");
+    CHECK(study_folder(app) == before);
+    CHECK(program.sees_participant());
+    CHECK(std::filesystem::is_empty(others));
+    CHECK(contains(app.status.text, "Its participants stay in"));
+}
+
+TEST_CASE("participants: of a saved set, they stay with its file and in sight of the copy") {
+    Rated program;
+    App& app = program.app;
+    save_as(app, program.folder.path / "mine.tactspace.json");
+    save_as(app, program.folder.path / "copy.tactspace.json");
+    CHECK(contains_study(program.folder.path / "mine study"));
+    CHECK(program.sees_participant());
+    CHECK(contains(app.status.text, "Its participants stay in"));
+    // Of a document that is opened next, they are none.
+    new_document(app);
+    CHECK_FALSE(program.sees_participant());
+}
+
+TEST_CASE("participants: a set that was put aside and opened again still has its own") {
+    Rated program;
+    App& app = program.app;
+    app.document.set.duration_s = 0.2;
+    new_document(app);
+    REQUIRE_FALSE(app.session.recent_files.empty());
+    open_paths(app, {app.session.recent_files[0]});
+    CHECK(app.document.set.vibrations.size() == 4);
+    CHECK(program.sees_participant());
+}
+
+}  // namespace study_place_test
