@@ -89,8 +89,14 @@ std::optional<SimulationAnswer> simulate_all(const SimulationRequest& request, s
     return answer;
 }
 
-// Puts twins into the set as one step and selects the first.
-void take(App& app, const std::vector<const Twin*>& twins, const std::string& label) {
+// Puts twins into the set they were asked for as one step and selects the first.
+void take(App& app, std::uint64_t document, const std::vector<const Twin*>& twins,
+          const std::string& label) {
+    if (document != app.document_number) {
+        return complain(app, label +
+                                 ": nothing was added, as the set it was for is not open any "
+                                 "more. Open that one and ask again.");
+    }
     PatternSet& set = app.document.set;
     std::size_t count = 0;
     for (const Twin* twin : twins) {
@@ -104,14 +110,19 @@ void take(App& app, const std::vector<const Twin*>& twins, const std::string& la
     app.fonts_outdated = true;  // names may need other glyphs
     document_changed(app);
     commit_step(app, label);
+    const std::size_t gone = twins.size() - count;
     say(app, label + ": " + std::to_string(count) + (count == 1 ? " twin" : " twins") +
-                 " beside the intended patterns. View > Intended only or Measured only shows one "
-                 "side.");
+                 " beside the intended patterns" +
+                 (gone > 0 ? ", without " + std::to_string(gone) +
+                                 " whose patterns are gone, or for which there is no room"
+                           : "") +
+                 ". View > Intended only or Measured only shows one side.");
 }
 
 ImportRequest import_request(App& app, const fs::path& keep_in) {
     ImportState& state = *app.import;
     return {++state.asked,
+            app.document_number,
             state.files,
             state.patterns,
             options_of(state.fields),
@@ -122,17 +133,31 @@ ImportRequest import_request(App& app, const fs::path& keep_in) {
 SimulationRequest simulation_request(App& app, std::vector<std::size_t> places,
                                      const fs::path& keep_in) {
     ImportState& state = *app.import;
-    return {++state.asked, std::move(places), state.actuator,
-            std::make_shared<const PatternSet>(app.document.set), keep_in};
+    return {++state.asked,
+            app.document_number,
+            std::move(places),
+            state.actuator,
+            std::make_shared<const PatternSet>(app.document.set),
+            keep_in};
 }
 
-void ask_for_simulation(App& app, SimulationRequest request) {
-    ImportState& state = *app.import;
-    using Job = LatestJob<SimulationRequest, SimulationAnswer>;
-    if (!state.simulation_job) {
-        state.simulation_job = std::make_unique<Job>(JobPolicy::supersede, simulate_all, app.wake);
-    }
-    state.simulation_job->submit(std::move(request));
+template <class Request, class Answer, class Work>
+void ask_to_take(App& app, Takes<Request, Answer>& takes, Request request, Work work) {
+    using Job = LatestJob<Request, Answer>;
+    if (!takes.job) takes.job = std::make_unique<Job>(JobPolicy::finish, work, app.wake);
+    takes.waiting.push_back(std::move(request));
+    if (takes.waiting.size() == 1) takes.job->submit(takes.waiting.front());
+}
+
+// The answer to the one that is being worked on, once; the next one begins.
+template <class Request, class Answer>
+std::shared_ptr<const Answer> next_taken(Takes<Request, Answer>& takes) {
+    if (takes.waiting.empty()) return {};
+    std::shared_ptr<const Answer> answer = takes.job->latest();
+    if (!answer || answer->request.number != takes.waiting.front().number) return {};
+    takes.waiting.pop_front();
+    if (!takes.waiting.empty()) takes.job->submit(takes.waiting.front());
+    return answer;
 }
 
 void take_import(App& app, const ImportAnswer& answer) {
@@ -141,14 +166,15 @@ void take_import(App& app, const ImportAnswer& answer) {
         if (!file.fault.empty()) return complain(app, "Not imported: " + file.fault);
         if (file.twin) twins.push_back(&*file.twin);
     }
-    take(app, twins, twins.size() == 1 ? "Import recording" : "Import recordings");
+    take(app, answer.request.document, twins,
+         twins.size() == 1 ? "Import recording" : "Import recordings");
 }
 
 void take_simulated(App& app, const SimulationAnswer& answer) {
     if (!answer.fault.empty()) return complain(app, "Not simulated: " + answer.fault);
     std::vector<const Twin*> twins;
     for (const Twin& twin : answer.twins) twins.push_back(&twin);
-    take(app, twins, "Simulate measurement");
+    take(app, answer.request.document, twins, "Simulate measurement");
 }
 
 }  // namespace
@@ -159,6 +185,13 @@ void stop_import(App& app) {
     if (!app.import) return;
     app.import->import_job.reset();
     app.import->simulation_job.reset();
+    app.import->import_takes.job.reset();
+    app.import->simulation_takes.job.reset();
+}
+
+bool is_taking(const App& app) {
+    return app.import && !(app.import->import_takes.waiting.empty() &&
+                           app.import->simulation_takes.waiting.empty());
 }
 
 void follow_import(App& app) {
@@ -175,14 +208,8 @@ void follow_import(App& app) {
         state.adding = false;
         app.dialog = Dialog::import_recordings;
     }
-    if (state.taking == 0) return;
-    if (state.answer && state.answer->request.number == state.taking) {
-        state.taking = 0;
-        take_import(app, *state.answer);
-    } else if (state.simulated && state.simulated->request.number == state.taking) {
-        state.taking = 0;
-        take_simulated(app, *state.simulated);
-    }
+    if (const auto taken = next_taken(state.import_takes)) take_import(app, *taken);
+    if (const auto taken = next_taken(state.simulation_takes)) take_simulated(app, *taken);
 }
 
 void import_recordings_dialog(App& app) {
@@ -244,12 +271,16 @@ void look_at_recordings(App& app) {
 void take_recordings(App& app) {
     const fs::path folder = measured_folder(app.session);
     if (folder.empty()) return complain(app, "Not imported: there is no folder to keep it in");
-    app.import->import_job->submit(import_request(app, folder));
-    app.import->taking = app.import->asked;
+    ask_to_take(app, app.import->import_takes, import_request(app, folder), import_all);
 }
 
 void look_at_simulation(App& app) {
-    ask_for_simulation(app, simulation_request(app, {app.selection.current}, {}));
+    ImportState& state = *app.import;
+    using Job = LatestJob<SimulationRequest, SimulationAnswer>;
+    if (!state.simulation_job) {
+        state.simulation_job = std::make_unique<Job>(JobPolicy::supersede, simulate_all, app.wake);
+    }
+    state.simulation_job->submit(simulation_request(app, {app.selection.current}, {}));
 }
 
 void take_simulation(App& app) {
@@ -257,8 +288,8 @@ void take_simulation(App& app) {
     if (folder.empty()) return complain(app, "Not simulated: there is no folder to keep it in");
     std::vector<std::size_t> places;
     if (!app.import->simulate_all) places = selected_indices(app);
-    ask_for_simulation(app, simulation_request(app, places, folder));
-    app.import->taking = app.import->asked;
+    ask_to_take(app, app.import->simulation_takes, simulation_request(app, places, folder),
+                simulate_all);
 }
 
 }  // namespace tact

@@ -14,8 +14,10 @@ namespace tact {
 std::shared_ptr<ImportState> make_import();
 void stop_import(App& app);
 
-// Takes what was read or simulated; what was to go into the set does, as one step.
+// Takes what was read or simulated; what was to go into the set does, as one step, unless another
+// set is open by then.
 void follow_import(App& app);
+bool is_taking(const App& app);  // something is still to go into the set
 
 // Choosing recordings, then the dialog on them.
 void import_recordings_dialog(App& app);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -18,6 +19,7 @@ namespace tact {
 // Recordings to be read and laid over their patterns.
 struct ImportRequest {
     std::uint64_t number = 0;
+    std::uint64_t document = 0;  // App::document_number that it was asked for
     std::vector<std::filesystem::path> files;
     std::vector<std::string> patterns;  // that they measure, by name; empty: not known
     AccelerationOptions options;
@@ -39,6 +41,7 @@ struct ImportAnswer {
 
 struct SimulationRequest {
     std::uint64_t number = 0;
+    std::uint64_t document = 0;
     std::vector<std::size_t> places;
     ActuatorParams actuator;
     std::shared_ptr<const PatternSet> set;
@@ -51,6 +54,14 @@ struct SimulationAnswer {
     std::string fault;  // why they could not be kept
 };
 
+// Twins on their way into the set, asked for one after the other. A look that is newer than the
+// last may supersede it; a take is never lost, so that each waits for the one before it.
+template <class Request, class Answer>
+struct Takes {
+    std::deque<Request> waiting;  // the first is being worked on
+    std::unique_ptr<LatestJob<Request, Answer>> job;
+};
+
 struct ImportState {
     std::vector<std::filesystem::path> files;
     std::vector<std::string> patterns;
@@ -60,9 +71,10 @@ struct ImportState {
     ActuatorParams actuator;
     bool simulate_all = true;  // patterns, not only the selected ones
     std::uint64_t asked = 0;   // the number of the last request of either kind
-    std::uint64_t taking = 0;  // whose answer goes into the set; 0: none
-    std::unique_ptr<LatestJob<ImportRequest, ImportAnswer>> import_job;
+    std::unique_ptr<LatestJob<ImportRequest, ImportAnswer>> import_job;  // to look
     std::unique_ptr<LatestJob<SimulationRequest, SimulationAnswer>> simulation_job;
+    Takes<ImportRequest, ImportAnswer> import_takes;  // into the set
+    Takes<SimulationRequest, SimulationAnswer> simulation_takes;
     std::shared_ptr<const ImportAnswer> answer;
     std::shared_ptr<const SimulationAnswer> simulated;
 };

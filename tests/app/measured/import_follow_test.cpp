@@ -1,5 +1,6 @@
 #include "app/measured/import_follow.h"
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <thread>
@@ -10,6 +11,8 @@
 #include "app/map/map_follow.h"
 #include "app/map/pair.h"
 #include "app/window/jobs.h"
+#include "app/study/study_follow.h"
+#include "app/window/drop.h"
 #include "model/io/set/set_file.h"
 #include "model/text/numbers.h"
 #include "tests/support/program.h"
@@ -63,7 +66,7 @@ TEST_CASE("import: recordings find their patterns, and come in as one step that 
     CHECK(app.import->answer->files[0].twin->alignment.lag == 100);
     CHECK(count(program) == 4);  // so far it is only looked at
     take_recordings(app);
-    wait_until(program, [&] { return app.import->taking == 0; });
+    wait_until(program, [&] { return !is_taking(app); });
     CHECK(count(program) == 6);
     CHECK(measures_another(app.document.set.vibrations[1]));
     undo(app);
@@ -81,7 +84,7 @@ TEST_CASE("import: saved, the waveforms lie beside the set and the set reads aga
     wait_until(program, [&] { return app.import->simulated != nullptr; });
     CHECK(app.import->simulated->twins.size() == 1);  // of the current pattern, to look at
     take_simulation(app);
-    wait_until(program, [&] { return app.import->taking == 0; });
+    wait_until(program, [&] { return !is_taking(app); });
     REQUIRE(count(program) == 8);
     CHECK(file_count(folder.path / "state" / "measured") == 4);
     save_as(app, folder.path / "saved.tactspace.json");
@@ -117,6 +120,82 @@ TEST_CASE("import: tables of accelerations are told from tables of ratings") {
     CHECK_FALSE(are_accelerations({folder.write("b.csv", "a,b,rating\np,q,3\n")}));
     CHECK_FALSE(are_accelerations({folder.write("c.txt", "1\n2\n")}));
     CHECK_FALSE(are_accelerations({}));
+}
+
+TEST_CASE("import: what was asked for comes, though the dialog is opened again before it does") {
+    const TemporaryFolder folder;
+    Program program(short_patterns(4));
+    App& app = program.app;
+    app.session.folder = folder.path / "state";
+    const auto files = recorded(program, folder);
+    import_recordings(app, {files[0]});
+    take_recordings(app);
+    import_recordings(app, {files[1]});  // a look, which supersedes looks alone
+    take_recordings(app);
+    look_at_recordings(app);
+    simulate_measurement_dialog(app);
+    app.import->simulate_all = false;
+    take_simulation(app);
+    look_at_simulation(app);
+    CHECK(is_taking(app));
+    wait_until(program, [&] { return !is_taking(app); });
+    const auto twins_of = [&app](const std::string& name) {
+        return std::ranges::count_if(app.document.set.vibrations, [&](const Vibration& vibration) {
+            const auto* twin = std::get_if<Measurement>(&vibration.source);
+            return twin != nullptr && twin->measures == name;
+        });
+    };
+    CHECK(twins_of("p2") == 1);
+    CHECK(twins_of("p1") >= 1);
+    CHECK(twins_of("p1") + twins_of("p2") == 3);
+}
+
+TEST_CASE("import: twins of one document do not go into another one with equal names") {
+    const TemporaryFolder folder;
+    Program program(short_patterns(4));
+    App& app = program.app;
+    app.session.folder = folder.path / "state";
+    const auto files = recorded(program, folder);
+    const auto other = folder.path / "other.tactspace.json";
+    REQUIRE(write_set_file(other, short_patterns(4)));
+    import_recordings(app, files);
+    take_recordings(app);
+    simulate_measurement_dialog(app);
+    take_simulation(app);
+    open_paths(app, {other});
+    wait_until(program, [&] { return !is_taking(app); });
+    CHECK(count(program) == 4);
+    CHECK(contains(app.status.text, "the set it was for is not open any more"));
+    CHECK(app.status.is_error);
+}
+
+TEST_CASE("import: nothing is dropped onto the window while something is being asked") {
+    const TemporaryFolder folder;
+    Program program(short_patterns(4));
+    App& app = program.app;
+    const auto other = folder.path / "other.tactspace.json";
+    REQUIRE(write_set_file(other, short_patterns(2)));
+    const auto stays = [&] {
+        program.settle();
+        drop_paths(app, {other});
+        return count(program) == 4 && app.status.is_error;
+    };
+    app.dialog = Dialog::generate;
+    CHECK(stays());
+    program.press_key(key::kEscape);
+    app.status = {};
+    tell(app, "A question", "Is it?");
+    CHECK(stays());
+    program.press_key(key::kEnter);
+    app.status = {};
+    begin_participant(app);
+    REQUIRE(is_study_running(app));
+    CHECK(stays());
+    stop_study(app);
+    app.study->run.reset();
+    program.settle();
+    drop_paths(app, {other});
+    CHECK(count(program) == 2);
 }
 
 }  // namespace import_follow_test
