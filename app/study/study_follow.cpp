@@ -11,6 +11,7 @@
 #include "app/document/folders.h"
 #include "app/document/program_version.h"
 #include "app/play/calibrating.h"
+#include "app/study/study_actuator.h"
 #include "app/study/study_answers.h"
 #include "app/study/study_masking.h"
 #include "app/ui/file_question.h"
@@ -229,6 +230,7 @@ void follow_study(App& app) {
     if (state.run && state.run->playing && app.time_s >= state.run->playing_until_s) {
         act(app, {});
     }
+    follow_actuator(app);
     follow_masking(app);
     if (state.is_open && !state.run) follow_question(app);
 }
@@ -256,7 +258,8 @@ double study_wake_s(const App& app) {
     const StudyState& state = *app.study;
     if (state.run) {
         const double next_s = next_change_s(*state.run, app.time_s) + 0.005;
-        return state.masks ? std::min(next_s, kMaskingLookS) : next_s;
+        const bool looks = state.masks || state.actuator.is_there;
+        return looks ? std::min(next_s, kMaskingLookS) : next_s;
     }
     const bool is_busy = state.is_open && state.job && state.job->busy();
     return is_busy ? 0.1 : std::numeric_limits<double>::infinity();

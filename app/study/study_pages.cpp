@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/study/study_actuator.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -105,12 +106,16 @@ void draw_foot(App& app, const Rect& area) {
                  keys_of(*state.run));
     std::string warning = state.run->trouble;
     if (!warning.empty()) warning = "Not on the disk, please call the experimenter. " + warning;
+    if (warning.empty()) warning = state.actuator.fault;
     if (warning.empty()) {
         const DeviceStatus status = state.device->status();
         warning = status.trouble;
         if (!status.connected && warning.empty()) {
             warning = "Rehearsal: no actuator is connected, nothing can be felt.";
         }
+        // Where the experimenter is still at hand.
+        const bool is_first = state.run->page == StudyPage::consent;
+        if (is_first && warning.empty()) warning = strength_words(state.actuator);
     }
     if (!state.masking_fault.empty() && state.run->trouble.empty()) {
         warning += (warning.empty() ? "" : " ") + state.masking_fault;

@@ -48,7 +48,8 @@ void show_next(StudyRun& run, double now_s) {
         return;
     }
     run.page = StudyPage::trial;
-    run.plays_left = run.plays_right = 0;
+    run.given = {};
+    run.feels_again = false;
     run.similarity.reset();
     const std::size_t place = run.record.answers.size();
     if (run.record.header.design.order == StudyOrder::full) {
@@ -66,32 +67,43 @@ bool is_time_to_rest(const StudyRun& run) {
            !is_complete(run);
 }
 
-void start_playing(StudyRun& run, StudyDeeds& deeds, std::size_t pattern, double now_s) {
+void play_until(StudyRun& run, double until_s) {
     const StudyDesign& design = run.record.header.design;
+    run.playing_until_s = until_s;
+    run.quiet_until_s = until_s + (run.page == StudyPage::training ? design.rest_s : design.gap_s);
+}
+
+void start_playing(StudyRun& run, StudyDeeds& deeds, std::size_t pattern, double now_s) {
     run.playing = pattern;
-    run.playing_until_s = now_s + run.duration_s[pattern];
-    run.quiet_until_s =
-        run.playing_until_s + (run.page == StudyPage::training ? design.rest_s : design.gap_s);
+    play_until(run, now_s + run.duration_s[pattern]);
     deeds.play = pattern;
+}
+
+// What played has come to an end, its own or another.
+void end_playing(StudyRun& run, const Play& played) {
+    run.playing.reset();
+    run.feels_again = !is_whole(played);
+    if (run.page == StudyPage::training && !run.feels_again) ++run.felt[run.playing_button];
+    if (run.page == StudyPage::trial) note_play(run.given, run.playing_button == 0, played);
 }
 
 void play(StudyRun& run, StudyDeeds& deeds, std::size_t button, double now_s) {
     if (!may_play(run, now_s)) return;
+    run.playing_button = button;
     if (run.page == StudyPage::training && button < run.training.size()) {
-        ++run.felt[button];
         start_playing(run, deeds, run.training[button], now_s);
     } else if (run.page == StudyPage::trial && button < 2) {
-        ++(button == 0 ? run.plays_left : run.plays_right);
         start_playing(run, deeds, button == 0 ? run.trial.left : run.trial.right, now_s);
     } else if (run.page == StudyPage::sorting && button < patterns_of(run)) {
         start_playing(run, deeds, button, now_s);
     }
 }
 
-void fall_silent(StudyRun& run, StudyDeeds& deeds, double now_s) {
+void fall_silent(StudyRun& run, StudyDeeds& deeds, Play played, double now_s) {
     if (!run.playing) return;
     deeds.silence = true;
-    run.playing.reset();
+    played.is_to_the_end = false;
+    end_playing(run, played);
     run.playing_until_s = now_s;
     run.quiet_until_s = now_s + run.record.header.design.gap_s;
 }
@@ -99,8 +111,12 @@ void fall_silent(StudyRun& run, StudyDeeds& deeds, double now_s) {
 double tenths(double seconds) { return std::round(10.0 * seconds) / 10.0; }
 
 PairAnswer pair_answer(const StudyRun& run, const std::string& at, double now_s) {
-    return {run.trial,       run.similarity.value_or(0.0), run.plays_left,
-            run.plays_right, tenths(now_s - run.shown_s),  at};
+    PairAnswer answer = run.given;
+    answer.trial = run.trial;
+    answer.similarity = run.similarity.value_or(0.0);
+    answer.response_s = tenths(now_s - run.shown_s);
+    answer.at = at;
+    return answer;
 }
 
 SortingAnswer sorting_answer(const StudyRun& run, const std::string& at, double now_s) {
@@ -183,9 +199,9 @@ void take_not_saved(StudyRun& run, const std::string& why) {
     if (run.page == StudyPage::sorting) run.record.sortings.pop_back();
 }
 
-void ask(StudyRun& run, StudyDeeds& deeds, double now_s) {
+void ask(StudyRun& run, StudyDeeds& deeds, const Play& played, double now_s) {
     if (run.is_asking || run.is_waiting) return;
-    fall_silent(run, deeds, now_s);
+    fall_silent(run, deeds, played, now_s);
     run.is_asking = true;
     run.asked_s = now_s;
 }
@@ -221,9 +237,17 @@ StudyRun study_run(StudyRecord record, std::vector<double> duration_s) {
 
 StudyStep stepped(StudyRun run, const StudyEvent& event, double now_s) {
     StudyDeeds deeds;
-    if (run.playing && now_s >= run.playing_until_s) run.playing.reset();
+    if (run.playing && event.what == What::plays_on) {
+        play_until(run, now_s + event.value);
+    } else if (run.playing && now_s >= run.playing_until_s) {
+        end_playing(run, event.played);
+    }
     switch (event.what) {
         case What::tick:
+        case What::plays_on:
+            break;
+        case What::cut_short:
+            fall_silent(run, deeds, event.played, now_s);
             break;
         case What::go_on:
             go_on(run, deeds, event.at, now_s);
@@ -238,7 +262,7 @@ StudyStep stepped(StudyRun run, const StudyEvent& event, double now_s) {
             put(run, event.index, event.value);
             break;
         case What::ask:
-            ask(run, deeds, now_s);
+            ask(run, deeds, event.played, now_s);
             break;
         case What::stay:
             stay(run, now_s);
@@ -263,7 +287,7 @@ bool may_play(const StudyRun& run, double now_s) {
 
 bool may_rate(const StudyRun& run, double now_s) {
     return run.page == StudyPage::trial && !run.is_asking && !run.is_waiting &&
-           run.plays_left > 0 && run.plays_right > 0 && now_s >= run.playing_until_s;
+           run.given.plays_left > 0 && run.given.plays_right > 0 && now_s >= run.playing_until_s;
 }
 
 bool may_go_on(const StudyRun& run, double now_s) {

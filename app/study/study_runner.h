@@ -5,7 +5,8 @@
 //           slider opens after both were felt; replays without limit; a gap between vibrations.
 // Input     what the person did, and the time, s, which never runs backwards
 // Output    at most one of each: a pattern to play, silence, a line for the participant's file. The
-//           next trial comes only with the word that the line is on the disk.
+//           next trial comes only with the word that the line is on the disk. A play counts when
+//           it has come to its end, whole.
 // Left out  sound, files, drawing: app/study/study_follow.h, app/study/study_pages.cpp.
 #pragma once
 
@@ -31,16 +32,17 @@ struct StudyRun {
     std::vector<std::size_t> training;  // patterns by button
     std::vector<int> felt;              // how often, by button
 
-    std::vector<Trial> trials;  // of the full design
-    Trial trial;                // on the screen
-    int plays_left = 0;
-    int plays_right = 0;
+    std::vector<Trial> trials;         // of the full design
+    Trial trial;                       // on the screen
+    PairAnswer given;                  // to it so far: how its sides were felt
+    bool feels_again = false;          // the last play was not whole, and does not count
     std::optional<double> similarity;  // where the slider was put
 
     int asked_groups = 0;  // of the round of sorting on the screen; 0: free
     Sorting groups;        // so far
 
     std::optional<std::size_t> playing;  // position of the pattern
+    std::size_t playing_button = 0;
     double playing_until_s = 0.0;
     double quiet_until_s = 0.0;      // the gap
     double shown_s = 0.0;            // since when the trial is on the screen, pauses taken off
@@ -56,17 +58,20 @@ struct StudyEvent {
         play,   // the pattern behind button `index`: 0 left, 1 right; of the training; of sorting
         rate,   // the slider is at `value`
         put,    // pattern `index` into group `value`; kUnsorted: back
-        ask,    // whether to leave
-        stay,   // rather not
-        leave,  // the answers so far are kept
-        saved,  // the line is on the disk
-        not_saved  // it is not; `text` says why
+        plays_on,   // what plays takes `value` seconds more
+        cut_short,  // it stopped before its end
+        ask,        // whether to leave
+        stay,       // rather not
+        leave,      // the answers so far are kept
+        saved,      // the line is on the disk
+        not_saved   // it is not; `text` says why
     };
     What what = What::tick;
     std::size_t index = 0;
     double value = 0.0;
-    std::string text;
-    std::string at;  // the time of day, UTC, for what is written
+    std::string text{};
+    std::string at{};                    // the time of day, UTC, for what is written
+    Play played{.is_to_the_end = true};  // what plays, if it has come to its end by now
 };
 
 struct StudyDeeds {

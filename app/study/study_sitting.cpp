@@ -6,6 +6,7 @@
 #include "app/document/folders.h"
 #include "app/play/calibrating.h"
 #include "app/play/playing.h"
+#include "app/study/study_actuator.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_masking.h"
 #include "model/set/set_study.h"
@@ -18,6 +19,8 @@ namespace fs = std::filesystem;
 using What = StudyEvent::What;
 
 namespace {
+
+constexpr double kLookS = 0.01;  // between two looks at a device that still plays
 
 void end_run(App& app) {
     StudyState& state = *app.study;
@@ -56,12 +59,11 @@ void act_on(App& app, const StudyDeeds& deeds) {
     StudyState& state = *app.study;
     if (deeds.silence) state.device->stop();
     if (deeds.play) {
-        const std::string& name = state.run->record.header.patterns[*deeds.play];
-        const Vibration& vibration = state.set->vibrations[*place_named(*state.set, name)];
-        const Drive drive = made_drive(drive_request(app, vibration)).drive;
-        if (const auto played = state.device->play(drive, false); !played) {
-            complain(app, played.error().message);
-        }
+        StudyActuator& actuator = state.actuator;
+        actuator.dropouts = 0;
+        actuator.seen_dropouts = state.device->status().dropouts;
+        const auto played = state.device->play(actuator.drives[*deeds.play], false);
+        if (!played && actuator.is_there) return lose_actuator(app, played.error().message);
     }
     if (deeds.begin_file || deeds.line) {
         const Expected<Done> done = deeds.line ? write_line(state, *deeds.line) : begin_file(app);
@@ -89,7 +91,6 @@ void start_run(App& app, StudyRecord record) {
     StudyState& state = *app.study;
     state.set = std::make_shared<const PatternSet>(app.document.set);
     std::vector<double> durations = study_durations_s(*state.set, record.header.patterns);
-    begin_masking(app, record.header.design);
     state.run = study_run(std::move(record), std::move(durations));
     state.held.reset();
     state.settling.reset();
@@ -100,7 +101,18 @@ void start_run(App& app, StudyRecord record) {
 
 }  // namespace
 
+namespace {
+
+bool refuses_silence(App& app) {
+    const bool is_silent = app.play.level <= 0.0 && app.study->device->status().connected;
+    if (is_silent) complain(app, "The level is 0: nothing would be felt. Raise it first.");
+    return is_silent;
+}
+
+}  // namespace
+
 void begin_participant(App& app) {
+    if (refuses_silence(app)) return;
     StudyState& state = *app.study;
     StudyRecord record;
     record.header = study_header(app, unused_code(app));
@@ -119,25 +131,102 @@ void begin_participant(App& app) {
     state.gender.clear();
     state.hand.clear();
     state.agrees = false;
+    state.actuator = study_actuator(app, app.document.set, record.header.patterns);
+    record.header.device = study_device(app, state.actuator);
+    begin_masking(app, record.header.design);
     start_run(app, std::move(record));
 }
 
+namespace {
+
+// What the answers from here on are given with, into the file, where it is not what it was.
+Expected<Done> note_device(StudyState& state, StudyRecord& record, const StudyDevice& device) {
+    if (device == device_of(record, answers_given(record))) return Done{};
+    record.devices.push_back({answers_given(record), device, utc_now()});
+    return write_line(state, device_line(record.devices.back()));
+}
+
+void go_on_with(App& app, StudyRecord record) {
+    StudyState& state = *app.study;
+    const fs::path file = study_folder(app) / study_file_name(record.header.participant.code);
+    auto log = StudyLog::resume(file, record);
+    if (!log) return complain(app, log.error().message);
+    state.log.emplace(*std::move(log));
+    state.actuator = study_actuator(app, app.document.set, record.header.patterns);
+    begin_masking(app, record.header.design);
+    StudyDevice device = study_device(app, state.actuator);
+    device.masking = masking_words(app, record.header.design);
+    if (const auto noted = note_device(state, record, device); !noted) {
+        state.log.reset();
+        stop_masking(state);
+        return complain(app, noted.error().message);
+    }
+    start_run(app, std::move(record));
+}
+
+std::string device_words(const StudyDevice& device) {
+    if (is_rehearsal(device)) return "no device, so that nothing was felt";
+    return device.name + ", " + device.calibration;
+}
+
+// Answers by another device, or another strength, are answers to other stimuli: that is a
+// decision.
+void ask_to_go_on(App& app, const StudyRecord& record, const StudyDevice& was,
+                  const StudyDevice& now) {
+    const std::string& code = record.header.participant.code;
+    const std::string words =
+        is_rehearsal(now) ? "no device: nothing would be felt" : device_words(now);
+    ask(app, {.title = "Another device or strength",
+              .text = "The last answers of " + code + " were given with " + device_words(was) +
+                      ". Now it is " + words +
+                      ". Who goes on has this noted in the file, for the answers from here on.",
+              .answers = {{"Go on as it is now", [record](App& to) { go_on_with(to, record); }},
+                          {"Not yet"}},
+              .marked = 1});
+}
+
+}  // namespace
+
 void resume_participant(App& app, const StudyRecord& record) {
+    if (refuses_silence(app)) return;
     const std::string fingerprint = study_fingerprint(app.document.set, record.header.patterns);
     if (fingerprint != record.header.set_fingerprint) {
         return complain(app, record.header.participant.code +
                                  " felt other patterns: open the set as it was to go on.");
     }
-    const fs::path file = study_folder(app) / study_file_name(record.header.participant.code);
-    auto log = StudyLog::resume(file, record);
-    if (!log) return complain(app, log.error().message);
-    app.study->log.emplace(*std::move(log));
-    start_run(app, record);
+    const StudyDevice now =
+        study_device(app, study_actuator(app, app.document.set, record.header.patterns));
+    const StudyDevice& was = device_of(record, answers_given(record));
+    if (now.name != was.name || now.calibration != was.calibration) {
+        return ask_to_go_on(app, record, was, now);
+    }
+    go_on_with(app, record);
 }
+
+namespace {
+
+void step_run(App& app, StudyEvent event, const DeviceStatus& status) {
+    StudyState& state = *app.study;
+    const bool was_paused = is_paused(*state.run);
+    event.at = utc_now();
+    event.played = play_so_far(state, status);
+    StudyStep step = stepped(*std::move(state.run), event, app.time_s);
+    state.run = std::move(step.run);
+    if (is_paused(*state.run) && !was_paused) look_at_map(state);
+    act_on(app, step.deeds);
+}
+
+}  // namespace
 
 void act(App& app, const StudyEvent& event) {
     StudyState& state = *app.study;
     if (!state.run) return;
+    const DeviceStatus status = state.device->status();
+    // It began later than it was told to, and is felt to its end.
+    const bool is_late = state.run->playing && app.time_s >= state.run->playing_until_s;
+    if (is_late && state.actuator.is_there && status.playing) {
+        step_run(app, {.what = What::plays_on, .value = kLookS}, status);
+    }
     if (event.what == What::go_on && state.run->page == StudyPage::consent) {
         StudyHeader& header = state.run->record.header;
         header.participant = {state.code, {}};
@@ -156,13 +245,8 @@ void act(App& app, const StudyEvent& event) {
     }
     const StudyDesign& design = state.run->record.header.design;
     if (event.what == What::stay && !state.masks) begin_masking(app, design);
-    const bool was_paused = is_paused(*state.run);
-    StudyEvent timed = event;
-    timed.at = utc_now();
-    StudyStep step = stepped(*std::move(state.run), timed, app.time_s);
-    state.run = std::move(step.run);
-    if (is_paused(*state.run) && !was_paused) look_at_map(state);
-    act_on(app, step.deeds);
+    if (event.what == What::stay) state.actuator.fault.clear();
+    step_run(app, event, status);
 }
 
 }  // namespace tact

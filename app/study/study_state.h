@@ -47,6 +47,21 @@ struct StudyAnswers {
 
 enum class StudyShow { matrix, map };
 
+// What is known of the device that a run is felt by (app/study/study_actuator.h).
+struct StudyActuator {
+    bool is_there = false;        // when the run began; else it is a rehearsal
+    std::vector<Drive> drives;    // of every pattern of the run, turned down ...
+    double turned_down_db = 0.0;  // ... all alike, so that none is too strong
+    std::vector<double> peaks;    // of the drives, at a level of 1
+    double level = 1.0;
+    double ceiling = 1.0;             // above it the device turns a play down
+    std::string remark;               // on what the actuator cannot do; empty: it can
+    std::string fault;                // why the run paused; a sentence
+    std::string known_trouble;        // of the device, that has been told
+    std::uint64_t seen_dropouts = 0;  // by the device's count
+    int dropouts = 0;                 // in the play that is under way
+};
+
 struct StudyState {
     bool is_open = false;  // the view, in place of the panes
     StudyKind kind = StudyKind::pairwise;
@@ -77,6 +92,7 @@ struct StudyState {
     std::size_t pressed_button = 0;       // last: 0 left, 1 right
     std::shared_ptr<Device> device;       // never null
     bool has_window_device = false;       // it is the one that the window plays on
+    StudyActuator actuator;               // of the run
     std::shared_ptr<Device> masking;      // on the participant's headphones; null: nothing is
     std::string masking_fault;            // a sentence; empty: it sounds, or is not asked for
     bool masks = false;

@@ -26,8 +26,9 @@ std::string waiting_text(const StudyRun& run, double now_s) {
         return run.similarity ? "How similar do they feel?" : "How similar? Move the slider.";
     }
     if (run.playing) return "Feel ...";
-    if (run.plays_left == 0 && run.plays_right == 0) return "Feel both, A and B";
-    return run.plays_left == 0 ? "Now feel A" : "Now feel B";
+    if (run.feels_again) return "That was cut short: feel it once more";
+    if (run.given.plays_left == 0 && run.given.plays_right == 0) return "Feel both, A and B";
+    return run.given.plays_left == 0 ? "Now feel A" : "Now feel B";
 }
 
 void draw_slider_track(App& app, const Rect& track, bool is_open) {
@@ -129,7 +130,8 @@ void draw_training_page(App& app, const Rect& area, std::span<const KeyPress> pr
     const StudyRun& run = *app.study->run;
     const Theme& theme = app.theme;
     centred_text(app, theme.fonts.large, theme.text, area, area.min.y,
-                 "Get to know them: feel each at least once");
+                 run.feels_again && !run.playing ? "That was cut short: feel it once more"
+                                                 : "Get to know them: feel each at least once");
     const Rect buttons{{area.min.x, area.min.y + 56.0F * theme.scale}, area.max};
     const std::size_t count = run.training.size();
     std::optional<std::size_t> chosen;
@@ -171,9 +173,9 @@ void draw_trial_page(App& app, const Rect& area, std::span<const KeyPress> press
     const Rect left = rect_at({area.centre().x - side - 0.5F * gap, top}, {side, 0.7F * side});
     const Rect right = rect_at({area.centre().x + 0.5F * gap, top}, {side, 0.7F * side});
     const bool feels_left =
-        draw_feel_button(app, left, {"study:A", "A", "", is_left, run.plays_left, is_ready});
-    const bool feels_right =
-        draw_feel_button(app, right, {"study:B", "B", "", is_right, run.plays_right, is_ready});
+        draw_feel_button(app, left, {"study:A", "A", "", is_left, run.given.plays_left, is_ready});
+    const bool feels_right = draw_feel_button(
+        app, right, {"study:B", "B", "", is_right, run.given.plays_right, is_ready});
     const float width = std::min(kSliderPx * theme.scale, area.width());
     const float y = left.max.y + 96.0F * s;
     draw_slider(app, rect_at({area.centre().x - 0.5F * width, y - 16.0F * s}, {width, 32.0F * s}));

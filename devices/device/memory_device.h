@@ -21,6 +21,7 @@ class MemoryDevice final : public Device {
     // For a test to say how far it is, what it met, that it is lost: of its next statuses.
     void pretend(double position_s, double peak, bool clipped, const std::string& trouble = {});
     void end() { playing_.reset(); }
+    void drop_out() { ++pretended_.dropouts; }
 
     // What is playing, and how, for a test to look at.
     const std::optional<Drive>& playing() const { return playing_; }

@@ -64,7 +64,10 @@ struct Edited : Program {
         commit_step(app, "amplitude");
     }
     // No room for a byte more, wherever it looks.
-    void fill_disk() { app.session.autosave = "/dev/full"; }
+    void fill_disk() {
+        app.session.autosave = app.session.folder / "full";
+        fs::create_symlink("/dev/full", app.session.autosave);
+    }
     // It is there, but nothing can be written into it, by root either.
     void lock_folder() {
         app.session.folder = "/proc/self";

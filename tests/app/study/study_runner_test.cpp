@@ -282,4 +282,68 @@ TEST_CASE("study runner: sorting asks for the free choice, then for the given nu
     CHECK(read->sortings[1].groups == Sorting{0, 1, 1, 1});
 }
 
+TEST_CASE("study runner: a pattern counts as felt at its end, and not when it was cut short") {
+    Person person;
+    person.train();
+    const auto plays = [&] {
+        return std::pair(person.run.given.plays_left, person.run.given.plays_right);
+    };
+    person.act(What::play, 0);
+    CHECK(plays() == std::pair(0, 0));
+    person.wait(0.6 * kDurationS);
+    person.act(What::ask);
+    person.act(What::stay);
+    CHECK(plays() == std::pair(0, 0));
+    person.wait(2.0);
+    person.feel(1);
+    CHECK(plays() == std::pair(0, 1));
+    CHECK_FALSE(may_rate(person.run, person.now_s));  // half of A is not A
+    person.act(What::play, 0);
+    person.wait(0.6 * kDurationS);
+    person.act(What::cut_short);
+    CHECK(person.run.feels_again);
+    person.wait(2.0);
+    CHECK_FALSE(may_rate(person.run, person.now_s));
+    person.feel(0);
+    CHECK_FALSE(person.run.feels_again);
+    CHECK(plays() == std::pair(1, 1));
+    person.act(What::rate, 0, 30.0);
+    person.act(What::go_on);
+    const PairAnswer& answer = person.run.record.answers.back();
+    CHECK(answer.left.broken == 2);
+    CHECK(answer.right.broken == 0);
+    CHECK(answer.plays_left == 1);
+}
+
+TEST_CASE("study runner: what its device still plays is not over when its time is") {
+    Person person;
+    person.train();
+    person.act(What::play, 0);
+    person.now_s += kDurationS;
+    person.act(What::plays_on, 0, 0.3);
+    CHECK(person.run.playing);
+    CHECK_FALSE(may_play(person.run, person.now_s));
+    person.wait(0.2);
+    CHECK(person.run.given.plays_left == 0);
+    person.wait(0.2);
+    CHECK(person.run.given.plays_left == 1);
+    // The gap begins then.
+    CHECK_FALSE(may_play(person.run, person.now_s));
+    CHECK(may_play(person.run, person.now_s + person.run.record.header.design.gap_s));
+}
+
+TEST_CASE("study runner: training is over when each was felt whole") {
+    Person person;
+    person.act(What::go_on);
+    person.act(What::go_on);
+    for (std::size_t button = 0; button < kPatterns; ++button) {
+        person.act(What::play, button);
+        if (button == 2) person.act(What::cut_short);
+        person.wait(kDurationS + 1.0);
+    }
+    CHECK_FALSE(may_go_on(person.run, person.now_s));
+    person.feel(2);
+    CHECK(may_go_on(person.run, person.now_s));
+}
+
 }  // namespace study_runner_test

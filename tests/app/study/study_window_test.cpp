@@ -133,9 +133,9 @@ TEST_CASE("study window: buttons and slider by mouse, only when it is their turn
     CHECK_FALSE(run.similarity);
     program.click("study:A");
     program.click("study:B");  // A still plays
-    CHECK(run.plays_left == 1);
-    CHECK(run.plays_right == 0);
     program.wait(0.3);
+    CHECK(run.given.plays_left == 1);
+    CHECK(run.given.plays_right == 0);
     program.click("study:B");
     program.wait(0.3);
     program.click("study:slider");
