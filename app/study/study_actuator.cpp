@@ -86,7 +86,8 @@ StudyDevice study_device(const App& app, const StudyActuator& actuator) {
         calibration += ", all patterns turned down by " + significant(actuator.turned_down_db) +
                        " dB, as the strongest is too strong for the output";
     }
-    return {app.study->device->status().name, calibration, {}};
+    // One that is listed and cannot play is felt as little as none.
+    return {actuator.is_there ? app.study->device->status().name : kNoDevice, calibration, {}};
 }
 
 std::string strength_words(const StudyActuator& actuator) {

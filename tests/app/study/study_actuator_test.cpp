@@ -257,4 +257,14 @@ TEST_CASE("actuator: nobody is asked at a level at which nothing is felt") {
     CHECK(contains(program.app.status.text, "The level is 0"));
 }
 
+TEST_CASE("actuator: one that is listed but cannot play makes a rehearsal, and the file says so") {
+    Felt program;
+    program.device->pretend(0.0, 0.0, false, "another program has it");
+    program.click("button:run participant");
+    program.press_key(key::kEnter);
+    program.press_key(key::kEnter);
+    REQUIRE(program.page() == "instructions 0");
+    CHECK(is_rehearsal(program.record().header.device));
+}
+
 }  // namespace study_actuator_test
