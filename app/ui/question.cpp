@@ -6,7 +6,7 @@
 
 #include "app/ui/widgets.h"
 #include "app/window/app.h"
-#include "app/window/dialogs.h"
+#include "app/ui/dialog.h"
 
 namespace tact {
 
@@ -46,7 +46,7 @@ std::optional<std::size_t> draw_answers(App& app, const Question& question) {
 
 std::optional<std::size_t> chosen_by_key(const App& app, const Question& question) {
     if (is_struck(ImGuiKey_Enter) || is_struck(ImGuiKey_KeyPadEnter)) return question.marked;
-    if (is_struck(ImGuiKey_Escape) && !app.play.escaped) return question.answers.size() - 1;
+    if (is_struck(ImGuiKey_Escape) && !app.escape_taken) return question.answers.size() - 1;
     return {};
 }
 
