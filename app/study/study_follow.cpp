@@ -202,7 +202,9 @@ void use_as_ratings(App& app) {
     app.bench = BenchTab::compare;
     app.compare.view = CompareView::table;
     close_study(app);
-    say(app, "The study's ratings are compared with the metrics.");
+    const std::string unrated = remark_on_unrated(unrated_patterns(*study), study->labels.size());
+    say(app, "The study's ratings are compared with the metrics." +
+                 (unrated.empty() ? "" : " " + unrated + "."));
 }
 
 void export_study_dialog(App& app) {
