@@ -53,7 +53,7 @@ Said said_to(const NumberOption& option, const std::string& value) {
                                          value.c_str()};
     std::ostringstream err;
     std::streambuf* const before = std::cerr.rdbuf(err.rdbuf());
-    const int exit_code = run_command_line(static_cast<int>(words.size()), words.data());
+    const int exit_code = run_command_line(static_cast<int>(words.size()), words.data(), nullptr);
     std::cerr.rdbuf(before);
     return {exit_code, err.str()};
 }

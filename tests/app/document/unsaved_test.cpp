@@ -9,6 +9,7 @@
 
 #include "app/document/autosave.h"
 #include "app/document/files.h"
+#include "app/window/session_layout.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/program.h"
