@@ -389,7 +389,10 @@ void draw_compare_panel(App& app) {
     if (!draw_comparison_state(app)) return;
     // Kept while it is drawn.
     const std::shared_ptr<const Comparison> comparison = app.comparison;
-    if (comparison->people && !app.document.set.ratings.empty()) draw_people(app, *comparison);
+    if (comparison->people && !app.document.set.ratings.empty()) {
+        draw_people(app, *comparison);
+        if (!comparison->people->said.unrated.empty()) draw_sides(app);
+    }
     if (!comparison->people) draw_no_ratings(app, *comparison);
     if (app.compare.view == CompareView::table) return draw_table(app, *comparison);
     draw_pairs(app, *comparison);

@@ -8,6 +8,7 @@
 #include "app/ui/file_question.h"
 #include "app/ui/widgets.h"
 #include "devices/calibration/calibration_file.h"
+#include "devices/device/protection.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {
@@ -83,14 +84,18 @@ std::string calibration_text(const App& app) {
 }
 
 DriveRequest drive_request(const App& app, const Vibration& vibration) {
-    return {0, vibration, app.play.calibration, app.play.full_scale_g};
+    return {
+        0, vibration, app.play.calibration, app.play.full_scale_g, false, app.play.is_protected};
 }
 
 MadeDrive made_drive(const DriveRequest& request) {
     const Waveform waveform = waveform_of(request.vibration);
     MadeDrive made{request, {}, {}};
     if (!request.calibration) {
-        made.drive = drive_of(waveform, request.full_scale_g);
+        ProtectedDrive kept = protected_drive(drive_of(waveform, request.full_scale_g),
+                                              request.loops, request.is_protected);
+        made.drive = std::move(kept.drive);
+        if (!kept.remark.empty()) made.remark = request.vibration.name + " " + kept.remark + ".";
         return made;
     }
     CalibratedDrive driven = calibrated_drive(waveform, *request.calibration);

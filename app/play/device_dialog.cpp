@@ -172,6 +172,11 @@ void draw_strength(App& app) {
     note_item(app.rects, "uncalibrated");
     ImGui::SameLine(0.0F, app.theme.gap_px);
     dim_text(app, "what is felt in g is not known");
+    ImGui::Checkbox("Protect the actuator", &app.play.is_protected);
+    note_item(app.rects, "check:protect", app.play.is_protected ? "on" : "off");
+    draw_tooltip(app,
+                 "Leaves out what is slower than 16 Hz, fades both ends of a pattern in 5 ms and "
+                 "stops after a minute on end. Without it an actuator may be harmed.");
     draw_calibration_links(app);
 }
 

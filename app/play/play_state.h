@@ -41,6 +41,8 @@ struct DriveRequest {
     Vibration vibration;
     std::shared_ptr<const Calibration> calibration;  // null: none
     double full_scale_g = kFullScaleG;
+    bool loops = false;
+    bool is_protected = true;  // without a calibration: devices/device/protection.h
 };
 
 struct MadeDrive {
@@ -57,6 +59,8 @@ struct PlayState {
     std::vector<DeviceChoice> choices;  // of other devices, for when they are chosen again
     double full_scale_g = kFullScaleG;
     bool on_hover = false;  // a pattern pointed at in the map is felt
+
+    bool is_protected = true;  // the actuator, where no calibration says what it bears
 
     double level = kFirstLevel;
     bool alternates = false;  // A|B: the current pattern and its partner, in turn

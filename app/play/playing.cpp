@@ -42,8 +42,12 @@ void play_drive(App& app, const Drive& drive, bool loop) {
 void play_vibration(App& app, const Vibration& vibration) {
     PlayState& play = app.play;
     DriveRequest request = drive_request(app, vibration);
-    if (!request.calibration)
-        return play_drive(app, made_drive(request).drive, play.sounding->loops);
+    request.loops = play.sounding->loops;
+    if (!request.calibration) {
+        const MadeDrive made = made_drive(request);
+        if (!made.remark.empty()) say(app, made.remark);
+        return play_drive(app, made.drive, play.sounding->loops);
+    }
     if (!play.drive_job) {
         play.drive_job = std::make_unique<LatestJob<DriveRequest, MadeDrive>>(
             JobPolicy::supersede,

@@ -15,14 +15,22 @@ static_assert(std::atomic<double>::is_always_lock_free &&
               std::atomic<const Clip*>::is_always_lock_free &&
               std::atomic<std::uint64_t>::is_always_lock_free);
 
-// Numbers too small to be felt are slow to compute with; here they count as zero.
-void flush_denormals() {
+// Numbers too small to be felt are slow to compute with: until the end of a callback they count as
+// zero, and then the thread computes again as it did.
+struct FlushDenormals {
 #if defined(__SSE2__)
-    constexpr unsigned int kFlushToZero = 0x8000;
-    constexpr unsigned int kDenormalsAreZero = 0x0040;
-    _mm_setcsr(_mm_getcsr() | kFlushToZero | kDenormalsAreZero);
+    static constexpr unsigned int kFlushToZero = 0x8000;
+    static constexpr unsigned int kDenormalsAreZero = 0x0040;
+    unsigned int before = _mm_getcsr();
+
+    FlushDenormals() { _mm_setcsr(before | kFlushToZero | kDenormalsAreZero); }
+    ~FlushDenormals() { _mm_setcsr(before); }
+#else
+    FlushDenormals() {}
 #endif
-}
+    FlushDenormals(const FlushDenormals&) = delete;
+    FlushDenormals& operator=(const FlushDenormals&) = delete;
+};
 
 // A frame that may leave: never beyond the ceiling, and what is no number is silence.
 float kept(float sample, float ceiling) {
@@ -145,7 +153,7 @@ float kept_level(double level) {
 
 bool render(Playback& playback, float* interleaved, std::size_t frames, double heard_s,
             bool broke_off) {
-    flush_denormals();
+    const FlushDenormals flush;
     const StreamLayout& layout = playback.layout;
     Playback::Own& own = playback.own;
     std::fill_n(interleaved, frames * layout.channels, 0.0F);

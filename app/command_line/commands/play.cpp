@@ -120,15 +120,6 @@ Prepared prepared(const Vibration& vibration, const std::optional<Calibration>& 
     return {vibration.name, std::move(driven.drive)};
 }
 
-// Another actuator gives another strength for the same drive.
-void compare_owner(const Calibration& made, const Chosen& chosen) {
-    const bool is_other = !made.device.empty() && made.device != chosen.info.id;
-    if (!is_other && made.channel == chosen.choice.channel) return;
-    std::cerr << "tactspace: this calibration was made for "
-              << (made.device.empty() ? "this device" : made.device) << ", channel " << made.channel
-              << ": here its strengths may be wrong\n";
-}
-
 void announce(const PlayCommand& command, const Chosen& chosen, bool is_calibrated) {
     const DeviceInfo& device = chosen.info;
     std::cerr << "tactspace: playing on " << device.name;
@@ -207,7 +198,6 @@ Expected<Done> run(const PlayCommand& command) {
     if (!device) return device.error();
     (*device)->set_level(command.level);
     announce(command, *chosen, calibration.has_value());
-    if (calibration) compare_owner(*calibration, *chosen);
     const auto prepare = [&](std::size_t k) {
         return prepared(set->vibrations[(*places)[k]], calibration, command);
     };

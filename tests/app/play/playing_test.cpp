@@ -9,6 +9,7 @@
 #include "app/play/emergency_stop.h"
 #include "app/window/jobs.h"
 #include "devices/device/memory_device.h"
+#include "devices/device/protection.h"
 #include "tests/support/program.h"
 
 namespace playing_test {
@@ -45,7 +46,9 @@ struct Felt : Program {
     }
 
     bool plays(std::size_t index) const {
-        return device->playing() && *device->playing() == drive_of_pattern(index);
+        if (!device->playing()) return false;
+        const Drive whole = drive_of_pattern(index);
+        return *device->playing() == protected_drive(whole, device->looping(), true).drive;
     }
 
     void wait(double seconds) {

@@ -31,8 +31,11 @@ struct StudyProgram : Program {
     }
     ~StudyProgram() { stop_study(app); }
 
+    // The device ends what it plays half-way, which is after the patterns of these sets.
     void wait(double seconds) {
-        for (double t = 0.0; t < seconds; t += window.frame_s) frame();
+        for (double t = 0.0; t < 0.5 * seconds; t += window.frame_s) frame();
+        if (auto* device = dynamic_cast<MemoryDevice*>(app.study->device.get())) device->end();
+        for (double t = 0.0; t < 0.5 * seconds; t += window.frame_s) frame();
     }
     void wait_for(const std::string& name) {
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
