@@ -74,8 +74,7 @@ void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen) {
                     "how many the output behind a sound server has, where the server does not say; "
                     "PULSE_SINK says which output of PulseAudio's")
         ->check(within(1, 8));
-    play.add_option("--level", options.level, "how strong, 0-1; else 0.1")
-        ->check(within(0.0, 1.0));
+    play.add_option("--level", options.level, "how strong, 0-1; else 0.1")->check(within(0.0, 1.0));
     play.add_option("--full-scale", options.full_scale_g,
                     "acceleration that full scale stands for without a calibration, g; else 1")
         ->check(within(1e-3, 1e3));

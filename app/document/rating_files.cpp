@@ -24,7 +24,8 @@ void load_ratings(App& app, const std::vector<std::filesystem::path>& paths) {
     if (!loaded) return complain(app, loaded.error().message);
     const std::string file = paths.front().filename().string();
     Expected<RatingStudy> study = matched(loaded->study, names_of(app.document.set));
-    if (!study) {  // people rate the intended patterns, not what measures them
+    // People rate the intended patterns, not what measures them.
+    if (!study || !unrated_patterns(*study).empty()) {
         const PatternSet intended = one_side(app.document.set, Side::intended);
         auto of_intended = matched(loaded->study, names_of(intended));
         if (of_intended) study = std::move(of_intended);

@@ -4,9 +4,9 @@
 
 #include <utility>
 
+#include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "app/window/app.h"
-#include "app/ui/dialog.h"
 
 namespace tact {
 

@@ -145,7 +145,7 @@ std::size_t refined_start(const CalibrationPlan& plan, std::span<const double> s
                           std::size_t start) {
     constexpr std::size_t kStep = 5;
     constexpr std::size_t kAround = 100;  // 10 ms
-    constexpr double kClearlyDb = 1.0;     // by less a place is no better
+    constexpr double kClearlyDb = 1.0;    // by less a place is no better
     std::size_t best = start;
     double most_db = fit_of(plan, plan.tones.back(), samples, start).snr_db + kClearlyDb;
     const std::size_t first = start - std::min(start, kAround);

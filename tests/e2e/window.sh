@@ -79,11 +79,17 @@ has_settled() {
 # What a person does.
 
 point_at() {
-    local place
+    local place before=
     until_true "there is $1" shows "$1"
     place=$(middle "$1")
-    # shellcheck disable=SC2086
-    xdotool mousemove --window "$window" $place
+    # A list or a dialog that opens takes its place in its second frame: follow until it stands.
+    while [ -n "$place" ] && [ "$place" != "$before" ]; do
+        # shellcheck disable=SC2086
+        xdotool mousemove --window "$window" $place
+        before=$place
+        sleep 0.1
+        place=$(middle "$1")
+    done
 }
 click() { point_at "$1" && xdotool click 1; }
 key() { xdotool key "$@"; }
