@@ -61,8 +61,6 @@ void leave_for_files(App& app) {
 
 }  // namespace
 
-void calibrate_dialog(App& app) { app.dialog = Dialog::calibrate; }
-
 void play_calibration_signal(App& app) {
     if (!can_sound(app)) return;
     silence(app);

@@ -13,8 +13,6 @@
 
 namespace tact {
 
-void calibrate_dialog(App& app);
-
 // The signal on the chosen device, whatever the level of the bar: its levels are shares of full
 // scale. Stopped like any sound.
 void play_calibration_signal(App& app);
