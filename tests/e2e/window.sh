@@ -10,10 +10,11 @@ pid=""
 display_pid=""
 : >"$scratch/display"
 
-# Two servers that look for a free number at one time can end up without one: then anew.
+# Two servers that look for a free number at one time can end up without one: then anew. A server that
+# resets once its last client has left refuses those who come meanwhile.
 display_answers() {
     if [ -z "$display_pid" ] || is_gone "$display_pid"; then
-        Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp 3>"$scratch/display" 2>/dev/null &
+        Xvfb -displayfd 3 -noreset -screen 0 1600x1000x24 -nolisten tcp 3>"$scratch/display" 2>/dev/null &
         display_pid=$!
         children+=("$display_pid")
     fi
