@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/folders.h"
 #include "app/play/calibrating.h"
 #include "app/play/playing.h"
+#include "app/session/folders.h"
 #include "app/ui/file_question.h"
 #include "devices/calibration/calibration_file.h"
 #include "model/io/recordings/acceleration_file.h"

@@ -247,7 +247,7 @@ void rename_vibration(App& app, std::size_t index, const std::string& name) {
     }
     const std::string before = all[index].name;
     rename_in(app.document.set, index, name);
-    follow_rename(app, before, name);
+    follow_rename(app, {before, name});
     all[index].generated = false;  // a name given by hand is to stay
     app.fonts_outdated = true;     // the name may need new glyphs
     document_changed(app);

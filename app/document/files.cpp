@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
-#include "app/document/autosave.h"
-#include "app/document/document_file.h"
 #include "app/document/editing.h"
 #include "app/document/unsaved.h"
-#include "app/study/study_follow.h"
+#include "app/session/autosave.h"
+#include "app/session/document_file.h"
 #include "app/ui/file_question.h"
 #include "assets/assets.h"
 #include "model/io/set/load.h"
@@ -82,8 +81,7 @@ bool show_document(App& app, Document document, std::string text) {
     app.document = std::move(document);
     ++app.document_number;
     if (!hold_document(app.session, app.document.path)) text += kOpenTwice;
-    set_study_folder(app, {});
-    app.set_panel.renaming.reset();
+    app.changes = {};
     app.selection = {};
     app.fonts_outdated = true;  // its names may need other glyphs
     app.partner.clear();
@@ -133,15 +131,16 @@ void write_document(App& app, const std::filesystem::path& target) {
     if (!stored) return complain(app, "Not saved: " + stored.error().message);
     const Expected<Done> written = write_set_file(target, set);
     if (!written) return complain(app, "Not saved: " + written.error().message);
-    const std::filesystem::path people = study_folder(app);
-    const bool had_file = !app.document.path.empty();
+    if (!app.changes.saved_from) {
+        app.changes.saved_from = {app.document.path, app.document.set.name};
+    }
     app.document.set = set;  // with its name, and with files of measurements beside it
     app.document.path = target;
     app.document.saved = app.document.set;
     app.document.file_mark = content_mark(target);
     app.unsaved_revision = 0;  // look again
     remember_file(app.session, target);
-    std::string text = "Saved " + target.string() + "." + keep_participants(app, people, !had_file);
+    std::string text = "Saved " + target.string() + ".";
     if (!hold_document(app.session, target)) text += kOpenTwice;
     say(app, text);
 }
@@ -151,8 +150,8 @@ void ask_to_overwrite(App& app, const std::filesystem::path& target) {
               .text = target.filename().string() +
                       " has been changed since it was opened here, by another program or another "
                       "window. To save here would lose those changes.",
-              .answers = {{"Save as...", save_dialog},
-                          {"Overwrite", [target](App& to) { write_document(to, target); }},
+              .answers = {{"Save as...", [&app] { save_dialog(app); }},
+                          {"Overwrite", [&app, target] { write_document(app, target); }},
                           {"Cancel"}}});
 }
 

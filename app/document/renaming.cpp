@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "app/measured/import_state.h"
-#include "app/subset/subset_state.h"
-
 namespace tact {
 
 namespace {
@@ -24,27 +21,13 @@ void rename_in(PatternSet& set, std::size_t index, const std::string& name) {
     set.vibrations[index].name = name;
 }
 
-void follow_rename(App& app, const std::string& before, const std::string& after) {
-    const auto follow = [&](std::string& name) {
-        if (name == before) name = after;
-    };
-    follow(app.partner);
-    follow(app.pinned);
-    follow(app.tour.before.pinned);
-    follow(app.play.felt_on_hover);
-    if (auto& sounding = app.play.sounding) {
-        std::ranges::for_each(sounding->names, follow);
-        follow(sounding->as_played.name);
+void follow_rename(App& app, const Renaming& renaming) {
+    follow(renaming, app.partner);
+    follow(renaming, app.pinned);
+    for (Vibration& copied : app.clipboard) {
+        rename_measured(copied, renaming.before, renaming.after);
     }
-    for (Vibration& copied : app.clipboard) rename_measured(copied, before, after);
-    if (app.import) std::ranges::for_each(app.import->patterns, follow);
-    if (!app.subset) return;
-    follow(app.subset->reference_a);
-    follow(app.subset->reference_b);
-    if (auto& opened = app.subset->opened) {
-        follow(opened->first);
-        follow(opened->second);
-    }
+    app.changes.renamings.push_back(renaming);
 }
 
 void follow_renames(App& app, const PatternSet& before, const PatternSet& after) {
@@ -54,7 +37,7 @@ void follow_renames(App& app, const PatternSet& before, const PatternSet& after)
         const std::string& is = after.vibrations[k].name;
         // Else it is another pattern that came to stand here.
         if (was != is && !place_named(after, was) && !place_named(before, is)) {
-            follow_rename(app, was, is);
+            follow_rename(app, {was, is});
         }
     }
 }

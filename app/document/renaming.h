@@ -10,8 +10,8 @@ namespace tact {
 // In the set: its twins, its ratings, and the choice of those that take part in studies.
 void rename_in(PatternSet& set, std::size_t index, const std::string& name);
 
-// Outside of it: pairs, what is pinned, what sounds, what was copied.
-void follow_rename(App& app, const std::string& before, const std::string& after);
+// In what is selected and copied; other rooms find it among the changes.
+void follow_rename(App& app, const Renaming& renaming);
 
 // The same for whatever has another name in `after` than in `before`, as by an undo.
 void follow_renames(App& app, const PatternSet& before, const PatternSet& after);

@@ -16,15 +16,10 @@ Expected<std::filesystem::path> keep_unsaved(App& app);
 // The sentence that says so.
 void refuse_to_replace(App& app, const std::string& reason);
 
-// Whether the window may close: what is unsaved is kept for the next start. Where it cannot be, the
-// window stays and asks. A study under way ends first; its answers are on the disk.
-bool may_close(App& app);
-void quit(App& app);
+// A sentence, though what it comes from may lack its stop.
+std::string with_stop(std::string text);
 
 // The file as it is now holds what was never seen here.
 bool is_changed_outside(const Document& document, const std::filesystem::path& file);
-
-// What was wrong with the session at the start, and what was recovered: a notice.
-void tell_of_start(App& app);
 
 }  // namespace tact

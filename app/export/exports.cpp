@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/folders.h"
 #include "app/physiology/stage_csv.h"
+#include "app/session/folders.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/file_question.h"
 #include "model/io/recordings/recording.h"

@@ -190,8 +190,9 @@ void stop_import(App& app) {
 }
 
 bool is_taking(const App& app) {
-    return app.import && !(app.import->import_takes.waiting.empty() &&
-                           app.import->simulation_takes.waiting.empty());
+    if (!app.import) return false;  // of a picture
+    return !(app.import->import_takes.waiting.empty() &&
+             app.import->simulation_takes.waiting.empty());
 }
 
 void follow_import(App& app) {

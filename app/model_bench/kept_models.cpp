@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "app/document/editing.h"
-#include "app/document/folders.h"
 #include "app/model_bench/training_state.h"
+#include "app/session/folders.h"
 #include "app/ui/file_question.h"
 
 namespace tact {

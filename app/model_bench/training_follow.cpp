@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "app/document/editing.h"
-#include "app/document/program_version.h"
 #include "app/model_bench/kept_models.h"
+#include "app/session/program_version.h"
 #include "app/ui/file_question.h"
 #include "model/io/set/load.h"
 #include "model/set/measured_twin.h"

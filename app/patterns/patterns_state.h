@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -22,7 +23,8 @@ struct SetPanelState {
     std::optional<RowClick> clicked;
     std::string rename_text;
     std::optional<std::size_t> renaming;
-    bool rename_begun = false;  // its box has had the keyboard
+    std::uint64_t renaming_in = 0;  // number of the document
+    bool rename_begun = false;      // its box has had the keyboard
 };
 
 struct EditorState {

@@ -83,7 +83,7 @@ void drag_row(App& app, std::size_t index) {
     if (ImGui::BeginDragDropTarget()) {
         if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kDragKind)) {
             const std::size_t from = *static_cast<const std::size_t*>(payload->Data);
-            app.waiting.emplace_back([from, index](App& a) { move_vibration(a, from, index); });
+            app.waiting.emplace_back([&app, from, index] { move_vibration(app, from, index); });
         }
         ImGui::EndDragDropTarget();
     }
@@ -91,6 +91,7 @@ void drag_row(App& app, std::size_t index) {
 
 void begin_rename(App& app, std::size_t index) {
     app.set_panel.renaming = index;
+    app.set_panel.renaming_in = app.document_number;
     app.set_panel.rename_text = app.document.set.vibrations[index].name;
     app.set_panel.rename_begun = false;
 }
@@ -104,15 +105,15 @@ void draw_row_menu(App& app, std::size_t index) {
     if (ImGui::MenuItem("Rename", "F2")) begin_rename(app, index);
     note_item(app.rects, "row menu:Rename");
     // Once all rows are drawn: there may be fewer of them then.
-    const auto item = [&app](const char* text, const char* keys, void (*act)(App&)) {
-        if (ImGui::MenuItem(text, keys)) app.waiting.emplace_back(act);
+    const auto item = [&app](const char* text, const char* keys, std::function<void()> act) {
+        if (ImGui::MenuItem(text, keys)) app.waiting.push_back(std::move(act));
         note_item(app.rects, std::string("row menu:") + text);
     };
-    item(vibration.locked ? "Unlock" : "Lock", "", toggle_locked);
-    item(vibration.dropped ? "Take back" : "Drop", "", toggle_dropped);
-    item("Duplicate", "Ctrl+D", duplicate_selected);
-    item("Copy", "Ctrl+C", copy_selected);
-    item("Delete", "Del", remove_selected);
+    item(vibration.locked ? "Unlock" : "Lock", "", [&app] { toggle_locked(app); });
+    item(vibration.dropped ? "Take back" : "Drop", "", [&app] { toggle_dropped(app); });
+    item("Duplicate", "Ctrl+D", [&app] { duplicate_selected(app); });
+    item("Copy", "Ctrl+C", [&app] { copy_selected(app); });
+    item("Delete", "Del", [&app] { remove_selected(app); });
     ImGui::EndPopup();
 }
 
@@ -127,12 +128,12 @@ void draw_rename(App& app, std::size_t index) {
     if (ImGui::IsItemActive()) state.rename_begun = true;
     if (ImGui::IsItemActive() || !state.rename_begun) return;
     state.renaming.reset();
-    const auto rename = [before = app.document.set.vibrations[index].name,
-                         name = state.rename_text](App& a) {
-        if (const auto place = place_named(a.document.set, before))
-            rename_vibration(a, *place, name);
-    };
-    app.waiting.emplace_back(rename);
+    const std::string before = app.document.set.vibrations[index].name;
+    const std::string name = state.rename_text;
+    app.waiting.emplace_back([&app, before, name] {
+        const auto place = place_named(app.document.set, before);
+        if (place) rename_vibration(app, *place, name);
+    });
 }
 
 // Strength and thumbnail at the right end; where they begin. A name that needs the room has it.
@@ -195,7 +196,7 @@ void draw_row(App& app, std::size_t index, const RowParts& parts) {
     const float height = kPatternRowPx * app.theme.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::PushID(static_cast<int>(index));
-    if (app.set_panel.renaming == index) {
+    if (app.set_panel.renaming == index && app.set_panel.renaming_in == app.document_number) {
         draw_rename(app, index);
         ImGui::PopID();
         return;

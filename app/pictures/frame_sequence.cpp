@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "app/document/folders.h"
+#include "app/session/folders.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {

@@ -54,7 +54,7 @@ struct MadeDrive {
 inline constexpr double kFirstLevel = 0.1;  // of every start: nobody is startled
 
 struct PlayState {
-    // Remembered from one start to the next (app/document/session.h).
+    // Remembered from one start to the next (app/session/session.h).
     DeviceChoice choice;                // no id: silent
     std::vector<DeviceChoice> choices;  // of other devices, for when they are chosen again
     double full_scale_g = kFullScaleG;

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/folders.h"
-#include "app/document/program_version.h"
 #include "app/play/calibrating.h"
+#include "app/session/folders.h"
+#include "app/session/program_version.h"
 #include "app/study/study_actuator.h"
 #include "app/study/study_answers.h"
 #include "app/study/study_masking.h"
@@ -33,6 +33,7 @@ void follow_question(App& app) {
     StudyQuestion question = state.asked;
     question.number = state.folder_revision;
     question.folder = study_folder(app);
+    if (question.folder != state.asked.folder) state.shown.reset();
     question.kind = state.kind;
     question.rule = state.rule;
     question.rule.attention = app.document.set.study.attention;
@@ -83,19 +84,24 @@ void open_study(App& app) {
 
 void close_study(App& app) { app.study->is_open = false; }
 
-fs::path study_folder(const App& app) {
-    if (!app.study->folder.empty()) return app.study->folder;
-    const fs::path& file = app.document.path;
+fs::path study_folder(const App& app, const SavedFrom& place) {
+    const ChosenFolder& chosen = app.study->folder;
+    if (chosen.document_number == app.document_number) return chosen.path;
     // A set that was recovered into the state folder has its participants where they were.
+    const fs::path& file = place.file;
     if (!file.empty() && file.parent_path() != app.session.folder) {
         std::string stem = file.stem().string();
         if (stem.ends_with(".tactspace")) stem.resize(stem.size() - 10);
         return file.parent_path() / (stem + " study");
     }
     if (app.session.folder.empty()) return {};
-    std::string name = app.document.set.name.empty() ? "unnamed" : app.document.set.name;
+    std::string name = place.set_name.empty() ? "unnamed" : place.set_name;
     std::ranges::replace(name, '/', '_');
     return app.session.folder / "studies" / name;
+}
+
+fs::path study_folder(const App& app) {
+    return study_folder(app, {app.document.path, app.document.set.name});
 }
 
 void choose_study_folder(App& app) {
@@ -108,8 +114,7 @@ void choose_study_folder(App& app) {
 }
 
 void set_study_folder(App& app, const fs::path& folder) {
-    app.study->folder = folder;
-    app.study->shown.reset();
+    app.study->folder = {folder, app.document_number};
 }
 
 std::string unused_code(const App& app, const std::string& prefix) {

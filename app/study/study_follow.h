@@ -29,13 +29,13 @@ void close_study(App& app);
 // Where participants' files are: chosen, or beside the document, or of a document without a file
 // in the state folder. Empty without a home.
 std::filesystem::path study_folder(const App& app);
+std::filesystem::path study_folder(const App& app, const SavedFrom& place);  // as if it were there
 void choose_study_folder(App& app);
 void set_study_folder(App& app, const std::filesystem::path& folder);
 
-// The document has another file now: its participants come along from where they were, if they had
-// no place but the state folder (`may_move`), and stay in sight else. What became of them, as a
-// sentence after another; empty: there are none.
-std::string keep_participants(App& app, const std::filesystem::path& before, bool may_move);
+// The document has been saved from there: its participants come along, if it had no file and they
+// no place but the state folder, and stay in sight else. Says so behind what is said.
+void keep_participants(App& app, const SavedFrom& place_before);
 
 // "P1", "P2", ... after a prefix, whichever has no file yet.
 std::string unused_code(const App& app, const std::string& prefix = "");

@@ -1,7 +1,8 @@
 // Participants' files follow the document that they belong to. Declared in
 // app/study/study_follow.h.
 
-#include "app/document/folders.h"
+#include "app/document/editing.h"
+#include "app/session/folders.h"
 #include "app/study/study_follow.h"
 
 namespace tact {
@@ -25,16 +26,17 @@ bool move_or_copy(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-std::string keep_participants(App& app, const fs::path& before, bool may_move) {
+void keep_participants(App& app, const SavedFrom& place_before) {
+    const fs::path before = study_folder(app, place_before);
     const fs::path now = study_folder(app);
-    if (now == before || !contains_study(before)) return {};
+    if (now == before || !contains_study(before)) return;
     ++app.study->folder_revision;
-    if (may_move && !is_there(now) && move_or_copy(before, now)) {
-        return " Its participants are now in " + now.string() + ".";
+    if (place_before.file.empty() && !is_there(now) && move_or_copy(before, now)) {
+        return say(app, app.status.text + " Its participants are now in " + now.string() + ".");
     }
     set_study_folder(app, before);
-    return " Its participants stay in " + before.string() +
-           "; Study > Folder for participants... chooses another one.";
+    say(app, app.status.text + " Its participants stay in " + before.string() +
+                 "; Study > Folder for participants... chooses another one.");
 }
 
 }  // namespace tact

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/folders.h"
 #include "app/play/calibrating.h"
 #include "app/play/playing.h"
+#include "app/session/folders.h"
 #include "app/study/study_actuator.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_masking.h"
@@ -180,7 +180,7 @@ void ask_to_go_on(App& app, const StudyRecord& record, const StudyDevice& was,
               .text = "The last answers of " + code + " were given with " + device_words(was) +
                       ". Now it is " + words +
                       ". Who goes on has this noted in the file, for the answers from here on.",
-              .answers = {{"Go on as it is now", [record](App& to) { go_on_with(to, record); }},
+              .answers = {{"Go on as it is now", [&app, record] { go_on_with(app, record); }},
                           {"Not yet"}},
               .marked = 1});
 }

@@ -45,6 +45,12 @@ struct StudyAnswers {
     std::optional<MapSettling> settling;  // of the latest one, in adaptive order
 };
 
+// Where participants' files are to be, as chosen for one document.
+struct ChosenFolder {
+    std::filesystem::path path;
+    std::uint64_t document_number = 0;  // 0: none was chosen
+};
+
 enum class StudyShow { matrix, map };
 
 // What is known of the device that a run is felt by (app/study/study_actuator.h).
@@ -65,7 +71,7 @@ struct StudyActuator {
 struct StudyState {
     bool is_open = false;  // the view, in place of the panes
     StudyKind kind = StudyKind::pairwise;
-    std::filesystem::path folder;           // chosen; empty: study_folder()
+    ChosenFolder folder;
     std::optional<StudyRun> run;            // fills the window
     std::optional<StudyLog> log;            // its file
     std::shared_ptr<const PatternSet> set;  // as it was when the run began

@@ -5,10 +5,10 @@
 #include <cstdio>
 
 #include "app/document/editing.h"
-#include "app/document/folders.h"
 #include "app/map/map_follow.h"
 #include "app/pictures/pictures.h"
 #include "app/rendering/rendered_set.h"
+#include "app/session/folders.h"
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_state.h"
 #include "app/ui/file_question.h"

@@ -106,10 +106,10 @@ bool is_number_typed(const App& app) {
 
 void join_steps(App& app, const std::string& field) {
     constexpr double kPauseS = 0.7;
-    EditorState& state = app.editor;
-    state.nudges_on = state.nudged_field == field && app.time_s - state.nudged_s < kPauseS;
-    state.nudged_field = field;
-    state.nudged_s = app.time_s;
+    const bool is_more = app.editor.nudged_field == field;
+    app.editor.nudges_on = is_more && app.time_s - app.editor.nudged_s < kPauseS;
+    app.editor.nudged_field = field;
+    app.editor.nudged_s = app.time_s;
 }
 
 bool enter_number(App& app, const NumberEntry& entry, double& value) {

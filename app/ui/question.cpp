@@ -55,7 +55,6 @@ std::optional<std::size_t> chosen_by_key(const App& app, const Question& questio
 void ask(App& app, Question question) {
     app.dialog = Dialog::none;
     app.chooser.is_open = false;
-    app.palette.open = false;
     app.question = std::move(question);
 }
 
@@ -82,7 +81,7 @@ void draw_question(App& app) {
     if (!chosen) return;
     // An answer may ask anew.
     const Question answered = *std::exchange(app.question, std::nullopt);
-    if (const auto& run = answered.answers[*chosen].run) run(app);
+    if (const auto& run = answered.answers[*chosen].run) run();
 }
 
 }  // namespace tact

@@ -18,8 +18,8 @@ namespace tact {
 struct App;
 
 struct Answer {
-    std::string label;                // a verb: what is then done
-    std::function<void(App&)> run{};  // none: nothing is
+    std::string label;            // a verb: what is then done
+    std::function<void()> run{};  // none: nothing is
 };
 
 struct Question {

@@ -15,10 +15,9 @@
 #include "app/compare/compare_state.h"
 #include "app/compare/live_comparison.h"
 #include "app/compare/live_difference.h"
-#include "app/document/document.h"
+#include "app/document/changes.h"
 #include "app/document/history.h"
 #include "app/document/selection.h"
-#include "app/document/session.h"
 #include "app/document/vibration_cache.h"
 #include "app/export/export_state.h"
 #include "app/generate/generate_state.h"
@@ -35,6 +34,8 @@
 #include "app/pictures/pictures.h"
 #include "app/play/play_state.h"
 #include "app/rendering/rendering_state.h"
+#include "app/session/document.h"
+#include "app/session/session.h"
 #include "app/timeline/playhead.h"
 #include "app/tour/tour_state.h"
 #include "app/ui/file_chooser.h"
@@ -64,6 +65,7 @@ struct App {
     std::uint64_t revision = 1;                   // of document.set, every change during a drag too
     std::uint64_t document_number = 1;            // raised when another one takes its place
 
+    DocumentChanges changes;
     Selection selection;
     Side side = Side::both;  // of the set: in the map, the matrix and what follows them
     Layout layout;
@@ -140,7 +142,7 @@ struct App {
     // What may not be done in the middle of what is being drawn: a shortcut while something is
     // dragged or typed, an action of a row while rows are drawn. It is done in the same frame,
     // after the panels, or after the dialogs.
-    std::vector<std::function<void(App&)>> waiting;
+    std::vector<std::function<void()>> waiting;
 
     double time_s = 0.0;                 // of the current frame
     double frame_s = 0.0;                // since the last one; short after a rest

@@ -1,4 +1,5 @@
 #include "app/window/commands.h"
+#include "app/window/session_layout.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +9,6 @@
 #include "app/document/files.h"
 #include "app/document/rating_files.h"
 #include "app/document/shown_side.h"
-#include "app/document/unsaved.h"
 #include "app/export/exports.h"
 #include "app/generate/generating.h"
 #include "app/measured/import_follow.h"

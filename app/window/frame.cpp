@@ -16,6 +16,7 @@
 #include "app/export/exports.h"
 #include "app/map/map_follow.h"
 #include "app/measured/import_follow.h"
+#include "app/measured/import_state.h"
 #include "app/model_bench/training_follow.h"
 #include "app/physiology/physiology_follow.h"
 #include "app/physiology/physiology_panel.h"
@@ -100,7 +101,27 @@ void begin_thumbnails(App& app) {
 }
 
 void run_waiting(App& app) {
-    for (const auto& act : std::exchange(app.waiting, {})) act(app);
+    for (const auto& act : std::exchange(app.waiting, {})) act();
+}
+
+// Who holds a pattern by its name.
+void follow_renaming(App& app, const Renaming& renaming) {
+    const auto each = [&renaming](auto& names) {
+        for (std::string& name : names) follow(renaming, name);
+    };
+    follow(renaming, app.tour.before.pinned);
+    follow(renaming, app.play.felt_on_hover);
+    if (auto& sounding = app.play.sounding) {
+        each(sounding->names);
+        follow(renaming, sounding->as_played.name);
+    }
+    each(app.import->patterns);
+    follow(renaming, app.subset->reference_a);
+    follow(renaming, app.subset->reference_b);
+    if (auto& opened = app.subset->opened) {
+        follow(renaming, opened->first);
+        follow(renaming, opened->second);
+    }
 }
 
 void follow_progress(App& app) {
@@ -139,6 +160,12 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
 
 }  // namespace
 
+void follow_changes(App& app) {
+    const DocumentChanges changes = std::exchange(app.changes, {});
+    for (const Renaming& renaming : changes.renamings) follow_renaming(app, renaming);
+    if (changes.saved_from) keep_participants(app, *changes.saved_from);
+}
+
 void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.frame_s = std::clamp(time_s - app.time_s, 0.0, 0.1);
     app.time_s = time_s;
@@ -168,6 +195,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
 
     draw_menus(app);
     run_shortcuts(app, pressed);
+    follow_changes(app);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float gap = app.theme.splitter_px;
     const float menu = ImGui::GetFrameHeight();
@@ -188,6 +216,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     draw_dialogs(app);
     draw_palette(app, pressed);
     run_waiting(app);
+    follow_changes(app);
     follow_map(app);
     follow_current(app);
     follow_bench(app);

@@ -9,6 +9,10 @@
 
 namespace tact {
 
+// What was done to the document reaches those who hold patterns by their names, or files beside it.
+// Part of each frame.
+void follow_changes(App& app);
+
 // Draws everything into the current ImGui frame. `time_s` never runs backwards.
 void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s);
 

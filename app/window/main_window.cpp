@@ -2,7 +2,6 @@
 
 #include "app/compare/bench_follow.h"
 #include "app/document/files.h"
-#include "app/document/unsaved.h"
 #include "app/export/exports.h"
 #include "app/map/map_follow.h"
 #include "app/play/emergency_stop.h"

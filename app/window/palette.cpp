@@ -55,6 +55,7 @@ bool draw_palette_row(App& app, const Command& command, bool lit) {
 
 void draw_palette(App& app, std::span<const KeyPress> pressed) {
     PaletteState& state = app.palette;
+    if (app.question) state.open = false;
     if (!state.open) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x / 2.0F, screen.y * 0.18F}, ImGuiCond_Always, {0.5F, 0.0F});

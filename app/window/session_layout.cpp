@@ -3,15 +3,26 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/document/autosave.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/document/unsaved.h"
 #include "app/play/playing.h"
+#include "app/session/autosave.h"
+#include "app/study/study_follow.h"
 
 namespace tact {
 
 namespace {
+
+void leave_study(App& app) {
+    using What = StudyEvent::What;
+    for (const What what : {What::ask, What::leave}) act(app, {what, 0, 0.0, {}, {}});
+}
+
+void discard_and_quit(App& app) {
+    app.document.set = app.document.saved;  // or the end would try to keep it once more
+    app.quit = true;
+}
 
 // As the last session was left, or the example.
 void take_up_session(App& app) {
@@ -43,6 +54,25 @@ Expected<Done> open_instead(App& app, const std::vector<std::filesystem::path>& 
 }
 
 }  // namespace
+
+void tell_of_start(App& app) {
+    std::string text;
+    for (const std::string& remark : app.session.remarks) {
+        text += (text.empty() ? "" : " ") + with_stop(remark);
+    }
+    const std::vector<fs::path>& recovered = app.session.recovered;
+    for (const fs::path& file : recovered) {
+        text += std::string(text.empty() ? "" : " ") +
+                "Unsaved changes of a window that did not end as it should are kept in " +
+                file.string() + ".";
+    }
+    if (text.empty()) return;
+    if (recovered.size() != 1) return tell(app, "Before you begin", text);
+    ask(app, {.title = "Before you begin",
+              .text = text,
+              .answers = {{"Open them", [&app, file = recovered[0]] { open_paths(app, {file}); }},
+                          {"Not now"}}});
+}
 
 Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>& paths) {
     app.session = open_session(state_folder());
@@ -93,6 +123,24 @@ void restore_layout(App& app) {
     app.dimensions = value("dimensions", 2.0, 3.0, 3.0) < 2.5 ? 2 : 3;
     app.tour.left_at = static_cast<std::size_t>(value("tour_step", 0.0, 10.0, 0.0));
     app.motion = value("motion", 0.0, 1.0, 1.0) > 0.5;
+}
+
+bool may_close(App& app) {
+    if (is_study_running(app)) leave_study(app);
+    const Expected<Done> kept = autosave(app.session, app.document);
+    if (kept) return true;
+    ask(app, {.title = "Unsaved changes",
+              .text = "The unsaved changes of " + document_name(app) +
+                      " cannot be kept for the next start, and would be lost. " +
+                      with_stop(kept.error().message),
+              .answers = {{"Save as...", [&app] { save_dialog(app); }},
+                          {"Discard and quit", [&app] { discard_and_quit(app); }},
+                          {"Cancel"}}});
+    return false;
+}
+
+void quit(App& app) {
+    if (may_close(app)) app.quit = true;
 }
 
 void end_session(App& app) {

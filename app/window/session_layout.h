@@ -19,4 +19,12 @@ void restore_layout(App& app);
 
 void end_session(App& app);
 
+// Whether the window may close: what is unsaved is kept for the next start. Where it cannot be, the
+// window stays and asks. A study under way ends first; its answers are on the disk.
+bool may_close(App& app);
+void quit(App& app);
+
+// What was wrong with the session at the start, and what was recovered: a notice.
+void tell_of_start(App& app);
+
 }  // namespace tact

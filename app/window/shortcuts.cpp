@@ -52,7 +52,7 @@ bool touches_document(const Command& command) {
 void run(App& app, const Command& command) {
     if (!ImGui::IsAnyItemActive() || !touches_document(command)) return command.run(app);
     ImGui::ClearActiveID();
-    app.waiting.push_back(command.run);
+    app.waiting.emplace_back([&app, then = command.run] { then(app); });
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/document/folders.h"
 #include "app/rendering/rendered_set.h"
+#include "app/session/folders.h"
 #include "model/io/recordings/text_waveform.h"
 #include "model/io/recordings/wave_file.h"
 #include "model/io/tables/matrix_file.h"

@@ -5,8 +5,8 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/document/folders.h"
 #include "app/physiology/stage_csv.h"
+#include "app/session/folders.h"
 #include "model/text/atomic_file.h"
 
 namespace tact {

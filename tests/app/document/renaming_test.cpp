@@ -43,13 +43,16 @@ TEST_CASE("rename: a pattern stays in the study, in pairs, pinned, and among wha
     app.import->patterns = {"p2"};
     const auto all = [](const char* name) { return std::vector<std::string>(7, name); };
     rename_vibration(app, 1, "tap");
+    follow_changes(app);
     CHECK(study_names(app) == std::vector<std::string>{"p1", "tap", "p4"});
     CHECK(app.document.set.ratings[0].labels[1] == "tap");
     CHECK(names_kept(app) == all("tap"));
     undo(app);
+    follow_changes(app);
     CHECK(study_names(app) == std::vector<std::string>{"p1", "p2", "p4"});
     CHECK(names_kept(app) == all("p2"));
     redo(app);
+    follow_changes(app);
     CHECK(names_kept(app) == all("tap"));
     app.play.sounding.reset();
 }

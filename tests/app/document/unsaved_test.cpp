@@ -7,8 +7,8 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "app/document/autosave.h"
 #include "app/document/files.h"
+#include "app/session/autosave.h"
 #include "app/window/session_layout.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"

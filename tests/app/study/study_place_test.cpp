@@ -35,6 +35,7 @@ TEST_CASE("participants: saving a set that had no file takes them along, and say
     App& app = program.app;
     const auto before = study_folder(app);
     save_as(app, program.folder.path / "mine.tactspace.json");
+    follow_changes(app);
     CHECK(study_folder(app) == program.folder.path / "mine study");
     CHECK(program.sees_participant());
     CHECK_FALSE(std::filesystem::exists(before));
@@ -51,6 +52,7 @@ TEST_CASE("participants: where others are in the way, nobody is mixed up and all
     const auto others = program.folder.path / "mine study";
     std::filesystem::create_directories(others);
     save_as(app, program.folder.path / "mine.tactspace.json");
+    follow_changes(app);
     CHECK(study_folder(app) == before);
     CHECK(program.sees_participant());
     CHECK(std::filesystem::is_empty(others));
@@ -61,7 +63,9 @@ TEST_CASE("participants: of a saved set, they stay with its file and in sight of
     Rated program;
     App& app = program.app;
     save_as(app, program.folder.path / "mine.tactspace.json");
+    follow_changes(app);
     save_as(app, program.folder.path / "copy.tactspace.json");
+    follow_changes(app);
     CHECK(contains_study(program.folder.path / "mine study"));
     CHECK(program.sees_participant());
     CHECK(contains(app.status.text, "Its participants stay in"));

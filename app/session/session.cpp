@@ -1,4 +1,4 @@
-#include "app/document/session.h"
+#include "app/session/session.h"
 
 #include <unistd.h>
 
@@ -7,9 +7,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/document/autosave.h"
-#include "app/document/document_file.h"
-#include "app/document/folders.h"
+#include "app/session/autosave.h"
+#include "app/session/document_file.h"
+#include "app/session/folders.h"
 #include "model/text/atomic_file.h"
 
 namespace tact {

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/document/session.h"
+#include "app/session/session.h"
 
 namespace tact {
 

@@ -1,4 +1,4 @@
-#include "app/document/folders.h"
+#include "app/session/folders.h"
 
 namespace tact {
 

@@ -12,8 +12,8 @@
 #include <optional>
 #include <string>
 
-#include "app/document/document.h"
-#include "app/document/session.h"
+#include "app/session/document.h"
+#include "app/session/session.h"
 #include "model/common/expected.h"
 
 namespace tact {

@@ -1,10 +1,10 @@
-#include "app/document/document_file.h"
+#include "app/session/document_file.h"
 
 #include <cstdio>
 #include <span>
 #include <utility>
 
-#include "app/document/folders.h"
+#include "app/session/folders.h"
 #include "model/common/fingerprint.h"
 #include "model/text/atomic_file.h"
 

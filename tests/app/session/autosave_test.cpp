@@ -1,4 +1,4 @@
-#include "app/document/autosave.h"
+#include "app/session/autosave.h"
 
 #include <doctest/doctest.h>
 #include <unistd.h>

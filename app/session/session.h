@@ -1,7 +1,7 @@
 // What survives the program: recent files, layout, looks, and which document was open.
 //
 // The first running instance owns the folder. Another one reads the same settings but writes none,
-// and keeps its unsaved changes (app/document/autosave.h) in a file of its own.
+// and keeps its unsaved changes (app/session/autosave.h) in a file of its own.
 //
 // Input     session.json in the state folder, written by any earlier run
 // Output    settings; nothing missing or damaged there keeps the program from starting
@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "app/document/file_lock.h"
+#include "app/session/file_lock.h"
 #include "devices/device/device_info.h"
 #include "model/common/expected.h"
 

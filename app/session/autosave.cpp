@@ -1,12 +1,12 @@
-#include "app/document/autosave.h"
+#include "app/session/autosave.h"
 
 #include <algorithm>
 #include <array>
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "app/document/document_file.h"
-#include "app/document/folders.h"
+#include "app/session/document_file.h"
+#include "app/session/folders.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
 #include "model/text/atomic_file.h"
