@@ -27,15 +27,15 @@ constexpr float kDialogPx = 620.0F;
 constexpr float kPlotPx = 150.0F;
 constexpr Range kToneRangeHz{1.0, 2000.0};
 
-void wrapped_dim(const App& app, const std::string& text) {
+void wrapped_dim(const Ui& ui, const std::string& text) {
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(app, text);
+    dim_text(ui, text);
     ImGui::PopTextWrapPos();
 }
 
-void heading(const App& app, const char* text) {
+void heading(const Ui& ui, const char* text) {
     ImGui::Spacing();
-    ImGui::PushFont(app.theme.fonts.semibold);
+    ImGui::PushFont(ui.theme.fonts.semibold);
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
 }
@@ -47,80 +47,81 @@ double signal_s(const CalibrationParams& params) {
     return static_cast<double>(drive.samples.size()) / drive.rate_hz;
 }
 
-void draw_kind(App& app, bool& changed) {
-    CalibrationParams& params = app.calibrate->params;
-    draw_chips_label(app, "Signal");
+void draw_kind(Ui& ui, CalibrateState& calibrating, bool& changed) {
+    CalibrationParams& params = calibrating.params;
+    draw_chips_label(ui, "Signal");
     const auto choice = [&](const char* id, const char* text, bool sweep, const char* tip) {
-        if (draw_chip(app, id, text, params.is_sweep == sweep) && params.is_sweep != sweep) {
+        if (draw_chip(ui, id, text, params.is_sweep == sweep) && params.is_sweep != sweep) {
             params.is_sweep = sweep;
             changed = true;
         }
-        note_item(app.rects, std::string("calibrate:") + id);
-        draw_tooltip(app, tip);
-        ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
+        note_item(ui.rects, std::string("calibrate:") + id);
+        draw_tooltip(ui, tip);
+        ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     };
     choice("tones", "stepped tones", false,
            "A tone at each sixth of an octave and at three levels: tells distortion, and whether "
            "twice the drive is twice the g");
     choice("sweep", "sweep", true, "One sine that rises: shorter, and at one level only");
     ImGui::NewLine();
-    changed |= draw_number_entry(app, "calibrate:low", "From", params.low_hz, kToneRangeHz, "Hz");
-    changed |= draw_number_entry(app, "calibrate:high", "To", params.high_hz, kToneRangeHz, "Hz");
+    changed |= draw_number_entry(ui, "calibrate:low", "From", params.low_hz, kToneRangeHz, "Hz");
+    changed |= draw_number_entry(ui, "calibrate:high", "To", params.high_hz, kToneRangeHz, "Hz");
     params.high_hz = std::max(params.high_hz, params.low_hz);
 }
 
-void draw_playing(App& app) {
-    const double whole_s = signal_s(app.calibrate->params);
-    const double at_s = std::clamp(app.play.status.position_s, 0.0, whole_s);
+void draw_playing(Ui& ui, Timeline& timeline, PlayState& play, const CalibrateState& calibrating) {
+    const double whole_s = signal_s(calibrating.params);
+    const double at_s = std::clamp(play.status.position_s, 0.0, whole_s);
     const std::string text = significant(at_s, 2) + " s of " + significant(whole_s, 2) + " s";
-    if (ImGui::Button("Stop")) silence(app);
-    note_item(app.rects, "button:stop signal");
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, app.theme.accent);
+    if (ImGui::Button("Stop")) silence(timeline, play);
+    note_item(ui.rects, "button:stop signal");
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ui.theme.accent);
     ImGui::ProgressBar(whole_s > 0.0 ? static_cast<float>(at_s / whole_s) : 0.0F,
-                       {220.0F * app.theme.scale, 0.0F}, text.c_str());
+                       {220.0F * ui.theme.scale, 0.0F}, text.c_str());
     ImGui::PopStyleColor();
-    note_item(app.rects, "calibrate:playing", text);
+    note_item(ui.rects, "calibrate:playing", text);
 }
 
-void draw_signal_part(App& app) {
-    CalibrateState& state = *app.calibrate;
-    heading(app, "1  Play the signal while the sensor records");
+void draw_signal_part(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
+                      CalibrateState& calibrating) {
+    CalibrateState& state = calibrating;
+    heading(ui, "1  Play the signal while the sensor records");
     bool changed = false;
     ImGui::BeginDisabled(state.is_playing);
-    draw_kind(app, changed);
+    draw_kind(ui, calibrating, changed);
     ImGui::EndDisabled();
-    if (changed) look_at_recording(app);
+    if (changed) look_at_recording(ui, calibrating);
     const std::string most = percent(state.params.levels.back());
-    wrapped_dim(app, significant(signal_s(state.params), 3) + " s on " + device_text(app) +
-                         ", up to " + most +
-                         " of full scale whatever the level of the bar. Begin " +
-                         "recording before it, and end after it.");
-    if (state.is_playing) return draw_playing(app);
-    ImGui::BeginDisabled(!can_sound(app));
-    if (ImGui::Button("Play the signal")) play_calibration_signal(app);
+    wrapped_dim(ui, significant(signal_s(state.params), 3) + " s on " + device_text(play) +
+                        ", up to " + most + " of full scale whatever the level of the bar. Begin " +
+                        "recording before it, and end after it.");
+    if (state.is_playing) return draw_playing(ui, timeline, play, calibrating);
+    ImGui::BeginDisabled(!can_sound(play));
+    if (ImGui::Button("Play the signal")) play_calibration_signal(ui, timeline, play, calibrating);
     ImGui::EndDisabled();
-    note_item(app.rects, "button:play signal");
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    if (ImGui::Button("Save as WAV...")) save_calibration_signal_dialog(app);
-    note_item(app.rects, "button:save signal");
-    draw_tooltip(app, "To play it by other means, at full level");
+    note_item(ui.rects, "button:play signal");
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    if (ImGui::Button("Save as WAV...")) save_calibration_signal_dialog(ui, work, calibrating);
+    note_item(ui.rects, "button:save signal");
+    draw_tooltip(ui, "To play it by other means, at full level");
 }
 
-void draw_recording_part(App& app) {
-    CalibrateState& state = *app.calibrate;
-    heading(app, "2  Open what it recorded");
-    if (ImGui::Button("Open recording...")) open_calibration_recording_dialog(app);
-    note_item(app.rects, "button:open recording");
-    draw_tooltip(app, "A table (.csv, .txt) or .wav of one or three axes");
+void draw_recording_part(Ui& ui, const Workspace& work, CalibrateState& calibrating) {
+    CalibrateState& state = calibrating;
+    heading(ui, "2  Open what it recorded");
+    if (ImGui::Button("Open recording..."))
+        open_calibration_recording_dialog(ui, work, calibrating);
+    note_item(ui.rects, "button:open recording");
+    draw_tooltip(ui, "A table (.csv, .txt) or .wav of one or three axes");
     if (state.recording.empty()) return;
-    ImGui::SameLine(0.0F, app.theme.gap_px);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
     const float room = ImGui::GetContentRegionAvail().x;
     const std::string name = state.recording.filename().string();
-    dim_text(app, shortened(app.theme.fonts.regular, name, room));
-    note_item(app.rects, "calibrate:recording", name);
+    dim_text(ui, shortened(ui.theme.fonts.regular, name, room));
+    note_item(ui.rects, "calibrate:recording", name);
     const bool is_wave = extension_of(state.recording) == ".wav";
-    if (draw_recording_fields(app, state.fields, is_wave)) look_at_recording(app);
+    if (draw_recording_fields(ui, state.fields, is_wave)) look_at_recording(ui, calibrating);
 }
 
 std::string point_text(const ResponsePoint& point) {
@@ -143,7 +144,7 @@ std::string summary_of(const CalibrationResult& result) {
     return text;
 }
 
-void draw_response_plot(App& app, const CalibrationResult& result) {
+void draw_response_plot(Ui& ui, const CalibrationResult& result) {
     std::vector<ResponseMark> table;
     std::vector<ResponseMark> refused;
     for (const ResponsePoint& point : result.points) {
@@ -153,98 +154,100 @@ void draw_response_plot(App& app, const CalibrationResult& result) {
         if (tone.accepted || tone.tone.level <= 0.0) continue;
         refused.push_back({tone.tone.frequency_hz, tone.amplitude_g / tone.tone.level});
     }
-    const ImVec2 size{ImGui::GetContentRegionAvail().x, kPlotPx * app.theme.scale};
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, kPlotPx * ui.theme.scale};
     const Rect area = rect_at(ImGui::GetCursorScreenPos(), size);
-    const ResponseAction action = draw_response("response", app.theme, area, {table, refused});
-    note_rect(app.rects, "calibrate:response", area.min, area.max,
+    const ResponseAction action = draw_response("response", ui.theme, area, {table, refused});
+    note_rect(ui.rects, "calibrate:response", area.min, area.max,
               std::to_string(result.points.size()));
     const std::string text =
         action.hovered ? point_text(result.points[*action.hovered]) : summary_of(result);
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
-    note_item(app.rects, "calibrate:summary", text);
+    note_item(ui.rects, "calibrate:summary", text);
     if (refused.empty()) return;
-    wrapped_dim(app,
+    wrapped_dim(ui,
                 "Left out, drawn as rings: 10 % of distortion or more, or less than 20 dB above "
                 "the noise.");
 }
 
-void draw_result_part(App& app) {
-    const CalibrateState& state = *app.calibrate;
-    heading(app, "3  g at full scale");
+void draw_result_part(Ui& ui, const CalibrateState& calibrating) {
+    const CalibrateState& state = calibrating;
+    heading(ui, "3  g at full scale");
     const ResponseAnswer* const answer = current_answer(state);
     if (answer != nullptr && answer->fault.empty()) {
-        draw_response_plot(app, answer->result);
-        for (const std::string& remark : answer->remarks) wrapped_dim(app, "It was " + remark);
+        draw_response_plot(ui, answer->result);
+        for (const std::string& remark : answer->remarks) wrapped_dim(ui, "It was " + remark);
         return;
     }
-    const ImVec2 size{ImGui::GetContentRegionAvail().x, kPlotPx * app.theme.scale};
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, kPlotPx * ui.theme.scale};
     const Rect area = rect_at(ImGui::GetCursorScreenPos(), size);
     ImGui::Dummy(size);
     const bool waits = state.recording.empty();
     const bool failed = answer != nullptr;
-    draw_empty(*ImGui::GetWindowDrawList(), app.theme, area,
+    draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area,
                waits    ? "No recording yet"
                : failed ? "Cannot be used"
                         : "Measuring",
                waits    ? "The response will stand here."
                : failed ? answer->fault
                         : "The recording is compared with the signal.");
-    note_rect(app.rects, "calibrate:waits", area.min, area.max, failed ? answer->fault : "");
+    note_rect(ui.rects, "calibrate:waits", area.min, area.max, failed ? answer->fault : "");
 }
 
-void draw_words(App& app, const char* id, const char* label, const char* hint, std::string& text) {
-    draw_label(app, label);
+void draw_words(Ui& ui, const char* id, const char* label, const char* hint, std::string& text) {
+    draw_label(ui, label);
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::InputTextWithHint((std::string("##") + id).c_str(), hint, &text);
-    note_item(app.rects, id, text);
+    note_item(ui.rects, id, text);
 }
 
-void draw_about_part(App& app) {
-    Calibration& about = app.calibrate->about;
-    heading(app, "4  What it was, for the file");
-    draw_words(app, "calibrate:actuator", "Actuator", "its name", about.actuator);
-    draw_words(app, "calibrate:mounting", "Mounting", "how it was held or fixed", about.mounting);
-    draw_words(app, "calibrate:gain", "Gain", "of amplifier and mixer: another makes it invalid",
+void draw_about_part(Ui& ui, CalibrateState& calibrating) {
+    Calibration& about = calibrating.about;
+    heading(ui, "4  What it was, for the file");
+    draw_words(ui, "calibrate:actuator", "Actuator", "its name", about.actuator);
+    draw_words(ui, "calibrate:mounting", "Mounting", "how it was held or fixed", about.mounting);
+    draw_words(ui, "calibrate:gain", "Gain", "of amplifier and mixer: another makes it invalid",
                about.gain_note);
-    draw_words(app, "calibrate:sensor", "Sensor", "what it was recorded with", about.sensor);
-    draw_number_entry(app, "calibrate:mass", "Moved mass", about.load_mass_g, {0.0, 1e5}, "g");
-    draw_number_entry(app, "calibrate:excursion", "Travel", about.excursion_limit_mm, {0.0, 100.0},
+    draw_words(ui, "calibrate:sensor", "Sensor", "what it was recorded with", about.sensor);
+    draw_number_entry(ui, "calibrate:mass", "Moved mass", about.load_mass_g, {0.0, 1e5}, "g");
+    draw_number_entry(ui, "calibrate:excursion", "Travel", about.excursion_limit_mm, {0.0, 100.0},
                       "mm to either side at most; 0: not known");
-    draw_number_entry(app, "calibrate:rms", "Heat", about.rms_limit, {0.0, 1.0},
+    draw_number_entry(ui, "calibrate:rms", "Heat", about.rms_limit, {0.0, 1.0},
                       "of full scale, rms over a second at most; 0: not known");
 }
 
 // They scroll where the screen is too low for them: the buttons below stay in sight.
-void draw_parts(App& app) {
-    float& content_px = app.calibrate->content_px;
+void draw_parts(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
+                CalibrateState& calibrating) {
+    float& content_px = calibrating.content_px;
     const float most = 0.9F * ImGui::GetIO().DisplaySize.y - 4.0F * ImGui::GetFrameHeight();
     const float height = content_px > 0.0F ? std::min(content_px, most) : most;
     ImGui::BeginChild("parts", {0.0F, height});
-    wrapped_dim(app, "How many g the actuator on " + device_text(app) +
-                         " gives at each frequency, by an accelerometer fixed to it");
-    draw_signal_part(app);
-    draw_recording_part(app);
-    draw_result_part(app);
-    draw_about_part(app);
+    wrapped_dim(ui, "How many g the actuator on " + device_text(play) +
+                        " gives at each frequency, by an accelerometer fixed to it");
+    draw_signal_part(ui, work, timeline, play, calibrating);
+    draw_recording_part(ui, work, calibrating);
+    draw_result_part(ui, calibrating);
+    draw_about_part(ui, calibrating);
     content_px = ImGui::GetCursorPosY();
     ImGui::EndChild();
 }
 
 }  // namespace
 
-void draw_calibrate(App& app) {
-    if (!begin_dialog(app, "Calibrate", kDialogPx)) return;
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(app.theme));
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
-    draw_parts(app);
-    const ResponseAnswer* const answer = current_answer(*app.calibrate);
+void draw_calibrate(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                    PlayState& play, CalibrateState& calibrating) {
+    if (!begin_dialog(ui, "Calibrate", kDialogPx)) return;
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
+    draw_parts(ui, work, timeline, play, calibrating);
+    const ResponseAnswer* const answer = current_answer(calibrating);
     const bool is_ready = answer != nullptr && !answer->result.points.empty();
     ImGui::PopStyleColor(2);
-    const bool takes = draw_ends(app, "Save and use", is_ready);
-    if (takes) save_and_use_calibration(app);
-    if (app.dialog == Dialog::none && app.calibrate->is_playing) silence(app);
+    const bool takes = draw_ends(ui, "Save and use", is_ready);
+    if (takes) save_and_use_calibration(ui, work, timeline, rendered, play, calibrating);
+    if (ui.dialog == Dialog::none && calibrating.is_playing) silence(timeline, play);
 }
 
 }  // namespace tact

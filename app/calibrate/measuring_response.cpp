@@ -41,85 +41,86 @@ std::optional<ResponseAnswer> answered(const ResponseQuestion& question, std::st
 }
 
 // One that is not there yet: what was measured before stays.
-fs::path new_file(const App& app, const Calibration& made) {
-    if (app.session.folder.empty()) return {};
-    std::string stem = device_text(app) + ", " + made.date;
+fs::path new_file(const Workspace& work, const PlayState& play, const Calibration& made) {
+    if (work.session.folder.empty()) return {};
+    std::string stem = device_text(play) + ", " + made.date;
     std::ranges::replace(stem, '/', '_');
     std::error_code fault;
     for (int number = 1;; ++number) {
         const std::string ending = number == 1 ? "" : " " + std::to_string(number);
-        fs::path file = app.session.folder / "calibrations" / (stem + ending + ".json");
+        fs::path file = work.session.folder / "calibrations" / (stem + ending + ".json");
         if (!fs::exists(file, fault)) return file;
     }
 }
 
 // Its fields would lie over the files.
-void leave_for_files(App& app) {
-    app.dialog = Dialog::none;
-    app.calibrate->comes_back = true;
+void leave_for_files(Ui& ui, CalibrateState& calibrating) {
+    ui.dialog = Dialog::none;
+    calibrating.comes_back = true;
 }
 
 }  // namespace
 
-void play_calibration_signal(App& app) {
-    if (!can_sound(app)) return;
-    silence(app);
-    app.calibrate->is_playing = true;
+void play_calibration_signal(Ui& ui, Timeline& timeline, PlayState& play,
+                             CalibrateState& calibrating) {
+    if (!can_sound(play)) return;
+    silence(timeline, play);
+    calibrating.is_playing = true;
     // As devices/device/drive.h has it, full scale is 1.
-    play_signal(app, calibration_plan(app.calibrate->params).drive, 1.0);
+    play_signal(ui, timeline, play, calibration_plan(calibrating.params).drive, 1.0);
 }
 
-void save_calibration_signal_dialog(App& app) {
-    leave_for_files(app);
-    ask_for_file(app,
+void save_calibration_signal_dialog(Ui& ui, const Workspace& work, CalibrateState& calibrating) {
+    leave_for_files(ui, calibrating);
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::save_calibration_signal,
                   .use = ChooserUse::save,
                   .title = "Save the measuring signal",
                   .extensions = {".wav"}},
-                 app.document.path.parent_path(), "calibration signal.wav");
+                 work.document.path.parent_path(), "calibration signal.wav");
 }
 
-void save_calibration_signal(App& app, const fs::path& file) {
-    const Drive drive = calibration_plan(app.calibrate->params).drive;
+void save_calibration_signal(Ui& ui, const CalibrateState& calibrating, const fs::path& file) {
+    const Drive drive = calibration_plan(calibrating.params).drive;
     const auto written = write_wave_file(file, Waveform{drive.rate_hz, drive.samples});
-    if (!written) return complain(app, written.error().message);
-    say(app, "Saved " + file.string() + ": play it at full level while the sensor records.");
+    if (!written) return complain(ui, written.error().message);
+    say(ui, "Saved " + file.string() + ": play it at full level while the sensor records.");
 }
 
-void open_calibration_recording_dialog(App& app) {
-    leave_for_files(app);
-    const fs::path last = app.calibrate->recording;
-    ask_for_file(app,
+void open_calibration_recording_dialog(Ui& ui, const Workspace& work, CalibrateState& calibrating) {
+    leave_for_files(ui, calibrating);
+    const fs::path last = calibrating.recording;
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::open_calibration_recording,
                   .use = ChooserUse::open,
                   .title = "Open what the accelerometer recorded",
                   .extensions = {".csv", ".txt", ".wav"}},
-                 last.empty() ? app.document.path.parent_path() : last.parent_path());
+                 last.empty() ? work.document.path.parent_path() : last.parent_path());
 }
 
-void read_calibration_recording(App& app, const fs::path& file) {
-    app.calibrate->recording = file;
-    look_at_recording(app);
+void read_calibration_recording(const Ui& ui, CalibrateState& calibrating, const fs::path& file) {
+    calibrating.recording = file;
+    look_at_recording(ui, calibrating);
 }
 
-void look_at_recording(App& app) {
-    CalibrateState& state = *app.calibrate;
+void look_at_recording(const Ui& ui, CalibrateState& calibrating) {
+    CalibrateState& state = calibrating;
     if (state.recording.empty()) return;
     if (!state.job) {
         state.job = std::make_unique<LatestJob<ResponseQuestion, ResponseAnswer>>(
-            JobPolicy::supersede, answered, app.wake);
+            JobPolicy::supersede, answered, ui.wake);
     }
     state.job->submit({++state.asked, state.params, state.recording, options_of(state.fields)});
 }
 
-void follow_calibrate(App& app) {
-    CalibrateState& state = *app.calibrate;
-    if (state.comes_back && !app.chooser.is_open && app.dialog == Dialog::none) {
+void follow_calibrate(Ui& ui, const PlayState& play, CalibrateState& calibrating) {
+    CalibrateState& state = calibrating;
+    if (state.comes_back && !ui.chooser.is_open && ui.dialog == Dialog::none) {
         state.comes_back = false;
-        app.dialog = Dialog::calibrate;
+        ui.dialog = Dialog::calibrate;
     }
     if (state.job) state.answer = state.job->latest();
-    state.is_playing = state.is_playing && is_sounding(app);
+    state.is_playing = state.is_playing && is_sounding(play);
 }
 
 const ResponseAnswer* current_answer(const CalibrateState& state) {
@@ -127,24 +128,25 @@ const ResponseAnswer* current_answer(const CalibrateState& state) {
     return is_current ? state.answer.get() : nullptr;
 }
 
-void save_and_use_calibration(App& app) {
-    const ResponseAnswer* const answer = current_answer(*app.calibrate);
+void save_and_use_calibration(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                              PlayState& play, const CalibrateState& calibrating) {
+    const ResponseAnswer* const answer = current_answer(calibrating);
     if (answer == nullptr || answer->result.points.empty()) return;
-    Calibration made = app.calibrate->about;
-    made.device = app.play.choice.id;
-    made.channel = app.play.choice.channel;
+    Calibration made = calibrating.about;
+    made.device = play.choice.id;
+    made.channel = play.choice.channel;
     made.date = utc_now().substr(0, 10);
     made.points = answer->result.points;
-    const fs::path file = new_file(app, made);
-    if (file.empty()) return complain(app, "There is no folder to keep the calibration in.");
+    const fs::path file = new_file(work, play, made);
+    if (file.empty()) return complain(ui, "There is no folder to keep the calibration in.");
     if (const auto folder = make_folder(file.parent_path()); !folder) {
-        return complain(app, folder.error().message);
+        return complain(ui, folder.error().message);
     }
     if (const auto written = write_calibration(file, made); !written) {
-        return complain(app, written.error().message);
+        return complain(ui, written.error().message);
     }
-    use_calibration(app, file);
-    if (!app.status.is_error) say(app, calibration_text(app) + ", in " + file.string() + ".");
+    use_calibration(ui, work, timeline, rendered, play, file);
+    if (!ui.status.is_error) say(ui, calibration_text(play) + ", in " + file.string() + ".");
 }
 
 }  // namespace tact

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <set>
 
-#include "app/compare/bench_follow.h"
+#include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
 #include "app/compare/metric_choice.h"
 #include "app/document/rating_files.h"
@@ -30,29 +30,29 @@ std::string digits(double value, int decimals) {
     return result;
 }
 
-void draw_views(App& app) {
-    const float gap = 2.0F * app.theme.scale;
-    const auto view = [&app](CompareView which, const char* name) {
-        if (draw_chip(app, name, name, app.compare.view == which)) app.compare.view = which;
-        note_item(app.rects, std::string("compare:") + name);
+void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
+    const float gap = 2.0F * ui.theme.scale;
+    const auto view = [&](CompareView which, const char* name) {
+        if (draw_chip(ui, name, name, comparing.panel.view == which)) comparing.panel.view = which;
+        note_item(ui.rects, std::string("compare:") + name);
     };
     view(CompareView::table, "Table");
-    flow_on(chip_width(app, "Pairs"), gap);
+    flow_on(chip_width(ui, "Pairs"), gap);
     view(CompareView::scatter, "Pairs");
-    flow_on(chip_width(app, "Findings"), gap);
+    flow_on(chip_width(ui, "Findings"), gap);
     view(CompareView::findings, "Findings");
-    flow_on(ImGui::CalcTextSize("Load ratings...").x, 2.0F * app.theme.gap_px);
+    flow_on(ImGui::CalcTextSize("Load ratings...").x, 2.0F * ui.theme.gap_px);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + 2.0F * app.theme.scale});
-    if (link(app, "load ratings", "Load ratings...")) load_ratings_dialog(app);
-    note_item(app.rects, "link:load ratings");
-    draw_tooltip(app,
+    ImGui::SetCursorScreenPos({corner.x, corner.y + 2.0F * ui.theme.scale});
+    if (link(ui, "load ratings", "Load ratings...")) load_ratings_dialog(ui, work);
+    note_item(ui.rects, "link:load ratings");
+    draw_tooltip(ui,
                  "A CSV of what people said of these patterns: a square with names, or a line a "
                  "rating with the participant. Names must be those of the patterns.");
 }
 
-std::string people_text(const App& app) {
-    const auto& ratings = app.document.set.ratings;
+std::string people_text(const Workspace& work) {
+    const auto& ratings = work.document.set.ratings;
     std::set<std::string> voices;
     for (const Ratings& one : ratings) voices.insert(one.name);
     std::string text = ratings.front().file.empty() ? "Ratings of the set" : ratings.front().file;
@@ -63,10 +63,10 @@ std::string people_text(const App& app) {
 }
 
 // What is the same for all metrics: who was asked, how far they can be relied on, chance.
-void draw_people(App& app, const Comparison& comparison) {
+void draw_people(Ui& ui, const Workspace& work, const Comparison& comparison) {
     const RatedPeople& people = comparison.people->said;
     const std::size_t pairs = people.rated.people.dissimilarity.condensed.size();
-    std::string text = people_text(app) + ", " + std::to_string(people.rated_pairs) + " of " +
+    std::string text = people_text(work) + ", " + std::to_string(people.rated_pairs) + " of " +
                        std::to_string(pairs) + " pairs. ";
     const AlienationChance& chance = people.rated.k_chance;
     text += "K by chance " + digits(chance.mean, 2) + " (" + digits(chance.middle.low, 2) + " to " +
@@ -78,11 +78,11 @@ void draw_people(App& app, const Comparison& comparison) {
                   " of one voice with the others; reliability of their mean " +
                   digits(reliability.spearman_brown, 2) + ".";
     }
-    ImGui::PushFont(app.theme.fonts.small);
-    coloured_text(app.theme.dim_text, text);
-    note_item(app.rects, "compare:people", text);
-    coloured_text(app.theme.dim_text, ceiling);
-    note_item(app.rects, "compare:ceiling", ceiling);
+    ImGui::PushFont(ui.theme.fonts.small);
+    coloured_text(ui.theme.dim_text, text);
+    note_item(ui.rects, "compare:people", text);
+    coloured_text(ui.theme.dim_text, ceiling);
+    note_item(ui.rects, "compare:ceiling", ceiling);
     ImGui::PopFont();
 }
 
@@ -109,10 +109,10 @@ Best best_of(const Comparison& comparison) {
 // Where many share the best, as with the least p of so many draws, they are in bold alone.
 enum class Mark { none, best, shared };
 
-void draw_cell(const App& app, const std::string& text, Mark mark) {
+void draw_cell(const Ui& ui, const std::string& text, Mark mark) {
     ImGui::TableNextColumn();
-    if (mark != Mark::none) ImGui::PushFont(app.theme.fonts.semibold);
-    if (mark == Mark::best) ImGui::PushStyleColor(ImGuiCol_Text, app.theme.accent);
+    if (mark != Mark::none) ImGui::PushFont(ui.theme.fonts.semibold);
+    if (mark == Mark::best) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.accent);
     ImGui::TextUnformatted(text.c_str());
     if (mark == Mark::best) ImGui::PopStyleColor();
     if (mark != Mark::none) ImGui::PopFont();
@@ -144,38 +144,38 @@ std::string tip_of(const ComparedMetric& row) {
     return tip;
 }
 
-void draw_row(App& app, const ComparedMetric& row, const Best& best) {
+void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Best& best) {
     const MetricTraits& metric = traits(row.metric);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    if (ImGui::Selectable(metric.name, app.compare.metric == row.metric,
+    if (ImGui::Selectable(metric.name, comparing.panel.metric == row.metric,
                           ImGuiSelectableFlags_SpanAllColumns)) {
-        app.compare.metric = row.metric;
-        app.compare.shepard_of_people = false;
+        comparing.panel.metric = row.metric;
+        comparing.panel.shepard_of_people = false;
     }
-    note_item(app.rects, std::string("metric:") + metric.key, row_value(row));
-    draw_tooltip(app, tip_of(row).c_str());
+    note_item(ui.rects, std::string("metric:") + metric.key, row_value(row));
+    draw_tooltip(ui, tip_of(row).c_str());
     if (metric.is_reference) {
         ImGui::SameLine();
-        ImGui::PushFont(app.theme.fonts.small);
-        dim_text(app, "ours");
+        ImGui::PushFont(ui.theme.fonts.small);
+        dim_text(ui, "ours");
         ImGui::PopFont();
     }
     if (row.evaluation) {
         const Evaluation& e = *row.evaluation;
         const auto best_if = [](bool is_best, Mark mark) { return is_best ? mark : Mark::none; };
-        draw_cell(app, digits(e.rho, 2), best_if(e.rho == best.rho, Mark::best));
-        draw_cell(app, digits(e.rho_interval.low, 2) + " to " + digits(e.rho_interval.high, 2),
+        draw_cell(ui, digits(e.rho, 2), best_if(e.rho == best.rho, Mark::best));
+        draw_cell(ui, digits(e.rho_interval.low, 2) + " to " + digits(e.rho_interval.high, 2),
                   Mark::none);
-        draw_cell(app, digits(e.rho_p, 4), best_if(e.rho_p == best.rho_p, Mark::shared));
-        draw_cell(app, e.is_failed_map ? "no map" : digits(e.k, 2),
+        draw_cell(ui, digits(e.rho_p, 4), best_if(e.rho_p == best.rho_p, Mark::shared));
+        draw_cell(ui, e.is_failed_map ? "no map" : digits(e.k, 2),
                   best_if(e.k == best.k, Mark::best));
-        draw_cell(app, digits(e.k_p, 4), best_if(e.k_p == best.k_p, Mark::shared));
+        draw_cell(ui, digits(e.k_p, 4), best_if(e.k_p == best.k_p, Mark::shared));
     }
-    draw_cell(app, digits(row.rho_with_pm, 2), Mark::none);
+    draw_cell(ui, digits(row.rho_with_pm, 2), Mark::none);
 }
 
-void draw_head(const App& app, bool has_people) {
+void draw_head(const Ui& ui, bool has_people) {
     struct Column {
         const char* name;
         const char* tip;
@@ -198,18 +198,18 @@ void draw_head(const App& app, bool has_people) {
         if (has_people || !column.of_people) ImGui::TableSetupColumn(column.name);
     }
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::PushFont(ui.theme.fonts.small);
     for (const Column& column : kColumns) {
         if (!has_people && column.of_people) continue;
         ImGui::TableNextColumn();
-        dim_text(app, column.name);
-        draw_tooltip(app, column.tip);
+        dim_text(ui, column.name);
+        draw_tooltip(ui, column.tip);
     }
     ImGui::PopFont();
 }
 
-void draw_remarks(App& app, const Comparison& comparison) {
-    ImGui::PushFont(app.theme.fonts.small);
+void draw_remarks(Ui& ui, const Comparison& comparison) {
+    ImGui::PushFont(ui.theme.fonts.small);
     std::string all;
     for (const ComparedMetric& row : comparison.metrics) {
         if (!row.evaluation) continue;
@@ -222,17 +222,17 @@ void draw_remarks(App& app, const Comparison& comparison) {
                "So few patterns fit any map: K and stress say little.";
     }
     if (!all.empty()) {
-        coloured_text(app.theme.dim_text, all);
-        note_item(app.rects, "compare:remarks", all.substr(0, all.find('\n')));
+        coloured_text(ui.theme.dim_text, all);
+        note_item(ui.rects, "compare:remarks", all.substr(0, all.find('\n')));
     }
     ImGui::PopFont();
 }
 
-void draw_table(App& app, const Comparison& comparison) {
+void draw_table(Ui& ui, Comparing& comparing, const Comparison& comparison) {
     const std::string verdict = verdict_on_pm(comparison);
     if (!verdict.empty()) {
-        coloured_text(app.theme.warning, verdict);
-        note_item(app.rects, "compare:verdict", verdict);
+        coloured_text(ui.theme.warning, verdict);
+        note_item(ui.rects, "compare:verdict", verdict);
     }
     const bool has_people = comparison.people.has_value();
     const Best best = best_of(comparison);
@@ -240,59 +240,63 @@ void draw_table(App& app, const Comparison& comparison) {
     constexpr ImGuiTableFlags kFlags =
         ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
     if (ImGui::BeginTable("metrics", has_people ? 7 : 2, kFlags)) {
-        draw_head(app, has_people);
-        for (const ComparedMetric& row : comparison.metrics) draw_row(app, row, best);
+        draw_head(ui, has_people);
+        for (const ComparedMetric& row : comparison.metrics) draw_row(ui, comparing, row, best);
         ImGui::EndTable();
     }
-    draw_remarks(app, comparison);
+    draw_remarks(ui, comparison);
     ImGui::EndChild();
 }
 
-void draw_disagreement(App& app, const Comparison& comparison, const Disagreement& apart) {
+void draw_disagreement(Ui& ui, Workspace& work, Layout& layout, const Comparison& comparison,
+                       const Disagreement& apart) {
     const auto& vibrations = comparison.request.map->request.set->vibrations;
     const auto [i, j] = pair_at(vibrations.size(), apart.pair);
     const std::string names = vibrations[i].name + " \u2013 " + vibrations[j].name;
     const bool closer = apart.ratings_rank < apart.metric_rank;
     ImGui::PushID(static_cast<int>(apart.pair));
     if (ImGui::Selectable(names.c_str())) {
-        choose_pair(app, i, j);
-        app.bench = BenchTab::why;
+        choose_pair(work, i, j);
+        layout.bench = BenchTab::why;
     }
-    note_item(app.rects, "disagreement:" + vibrations[i].name + "|" + vibrations[j].name);
-    draw_tooltip(app, "Why does the model tell them as it does?");
-    ImGui::PushFont(app.theme.fonts.small);
-    dim_text(app, std::string(closer ? "felt closer" : "felt farther") + ": rank " +
-                      significant(apart.ratings_rank) + ", predicted " +
-                      significant(apart.metric_rank));
+    note_item(ui.rects, "disagreement:" + vibrations[i].name + "|" + vibrations[j].name);
+    draw_tooltip(ui, "Why does the model tell them as it does?");
+    ImGui::PushFont(ui.theme.fonts.small);
+    dim_text(ui, std::string(closer ? "felt closer" : "felt farther") + ": rank " +
+                     significant(apart.ratings_rank) + ", predicted " +
+                     significant(apart.metric_rank));
     ImGui::PopFont();
     ImGui::PopID();
 }
 
-void draw_list(App& app, const Comparison& comparison, const ComparedMetric& row,
-               const Rect& area) {
+void draw_list(Ui& ui, Workspace& work, Layout& layout, const Comparison& comparison,
+               const ComparedMetric& row, const Rect& area) {
     ImGui::SetCursorScreenPos(area.min);
     ImGui::BeginChild("disagreements", area.size());
-    ImGui::PushFont(app.theme.fonts.semibold);
+    ImGui::PushFont(ui.theme.fonts.semibold);
     ImGui::TextUnformatted("Farthest apart");
     ImGui::PopFont();
-    for (const Disagreement& apart : row.farthest) draw_disagreement(app, comparison, apart);
+    for (const Disagreement& apart : row.farthest)
+        draw_disagreement(ui, work, layout, comparison, apart);
     ImGui::EndChild();
 }
 
-void draw_pairs(App& app, const Comparison& comparison) {
-    draw_metric_choice(app, false);
+void draw_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_map,
+                Comparing& comparing, const Comparison& comparison) {
+    draw_metric_choice(ui, work, comparing, false);
     const Rect area = rest_of_pane();
     if (area.width() < 40.0F || area.height() < 40.0F) return;
     if (!comparison.people) {
-        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "No ratings to compare with",
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "No ratings to compare with",
                    "Load what people said: each pair is then a point, prediction against rating.");
         return;
     }
-    const ComparedMetric& row = comparison.metrics[static_cast<std::size_t>(app.compare.metric)];
+    const ComparedMetric& row =
+        comparison.metrics[static_cast<std::size_t>(comparing.panel.metric)];
     const Dissimilarity& people = comparison.people->said.rated.people.dissimilarity;
     const std::vector<double>& rank = row.ranks;
-    const float list_px = std::min(0.42F * area.width(), 220.0F * app.theme.scale);
-    const Rect left{area.min, {area.max.x - list_px - app.theme.gap_px, area.max.y}};
+    const float list_px = std::min(0.42F * area.width(), 220.0F * ui.theme.scale);
+    const Rect left{area.min, {area.max.x - list_px - ui.theme.gap_px, area.max.y}};
     const std::string corner = "rho " + digits(row.evaluation->rho, 2);
     const std::string x_title = std::string("rank by ") + traits(row.metric).name;
     const auto& vibrations = comparison.request.map->request.set->vibrations;
@@ -302,77 +306,79 @@ void draw_pairs(App& app, const Comparison& comparison) {
     scene.x_title = x_title;
     scene.y_title = "rated dissimilarity";
     scene.corner = corner;
-    scene.selected = scatter_selection(app, vibrations);
+    scene.selected = scatter_selection(work, shown_map, vibrations);
     scene.readout = [&](std::size_t k) {
         const auto [i, j] = pair_at(vibrations.size(), k);
         return std::vector<std::string>{
             vibrations[i].name + " \u2013 " + vibrations[j].name,
             "rated " + significant(people.condensed[k]) + ", rank " + significant(rank[k])};
     };
-    scene.stale = shown_comparison(app).is_stale;
-    const ScatterAction action = draw_scatter("pairs", app.theme, left, scene);
-    note_rect(app.rects, "view:Pairs", left.min, left.max);
-    for (std::size_t k = 0; k < rank.size() && !app.rects.file.empty() && rank.size() < 200; ++k) {
-        const ImVec2 at = scatter_point(app.theme, left, scene, k);
-        note_rect(app.rects, "pair point:" + std::to_string(k), at, at);
+    scene.stale = shown_comparison(work, shown_map, comparing).is_stale;
+    const ScatterAction action = draw_scatter("pairs", ui.theme, left, scene);
+    note_rect(ui.rects, "view:Pairs", left.min, left.max);
+    for (std::size_t k = 0; k < rank.size() && !ui.rects.file.empty() && rank.size() < 200; ++k) {
+        const ImVec2 at = scatter_point(ui.theme, left, scene, k);
+        note_rect(ui.rects, "pair point:" + std::to_string(k), at, at);
     }
-    choose_clicked(app, vibrations, action.clicked);
-    draw_list(app, comparison, row, {{left.max.x + app.theme.gap_px, area.min.y}, area.max});
+    choose_clicked(work, vibrations, action.clicked);
+    draw_list(ui, work, layout, comparison, row,
+              {{left.max.x + ui.theme.gap_px, area.min.y}, area.max});
 }
 
 // People rate intended patterns: beside their twins each of the two sides can be held against that.
-void draw_sides(App& app) {
-    const bool has_twins = std::ranges::any_of(app.document.set.vibrations, measures_another);
-    if (shown_side(app) != Side::both || !has_twins) return;
-    coloured_text(app.theme.dim_text,
+void draw_sides(Ui& ui, Workspace& work) {
+    const bool has_twins = std::ranges::any_of(work.document.set.vibrations, measures_another);
+    if (shown_side(work) != Side::both || !has_twins) return;
+    coloured_text(ui.theme.dim_text,
                   "Patterns and their measured twins are shown together. Compare either side with "
                   "the ratings of the patterns:");
-    if (ImGui::Button("Intended only")) show_side(app, Side::intended);
-    note_item(app.rects, "button:intended only");
-    flow_on(button_width("Measured only"), app.theme.gap_px);
-    if (ImGui::Button("Measured only")) show_side(app, Side::measured);
-    note_item(app.rects, "button:measured only");
+    if (ImGui::Button("Intended only")) show_side(work, Side::intended);
+    note_item(ui.rects, "button:intended only");
+    flow_on(button_width("Measured only"), ui.theme.gap_px);
+    if (ImGui::Button("Measured only")) show_side(work, Side::measured);
+    note_item(ui.rects, "button:measured only");
 }
 
-void draw_no_ratings(App& app, const Comparison& comparison) {
+void draw_no_ratings(Ui& ui, Workspace& work, const Comparison& comparison) {
     if (!comparison.fault.empty()) {
-        coloured_text(app.theme.warning, "The ratings do not fit the set: " + comparison.fault);
-        note_item(app.rects, "compare:fault", comparison.fault);
-        return draw_sides(app);
+        coloured_text(ui.theme.warning, "The ratings do not fit the set: " + comparison.fault);
+        note_item(ui.rects, "compare:fault", comparison.fault);
+        return draw_sides(ui, work);
     }
     ImGui::TextWrapped(
         "What did people say of these patterns? With their ratings this table tells which metric "
         "agrees with them best. Until then: how much each agrees with PM.");
-    if (ImGui::Button("Load ratings...")) load_ratings_dialog(app);
-    note_item(app.rects, "button:load ratings");
+    if (ImGui::Button("Load ratings...")) load_ratings_dialog(ui, work);
+    note_item(ui.rects, "button:load ratings");
 }
 
-void draw_progress(App& app) {
-    if (!app.comparison_job || !app.comparison_job->busy()) return;
-    const float share = app.comparison_job->progress();
+void draw_progress(Ui& ui, const Workspace& work, Comparing& comparing) {
+    if (!comparing.comparison_job || !comparing.comparison_job->busy()) return;
+    const float share = comparing.comparison_job->progress();
     char text[32];
     std::snprintf(text, sizeof text, "comparing, %d %%", static_cast<int>(100.0F * share));
-    dim_text(app, text);
+    dim_text(ui, text);
     ImGui::SameLine();
-    if (link(app, "cancel comparison", "Cancel")) cancel_comparison(app);
-    note_item(app.rects, "link:cancel comparison");
+    if (link(ui, "cancel comparison", "Cancel")) cancel_comparison(work, comparing);
+    note_item(ui.rects, "link:cancel comparison");
 }
 
 }  // namespace
 
-bool draw_comparison_state(App& app) {
-    const ShownComparison shown = shown_comparison(app);
-    const bool few = app.document.set.vibrations.size() < 2;
-    if (!few && comparison_waits(app) && !shown.is_computing && shown.is_stale) {
+bool draw_comparison_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                           Comparing& comparing) {
+    const ShownComparison shown = shown_comparison(work, shown_map, comparing);
+    const bool few = work.document.set.vibrations.size() < 2;
+    if (!few && comparison_waits(work, comparing) && !shown.is_computing && shown.is_stale) {
         ImGui::TextWrapped("Thirteen metrics of every pair and their maps: this may take a while.");
-        if (ImGui::Button("Compare metrics")) ask_for_comparison(app);
-        note_item(app.rects, "button:compare metrics");
+        if (ImGui::Button("Compare metrics")) ask_for_comparison(work, comparing);
+        note_item(ui.rects, "button:compare metrics");
     }
-    draw_progress(app);
+    draw_progress(ui, work, comparing);
     if (shown.comparison && !few) return true;
     const Rect area = rest_of_pane();
     if (area.empty()) return false;
-    draw_empty(*ImGui::GetWindowDrawList(), app.theme, area,
+    draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area,
                few                  ? "No pairs to compare"
                : shown.is_computing ? "Comparing"
                                     : "Nothing compared yet",
@@ -382,20 +388,22 @@ bool draw_comparison_state(App& app) {
     return false;
 }
 
-void draw_compare_panel(App& app) {
-    draw_views(app);
+void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_map,
+                        Comparing& comparing) {
+    draw_views(ui, work, comparing);
     ImGui::Dummy({1.0F, 1.0F});
-    if (app.compare.view == CompareView::findings) return draw_findings(app, rest_of_pane());
-    if (!draw_comparison_state(app)) return;
+    if (comparing.panel.view == CompareView::findings)
+        return draw_findings(ui, comparing, rest_of_pane());
+    if (!draw_comparison_state(ui, work, shown_map, comparing)) return;
     // Kept while it is drawn.
-    const std::shared_ptr<const Comparison> comparison = app.comparison;
-    if (comparison->people && !app.document.set.ratings.empty()) {
-        draw_people(app, *comparison);
-        if (!comparison->people->said.unrated.empty()) draw_sides(app);
+    const std::shared_ptr<const Comparison> comparison = comparing.comparison;
+    if (comparison->people && !work.document.set.ratings.empty()) {
+        draw_people(ui, work, *comparison);
+        if (!comparison->people->said.unrated.empty()) draw_sides(ui, work);
     }
-    if (!comparison->people) draw_no_ratings(app, *comparison);
-    if (app.compare.view == CompareView::table) return draw_table(app, *comparison);
-    draw_pairs(app, *comparison);
+    if (!comparison->people) draw_no_ratings(ui, work, *comparison);
+    if (comparing.panel.view == CompareView::table) return draw_table(ui, comparing, *comparison);
+    draw_pairs(ui, work, layout, shown_map, comparing, *comparison);
 }
 
 }  // namespace tact

@@ -1,14 +1,21 @@
 // The tabs that compare: metrics with people, the map with its distances, two patterns.
 #pragma once
 
-#include "app/window/app.h"
+#include "app/compare/compare_state.h"
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
+#include "app/timeline/timeline.h"
+#include "app/ui/layout.h"
+#include "app/ui/ui.h"
 #include "viz/drawing/geometry.h"
 
 namespace tact {
 
-void draw_compare_panel(App& app);
-void draw_shepard_panel(App& app);
-void draw_why_panel(App& app);
-void draw_findings(App& app, const Rect& area);
+void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_map,
+                        Comparing& comparing);
+void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing);
+void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
+                    const ShownMap& shown_map, const Comparing& comparing);
+void draw_findings(Ui& ui, Comparing& comparing, const Rect& area);
 
 }  // namespace tact

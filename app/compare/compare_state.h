@@ -5,7 +5,11 @@
 #include <memory>
 #include <vector>
 
+#include "app/compare/live_comparison.h"
+#include "app/compare/live_difference.h"
+#include "app/jobs/latest_job.h"
 #include "app/map/live_map.h"
+#include "model/evaluation/findings.h"
 #include "model/evaluation/metric.h"
 #include "viz/charts/scatter_view.h"
 
@@ -31,6 +35,17 @@ struct ComparePanelState {
     std::uint64_t compute_large_of = 0;  // the document whose many patterns were asked for
     std::shared_ptr<const LiveMap> of;   // what was asked for last
     ShepardFit fit;
+};
+
+struct Comparing {
+    std::unique_ptr<LatestJob<ComparisonRequest, Comparison>> comparison_job;
+    std::shared_ptr<const Comparison> comparison;  // of the map on screen, or of one before it
+    std::unique_ptr<LatestJob<DifferenceRequest, LiveDifference>> difference_job;
+    std::shared_ptr<const LiveDifference> difference;
+    DifferenceRequest difference_asked;
+    std::unique_ptr<LatestJob<int, std::vector<Finding>>> findings_job;  // asked for by number
+    std::shared_ptr<const std::vector<Finding>> findings;
+    ComparePanelState panel;
 };
 
 }  // namespace tact

@@ -18,57 +18,58 @@ ImU32 colour_of(const Theme& theme, FindingStatus status) {
     return theme.dim_text;
 }
 
-void draw_finding(App& app, const Finding& finding) {
+void draw_finding(Ui& ui, const Finding& finding) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(app.theme, finding.status));
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(ui.theme, finding.status));
     ImGui::TextUnformatted(word_of(finding.status));
     ImGui::PopStyleColor();
-    note_item(app.rects, "finding:" + finding.id, word_of(finding.status));
+    note_item(ui.rects, "finding:" + finding.id, word_of(finding.status));
     ImGui::TableNextColumn();
     ImGui::TextWrapped("%s", finding.claim.c_str());
-    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::PushFont(ui.theme.fonts.small);
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(app, finding.id + ", " + finding.source + ": " + finding.evidence);
+    dim_text(ui, finding.id + ", " + finding.source + ": " + finding.evidence);
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
 }
 
 }  // namespace
 
-void draw_findings(App& app, const Rect& area) {
-    const bool busy = app.findings_job && app.findings_job->busy();
+void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
+    const bool busy = comparing.findings_job && comparing.findings_job->busy();
     ImGui::BeginDisabled(busy);
-    if (ImGui::Button("Check findings") && app.findings_job) app.findings_job->submit(0);
-    note_item(app.rects, "button:check findings");
+    if (ImGui::Button("Check findings") && comparing.findings_job)
+        comparing.findings_job->submit(0);
+    note_item(ui.rects, "button:check findings");
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     if (busy) {
         char text[32];
         std::snprintf(text, sizeof text, "checking, %d %%",
-                      static_cast<int>(100.0F * app.findings_job->progress()));
-        dim_text(app, text);
+                      static_cast<int>(100.0F * comparing.findings_job->progress()));
+        dim_text(ui, text);
         ImGui::SameLine();
-        if (link(app, "cancel findings", "Cancel")) app.findings_job->cancel();
-        note_item(app.rects, "link:cancel findings");
-    } else if (app.findings) {
+        if (link(ui, "cancel findings", "Cancel")) comparing.findings_job->cancel();
+        note_item(ui.rects, "link:cancel findings");
+    } else if (comparing.findings) {
         char text[64];
-        std::snprintf(text, sizeof text, "%td hold, %td fail of %zu",
-                      std::ranges::count(*app.findings, FindingStatus::holds, &Finding::status),
-                      std::ranges::count(*app.findings, FindingStatus::fails, &Finding::status),
-                      app.findings->size());
-        dim_text(app, text);
+        std::snprintf(
+            text, sizeof text, "%td hold, %td fail of %zu",
+            std::ranges::count(*comparing.findings, FindingStatus::holds, &Finding::status),
+            std::ranges::count(*comparing.findings, FindingStatus::fails, &Finding::status),
+            comparing.findings->size());
+        dim_text(ui, text);
     } else {
-        dim_text(app, "what the paper says comes out, on its own sets");
+        dim_text(ui, "what the paper says comes out, on its own sets");
     }
-    if (!app.findings || area.empty()) return;
+    if (!comparing.findings || area.empty()) return;
     ImGui::BeginChild("findings", ImGui::GetContentRegionAvail());
     if (ImGui::BeginTable("findings", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) {
-        ImGui::TableSetupColumn("status", ImGuiTableColumnFlags_WidthFixed,
-                                96.0F * app.theme.scale);
+        ImGui::TableSetupColumn("status", ImGuiTableColumnFlags_WidthFixed, 96.0F * ui.theme.scale);
         ImGui::TableSetupColumn("claim");
-        for (const Finding& finding : *app.findings) draw_finding(app, finding);
+        for (const Finding& finding : *comparing.findings) draw_finding(ui, finding);
         ImGui::EndTable();
     }
     ImGui::EndChild();

@@ -4,23 +4,27 @@
 #include <optional>
 #include <vector>
 
-#include "app/window/app.h"
+#include "app/compare/compare_state.h"
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
 // A list to choose from; `with_people`: the ratings' own map too.
-void draw_metric_choice(App& app, bool with_people);
+void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, bool with_people);
 
 // Progress, Cancel, or why there is no comparison; true where there is one to draw, perhaps of an
 // earlier state.
-bool draw_comparison_state(App& app);
+bool draw_comparison_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                           Comparing& comparing);
 
 // The pair that is chosen, as a scatter of `vibrations` has it: none where the open set has others.
-std::optional<std::size_t> scatter_selection(const App& app,
+std::optional<std::size_t> scatter_selection(const Workspace& work, const ShownMap& shown_map,
                                              const std::vector<Vibration>& vibrations);
 
 // Chooses the pair that was clicked there.
-void choose_clicked(App& app, const std::vector<Vibration>& vibrations,
+void choose_clicked(Workspace& work, const std::vector<Vibration>& vibrations,
                     std::optional<std::size_t> clicked);
 
 }  // namespace tact

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/compare/bench_follow.h"
+#include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
 #include "app/compare/metric_choice.h"
 #include "app/map/map_follow.h"
@@ -28,18 +28,20 @@ struct ShownFit {
 };
 
 // PM is the map on screen, the others are of the comparison.
-std::optional<ShownFit> shown_fit(const App& app,
+std::optional<ShownFit> shown_fit(const Workspace& work, const ShownMap& shown_map,
+                                  const Comparing& comparing,
                                   const std::shared_ptr<const Comparison>& comparison) {
-    const bool is_pm = app.compare.metric == Metric::pm && !app.compare.shepard_of_people;
+    const bool is_pm = comparing.panel.metric == Metric::pm && !comparing.panel.shepard_of_people;
     if (is_pm) {
-        return ShownFit{&app.map.shown->prediction.pm, &app.map.shown->space, "PM",
-                        map_state(app) == MapState::stale, app.map.shown};
+        return ShownFit{&shown_map.transition.shown->prediction.pm,
+                        &shown_map.transition.shown->space, "PM",
+                        map_state(work, shown_map) == MapState::stale, shown_map.transition.shown};
     }
     if (comparison == nullptr) return std::nullopt;
-    const bool stale = shown_comparison(app).is_stale;
-    if (!app.compare.shepard_of_people) {
+    const bool stale = shown_comparison(work, shown_map, comparing).is_stale;
+    if (!comparing.panel.shepard_of_people) {
         const ComparedMetric& row =
-            comparison->metrics[static_cast<std::size_t>(app.compare.metric)];
+            comparison->metrics[static_cast<std::size_t>(comparing.panel.metric)];
         return ShownFit{&row.matrix, &row.space, traits(row.metric).name, stale, comparison};
     }
     if (!comparison->people) return std::nullopt;
@@ -66,9 +68,9 @@ const ShepardFit& followed_fit(ShepardFit& kept, const ShownFit& fit) {
     return kept;
 }
 
-void draw_fit(App& app, const ShownFit& fit, const std::vector<Vibration>& vibrations,
-              const Rect& area) {
-    const ShepardFit& kept = followed_fit(app.compare.fit, fit);
+void draw_fit(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
+              const ShownFit& fit, const std::vector<Vibration>& vibrations, const Rect& area) {
+    const ShepardFit& kept = followed_fit(comparing.panel.fit, fit);
     const std::vector<double>& apart = kept.distances;
     const std::vector<double>& fitted = kept.disparities;
     const std::string corner = corner_text(fit);
@@ -82,7 +84,7 @@ void draw_fit(App& app, const ShownFit& fit, const std::vector<Vibration>& vibra
     scene.y_title = "distance in the map";
     scene.corner = corner;
     scene.stale = fit.stale;
-    scene.selected = scatter_selection(app, vibrations);
+    scene.selected = scatter_selection(work, shown_map, vibrations);
     scene.readout = [&](std::size_t k) {
         const auto [i, j] = pair_at(vibrations.size(), k);
         return std::vector<std::string>{
@@ -90,90 +92,90 @@ void draw_fit(App& app, const ShownFit& fit, const std::vector<Vibration>& vibra
             fit.name + " " + significant(scene.x[k]) + ", distance " + significant(apart[k]),
             "where the order wants it " + significant(fitted[k])};
     };
-    const ScatterAction action = draw_scatter("shepard", app.theme, area, scene);
-    note_rect(app.rects, "view:Shepard", area.min, area.max, corner);
-    choose_clicked(app, vibrations, action.clicked);
+    const ScatterAction action = draw_scatter("shepard", ui.theme, area, scene);
+    note_rect(ui.rects, "view:Shepard", area.min, area.max, corner);
+    choose_clicked(work, vibrations, action.clicked);
 }
 
 // Whether both have as many patterns: pairs are then at the same places.
-bool is_open_set(const App& app, const std::vector<Vibration>& vibrations) {
-    return vibrations.size() == app.document.set.vibrations.size();
+bool is_open_set(const Workspace& work, const std::vector<Vibration>& vibrations) {
+    return vibrations.size() == work.document.set.vibrations.size();
 }
 
 }  // namespace
 
-std::optional<std::size_t> scatter_selection(const App& app,
+std::optional<std::size_t> scatter_selection(const Workspace& work, const ShownMap& shown_map,
                                              const std::vector<Vibration>& vibrations) {
-    const auto pair = chosen_pair(app);
-    if (!pair || !is_open_set(app, vibrations)) return std::nullopt;
+    const auto pair = chosen_pair(work, shown_map);
+    if (!pair || !is_open_set(work, vibrations)) return std::nullopt;
     return pair_index(vibrations.size(), std::min(pair->current, pair->partner),
                       std::max(pair->current, pair->partner));
 }
 
-void choose_clicked(App& app, const std::vector<Vibration>& vibrations,
+void choose_clicked(Workspace& work, const std::vector<Vibration>& vibrations,
                     std::optional<std::size_t> clicked) {
-    if (!clicked || !is_open_set(app, vibrations)) return;
+    if (!clicked || !is_open_set(work, vibrations)) return;
     const auto [i, j] = pair_at(vibrations.size(), *clicked);
-    choose_pair(app, i, j);
+    choose_pair(work, i, j);
 }
 
-void draw_metric_choice(App& app, bool with_people) {
-    const bool people = with_people && app.compare.shepard_of_people;
-    ImGui::SetNextItemWidth(170.0F * app.theme.scale);
-    const char* shown = people ? "Ratings" : traits(app.compare.metric).name;
+void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, bool with_people) {
+    const bool people = with_people && comparing.panel.shepard_of_people;
+    ImGui::SetNextItemWidth(170.0F * ui.theme.scale);
+    const char* shown = people ? "Ratings" : traits(comparing.panel.metric).name;
     if (ImGui::BeginCombo("##metric", shown, ImGuiComboFlags_HeightLargest)) {
         for (const Metric metric : kMetrics) {
-            const bool chosen = !people && app.compare.metric == metric;
+            const bool chosen = !people && comparing.panel.metric == metric;
             if (ImGui::Selectable(traits(metric).name, chosen)) {
-                app.compare.metric = metric;
-                app.compare.shepard_of_people = false;
+                comparing.panel.metric = metric;
+                comparing.panel.shepard_of_people = false;
             }
-            note_item(app.rects, std::string("choose:") + traits(metric).key);
+            note_item(ui.rects, std::string("choose:") + traits(metric).key);
         }
-        if (with_people && !app.document.set.ratings.empty()) {
-            if (ImGui::Selectable("Ratings", people)) app.compare.shepard_of_people = true;
-            note_item(app.rects, "choose:ratings");
+        if (with_people && !work.document.set.ratings.empty()) {
+            if (ImGui::Selectable("Ratings", people)) comparing.panel.shepard_of_people = true;
+            note_item(ui.rects, "choose:ratings");
         }
         ImGui::EndCombo();
     }
-    note_item(app.rects, "combo:metric", shown);
+    note_item(ui.rects, "combo:metric", shown);
 }
 
-void draw_shepard_panel(App& app) {
-    draw_metric_choice(app, true);
-    const bool has_map =
-        app.map.shown && app.map.to.rows() >= 2 && app.document.set.vibrations.size() >= 2;
+void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing) {
+    draw_metric_choice(ui, work, comparing, true);
+    const bool has_map = shown_map.transition.shown && shown_map.transition.to.rows() >= 2 &&
+                         work.document.set.vibrations.size() >= 2;
     if (!has_map) {
         const Rect area = rest_of_pane();
         if (area.empty()) return;
-        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "No map yet",
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "No map yet",
                    "Each pair will be a point here: how far apart it is predicted to feel, and "
                    "how far apart the map puts it.");
         return;
     }
     // Both are kept while they are drawn.
-    const std::shared_ptr<const Comparison> comparison = app.comparison;
-    const std::shared_ptr<const LiveMap> map = app.map.shown;
-    const auto fit = shown_fit(app, comparison);
+    const std::shared_ptr<const Comparison> comparison = comparing.comparison;
+    const std::shared_ptr<const LiveMap> map = shown_map.transition.shown;
+    const auto fit = shown_fit(work, shown_map, comparing, comparison);
     if (!fit) {
-        (void)draw_comparison_state(app);
+        (void)draw_comparison_state(ui, work, shown_map, comparing);
         return;
     }
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    ImGui::PushFont(ui.theme.fonts.small);
     ImGui::AlignTextToFramePadding();
-    dim_text(app, "points on the line are in perfect order");
+    dim_text(ui, "points on the line are in perfect order");
     ImGui::PopFont();
     const Rect area = rest_of_pane();
     if (area.width() < 40.0F || area.height() < 40.0F) return;
     if (fit->space->points.rows() != static_cast<Eigen::Index>(fit->matrix->size)) {
-        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "No map of this metric",
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "No map of this metric",
                    "All pairs are equally alike by it: any map fits, so none is made.");
         return;
     }
     const bool is_pm = fit->matrix == &map->prediction.pm;
     const LiveMap& of = is_pm ? *map : *comparison->request.map;
-    draw_fit(app, *fit, of.request.set->vibrations, area);
+    draw_fit(ui, work, shown_map, comparing, *fit, of.request.set->vibrations, area);
 }
 
 }  // namespace tact

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/compare/bench_follow.h"
+#include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/map/map_follow.h"
 #include "app/map/pair.h"
+#include "app/physiology/live_stages.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
@@ -38,46 +39,46 @@ Rect take_row(float height_px) {
     return row;
 }
 
-void draw_heading(const App& app, const char* text, const std::string& detail) {
-    ImGui::PushFont(app.theme.fonts.semibold);
+void draw_heading(const Ui& ui, const char* text, const std::string& detail) {
+    ImGui::PushFont(ui.theme.fonts.semibold);
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    ImGui::PushFont(app.theme.fonts.small);
-    const float lower = 0.5F * (app.theme.fonts.regular->FontSize - ImGui::GetFontSize());
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    ImGui::PushFont(ui.theme.fonts.small);
+    const float lower = 0.5F * (ui.theme.fonts.regular->FontSize - ImGui::GetFontSize());
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
-    dim_text(app, detail);
+    dim_text(ui, detail);
     ImGui::PopFont();
 }
 
-void draw_names(App& app, const ChosenPair& pair) {
-    const auto& all = app.document.set.vibrations;
+void draw_names(Ui& ui, Workspace& work, Layout& layout, const ChosenPair& pair) {
+    const auto& all = work.document.set.vibrations;
     const std::string a = all[pair.current].name;
     const std::string b = all[pair.partner].name;
     const char* how = "";
     if (pair.kind == PartnerKind::closest) how = "its closest by PM";
     if (pair.kind == PartnerKind::pinned) how = "pinned";
-    draw_heading(app, (a + " and " + b).c_str(), how);
-    note_item(app.rects, "why:pair", a + "|" + b);
-    ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
-    const bool pinned = app.pinned == b;
-    if (link(app, "both", pinned ? "Both pipelines are shown" : "Show both pipelines")) {
-        app.pinned = b;
-        if (app.layout.maximised) app.layout.maximised.reset();
+    draw_heading(ui, (a + " and " + b).c_str(), how);
+    note_item(ui.rects, "why:pair", a + "|" + b);
+    ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
+    const bool pinned = work.selection.pinned == b;
+    if (link(ui, "both", pinned ? "Both pipelines are shown" : "Show both pipelines")) {
+        work.selection.pinned = b;
+        if (layout.maximised) layout.maximised.reset();
     }
-    note_item(app.rects, "link:both pipelines");
-    draw_tooltip(app, "Pins the second pattern: every stage of both appears in the middle.");
+    note_item(ui.rects, "link:both pipelines");
+    draw_tooltip(ui, "Pins the second pattern: every stage of both appears in the middle.");
 }
 
 // PM as its two parts, weighted ranks both.
-void draw_parts(App& app, const Prediction& prediction, std::size_t k) {
-    const Theme& theme = app.theme;
+void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
+    const Theme& theme = ui.theme;
     const double nc = prediction.params.nc_weight * prediction.nc_rank[k];
     const double oc = prediction.params.oc_weight * prediction.oc_rank[k];
     const double share = nc + oc > 0.0 ? nc / (nc + oc) : 0.0;
     const std::string pm = "PM " + significant(prediction.pm.condensed[k]) + " of " +
                            std::to_string(prediction.pm.condensed.size());
-    draw_heading(app, pm.c_str(),
+    draw_heading(ui, pm.c_str(),
                  "NC " + significant(prediction.nc.condensed[k]) + ", rank " +
                      significant(prediction.nc_rank[k]) + "    OC " +
                      significant(prediction.oc.condensed[k]) + ", rank " +
@@ -101,7 +102,7 @@ void draw_parts(App& app, const Prediction& prediction, std::size_t k) {
     if (oc_size.x + 2.0F * pad < row.max.x - middle) {
         draw_text(list, theme.fonts.small, {row.max.x - oc_size.x - pad, y}, theme.text, oc_text);
     }
-    note_rect(app.rects, "why:parts", row.min, row.max, nc_text + ", " + oc_text);
+    note_rect(ui.rects, "why:parts", row.min, row.max, nc_text + ", " + oc_text);
 }
 
 // One channel, or two together.
@@ -129,12 +130,11 @@ std::vector<Term> terms_of(const Theme& theme, const ChannelShares& shares) {
 }
 
 // A bar a term from one zero line: those of two channels may be negative.
-void draw_channels(App& app, const LiveDifference& live) {
-    const Theme& theme = app.theme;
+void draw_channels(Ui& ui, const LiveDifference& live) {
+    const Theme& theme = ui.theme;
     const std::vector<Term> terms = terms_of(theme, live.shares);
-    draw_heading(app, "Channels",
-                 terms.empty() ? "the same brain waveform" : "share of NC squared");
-    draw_tooltip(app,
+    draw_heading(ui, "Channels", terms.empty() ? "the same brain waveform" : "share of NC squared");
+    draw_tooltip(ui,
                  "What each channel alone, and each two together, have in the squared distance. "
                  "Two together are negative where they make up for each other.");
     double most = 0.0;
@@ -161,24 +161,25 @@ void draw_channels(App& app, const LiveDifference& live) {
         const std::string text = percent(term.share);
         draw_text(list, theme.fonts.small,
                   {row.max.x - text_size(theme.fonts.small, text).x, row.min.y}, theme.text, text);
-        note_rect(app.rects, "why:channel " + term.name, row.min, row.max, text);
+        note_rect(ui.rects, "why:channel " + term.name, row.min, row.max, text);
     }
 }
 
-void draw_when(App& app, const LiveDifference& live) {
-    draw_heading(app, "When", "the brain waveforms differ, squared");
+void draw_when(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDifference& live) {
+    draw_heading(ui, "When", "the brain waveforms differ, squared");
     TimeRow row{.id = "why apart",
                 .samples = live.apart,
                 .rate_hz = kStepRateHz,
-                .colour = app.theme.warning,
+                .colour = ui.theme.warning,
                 .style = TraceStyle::filled};
     row.signed_values = false;
-    draw_time_row(app, take_row(46.0F * app.theme.scale), row);
+    draw_time_row(ui, work, timeline, take_row(46.0F * ui.theme.scale), row);
 }
 
 // Both envelopes, and lines between the moments that are taken for one another.
-void draw_way(App& app, const LiveDifference& live, const ChosenPair& pair, const Rect& area) {
-    const Theme& theme = app.theme;
+void draw_way(Ui& ui, const Workspace& work, const Timeline& timeline, const LiveDifference& live,
+              const ChosenPair& pair, const Rect& area) {
+    const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float third = area.height() / 3.0F;
     const double rate_hz = kModelRateHz / static_cast<double>(live.decimation);
@@ -186,7 +187,7 @@ void draw_way(App& app, const LiveDifference& live, const ChosenPair& pair, cons
                                     Rect{{area.min.x, area.max.y - third}, area.max}};
     const std::array<const std::vector<double>*, 2> envelopes{&live.envelope_a, &live.envelope_b};
     const std::array<std::size_t, 2> who{pair.current, pair.partner};
-    Axis time{.low = app.time_range.start_s, .high = app.time_range.end_s};
+    Axis time{.low = timeline.range.start_s, .high = timeline.range.end_s};
     time.low_px = area.min.x;
     time.high_px = area.max.x;
     list.PushClipRect(area.min, area.max, true);
@@ -203,83 +204,86 @@ void draw_way(App& app, const LiveDifference& live, const ChosenPair& pair, cons
         plot.y.high = std::max(1.05, *std::ranges::max_element(*envelopes[side]));
         plot.y.low_px = side == 0 ? rooms[side].max.y : rooms[side].min.y;
         plot.y.high_px = side == 0 ? rooms[side].min.y : rooms[side].max.y;
-        draw_signal(list, theme, plot, *envelopes[side], rate_hz, look_of(app, who[side]).colour,
-                    TraceStyle::filled);
-        const std::string& name = app.document.set.vibrations[who[side]].name;
+        draw_signal(list, theme, plot, *envelopes[side], rate_hz,
+                    look_of(ui, work, who[side]).colour, TraceStyle::filled);
+        const std::string& name = work.document.set.vibrations[who[side]].name;
         const float text_px = text_size(theme.fonts.small, name).y;
         const float top =
             side == 0 ? rooms[0].max.y + theme.scale : rooms[1].min.y - text_px - theme.scale;
         draw_text_halo(list, theme.fonts.small, {area.min.x + 4.0F * theme.scale, top}, theme.text,
                        theme.pane, 2.0F * theme.scale, name);
     }
-    draw_upright_line(list, to_pixel(time, app.playhead.at_s), area.min.y, area.max.y,
+    draw_upright_line(list, to_pixel(time, timeline.playhead.at_s), area.min.y, area.max.y,
                       theme.hairline_px, theme.accent);
     list.PopClipRect();
-    note_rect(app.rects, "plot:why path", area.min, area.max,
+    note_rect(ui.rects, "plot:why path", area.min, area.max,
               std::to_string(live.path.steps.size()));
 }
 
-void draw_rhythm(App& app, const LiveDifference& live, const ChosenPair& pair) {
+void draw_rhythm(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDifference& live,
+                 const ChosenPair& pair) {
     std::string detail = "which moments match";
     if (live.decimation > 1) {
         const double rate_khz = 1e-3 * kModelRateHz / static_cast<double>(live.decimation);
         detail += ", at " + significant(rate_khz, 2) + " kHz";
     }
-    draw_heading(app, "Rhythm", detail);
+    draw_heading(ui, "Rhythm", detail);
     const float height =
-        std::max(72.0F * app.theme.scale, ImGui::GetContentRegionAvail().y - app.theme.gap_px);
-    draw_tooltip(app,
+        std::max(72.0F * ui.theme.scale, ImGui::GetContentRegionAvail().y - ui.theme.gap_px);
+    draw_tooltip(ui,
                  "Time warping lets either rhythm wait for the other. The lines are traced through "
                  "coarser envelopes where those are long; OC itself is computed at 10 kHz.");
     const Rect area = take_row(height);
     if (live.envelope_a.empty()) return;
-    draw_way(app, live, pair, area);
+    draw_way(ui, work, timeline, live, pair, area);
     ImGui::SetCursorScreenPos(area.min);
     ImGui::InvisibleButton("way", area.size());
     TimeGesture gesture;
     const float mouse = ImGui::GetIO().MousePos.x;
     const double share = static_cast<double>((mouse - area.min.x) / area.width());
-    const double at_s = app.time_range.start_s + share * app.time_range.length_s();
+    const double at_s = timeline.range.start_s + share * timeline.range.length_s();
     if (ImGui::IsItemHovered()) gesture.hovered_s = at_s;
     if (ImGui::IsItemActive()) gesture.scrubbed_s = std::max(0.0, at_s);
-    take_time_gesture(app, area, gesture);
+    take_time_gesture(work, timeline, area, gesture);
 }
 
 // Channels beside what is over time, or above it where the pane is narrow.
-void draw_live(App& app, const LiveDifference& live, const ChosenPair& pair) {
+void draw_live(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDifference& live,
+               const ChosenPair& pair) {
     constexpr float kLeastSideBySidePx = 440.0F;
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const bool beside = room.x >= kLeastSideBySidePx * app.theme.scale;
+    const bool beside = room.x >= kLeastSideBySidePx * ui.theme.scale;
     if (!beside) {
-        draw_channels(app, live);
+        draw_channels(ui, live);
     } else {
         ImGui::BeginChild("channels", {0.42F * room.x, room.y});
-        draw_channels(app, live);
+        draw_channels(ui, live);
         ImGui::EndChild();
-        ImGui::SameLine(0.0F, 1.5F * app.theme.gap_px);
+        ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
         ImGui::BeginChild("times", {0.0F, room.y});
     }
-    draw_when(app, live);
-    draw_rhythm(app, live, pair);
+    draw_when(ui, work, timeline, live);
+    draw_rhythm(ui, work, timeline, live, pair);
     if (beside) ImGui::EndChild();
 }
 
-void draw_none(App& app, const char* title, const char* reason) {
+void draw_none(const Ui& ui, const char* title, const char* reason) {
     const Rect area = rest_of_pane();
-    if (!area.empty()) draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, title, reason);
+    if (!area.empty()) draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, title, reason);
 }
 
 }  // namespace
 
-void draw_why_panel(App& app) {
-    const std::optional<ChosenPair> pair = chosen_pair(app);
-    if (!pair) return draw_none(app, "No pair", "It takes two patterns to differ.");
-    draw_names(app, *pair);
-    const std::shared_ptr<const LiveMap> map = app.map.shown;
-    const auto rows = map ? rows_in_map(app, *pair) : std::nullopt;
+void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
+                    const ShownMap& shown_map, const Comparing& comparing) {
+    const std::optional<ChosenPair> pair = chosen_pair(work, shown_map);
+    if (!pair) return draw_none(ui, "No pair", "It takes two patterns to differ.");
+    draw_names(ui, work, layout, *pair);
+    const std::shared_ptr<const LiveMap> map = shown_map.transition.shown;
+    const auto rows = map ? rows_in_map(work, shown_map, *pair) : std::nullopt;
     if (!rows) {
-        const bool left_out = map && map_state(app) == MapState::exact;
-        return draw_none(app, left_out ? "Not in the map" : "No distance yet",
+        const bool left_out = map && map_state(work, shown_map) == MapState::exact;
+        return draw_none(ui, left_out ? "Not in the map" : "No distance yet",
                          left_out ? "One of the two is of the side that is not shown."
                                   : "It is computed together with the space above.");
     }
@@ -287,16 +291,17 @@ void draw_why_panel(App& app) {
     ImGui::BeginChild("why", ImGui::GetContentRegionAvail());
     const auto [a, b] = *rows;
     const std::size_t k = pair_index(count, std::min(a, b), std::max(a, b));
-    draw_parts(app, map->prediction, k);
-    const std::shared_ptr<const LiveDifference> live = app.difference;
+    draw_parts(ui, map->prediction, k);
+    const std::shared_ptr<const LiveDifference> live = comparing.difference;
     const bool fits = live && live->request.a == a && live->request.b == b &&
                       live->request.map->prediction.pm.size == count;
     if (fits) {
-        app.time_range = fitted(app.time_range, shown_duration_s(app));
-        draw_live(app, *live, *pair);
+        timeline.range = fitted(timeline.range, shown_duration_s(work));
+        draw_live(ui, work, timeline, *live, *pair);
     } else {
-        dim_text(app, map_state(app) == MapState::exact ? "looking closer\u2026"
-                                                        : "waiting for the exact map\u2026");
+        dim_text(ui, map_state(work, shown_map) == MapState::exact
+                         ? "looking closer\u2026"
+                         : "waiting for the exact map\u2026");
     }
     ImGui::EndChild();
 }

@@ -6,60 +6,58 @@
 #include <string>
 #include <vector>
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
 // The vibration in the editor; null in an empty set.
-const Vibration* current_vibration(const App& app);
+const Vibration* current_vibration(const Workspace& work);
 
 // Current, and those others that the search shows, ascending; empty in an empty set. Nothing hidden
 // is changed with what is seen.
-std::vector<std::size_t> selected_indices(const App& app);
+std::vector<std::size_t> selected_indices(const Workspace& work);
 
 // What the list shows: those with the search's text in their names, ascending.
-std::vector<std::size_t> listed_indices(const App& app);
+std::vector<std::size_t> listed_indices(const Workspace& work);
 
-void select_only(App& app, std::size_t index);
-void toggle_selected(App& app, std::size_t index);
-void select_through(App& app, std::size_t index);  // everything listed from current to index
-void select_all(App& app);
+void select_only(Workspace& work, std::size_t index);
+void toggle_selected(Workspace& work, std::size_t index);
+void select_through(Workspace& work, std::size_t index);  // everything listed from current to index
+void select_all(Workspace& work);
 // Makes the first pattern current and the second its partner.
-void choose_pair(App& app, std::size_t current, std::size_t partner);
+void choose_pair(Workspace& work, std::size_t current, std::size_t partner);
 
 // The document was changed, perhaps in the middle of a drag: the maps follow.
-void document_changed(App& app);
+void document_changed(Workspace& work);
 // All that is predicted is asked for anew, though the document stays what it is.
-void predictions_changed(App& app);
+void predictions_changed(Workspace& work);
 
 // A gesture ended: what changed since the last step becomes one.
-void commit_step(App& app, const std::string& label);
+void commit_step(Ui& ui, Workspace& work, const std::string& label);
 
 // Applies `change` to every selected parametric pattern that is not locked.
-void edit_patterns(App& app, const std::function<void(Pattern&)>& change);
+void edit_patterns(Workspace& work, const std::function<void(Pattern&)>& change);
 
 // "amplitude of L-4-full", "amplitude of 3 patterns": the end of a step's label.
-std::string of_selection(const App& app, const std::string& what);
+std::string of_selection(const Workspace& work, const std::string& what);
 
-void undo(App& app);
-void redo(App& app);
+void undo(Ui& ui, Workspace& work);
+void redo(Ui& ui, Workspace& work);
 
 // One step each. New vibrations come after the current one and are selected.
-void add_pattern(App& app);
-void duplicate_selected(App& app);
-void remove_selected(App& app);  // of those in the list: what a search hides is kept, and told
-void copy_selected(App& app);
-void paste(App& app);
-void move_vibration(App& app, std::size_t from, std::size_t to);
-void rename_vibration(App& app, std::size_t index, const std::string& name);
-void toggle_locked(App& app);   // locked ones are in every subset ...
-void toggle_dropped(App& app);  // ... dropped ones in none
+void add_pattern(Ui& ui, Workspace& work);
+void duplicate_selected(Ui& ui, Workspace& work);
+void remove_selected(
+    Ui& ui, Workspace& work);  // of those in the list: what a search hides is kept, and told
+void copy_selected(Ui& ui, Workspace& work);
+void paste(Ui& ui, Workspace& work);
+void move_vibration(Ui& ui, Workspace& work, std::size_t from, std::size_t to);
+void rename_vibration(Ui& ui, Workspace& work, std::size_t index, const std::string& name);
+void toggle_locked(Ui& ui, Workspace& work);   // locked ones are in every subset ...
+void toggle_dropped(Ui& ui, Workspace& work);  // ... dropped ones in none
 
 // Duration of what the panes show, s: of any pattern, padded as in its set.
-double shown_duration_s(const App& app);
-
-// A line at the foot of the window.
-void say(App& app, const std::string& text);
-void complain(App& app, const std::string& text);
+double shown_duration_s(const Workspace& work);
 
 }  // namespace tact

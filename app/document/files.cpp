@@ -57,54 +57,54 @@ std::string patterns_text(std::size_t count) {
 
 }  // namespace
 
-std::string document_name(const App& app) {
-    const std::string file = app.document.path.filename().string();
-    std::string title = app.document.set.name;
+std::string document_name(const Workspace& work) {
+    const std::string file = work.document.path.filename().string();
+    std::string title = work.document.set.name;
     if (title.empty()) title = file.empty() ? "Untitled" : file;
     if (!file.empty() && title != file) title += "  (" + file + ")";
     return title;
 }
 
-std::string document_title(const App& app) {
-    return document_name(app) + (app.unsaved ? " \u2022" : "");
+std::string document_title(const Workspace& work) {
+    return document_name(work) + (work.unsaved ? " \u2022" : "");
 }
 
 // Another document takes the place of the open one; false: that one has to stay. Undo does not
 // reach across: a set brought back by it would be saved over the wrong file.
-bool show_document(App& app, Document document, std::string text) {
-    const Expected<std::filesystem::path> aside = keep_unsaved(app);
+bool show_document(Ui& ui, Workspace& work, Document document, std::string text) {
+    const Expected<std::filesystem::path> aside = keep_unsaved(work);
     if (!aside) {
-        refuse_to_replace(app, aside.error().message);
+        refuse_to_replace(ui, aside.error().message);
         return false;
     }
     if (!aside->empty()) text += " Unsaved changes before it are kept in " + aside->string() + ".";
-    app.document = std::move(document);
-    ++app.document_number;
-    if (!hold_document(app.session, app.document.path)) text += kOpenTwice;
-    app.changes = {};
-    app.selection = {};
-    app.fonts_outdated = true;  // its names may need other glyphs
-    app.partner.clear();
-    app.history.clear();
-    app.committed = std::make_shared<const PatternSet>(app.document.set);
-    document_changed(app);
-    say(app, text);
+    work.document = std::move(document);
+    ++work.document_number;
+    if (!hold_document(work.session, work.document.path)) text += kOpenTwice;
+    work.changes = {};
+    work.selection = {};
+    ui.fonts_outdated = true;  // its names may need other glyphs
+    work.selection.partner.clear();
+    work.history.clear();
+    work.committed = std::make_shared<const PatternSet>(work.document.set);
+    document_changed(work);
+    say(ui, text);
     return true;
 }
 
-void new_document(App& app) { show_document(app, {}, "A new, empty set."); }
+void new_document(Ui& ui, Workspace& work) { show_document(ui, work, {}, "A new, empty set."); }
 
-void open_example(App& app) {
+void open_example(Ui& ui, Workspace& work) {
     const PatternSet set = example_set();
-    show_document(app, {set, {}, set}, "The twelve patterns of Lim & Park 2023, section 6.1.");
+    show_document(ui, work, {set, {}, set}, "The twelve patterns of Lim & Park 2023, section 6.1.");
 }
 
-void open_paths(App& app, const std::vector<std::filesystem::path>& paths) {
+void open_paths(Ui& ui, Workspace& work, const std::vector<std::filesystem::path>& paths) {
     if (paths.empty()) return;
     // Before it is read: whoever writes it in between is noticed.
     const auto mark = is_set_file(paths[0]) ? content_mark(paths[0]) : std::nullopt;
     Expected<Loaded> loaded = load_sets(paths);
-    if (!loaded) return complain(app, loaded.error().message);
+    if (!loaded) return complain(ui, loaded.error().message);
     Document document;
     document.set = std::move(loaded->set);
     document.saved = document.set;
@@ -114,122 +114,122 @@ void open_paths(App& app, const std::vector<std::filesystem::path>& paths) {
     }
     std::string text = "Opened " + patterns_text(document.set.vibrations.size());
     text += loaded->remarks.empty() ? "." : ": " + joined(loaded->remarks) + ".";
-    if (!show_document(app, std::move(document), text)) return;
-    for (const auto& path : paths) remember_file(app.session, std::filesystem::absolute(path));
+    if (!show_document(ui, work, std::move(document), text)) return;
+    for (const auto& path : paths) remember_file(work.session, std::filesystem::absolute(path));
 }
 
 namespace {
 
 // The document into the file, whatever is in it.
-void write_document(App& app, const std::filesystem::path& target) {
-    PatternSet set = app.document.set;
+void write_document(Ui& ui, Workspace& work, const std::filesystem::path& target) {
+    PatternSet set = work.document.set;
     if (set.name.empty()) {
         set.name = target.filename().string();
         if (set.name.ends_with(kSetEnding)) set.name.resize(set.name.size() - 15);
     }
-    const Expected<Done> stored = store_measurements(set, target, measured_folder(app.session));
-    if (!stored) return complain(app, "Not saved: " + stored.error().message);
+    const Expected<Done> stored = store_measurements(set, target, measured_folder(work.session));
+    if (!stored) return complain(ui, "Not saved: " + stored.error().message);
     const Expected<Done> written = write_set_file(target, set);
-    if (!written) return complain(app, "Not saved: " + written.error().message);
-    if (!app.changes.saved_from) {
-        app.changes.saved_from = {app.document.path, app.document.set.name};
+    if (!written) return complain(ui, "Not saved: " + written.error().message);
+    if (!work.changes.saved_from) {
+        work.changes.saved_from = {work.document.path, work.document.set.name};
     }
-    app.document.set = set;  // with its name, and with files of measurements beside it
-    app.document.path = target;
-    app.document.saved = app.document.set;
-    app.document.file_mark = content_mark(target);
-    app.unsaved_revision = 0;  // look again
-    remember_file(app.session, target);
+    work.document.set = set;  // with its name, and with files of measurements beside it
+    work.document.path = target;
+    work.document.saved = work.document.set;
+    work.document.file_mark = content_mark(target);
+    work.unsaved_revision = 0;  // look again
+    remember_file(work.session, target);
     std::string text = "Saved " + target.string() + ".";
-    if (!hold_document(app.session, target)) text += kOpenTwice;
-    say(app, text);
+    if (!hold_document(work.session, target)) text += kOpenTwice;
+    say(ui, text);
 }
 
-void ask_to_overwrite(App& app, const std::filesystem::path& target) {
-    ask(app, {.title = "Changed by another program",
-              .text = target.filename().string() +
-                      " has been changed since it was opened here, by another program or another "
-                      "window. To save here would lose those changes.",
-              .answers = {{"Save as...", [&app] { save_dialog(app); }},
-                          {"Overwrite", [&app, target] { write_document(app, target); }},
-                          {"Cancel"}}});
+void ask_to_overwrite(Ui& ui, Workspace& work, const std::filesystem::path& target) {
+    ask(ui, {.title = "Changed by another program",
+             .text = target.filename().string() +
+                     " has been changed since it was opened here, by another program or another "
+                     "window. To save here would lose those changes.",
+             .answers = {{"Save as...", [&] { save_dialog(ui, work); }},
+                         {"Overwrite", [&, target] { write_document(ui, work, target); }},
+                         {"Cancel"}}});
 }
 
 }  // namespace
 
-void save_as(App& app, const std::filesystem::path& path) {
+void save_as(Ui& ui, Workspace& work, const std::filesystem::path& path) {
     std::filesystem::path target = std::filesystem::absolute(path);
     if (!is_set_file(target)) target += kSetEnding;
-    if (is_changed_outside(app.document, target)) return ask_to_overwrite(app, target);
-    write_document(app, target);
+    if (is_changed_outside(work.document, target)) return ask_to_overwrite(ui, work, target);
+    write_document(ui, work, target);
 }
 
-void save(App& app) {
+void save(Ui& ui, Workspace& work) {
     // Recordings in a folder become a set only under a name of its own.
-    if (!is_set_file(app.document.path)) return save_dialog(app);
-    save_as(app, app.document.path);
+    if (!is_set_file(work.document.path)) return save_dialog(ui, work);
+    save_as(ui, work, work.document.path);
 }
 
-void open_dialog(App& app) {
-    ask_for_file(app,
+void open_dialog(Ui& ui, const Workspace& work) {
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::open_document,
                   .use = ChooserUse::open,
                   .title = "Open a set, a folder of recordings, or a recording",
                   .extensions = {".json", ".wav", ".txt"},
                   .folders_too = true},
-                 folder_of(app.document));
+                 folder_of(work.document));
 }
 
-void save_dialog(App& app) {
-    std::string name = app.document.set.name.empty() ? "untitled" : app.document.set.name;
+void save_dialog(Ui& ui, const Workspace& work) {
+    std::string name = work.document.set.name.empty() ? "untitled" : work.document.set.name;
     std::ranges::replace(name, '/', '-');
-    ask_for_file(app,
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::save_document,
                   .use = ChooserUse::save,
                   .title = "Save the set",
                   .extensions = {kSetEnding}},
-                 folder_of(app.document), name + kSetEnding);
+                 folder_of(work.document), name + kSetEnding);
 }
 
-void load_tables_dialog(App& app) {
-    ask_for_file(app,
+void load_tables_dialog(Ui& ui, const Workspace& work) {
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::load_tables,
                   .use = ChooserUse::open,
                   .title = "Load a table of slopes or of thresholds",
                   .extensions = {".csv"}},
-                 folder_of(app.document));
+                 folder_of(work.document));
 }
 
-void load_tables(App& app, const std::filesystem::path& path) {
+void load_tables(Ui& ui, Workspace& work, const std::filesystem::path& path) {
     const Expected<std::string> text = read_text_file(path);
-    if (!text) return complain(app, text.error().message);
+    if (!text) return complain(ui, text.error().message);
     const bool thresholds = text->find("threshold_log10_um_peak") != std::string::npos;
     const auto curves = thresholds ? parse_thresholds(*text) : parse_slopes(*text);
-    if (!curves) return complain(app, path.filename().string() + ": " + curves.error().message);
-    PhysiologyTables& tables = app.document.set.model.coding.tables;
+    if (!curves) return complain(ui, path.filename().string() + ": " + curves.error().message);
+    PhysiologyTables& tables = work.document.set.model.coding.tables;
     (thresholds ? tables.threshold : tables.slope) = *curves;
-    document_changed(app);
-    commit_step(app, thresholds ? "Load thresholds" : "Load slopes");
-    say(app, std::string(thresholds ? "Thresholds" : "Slopes") + " loaded from " + path.string());
+    document_changed(work);
+    commit_step(ui, work, thresholds ? "Load thresholds" : "Load slopes");
+    say(ui, std::string(thresholds ? "Thresholds" : "Slopes") + " loaded from " + path.string());
 }
 
-void autosave_if_due(App& app) {
-    if (app.unsaved_revision != app.revision) {
-        app.unsaved = !(app.document.set == app.document.saved);
-        app.unsaved_revision = app.revision;
-        app.autosave_due_s = app.time_s + kAutosaveRestS;
-        app.autosave_pending = true;
+void autosave_if_due(Ui& ui, Workspace& work) {
+    if (work.unsaved_revision != work.revision) {
+        work.unsaved = !(work.document.set == work.document.saved);
+        work.unsaved_revision = work.revision;
+        work.autosave_due_s = ui.time_s + kAutosaveRestS;
+        work.autosave_pending = true;
     }
     // A drag writes once it rests.
-    if (!app.autosave_pending || app.time_s < app.autosave_due_s) return;
-    app.autosave_pending = false;
-    const Expected<Done> written = autosave(app.session, app.document);
+    if (!work.autosave_pending || ui.time_s < work.autosave_due_s) return;
+    work.autosave_pending = false;
+    const Expected<Done> written = autosave(work.session, work.document);
     const std::string fault = written ? std::string() : written.error().message;
     // Once, not after each change.
-    if (!fault.empty() && fault != app.told_unkept) {
-        complain(app, "Unsaved changes cannot be kept aside, save them: " + fault);
+    if (!fault.empty() && fault != work.told_unkept) {
+        complain(ui, "Unsaved changes cannot be kept aside, save them: " + fault);
     }
-    app.told_unkept = fault;
+    work.told_unkept = fault;
 }
 
 }  // namespace tact

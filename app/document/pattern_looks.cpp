@@ -13,12 +13,13 @@ PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index
     return own ? PatternLook{*own, false} : pattern_look(theme, index);
 }
 
-PatternLook look_of(const App& app, std::size_t index) {
-    return look_of(app.theme, app.document.set, index);
+PatternLook look_of(const Ui& ui, const Workspace& work, std::size_t index) {
+    return look_of(ui.theme, work.document.set, index);
 }
 
-void draw_thumbnail(App& app, const Rect& area, const Vibration& vibration, ImU32 colour) {
-    const Waveform* known = waveform_in_time(app.cache, vibration);
+void draw_thumbnail(const Ui& ui, Workspace& work, const Rect& area, const Vibration& vibration,
+                    ImU32 colour) {
+    const Waveform* known = waveform_in_time(work.cache, vibration);
     if (known == nullptr) return;
     const Waveform& waveform = *known;
     Plot plot;
@@ -28,7 +29,7 @@ void draw_thumbnail(App& app, const Rect& area, const Vibration& vibration, ImU3
     const double largest_g = std::max(peak_g(waveform), 1e-6);
     plot.x = {0.0, length_s, Scale::linear, area.min.x, area.max.x};
     plot.y = {-largest_g, largest_g, Scale::linear, area.max.y, area.min.y};
-    draw_signal(*ImGui::GetWindowDrawList(), app.theme, plot, waveform.samples_g, waveform.rate_hz,
+    draw_signal(*ImGui::GetWindowDrawList(), ui.theme, plot, waveform.samples_g, waveform.rate_hz,
                 colour, TraceStyle::line);
 }
 

@@ -8,36 +8,37 @@
 
 namespace tact {
 
-void load_ratings_dialog(App& app) {
-    ask_for_file(app,
+void load_ratings_dialog(Ui& ui, const Workspace& work) {
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::load_ratings,
                   .use = ChooserUse::open,
                   .title = "Load ratings: a table, or a folder with one for each participant",
                   .extensions = {".csv", ".txt"},
                   .folders_too = true},
-                 app.document.path.parent_path());
+                 work.document.path.parent_path());
 }
 
-void load_ratings(App& app, const std::vector<std::filesystem::path>& paths) {
+void load_ratings(Ui& ui, Workspace& work, Layout& layout,
+                  const std::vector<std::filesystem::path>& paths) {
     if (paths.empty()) return;
     const Expected<LoadedRatings> loaded = read_ratings(paths, RatingScale::guess);
-    if (!loaded) return complain(app, loaded.error().message);
+    if (!loaded) return complain(ui, loaded.error().message);
     const std::string file = paths.front().filename().string();
-    Expected<RatingStudy> study = matched(loaded->study, names_of(app.document.set));
+    Expected<RatingStudy> study = matched(loaded->study, names_of(work.document.set));
     // People rate the intended patterns, not what measures them.
     if (!study || !unrated_patterns(*study).empty()) {
-        const PatternSet intended = one_side(app.document.set, Side::intended);
+        const PatternSet intended = one_side(work.document.set, Side::intended);
         auto of_intended = matched(loaded->study, names_of(intended));
         if (of_intended) study = std::move(of_intended);
     }
-    if (!study) return complain(app, file + ": " + study.error().message);
-    app.document.set.ratings = kept_ratings(*study, file);
-    document_changed(app);
-    commit_step(app, "Load ratings");
-    app.bench = BenchTab::compare;
+    if (!study) return complain(ui, file + ": " + study.error().message);
+    work.document.set.ratings = kept_ratings(*study, file);
+    document_changed(work);
+    commit_step(ui, work, "Load ratings");
+    layout.bench = BenchTab::compare;
     std::string text = "Ratings loaded from " + file;
     for (const std::string& remark : loaded->remarks) text += "; " + remark;
-    say(app, text + ".");
+    say(ui, text + ".");
 }
 
 }  // namespace tact

@@ -4,12 +4,15 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/ui/layout.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
 // Ratings into the document, as one step; an error changes nothing.
-void load_ratings_dialog(App& app);
-void load_ratings(App& app, const std::vector<std::filesystem::path>& paths);
+void load_ratings_dialog(Ui& ui, const Workspace& work);
+void load_ratings(Ui& ui, Workspace& work, Layout& layout,
+                  const std::vector<std::filesystem::path>& paths);
 
 }  // namespace tact

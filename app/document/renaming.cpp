@@ -21,23 +21,23 @@ void rename_in(PatternSet& set, std::size_t index, const std::string& name) {
     set.vibrations[index].name = name;
 }
 
-void follow_rename(App& app, const Renaming& renaming) {
-    follow(renaming, app.partner);
-    follow(renaming, app.pinned);
-    for (Vibration& copied : app.clipboard) {
+void follow_rename(Workspace& work, const Renaming& renaming) {
+    follow(renaming, work.selection.partner);
+    follow(renaming, work.selection.pinned);
+    for (Vibration& copied : work.clipboard) {
         rename_measured(copied, renaming.before, renaming.after);
     }
-    app.changes.renamings.push_back(renaming);
+    work.changes.renamings.push_back(renaming);
 }
 
-void follow_renames(App& app, const PatternSet& before, const PatternSet& after) {
+void follow_renames(Workspace& work, const PatternSet& before, const PatternSet& after) {
     if (before.vibrations.size() != after.vibrations.size()) return;
     for (std::size_t k = 0; k < after.vibrations.size(); ++k) {
         const std::string& was = before.vibrations[k].name;
         const std::string& is = after.vibrations[k].name;
         // Else it is another pattern that came to stand here.
         if (was != is && !place_named(after, was) && !place_named(before, is)) {
-            follow_rename(app, {was, is});
+            follow_rename(work, {was, is});
         }
     }
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
 
 namespace tact {
 
@@ -11,9 +11,9 @@ namespace tact {
 void rename_in(PatternSet& set, std::size_t index, const std::string& name);
 
 // In what is selected and copied; other rooms find it among the changes.
-void follow_rename(App& app, const Renaming& renaming);
+void follow_rename(Workspace& work, const Renaming& renaming);
 
 // The same for whatever has another name in `after` than in `before`, as by an undo.
-void follow_renames(App& app, const PatternSet& before, const PatternSet& after);
+void follow_renames(Workspace& work, const PatternSet& before, const PatternSet& after);
 
 }  // namespace tact

@@ -11,8 +11,10 @@ namespace tact {
 
 // What of the document the person is looking at. Indices into document.set.vibrations.
 struct Selection {
-    std::size_t current = 0;                  // shown in the editor and the middle column
-    std::set<std::size_t> others;             // edited together with it
+    std::string pinned;            // name of the pattern shown for comparison; empty: none
+    std::string partner;           // name of the pattern that makes a pair with the current one
+    std::size_t current = 0;       // shown in the editor and the middle column
+    std::set<std::size_t> others;  // edited together with it
     std::optional<std::size_t> hovered;       // in this frame, by any panel drawn so far
     std::string search;                       // what the list is narrowed to
     bool scroll_to_current = false;           // in the list, in the next frame

@@ -6,22 +6,24 @@
 
 namespace tact {
 
-Side shown_side(const App& app) { return app.side; }
+Side shown_side(const Workspace& work) { return work.side; }
 
-void show_side(App& app, Side side) {
-    if (shown_side(app) == side) return;
-    app.side = side;
-    document_changed(app);
+void show_side(Workspace& work, Side side) {
+    if (shown_side(work) == side) return;
+    work.side = side;
+    document_changed(work);
 }
 
-PatternSet shown_set(const App& app) { return one_side(app.document.set, shown_side(app)); }
+PatternSet shown_set(const Workspace& work) {
+    return one_side(work.document.set, shown_side(work));
+}
 
-std::string shown_patterns_text(const App& app) {
-    const std::size_t all = app.document.set.vibrations.size();
-    const Side side = shown_side(app);
+std::string shown_patterns_text(const Workspace& work) {
+    const std::size_t all = work.document.set.vibrations.size();
+    const Side side = shown_side(work);
     if (side == Side::both) return std::to_string(all);
     const auto count =
-        std::ranges::count_if(app.document.set.vibrations, [side](const Vibration& vibration) {
+        std::ranges::count_if(work.document.set.vibrations, [side](const Vibration& vibration) {
             return measures_another(vibration) == (side == Side::measured);
         });
     return std::to_string(count) + " " + kSideNames[static_cast<std::size_t>(side)] + " of " +

@@ -4,19 +4,19 @@
 
 #include <string>
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
 #include "model/set/measured_twin.h"
 
 namespace tact {
 
 // Changing it makes the maps anew.
-Side shown_side(const App& app);
-void show_side(App& app, Side side);
+Side shown_side(const Workspace& work);
+void show_side(Workspace& work, Side side);
 
 // The part of the document that maps are made of.
-PatternSet shown_set(const App& app);
+PatternSet shown_set(const Workspace& work);
 
 // "24 patterns", "12 measured of 24".
-std::string shown_patterns_text(const App& app);
+std::string shown_patterns_text(const Workspace& work);
 
 }  // namespace tact

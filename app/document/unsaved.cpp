@@ -25,14 +25,15 @@ std::string with_stop(std::string text) {
     return text;
 }
 
-Expected<fs::path> keep_unsaved(App& app) {
-    if (app.document.set == app.document.saved) return fs::path{};
-    if (const Expected<Done> kept = autosave(app.session, app.document); !kept) return kept.error();
-    return set_autosave_aside(app.session);
+Expected<fs::path> keep_unsaved(Workspace& work) {
+    if (work.document.set == work.document.saved) return fs::path{};
+    if (const Expected<Done> kept = autosave(work.session, work.document); !kept)
+        return kept.error();
+    return set_autosave_aside(work.session);
 }
 
-void refuse_to_replace(App& app, const std::string& reason) {
-    complain(app,
+void refuse_to_replace(Ui& ui, const std::string& reason) {
+    complain(ui,
              "This document stays open: its unsaved changes cannot be kept aside. Save it first, "
              "with File > Save as... " +
                  with_stop(reason));

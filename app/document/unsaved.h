@@ -5,16 +5,17 @@
 #include <filesystem>
 #include <string>
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
 // Unsaved changes of the open document go to a file of their own, which heads the recent ones.
 // Empty: there were none. An Error: they could not be kept, and the document has to stay.
-Expected<std::filesystem::path> keep_unsaved(App& app);
+Expected<std::filesystem::path> keep_unsaved(Workspace& work);
 
 // The sentence that says so.
-void refuse_to_replace(App& app, const std::string& reason);
+void refuse_to_replace(Ui& ui, const std::string& reason);
 
 // A sentence, though what it comes from may lack its stop.
 std::string with_stop(std::string text);

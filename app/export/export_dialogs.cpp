@@ -42,80 +42,80 @@ void suit(PictureSize& size, PictureView view, bool pair) {
     size.height = wide ? 1000 : upright && pair ? 1800 : upright ? 1200 : 900;
 }
 
-void draw_views(App& app, std::span<const PictureView> views, PictureView& chosen,
-                PictureSize& size) {
-    draw_label(app, "View");
+void draw_views(Ui& ui, const Workspace& work, std::span<const PictureView> views,
+                PictureView& chosen, PictureSize& size) {
+    draw_label(ui, "View");
     for (const PictureView view : views) {
-        if (draw_chip(app, name_of(view), label_of(view), chosen == view) && chosen != view) {
+        if (draw_chip(ui, name_of(view), label_of(view), chosen == view) && chosen != view) {
             chosen = view;
-            suit(size, view, !app.pinned.empty());
+            suit(size, view, !work.selection.pinned.empty());
         }
-        note_item(app.rects, std::string("export view:") + name_of(view),
+        note_item(ui.rects, std::string("export view:") + name_of(view),
                   chosen == view ? "chosen" : "");
-        ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
+        ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     }
     ImGui::NewLine();
 }
 
-NumberEntry entry_of(const App& app, const char* id, const char* label, Range allowed) {
+NumberEntry entry_of(const Ui& ui, const char* id, const char* label, Range allowed) {
     return {.id = id,
             .label = label,
             .format = "%.6g",
             .rules = {allowed},
-            .width_px = 90.0F * app.theme.scale};
+            .width_px = 90.0F * ui.theme.scale};
 }
 
-void draw_size(App& app, PictureSize& size) {
-    draw_label(app, "Size");
-    enter_whole(app, entry_of(app, "width", "Width", kPixels), size.width);
-    note_item(app.rects, "export:width", std::to_string(size.width));
+void draw_size(Ui& ui, PictureSize& size) {
+    draw_label(ui, "Size");
+    enter_whole(ui, entry_of(ui, "width", "Width", kPixels), size.width);
+    note_item(ui.rects, "export:width", std::to_string(size.width));
     ImGui::SameLine();
-    dim_text(app, "\u00d7");
+    dim_text(ui, "\u00d7");
     ImGui::SameLine();
-    enter_whole(app, entry_of(app, "height", "Height", kPixels), size.height);
-    note_item(app.rects, "export:height", std::to_string(size.height));
+    enter_whole(ui, entry_of(ui, "height", "Height", kPixels), size.height);
+    note_item(ui.rects, "export:height", std::to_string(size.height));
     ImGui::SameLine();
-    dim_text(app, "pixels");
-    draw_label(app, "Text");
+    dim_text(ui, "pixels");
+    draw_label(ui, "Text");
     double scale = static_cast<double>(size.scale);
-    if (enter_number(app, entry_of(app, "scale", "Text", kTextScale), scale)) {
+    if (enter_number(ui, entry_of(ui, "scale", "Text", kTextScale), scale)) {
         size.scale = static_cast<float>(scale);
     }
-    note_item(app.rects, "export:scale", std::to_string(size.scale));
+    note_item(ui.rects, "export:scale", std::to_string(size.scale));
     ImGui::SameLine();
-    dim_text(app, "times as large as usual");
+    dim_text(ui, "times as large as usual");
 }
 
-void draw_view_dialog(App& app) {
-    if (!begin_dialog(app, "Export view")) return;
-    draw_views(app, kPictureViews, app.exports.view, app.exports.picture_size);
-    draw_size(app, app.exports.picture_size);
-    dim_text(app, "PNG for pixels, SVG to magnify and to edit: by the ending of the name.");
-    if (!draw_ends(app, "Choose a file...", true)) return;
-    choose_picture(app);
+void draw_view_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
+    if (!begin_dialog(ui, "Export view")) return;
+    draw_views(ui, work, kPictureViews, exports.view, exports.picture_size);
+    draw_size(ui, exports.picture_size);
+    dim_text(ui, "PNG for pixels, SVG to magnify and to edit: by the ending of the name.");
+    if (!draw_ends(ui, "Choose a file...", true)) return;
+    choose_picture(ui, work, exports);
 }
 
-void draw_seconds(App& app, const char* id, const char* label, double& value) {
-    draw_label(app, label);
-    NumberEntry entry = entry_of(app, id, label, {0.0, shown_duration_s(app)});
+void draw_seconds(Ui& ui, const Workspace& work, const char* id, const char* label, double& value) {
+    draw_label(ui, label);
+    NumberEntry entry = entry_of(ui, id, label, {0.0, shown_duration_s(work)});
     entry.rules.unit = "s";
-    enter_number(app, entry, value);
-    note_item(app.rects, std::string("export:") + id, std::to_string(value));
+    enter_number(ui, entry, value);
+    note_item(ui.rects, std::string("export:") + id, std::to_string(value));
     ImGui::SameLine();
-    dim_text(app, "s");
+    dim_text(ui, "s");
 }
 
-void draw_animation_dialog(App& app) {
-    if (!begin_dialog(app, "Export animation")) return;
-    ExportState& state = app.exports;
+void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
+    if (!begin_dialog(ui, "Export animation")) return;
+    ExportState& state = exports;
     constexpr std::array<PictureView, 2> kMoving{PictureView::physiology, PictureView::window};
-    draw_views(app, kMoving, state.moving_view, state.frame_size);
-    draw_seconds(app, "from", "From", state.from_s);
-    draw_seconds(app, "to", "To", state.to_s);
-    draw_label(app, "Frames");
-    enter_whole(app, entry_of(app, "frames", "Frames", {1.0, kMostFrames}), state.frames);
-    note_item(app.rects, "export:frames", std::to_string(state.frames));
-    const double duration_s = shown_duration_s(app);
+    draw_views(ui, work, kMoving, state.moving_view, state.frame_size);
+    draw_seconds(ui, work, "from", "From", state.from_s);
+    draw_seconds(ui, work, "to", "To", state.to_s);
+    draw_label(ui, "Frames");
+    enter_whole(ui, entry_of(ui, "frames", "Frames", {1.0, kMostFrames}), state.frames);
+    note_item(ui.rects, "export:frames", std::to_string(state.frames));
+    const double duration_s = shown_duration_s(work);
     const bool is_good = state.from_s >= 0.0 && state.from_s < state.to_s &&
                          state.to_s <= duration_s && state.frames >= 1 &&
                          state.frames <= kMostFrames;
@@ -129,15 +129,15 @@ void draw_animation_dialog(App& app) {
                       kMostFrames);
     }
     ImGui::SameLine();
-    dim_text(app, text);
-    draw_size(app, state.frame_size);
-    if (!draw_ends(app, "Choose a folder...", is_good)) return;
-    choose_frames(app);
+    dim_text(ui, text);
+    draw_size(ui, state.frame_size);
+    if (!draw_ends(ui, "Choose a folder...", is_good)) return;
+    choose_frames(ui, work);
 }
 
-std::string time_left(const App& app, const RunningAnimation& running) {
+std::string time_left(const Ui& ui, const RunningAnimation& running) {
     if (running.done == 0) return "";
-    const double each_s = (app.time_s - running.begun_s) / running.done;
+    const double each_s = (ui.time_s - running.begun_s) / running.done;
     const double left_s = each_s * (running.sequence.frames - running.done);
     char text[48];
     if (left_s < 90.0) {
@@ -149,9 +149,9 @@ std::string time_left(const App& app, const RunningAnimation& running) {
 }
 
 // At the lower right, over the panes: the window goes on working.
-void draw_progress(App& app) {
-    const RunningAnimation& running = *app.exports.animation;
-    const Theme& theme = app.theme;
+void draw_progress(Ui& ui, ExportState& exports) {
+    const RunningAnimation& running = *exports.animation;
+    const Theme& theme = ui.theme;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x - theme.padding_px, screen.y - 34.0F * theme.scale},
                             ImGuiCond_Always, {1.0F, 1.0F});
@@ -163,27 +163,27 @@ void draw_progress(App& app) {
                          ImGuiWindowFlags_NoFocusOnAppearing)) {
         char text[96];
         std::snprintf(text, sizeof text, "Drawing frame %d of %d%s", running.done + 1,
-                      running.sequence.frames, time_left(app, running).c_str());
+                      running.sequence.frames, time_left(ui, running).c_str());
         ImGui::TextUnformatted(text);
-        note_item(app.rects, "export progress", text);
+        note_item(ui.rects, "export progress", text);
         const float share =
             static_cast<float>(running.done) / static_cast<float>(running.sequence.frames);
         ImGui::ProgressBar(share, {240.0F * theme.scale, 6.0F * theme.scale}, "");
         cancelled = ImGui::Button("Cancel export");
-        note_item(app.rects, "button:cancel export");
-        draw_tooltip(app, "Keeps the frames that are drawn (Esc)");
+        note_item(ui.rects, "button:cancel export");
+        draw_tooltip(ui, "Keeps the frames that are drawn (Esc)");
     }
     ImGui::End();
     ImGui::PopStyleColor();
-    app.exports.cancel_asked |= cancelled;
+    exports.cancel_asked |= cancelled;
 }
 
 }  // namespace
 
-void draw_exports(App& app) {
-    if (app.dialog == Dialog::export_view) draw_view_dialog(app);
-    if (app.dialog == Dialog::export_animation) draw_animation_dialog(app);
-    if (app.exports.animation) draw_progress(app);
+void draw_exports(Ui& ui, const Workspace& work, ExportState& exports) {
+    if (ui.dialog == Dialog::export_view) draw_view_dialog(ui, work, exports);
+    if (ui.dialog == Dialog::export_animation) draw_animation_dialog(ui, work, exports);
+    if (exports.animation) draw_progress(ui, exports);
 }
 
 }  // namespace tact

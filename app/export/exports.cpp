@@ -24,19 +24,19 @@ std::string file_word(std::string text) {
     return text;
 }
 
-std::string set_word(const App& app) {
-    const std::string& name = app.document.set.name;
+std::string set_word(const Workspace& work) {
+    const std::string& name = work.document.set.name;
     return file_word(name.empty() ? "untitled" : name);
 }
 
-std::vector<Stage> stages_to_export(const App& app) {
-    if (app.physiology.open) return {*app.physiology.open};
+std::vector<Stage> stages_to_export(const Physiology& physiology) {
+    if (physiology.view.open) return {*physiology.view.open};
     return {kStages.begin(), kStages.end()};
 }
 
 // ", as a Joy-Con plays them, uncalibrated": goes with every number of what a device plays.
-std::string as_played(const App& app) {
-    const std::string words = rendered_words(app.rendering);
+std::string as_played(const RenderingState& rendered) {
+    const std::string words = rendered_words(rendered);
     return words.empty() ? "" : ", " + words;
 }
 
@@ -56,24 +56,25 @@ const char* name_of(PictureView view) {
     return "";
 }
 
-void export_view_dialog(App& app) { app.dialog = Dialog::export_view; }
+void export_view_dialog(Ui& ui) { ui.dialog = Dialog::export_view; }
 
-void export_animation_dialog(App& app) {
-    const double duration_s = shown_duration_s(app);
-    ExportState& state = app.exports;
+void export_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
+    const double duration_s = shown_duration_s(work);
+    ExportState& state = exports;
     if (state.to_s <= 0.0 || state.to_s > duration_s) state.to_s = duration_s;
     if (state.from_s >= state.to_s) state.from_s = 0.0;
-    app.dialog = Dialog::export_animation;
+    ui.dialog = Dialog::export_animation;
 }
 
-void export_stages_dialog(App& app) {
+void export_stages_dialog(Ui& ui, const Workspace& work, const RenderingState& rendered,
+                          const Physiology& physiology) {
     std::vector<std::string> written;
-    for (const Stage stage : stages_to_export(app)) {
+    for (const Stage stage : stages_to_export(physiology)) {
         for (std::string& name : stage_csv_names(stage)) written.push_back(std::move(name));
     }
-    const auto open = app.physiology.open;
+    const auto open = physiology.view.open;
     ask_for_file(
-        app,
+        ui,
         {.purpose = ChooserPurpose::export_stages,
          .use = ChooserUse::save_folder,
          .title = open ? std::string("Export \"") + text_of(*open).name + "\" as CSV into a folder"
@@ -81,54 +82,55 @@ void export_stages_dialog(App& app) {
          .extensions = {".csv"},
          .folders_too = true,
          .file_names = std::move(written)},
-        app.document.path.parent_path(),
-        file_word(current_vibration(app)->name) + " stages" + as_played(app));
+        work.document.path.parent_path(),
+        file_word(current_vibration(work)->name) + " stages" + as_played(rendered));
 }
 
-void choose_picture(App& app) {
-    ask_for_file(app,
+void choose_picture(Ui& ui, const Workspace& work, const ExportState& exports) {
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::export_view,
                   .use = ChooserUse::save,
                   .title = "Export the view as a picture, .png or .svg",
                   .extensions = {".png", ".svg"}},
-                 app.document.path.parent_path(),
-                 set_word(app) + " " + name_of(app.exports.view) + ".png");
+                 work.document.path.parent_path(),
+                 set_word(work) + " " + name_of(exports.view) + ".png");
 }
 
-void choose_frames(App& app) {
-    if (current_vibration(app) == nullptr) return;
-    ask_for_file(app,
+void choose_frames(Ui& ui, const Workspace& work) {
+    if (current_vibration(work) == nullptr) return;
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::export_animation,
                   .use = ChooserUse::save_folder,
                   .title = "Export the animation as pictures into a folder",
                   .extensions = {".png"},
                   .folders_too = true,
                   .file_names = {path_of_frame({}, 0).string()}},
-                 app.document.path.parent_path(),
-                 file_word(current_vibration(app)->name) + " frames");
+                 work.document.path.parent_path(),
+                 file_word(current_vibration(work)->name) + " frames");
 }
 
-void export_view(App& app, const fs::path& file) { app.exports.picture = file; }
+void export_view(ExportState& exports, const fs::path& file) { exports.picture = file; }
 
-void export_stages(App& app, const fs::path& folder) {
-    if (current_vibration(app) == nullptr) return;
-    if (const auto made = make_folder(folder); !made) return complain(app, made.error().message);
-    const PatternSet& set = app.document.set;
+void export_stages(Ui& ui, const Workspace& work, const RenderingState& rendered,
+                   const Physiology& physiology, const fs::path& folder) {
+    if (current_vibration(work) == nullptr) return;
+    if (const auto made = make_folder(folder); !made) return complain(ui, made.error().message);
+    const PatternSet& set = work.document.set;
     // What is on the screen.
-    Waveform played = waveform_of(*current_vibration(app));
-    if (const auto by = rendered_by(app.rendering)) played = rendering(*by, played).waveform;
+    Waveform played = waveform_of(*current_vibration(work));
+    if (const auto by = rendered_by(rendered)) played = rendering(*by, played).waveform;
     const Waveform waveform = padded(played, longest_samples(set));
     const StageValues values = stage_values(waveform, set.model);
     std::size_t count = 0;
-    for (const Stage stage : stages_to_export(app)) {
+    for (const Stage stage : stages_to_export(physiology)) {
         for (const CsvFile& file : stage_csv(values, stage)) {
             const auto written = write_atomically(folder / file.name, file.text);
-            if (!written) return complain(app, "Not exported: " + written.error().message);
+            if (!written) return complain(ui, "Not exported: " + written.error().message);
             ++count;
         }
     }
-    say(app, "Exported " + std::to_string(count) + (count == 1 ? " file" : " files") + " into " +
-                 folder.string() + as_played(app));
+    say(ui, "Exported " + std::to_string(count) + (count == 1 ? " file" : " files") + " into " +
+                folder.string() + as_played(rendered));
 }
 
 }  // namespace tact

@@ -57,38 +57,38 @@ std::string losses(const GeneratePlan& plan) {
 }
 
 // A stale plan, of the draft as it was a moment ago, is dimmed until the new one is there.
-void draw_counts(App& app, const GeneratePlan* plan, bool stale) {
-    const Theme& theme = app.theme;
+void draw_counts(Ui& ui, const GeneratePlan* plan, bool stale) {
+    const Theme& theme = ui.theme;
     const bool fault = plan != nullptr && !plan->fault.empty();
     const std::string head = plan == nullptr ? "Counting..."
                              : fault         ? "No patterns"
                                              : patterns(plan->add.fresh.size());
     ImGui::PushFont(theme.fonts.large);
-    if (stale) dim_text(app, head);
+    if (stale) dim_text(ui, head);
     if (!stale) ImGui::TextUnformatted(head.c_str());
     ImGui::PopFont();
-    note_item(app.rects, "generate:count", head);
+    note_item(ui.rects, "generate:count", head);
     if (plan == nullptr) {
-        dim_text(app, "");
-        return dim_text(app, "");
+        dim_text(ui, "");
+        return dim_text(ui, "");
     }
     if (fault) {
         wrapped(theme.error, plan->fault);
-        note_item(app.rects, "generate:design fault", plan->fault);
+        note_item(ui.rects, "generate:design fault", plan->fault);
         return;
     }
-    dim_text(app, losses(*plan));
-    note_item(app.rects, "generate:losses", losses(*plan));
+    dim_text(ui, losses(*plan));
+    note_item(ui.rects, "generate:losses", losses(*plan));
     const std::string time = "With them the set has " + patterns(plan->add.patterns_after) +
                              "; its map takes " + estimate_text(plan->add.map_s) +
                              " at first, by a rough estimate";
-    dim_text(app, time);
-    note_item(app.rects, "generate:time", time);
+    dim_text(ui, time);
+    note_item(ui.rects, "generate:time", time);
 }
 
 // Some of them, evenly from the first to the last.
-void draw_previews(App& app, const GeneratePlan* plan) {
-    const Theme& theme = app.theme;
+void draw_previews(Ui& ui, Workspace& work, const GeneratePlan* plan) {
+    const Theme& theme = ui.theme;
     const float s = theme.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
@@ -108,10 +108,10 @@ void draw_previews(App& app, const GeneratePlan* plan) {
         Vibration vibration;
         vibration.name = "candidate preview " + std::to_string(k);
         vibration.source = all[place].pattern;
-        draw_thumbnail(app, inset(area, 3.0F * s), vibration, theme.accent);
+        draw_thumbnail(ui, work, inset(area, 3.0F * s), vibration, theme.accent);
         draw_text(list, theme.fonts.small, {low.x, area.max.y + 3.0F * s}, theme.dim_text,
                   shortened(theme.fonts.small, all[place].name, area.width()));
-        note_rect(app.rects, "generate:preview " + std::to_string(k), area.min, area.max,
+        note_rect(ui.rects, "generate:preview " + std::to_string(k), area.min, area.max,
                   all[place].name);
         if (ImGui::IsWindowHovered() && area.contains(ImGui::GetIO().MousePos)) {
             ImGui::SetTooltip("%s", all[place].name.c_str());
@@ -119,20 +119,21 @@ void draw_previews(App& app, const GeneratePlan* plan) {
     }
 }
 
-void close(App& app) {
-    app.dialog = Dialog::none;
-    app.generate.asking.reset();
+void close(Ui& ui, GenerateState& generating) {
+    ui.dialog = Dialog::none;
+    generating.asking.reset();
     ImGui::CloseCurrentPopup();
 }
 
-void take(App& app, const GeneratePlan& plan, Before before) {
+void take(Ui& ui, Workspace& work, GenerateState& generating, const GeneratePlan& plan,
+          Before before) {
     const GenerateOutcome& outcome = before == Before::kept ? plan.add : plan.replace;
-    if (outcome.patterns_after > kMostUnasked && !app.generate.asking) {
-        app.generate.asking = before;
+    if (outcome.patterns_after > kMostUnasked && !generating.asking) {
+        generating.asking = before;
         return;
     }
-    add_candidates(app, plan, before);
-    close(app);
+    add_candidates(ui, work, generating, plan, before);
+    close(ui, generating);
 }
 
 std::string words_of(const GeneratePlan& plan, Before before) {
@@ -143,60 +144,61 @@ std::string words_of(const GeneratePlan& plan, Before before) {
 }
 
 // So many patterns that every edit will wait: a second word is asked for.
-void draw_question(App& app, const GeneratePlan& plan) {
-    const Before before = *app.generate.asking;
+void draw_question(Ui& ui, Workspace& work, GenerateState& generating, const GeneratePlan& plan) {
+    const Before before = *generating.asking;
     const GenerateOutcome& outcome = before == Before::kept ? plan.add : plan.replace;
-    wrapped(app.theme.warning,
+    wrapped(ui.theme.warning,
             "The set would have " + patterns(outcome.patterns_after) +
                 ". A first map of them takes " + estimate_text(outcome.map_s) +
                 ", and every edit of one waits for its share of it. You can go on working "
                 "meanwhile.");
-    note_item(app.rects, "generate:question");
-    if (ImGui::Button((words_of(plan, before) + " all the same").c_str())) take(app, plan, before);
-    note_item(app.rects, "button:generate all the same");
+    note_item(ui.rects, "generate:question");
+    if (ImGui::Button((words_of(plan, before) + " all the same").c_str()))
+        take(ui, work, generating, plan, before);
+    note_item(ui.rects, "button:generate all the same");
     ImGui::SameLine();
-    if (ImGui::Button("Back")) app.generate.asking.reset();
-    note_item(app.rects, "button:back");
+    if (ImGui::Button("Back")) generating.asking.reset();
+    note_item(ui.rects, "button:back");
 }
 
-void draw_buttons(App& app, const GeneratePlan* plan) {
+void draw_buttons(Ui& ui, Workspace& work, GenerateState& generating, const GeneratePlan* plan) {
     const bool usable = plan != nullptr && plan->fault.empty();
     ImGui::BeginDisabled(!usable || plan->add.fresh.empty());
-    ImGui::PushStyleColor(ImGuiCol_Button, faded(app.theme.accent, 0.45F));
+    ImGui::PushStyleColor(ImGuiCol_Button, faded(ui.theme.accent, 0.45F));
     const bool add = ImGui::Button(usable ? words_of(*plan, Before::kept).c_str() : "Add patterns");
     ImGui::PopStyleColor();
     ImGui::EndDisabled();
-    note_item(app.rects, "button:add candidates");
+    note_item(ui.rects, "button:add candidates");
     bool replace = false;
     if (usable && plan->generated_before > 0) {
         ImGui::SameLine();
         ImGui::BeginDisabled(plan->replace.fresh.empty());
         replace = ImGui::Button(words_of(*plan, Before::replaced).c_str());
         ImGui::EndDisabled();
-        note_item(app.rects, "button:replace generated");
-        draw_tooltip(app,
+        note_item(ui.rects, "button:replace generated");
+        draw_tooltip(ui,
                      "Patterns that were edited, renamed or locked since they were generated "
                      "stay.");
     }
     ImGui::SameLine();
     const bool leave = ImGui::Button("Cancel");
-    note_item(app.rects, "button:cancel");
-    if (add && usable) take(app, *plan, Before::kept);
-    if (replace && usable) take(app, *plan, Before::replaced);
-    if (leave) close(app);
+    note_item(ui.rects, "button:cancel");
+    if (add && usable) take(ui, work, generating, *plan, Before::kept);
+    if (replace && usable) take(ui, work, generating, *plan, Before::replaced);
+    if (leave) close(ui, generating);
 }
 
 // The parameters scroll where the window is too low for all of them.
-void draw_parameters(App& app) {
-    const float room = 0.9F * ImGui::GetIO().DisplaySize.y - kBelowRowsPx * app.theme.scale;
+void draw_parameters(Ui& ui, GenerateState& generating) {
+    const float room = 0.9F * ImGui::GetIO().DisplaySize.y - kBelowRowsPx * ui.theme.scale;
     const float least = 3.0F * ImGui::GetFrameHeightWithSpacing();
     // How high the rows are is known from the last frame; in the first one, about.
-    const float rows = app.generate.rows_px > 0.0F ? app.generate.rows_px : 3.5F * least;
+    const float rows = generating.rows_px > 0.0F ? generating.rows_px : 3.5F * least;
     const float height = std::max(std::min(room, rows), least);
     if (ImGui::BeginChild("parameters", {0.0F, height}, false,
                           ImGuiWindowFlags_HorizontalScrollbar)) {
-        draw_factor_rows(app);
-        app.generate.rows_px = ImGui::GetCursorPosY() + ImGui::GetStyle().ItemSpacing.y;
+        draw_factor_rows(ui, generating);
+        generating.rows_px = ImGui::GetCursorPosY() + ImGui::GetStyle().ItemSpacing.y;
     }
     ImGui::EndChild();
 }
@@ -210,34 +212,34 @@ void push_dialog_colours(const Theme& theme) {
 
 }  // namespace
 
-void draw_generate_dialog(App& app) {
-    if (!begin_dialog(app, "Generate candidates", kDialogWidthPx)) return;
-    push_dialog_colours(app.theme);
+void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating) {
+    if (!begin_dialog(ui, "Generate candidates", kDialogWidthPx)) return;
+    push_dialog_colours(ui.theme);
     // Esc leaves an entry first, then the dialog.
-    const bool typing = !app.generate.typing.empty() || is_number_typed(app);
+    const bool typing = !generating.typing.empty() || is_number_typed(ui);
     const bool popup = ImGui::IsPopupOpen("rhythms", ImGuiPopupFlags_AnyPopupId);
-    dim_text(app, "Give every parameter a number, several levels, or a range.");
-    draw_parameters(app);
+    dim_text(ui, "Give every parameter a number, several levels, or a range.");
+    draw_parameters(ui, generating);
     ImGui::Separator();
-    draw_design_row(app);
-    draw_constraint_rows(app);
+    draw_design_row(ui, generating);
+    draw_constraint_rows(ui, generating);
     ImGui::Separator();
-    if (std::exchange(app.generate.takes_back, false)) {
-        app.generate.draft = app.generate.draft_before_typing;
+    if (std::exchange(generating.takes_back, false)) {
+        generating.draft = generating.draft_before_typing;
     }
-    follow_generate(app);
-    const std::shared_ptr<const GeneratePlan> plan = current_plan(app);
+    follow_generate(ui, work, generating);
+    const std::shared_ptr<const GeneratePlan> plan = current_plan(work, generating);
     std::shared_ptr<const GeneratePlan> shown = plan;
-    if (!shown && app.generate.job) shown = app.generate.job->latest();
-    draw_counts(app, shown.get(), !plan);
-    draw_previews(app, shown.get());
-    if (app.generate.asking && plan && plan->fault.empty()) {
-        draw_question(app, *plan);
+    if (!shown && generating.job) shown = generating.job->latest();
+    draw_counts(ui, shown.get(), !plan);
+    draw_previews(ui, work, shown.get());
+    if (generating.asking && plan && plan->fault.empty()) {
+        draw_question(ui, work, generating, *plan);
     } else {
-        draw_buttons(app, plan.get());
+        draw_buttons(ui, work, generating, plan.get());
     }
     const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-    if (escape && !typing && !popup) close(app);
+    if (escape && !typing && !popup) close(ui, generating);
     ImGui::PopStyleColor(2);
     ImGui::EndPopup();
 }

@@ -62,14 +62,14 @@ std::vector<std::string> words_in(const std::string& text) {
     return words;
 }
 
-std::optional<std::string> draw_entry(App& app, const std::string& id, const std::string& shown,
-                                      float width) {
-    GenerateState& state = app.generate;
+std::optional<std::string> draw_entry(Ui& ui, GenerateState& generating, const std::string& id,
+                                      const std::string& shown, float width) {
+    GenerateState& state = generating;
     const bool typing = state.typing == id;
     std::string text = typing ? state.text : shown;
     ImGui::SetNextItemWidth(width);
     ImGui::InputText(("##" + id).c_str(), &text);
-    note_item(app.rects, "generate:" + id, text);
+    note_item(ui.rects, "generate:" + id, text);
     if (ImGui::IsItemActivated()) state.draft_before_typing = state.draft;
     if (!ImGui::IsItemActive()) {
         const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
@@ -82,67 +82,68 @@ std::optional<std::string> draw_entry(App& app, const std::string& id, const std
     return text == shown ? std::nullopt : std::optional(text);
 }
 
-void draw_number(App& app, const std::string& id, double& value, Range allowed, const Unit& unit) {
+void draw_number(Ui& ui, const std::string& id, double& value, Range allowed, const Unit& unit) {
     double shown = unit.times * value;
     const NumberEntry entry{
         .id = id,
         .label = id,
         .format = "%.6g",
         .rules = {{unit.times * allowed.low, unit.times * allowed.high}, unit.name},
-        .width_px = kNumberWidthPx * app.theme.scale,
+        .width_px = kNumberWidthPx * ui.theme.scale,
         .live = true};
-    if (enter_number(app, entry, shown)) {
+    if (enter_number(ui, entry, shown)) {
         value = std::clamp(shown / unit.times, allowed.low, allowed.high);
     }
-    note_item(app.rects, "generate:" + id, short_digits(shown));
+    note_item(ui.rects, "generate:" + id, short_digits(shown));
 }
 
-void draw_whole(App& app, const std::string& id, int& value, Range allowed) {
+void draw_whole(Ui& ui, const std::string& id, int& value, Range allowed) {
     const NumberEntry entry{.id = id,
                             .label = id,
                             .format = "%.9g",
                             .rules = {allowed, "", true},
-                            .width_px = kNumberWidthPx * app.theme.scale,
+                            .width_px = kNumberWidthPx * ui.theme.scale,
                             .live = true};
-    enter_whole(app, entry, value);
-    note_item(app.rects, "generate:" + id, std::to_string(value));
+    enter_whole(ui, entry, value);
+    note_item(ui.rects, "generate:" + id, std::to_string(value));
 }
 
-bool option_chip(App& app, const std::string& id, const char* text, bool lit, const char* help) {
+bool option_chip(Ui& ui, const std::string& id, const char* text, bool lit, const char* help) {
     const float top = ImGui::GetCursorPosY();
-    const float chip_px = text_size(app.theme.fonts.small, text).y + 6.0F * app.theme.scale;
+    const float chip_px = text_size(ui.theme.fonts.small, text).y + 6.0F * ui.theme.scale;
     ImGui::SetCursorPosY(top + (ImGui::GetFrameHeight() - chip_px) / 2.0F);
-    const bool pressed = draw_chip(app, id.c_str(), text, lit);
-    note_item(app.rects, "generate:" + id, lit ? "chosen" : "");
-    draw_tooltip(app, help);
-    stay_in_row(2.0F * app.theme.scale, top);
+    const bool pressed = draw_chip(ui, id.c_str(), text, lit);
+    note_item(ui.rects, "generate:" + id, lit ? "chosen" : "");
+    draw_tooltip(ui, help);
+    stay_in_row(2.0F * ui.theme.scale, top);
     return pressed;
 }
 
-bool row_link(App& app, const char* id, const char* text) {
+bool row_link(Ui& ui, const char* id, const char* text) {
     const float top = ImGui::GetCursorPosY();
     ImGui::SetCursorPosY(top + ImGui::GetStyle().FramePadding.y);
-    const bool pressed = link(app, id, text);
-    note_item(app.rects, std::string("generate:") + id);
-    stay_in_row(2.0F * app.theme.gap_px, top);
+    const bool pressed = link(ui, id, text);
+    note_item(ui.rects, std::string("generate:") + id);
+    stay_in_row(2.0F * ui.theme.gap_px, top);
     return pressed;
 }
 
-void leave_gap(const App& app) { ImGui::SetCursorPosX(ImGui::GetCursorPosX() + app.theme.gap_px); }
+void leave_gap(const Ui& ui) { ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.theme.gap_px); }
 
-void beside(const App& app, const char* text) {
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    dim_text(app, text);
+void beside(const Ui& ui, const char* text) {
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    dim_text(ui, text);
 }
 
-void draw_remark(App& app, const std::string& remark, const std::string& fault) {
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    if (fault.empty()) return dim_text(app, remark);
-    app.generate.takes_back = true;
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.error));
+void draw_remark(Ui& ui, GenerateState& generating, const std::string& remark,
+                 const std::string& fault) {
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    if (fault.empty()) return dim_text(ui, remark);
+    generating.takes_back = true;
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(ui.theme.error));
     ImGui::TextUnformatted(fault.c_str());
     ImGui::PopStyleColor();
-    note_item(app.rects, "generate:fault", fault);
+    note_item(ui.rects, "generate:fault", fault);
 }
 
 }  // namespace tact

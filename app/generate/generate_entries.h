@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/window/app.h"
+#include "app/generate/generate_state.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
@@ -24,26 +25,27 @@ std::string short_digits(double value);
 std::vector<std::string> words_in(const std::string& text);
 
 // An entry shows `shown`, and while it is typed in, that. The text, where it is another one.
-std::optional<std::string> draw_entry(App& app, const std::string& id, const std::string& shown,
-                                      float width);
+std::optional<std::string> draw_entry(Ui& ui, GenerateState& generating, const std::string& id,
+                                      const std::string& shown, float width);
 
 // A single number, and a whole one. What is typed and cannot be leaves it as it was before.
-void draw_number(App& app, const std::string& id, double& value, Range allowed,
+void draw_number(Ui& ui, const std::string& id, double& value, Range allowed,
                  const Unit& unit = {"", 1.0});
-void draw_whole(App& app, const std::string& id, int& value, Range allowed);
+void draw_whole(Ui& ui, const std::string& id, int& value, Range allowed);
 
 // A chip, and a link, in the middle of a row's height; the next item stands beside them.
-bool option_chip(App& app, const std::string& id, const char* text, bool lit, const char* help);
-bool row_link(App& app, const char* id, const char* text);
+bool option_chip(Ui& ui, const std::string& id, const char* text, bool lit, const char* help);
+bool row_link(Ui& ui, const char* id, const char* text);
 
 // A little room before the next item of a row.
-void leave_gap(const App& app);
+void leave_gap(const Ui& ui);
 
 // Dim text after the last item.
-void beside(const App& app, const char* text);
+void beside(const Ui& ui, const char* text);
 
 // What is wrong with the text of an entry, at the end of its row: the draft then stays as it was
 // before; else what the row amounts to.
-void draw_remark(App& app, const std::string& remark, const std::string& fault);
+void draw_remark(Ui& ui, GenerateState& generating, const std::string& remark,
+                 const std::string& fault);
 
 }  // namespace tact

@@ -32,15 +32,15 @@ Expected<std::vector<double>> levels_in(const std::string& text, Range allowed, 
     return levels;
 }
 
-void draw_levels(App& app, const std::string& id, std::vector<double>& levels, Range allowed,
-                 const Unit& unit) {
+void draw_levels(Ui& ui, GenerateState& generating, const std::string& id,
+                 std::vector<double>& levels, Range allowed, const Unit& unit) {
     std::string shown;
     for (const double level : levels) {
         shown += (shown.empty() ? "" : ", ") + short_digits(unit.times * level);
     }
-    const auto typed = draw_entry(app, id, shown, 300.0F * app.theme.scale);
-    draw_tooltip(app, "One number is fixed; several, with commas between them, are levels.");
-    if (*unit.name != '\0') beside(app, unit.name);
+    const auto typed = draw_entry(ui, generating, id, shown, 300.0F * ui.theme.scale);
+    draw_tooltip(ui, "One number is fixed; several, with commas between them, are levels.");
+    if (*unit.name != '\0') beside(ui, unit.name);
     std::string fault;
     if (typed) {
         auto found = levels_in(*typed, allowed, unit);
@@ -48,48 +48,50 @@ void draw_levels(App& app, const std::string& id, std::vector<double>& levels, R
         if (!found) fault = found.error().message;
     }
     const std::size_t count = levels.size();
-    draw_remark(app, count == 1 ? "fixed" : std::to_string(count) + " levels", fault);
+    draw_remark(ui, generating, count == 1 ? "fixed" : std::to_string(count) + " levels", fault);
 }
 
 // "any" stands for values that are not moved.
-void draw_multiple(App& app, const std::string& id, double& multiple, double times) {
+void draw_multiple(Ui& ui, GenerateState& generating, const std::string& id, double& multiple,
+                   double times) {
     constexpr const char* kAny = "any";
     const std::string shown = multiple == 0.0 ? kAny : short_digits(times * multiple);
-    const auto typed = draw_entry(app, id, shown, 62.0F * app.theme.scale);
-    draw_tooltip(app,
+    const auto typed = draw_entry(ui, generating, id, shown, 62.0F * ui.theme.scale);
+    draw_tooltip(ui,
                  "Values are moved to the nearest multiple of this. Multiples of 1 / duration "
                  "do not leak.");
     if (!typed) return;
     const auto number = *typed == kAny ? std::optional(0.0) : finite_number_in(*typed);
     const bool good = number && limits::kMultiple.contains(*number / times);
     if (good) multiple = *number / times;
-    if (!good) app.generate.takes_back = true;
+    if (!good) generating.takes_back = true;
 }
 
-void draw_span(App& app, const std::string& id, Span& span, Range allowed, const Unit& unit) {
-    draw_number(app, id + " from", span.from, allowed, unit);
-    beside(app, "to");
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    draw_number(app, id + " to", span.to, allowed, unit);
-    if (*unit.name != '\0') beside(app, unit.name);
-    if (app.generate.draft.design == Design::factorial) {
-        beside(app, "in");
-        ImGui::SameLine(0.0F, app.theme.gap_px);
-        draw_whole(app, id + " steps", span.steps, limits::kSpanSteps);
-        beside(app, "steps");
+void draw_span(Ui& ui, GenerateState& generating, const std::string& id, Span& span, Range allowed,
+               const Unit& unit) {
+    draw_number(ui, id + " from", span.from, allowed, unit);
+    beside(ui, "to");
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    draw_number(ui, id + " to", span.to, allowed, unit);
+    if (*unit.name != '\0') beside(ui, unit.name);
+    if (generating.draft.design == Design::factorial) {
+        beside(ui, "in");
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
+        draw_whole(ui, id + " steps", span.steps, limits::kSpanSteps);
+        beside(ui, "steps");
     }
-    ImGui::SameLine(0.0F, app.theme.gap_px);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
     if (option_chip(
-            app, id + " ratio", "equal ratios", span.logarithmic,
+            ui, id + " ratio", "equal ratios", span.logarithmic,
             "Spaced by equal ratios, as frequencies and strengths are felt, instead of equal "
             "differences. The range must begin above 0.")) {
         span.logarithmic = !span.logarithmic;
     }
-    leave_gap(app);
+    leave_gap(ui);
     ImGui::AlignTextToFramePadding();
-    dim_text(app, "multiples of");
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    draw_multiple(app, id + " multiple", span.multiple_of, unit.times);
+    dim_text(ui, "multiples of");
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    draw_multiple(ui, generating, id + " multiple", span.multiple_of, unit.times);
 }
 
 // A range around what the levels were.
@@ -105,35 +107,35 @@ Span span_from(const std::vector<double>& levels, Parameter parameter) {
     return span;
 }
 
-void draw_values(App& app, Factor factor) {
+void draw_values(Ui& ui, GenerateState& generating, Factor factor) {
     const std::string id = lower_case(name_of(factor));
     const Range allowed = range_of(factor.parameter);
     const Unit unit = unit_of(factor.parameter);
-    Values& values = *values_of(app.generate.draft, factor);
+    Values& values = *values_of(generating.draft, factor);
     auto* levels = std::get_if<std::vector<double>>(&values);
-    if (option_chip(app, id + " values", "Values", levels != nullptr,
+    if (option_chip(ui, id + " values", "Values", levels != nullptr,
                     "One number, or several levels") &&
         levels == nullptr) {
         const Span span = std::get<Span>(values);
         values = std::vector<double>{span.from, span.to};
-    } else if (option_chip(app, id + " range", "Range", levels == nullptr,
+    } else if (option_chip(ui, id + " range", "Range", levels == nullptr,
                            "Anything from one number to another") &&
                levels != nullptr) {
         values = span_from(*levels, factor.parameter);
     }
-    leave_gap(app);
+    leave_gap(ui);
     if (auto* now = std::get_if<std::vector<double>>(&values)) {
-        draw_levels(app, id, *now, allowed, unit);
+        draw_levels(ui, generating, id, *now, allowed, unit);
     } else {
-        draw_span(app, id, std::get<Span>(values), allowed, unit);
+        draw_span(ui, generating, id, std::get<Span>(values), allowed, unit);
     }
 }
 
-void draw_kinds(App& app) {
-    auto& kinds = app.generate.draft.kinds;
+void draw_kinds(Ui& ui, GenerateState& generating) {
+    auto& kinds = generating.draft.kinds;
     const auto toggle = [&](const char* text, ModulationKind kind, const char* help) {
         const bool lit = std::ranges::find(kinds, kind) != kinds.end();
-        if (!option_chip(app, text, text, lit, help)) return;
+        if (!option_chip(ui, text, text, lit, help)) return;
         if (!lit) kinds.push_back(kind);
         if (lit && kinds.size() > 1) std::erase(kinds, kind);
         std::ranges::sort(kinds);
@@ -141,7 +143,7 @@ void draw_kinds(App& app) {
     toggle("product", ModulationKind::product, "sin(2 pi f t): Eq. 7 of the paper");
     toggle("1 + m sin", ModulationKind::am, "The kind that has a depth");
     ImGui::AlignTextToFramePadding();
-    dim_text(app, kinds.size() == 1 ? "fixed" : "2 levels");
+    dim_text(ui, kinds.size() == 1 ? "fixed" : "2 levels");
 }
 
 // Membership of a rhythm in the list, which is never empty.
@@ -150,11 +152,11 @@ void toggle_rhythm(std::vector<std::string>& rhythms, const std::string& text) {
     if (rhythms.empty()) rhythms.emplace_back();
 }
 
-void draw_rhythm_popup(App& app) {
-    const float width = 360.0F * app.theme.scale;
+void draw_rhythm_popup(Ui& ui, GenerateState& generating) {
+    const float width = 360.0F * ui.theme.scale;
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, 1e4F});
     if (!ImGui::BeginPopup("rhythms")) return;
-    GenerateState& state = app.generate;
+    GenerateState& state = generating;
     auto& rhythms = state.draft.rhythms;
     const auto has = [&rhythms](const std::string& text) {
         return std::ranges::find(rhythms, text) != rhythms.end();
@@ -165,7 +167,7 @@ void draw_rhythm_popup(App& app) {
         set_value(shown, state.draft, factor, 0.0);
     }
     const RhythmListAction action =
-        draw_rhythm_list(app, state.rhythms, shown, has, "Add all of them");
+        draw_rhythm_list(ui, state.rhythms, shown, has, "Add all of them");
     if (action.pressed) toggle_rhythm(rhythms, *action.pressed);
     if (action.all) {
         for (const std::string& text : state.rhythms.texts) {
@@ -175,14 +177,14 @@ void draw_rhythm_popup(App& app) {
     ImGui::EndPopup();
 }
 
-void draw_rhythms(App& app) {
-    auto& rhythms = app.generate.draft.rhythms;
+void draw_rhythms(Ui& ui, GenerateState& generating) {
+    auto& rhythms = generating.draft.rhythms;
     std::string shown;
     for (const std::string& text : rhythms) {
         shown += (shown.empty() ? "" : " ") + (text.empty() ? std::string(kSteady) : text);
     }
-    const auto typed = draw_entry(app, "rhythm", shown, 420.0F * app.theme.scale);
-    draw_tooltip(app,
+    const auto typed = draw_entry(ui, generating, "rhythm", shown, 420.0F * ui.theme.scale);
+    draw_tooltip(ui,
                  "Rhythms with blanks between them: x note, = hold, - rest. \"steady\" is one "
                  "note throughout.");
     std::string fault;
@@ -196,11 +198,11 @@ void draw_rhythms(App& app) {
         if (fault.empty()) rhythms = std::move(found);
     }
     const std::size_t count = rhythms.size();
-    draw_remark(app, count == 1 ? "fixed" : std::to_string(count) + " levels", fault);
-    ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
-    if (row_link(app, "choose rhythms", "Choose...")) ImGui::OpenPopup("rhythms");
+    draw_remark(ui, generating, count == 1 ? "fixed" : std::to_string(count) + " levels", fault);
+    ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
+    if (row_link(ui, "choose rhythms", "Choose...")) ImGui::OpenPopup("rhythms");
     ImGui::NewLine();
-    draw_rhythm_popup(app);
+    draw_rhythm_popup(ui, generating);
 }
 
 // False where the parameter changes nothing, whatever its value.
@@ -214,14 +216,14 @@ bool matters(const DesignSpace& space, Parameter parameter) {
     return parameter != Parameter::unit || !std::ranges::all_of(space.rhythms, is_steady);
 }
 
-void draw_carrier_links(App& app) {
-    DesignSpace& space = app.generate.draft;
-    draw_label(app, "");
+void draw_carrier_links(Ui& ui, GenerateState& generating) {
+    DesignSpace& space = generating.draft;
+    draw_label(ui, "");
     const std::size_t before = space.carriers.size();
-    if (before < limits::kMaxCarriers && row_link(app, "add carrier", "Add carrier")) {
+    if (before < limits::kMaxCarriers && row_link(ui, "add carrier", "Add carrier")) {
         space.carriers.emplace_back();
     }
-    if (before > 1 && row_link(app, "remove carrier", "Remove")) space.carriers.pop_back();
+    if (before > 1 && row_link(ui, "remove carrier", "Remove")) space.carriers.pop_back();
     ImGui::NewLine();
     if (space.carriers.size() == before) return;
     space.mix.reset();
@@ -239,43 +241,43 @@ struct LimitRow {
     const char* help;
 };
 
-void draw_limit(App& app, std::optional<double>& limit, const LimitRow& row) {
-    draw_label(app, row.label);
-    if (option_chip(app, row.id, limit ? "on" : "off", limit.has_value(), row.help)) {
+void draw_limit(Ui& ui, std::optional<double>& limit, const LimitRow& row) {
+    draw_label(ui, row.label);
+    if (option_chip(ui, row.id, limit ? "on" : "off", limit.has_value(), row.help)) {
         limit = limit ? std::nullopt : std::optional(row.first);
     }
     if (!limit) return ImGui::NewLine();
-    leave_gap(app);
-    draw_number(app, std::string(row.id) + " limit", *limit, row.allowed, row.unit);
-    beside(app, row.words);
+    leave_gap(ui);
+    draw_number(ui, std::string(row.id) + " limit", *limit, row.allowed, row.unit);
+    beside(ui, row.words);
 }
 
 }  // namespace
 
-void draw_factor_rows(App& app) {
-    for (const Factor factor : factors(app.generate.draft)) {
-        const DesignSpace& space = app.generate.draft;
+void draw_factor_rows(Ui& ui, GenerateState& generating) {
+    for (const Factor factor : factors(generating.draft)) {
+        const DesignSpace& space = generating.draft;
         if (!matters(space, factor.parameter)) continue;
         const std::string name = name_of(factor);
-        if (factor.parameter == Parameter::kind) draw_carrier_links(app);
-        draw_label(app, name.c_str());
+        if (factor.parameter == Parameter::kind) draw_carrier_links(ui, generating);
+        draw_label(ui, name.c_str());
         ImGui::PushID(name.c_str());
         if (factor.parameter == Parameter::kind) {
-            draw_kinds(app);
+            draw_kinds(ui, generating);
         } else if (factor.parameter == Parameter::rhythm) {
-            draw_rhythms(app);
+            draw_rhythms(ui, generating);
         } else {
-            draw_values(app, factor);
+            draw_values(ui, generating, factor);
         }
         ImGui::PopID();
     }
 }
 
-void draw_design_row(App& app) {
-    DesignSpace& space = app.generate.draft;
-    draw_label(app, "Design");
+void draw_design_row(Ui& ui, GenerateState& generating) {
+    DesignSpace& space = generating.draft;
+    draw_label(ui, "Design");
     const auto choose = [&](const char* text, Design design, const char* help) {
-        if (option_chip(app, text, text, space.design == design, help)) space.design = design;
+        if (option_chip(ui, text, text, space.design == design, help)) space.design = design;
     };
     choose("Full factorial", Design::factorial,
            "Every combination of all levels; ranges are cut in steps.");
@@ -284,36 +286,36 @@ void draw_design_row(App& app) {
     choose("Sobol", Design::sobol,
            "So many samples, spread evenly over all parameters together by Sobol's sequence.");
     if (space.design == Design::factorial) return ImGui::NewLine();
-    leave_gap(app);
-    draw_whole(app, "samples", space.samples, limits::kSamples);
-    beside(app, "samples");
-    ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
-    dim_text(app, "seed");
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    draw_whole(app, "seed", space.seed, limits::kSeed);
-    draw_tooltip(app,
+    leave_gap(ui);
+    draw_whole(ui, "samples", space.samples, limits::kSamples);
+    beside(ui, "samples");
+    ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
+    dim_text(ui, "seed");
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    draw_whole(ui, "seed", space.seed, limits::kSeed);
+    draw_tooltip(ui,
                  "The same seed makes the same sample again; with 0, Sobol's sequence is the "
                  "published one.");
 }
 
-void draw_constraint_rows(App& app) {
-    Constraints& limits_of = app.generate.draft.constraints;
-    draw_label(app, "Device band");
-    if (option_chip(app, "band", limits_of.band_hz ? "on" : "off", limits_of.band_hz.has_value(),
+void draw_constraint_rows(Ui& ui, GenerateState& generating) {
+    Constraints& limits_of = generating.draft.constraints;
+    draw_label(ui, "Device band");
+    if (option_chip(ui, "band", limits_of.band_hz ? "on" : "off", limits_of.band_hz.has_value(),
                     "Carriers and the sidebands of their modulation must lie in it.")) {
         limits_of.band_hz = limits_of.band_hz ? std::nullopt : std::optional(Range{40.0, 400.0});
     }
     if (limits_of.band_hz) {
-        leave_gap(app);
-        draw_number(app, "band low", limits_of.band_hz->low, limits::kBandHz, {"Hz", 1.0});
-        beside(app, "to");
-        ImGui::SameLine(0.0F, app.theme.gap_px);
-        draw_number(app, "band high", limits_of.band_hz->high, limits::kBandHz, {"Hz", 1.0});
-        beside(app, "Hz");
+        leave_gap(ui);
+        draw_number(ui, "band low", limits_of.band_hz->low, limits::kBandHz, {"Hz", 1.0});
+        beside(ui, "to");
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
+        draw_number(ui, "band high", limits_of.band_hz->high, limits::kBandHz, {"Hz", 1.0});
+        beside(ui, "Hz");
     } else {
         ImGui::NewLine();
     }
-    draw_limit(app, limits_of.displacement_um,
+    draw_limit(ui, limits_of.displacement_um,
                {"Displacement",
                 "displacement",
                 100.0,
@@ -322,7 +324,7 @@ void draw_constraint_rows(App& app) {
                 "\u00b5m at most",
                 "Peak displacement if all components meet at their peaks: what the actuator's "
                 "stroke must hold."});
-    draw_limit(app, limits_of.detectable_db,
+    draw_limit(ui, limits_of.detectable_db,
                {"Detectable",
                 "detectable",
                 6.0,

@@ -2,12 +2,13 @@
 // they must keep to.
 #pragma once
 
-#include "app/window/app.h"
+#include "app/generate/generate_state.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
-void draw_factor_rows(App& app);
-void draw_design_row(App& app);
-void draw_constraint_rows(App& app);
+void draw_factor_rows(Ui& ui, GenerateState& generating);
+void draw_design_row(Ui& ui, GenerateState& generating);
+void draw_constraint_rows(Ui& ui, GenerateState& generating);
 
 }  // namespace tact

@@ -61,70 +61,73 @@ double smooth(double share) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-bool is_news(const App& app, const std::shared_ptr<const LiveMap>& map) {
-    if (!map || map == app.map.shown) return false;
-    if (!app.map.shown) return true;
-    const LiveMapRequest& shown = app.map.shown->request;
+bool is_news(const ShownMap& shown_map, const std::shared_ptr<const LiveMap>& map) {
+    if (!map || map == shown_map.transition.shown) return false;
+    if (!shown_map.transition.shown) return true;
+    const LiveMapRequest& shown = shown_map.transition.shown->request;
     if (map->request.revision != shown.revision) return map->request.revision > shown.revision;
     return shown.preview && !map->request.preview;
 }
 
 }  // namespace
 
-void show_map(App& app, std::shared_ptr<const LiveMap> map) {
+void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> map) {
     MapTransition next;
-    next.since_s = app.time_s;
-    next.to = aligned_to_anchor(app.map, *map);
+    next.since_s = ui.time_s;
+    next.to = aligned_to_anchor(shown_map.transition, *map);
     next.from = next.to;
     next.ghost = Eigen::MatrixXd::Constant(next.to.rows(), next.to.cols(),
                                            std::numeric_limits<double>::quiet_NaN());
-    if (app.map.shown && app.map.to.cols() == next.to.cols()) {
-        const Common common = common_rows(*map, *app.map.shown);
-        const Eigen::MatrixXd now = eased_points(app);
+    if (shown_map.transition.shown && shown_map.transition.to.cols() == next.to.cols()) {
+        const Common common = common_rows(*map, *shown_map.transition.shown);
+        const Eigen::MatrixXd now = eased_points(ui, shown_map);
         for (std::size_t k = 0; k < common.here.size(); ++k) {
             next.from.row(common.here[k]) = now.row(common.there[k]);
         }
     }
-    if (app.map.anchor && app.map.anchor_points.cols() == next.to.cols()) {
-        const Common common = common_rows(*map, *app.map.anchor);
+    if (shown_map.transition.anchor &&
+        shown_map.transition.anchor_points.cols() == next.to.cols()) {
+        const Common common = common_rows(*map, *shown_map.transition.anchor);
         for (std::size_t k = 0; k < common.here.size(); ++k) {
-            next.ghost.row(common.here[k]) = app.map.anchor_points.row(common.there[k]);
+            next.ghost.row(common.here[k]) =
+                shown_map.transition.anchor_points.row(common.there[k]);
         }
     }
-    next.anchor = map->request.preview ? app.map.anchor : map;
-    next.anchor_points = map->request.preview ? app.map.anchor_points : next.to;
+    next.anchor = map->request.preview ? shown_map.transition.anchor : map;
+    next.anchor_points = map->request.preview ? shown_map.transition.anchor_points : next.to;
     next.shown = std::move(map);
-    app.map = std::move(next);
+    shown_map.transition = std::move(next);
 }
 
-void make_map_jobs(App& app) {
+void make_map_jobs(const Ui& ui, const Workspace& work, ShownMap& shown_map) {
     using MapJob = LatestJob<LiveMapRequest, LiveMap>;
-    app.preview_job = std::make_unique<MapJob>(JobPolicy::finish, LiveMapWork{}, app.wake);
-    app.full_job =
-        std::make_unique<MapJob>(JobPolicy::supersede, LiveMapWork{}, app.wake, is_same_work);
-    app.maps_asked = app.revision;  // until something changes or is asked for
+    shown_map.preview_job = std::make_unique<MapJob>(JobPolicy::finish, LiveMapWork{}, ui.wake);
+    shown_map.full_job =
+        std::make_unique<MapJob>(JobPolicy::supersede, LiveMapWork{}, ui.wake, is_same_work);
+    shown_map.maps_asked = work.revision;  // until something changes or is asked for
 }
 
-void take_maps(App& app) {
-    if (!app.full_job) return;
-    for (const auto* job : {app.preview_job.get(), app.full_job.get()}) {
-        if (auto map = job->latest(); is_news(app, map)) show_map(app, std::move(map));
+void take_maps(const Ui& ui, ShownMap& shown_map) {
+    if (!shown_map.full_job) return;
+    for (const auto* job : {shown_map.preview_job.get(), shown_map.full_job.get()}) {
+        if (auto map = job->latest(); is_news(shown_map, map))
+            show_map(ui, shown_map, std::move(map));
     }
 }
 
-void request_maps(App& app) {
-    if (!app.full_job) return;  // a picture without a window computes its map itself
-    app.maps_asked = app.revision;
-    app.map_cancelled = false;
-    const PatternSet& set = app.document.set;
-    if (needs_asking(set) && app.compute_large_of != app.document_number) {
-        app.preview_job->cancel();
-        app.full_job->cancel();
+void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered) {
+    if (!shown_map.full_job) return;  // a picture without a window computes its map itself
+    shown_map.maps_asked = work.revision;
+    shown_map.cancelled = false;
+    const PatternSet& set = work.document.set;
+    if (needs_asking(set) && shown_map.compute_large_of != work.document_number) {
+        shown_map.preview_job->cancel();
+        shown_map.full_job->cancel();
         return;
     }
-    LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(shown_set(app)),
-                           app.dimensions, false, rendered_by(app.rendering)};
-    app.full_job->submit(request);
+    LiveMapRequest request{work.revision, std::make_shared<const PatternSet>(shown_set(work)),
+                           shown_map.dimensions, false, rendered_by(rendered)};
+    shown_map.full_job->submit(request);
     // A preview takes a hundredth of the work, and of one pattern changed again only a row of that.
     // One that lasts would come too late to be one.
     constexpr double kLongestPreviewS = 3.0;
@@ -132,36 +135,38 @@ void request_maps(App& app) {
     if (set.vibrations.size() > kMostPreviewed) return;
     if (expected_map_s(set) / 100.0 > kLongestPreviewS) return;
     request.preview = true;
-    app.preview_job->submit(request);
+    shown_map.preview_job->submit(request);
 }
 
-void follow_map(App& app) {
-    if (app.maps_asked != app.revision) request_maps(app);
+void follow_map(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered) {
+    if (shown_map.maps_asked != work.revision) request_maps(work, shown_map, rendered);
 }
 
-MapState map_state(const App& app) {
-    const std::size_t count = app.document.set.vibrations.size();
-    if (needs_asking(app.document.set) && app.compute_large_of != app.document_number)
+MapState map_state(const Workspace& work, const ShownMap& shown_map) {
+    const std::size_t count = work.document.set.vibrations.size();
+    if (needs_asking(work.document.set) && shown_map.compute_large_of != work.document_number)
         return MapState::too_large;
-    if (!app.map.shown || count == 0) return MapState::none;
-    const LiveMapRequest& shown = app.map.shown->request;
-    if (shown.revision != app.revision) return MapState::stale;
+    if (!shown_map.transition.shown || count == 0) return MapState::none;
+    const LiveMapRequest& shown = shown_map.transition.shown->request;
+    if (shown.revision != work.revision) return MapState::stale;
     return shown.preview ? MapState::preview : MapState::exact;
 }
 
-Eigen::MatrixXd eased_points(const App& app) {
-    if (!app.motion) return app.map.to;
-    const double share = smooth((app.time_s - app.map.since_s) / kEaseS);
-    return app.map.from + share * (app.map.to - app.map.from);
+Eigen::MatrixXd eased_points(const Ui& ui, const ShownMap& shown_map) {
+    if (!ui.motion) return shown_map.transition.to;
+    const double share = smooth((ui.time_s - shown_map.transition.since_s) / kEaseS);
+    return shown_map.transition.from +
+           share * (shown_map.transition.to - shown_map.transition.from);
 }
 
-double ghost_opacity(const App& app) {
-    if (!app.motion) return 0.0;
-    return std::clamp(1.0 - (app.time_s - app.map.since_s) / kGhostS, 0.0, 1.0);
+double ghost_opacity(const Ui& ui, const ShownMap& shown_map) {
+    if (!ui.motion) return 0.0;
+    return std::clamp(1.0 - (ui.time_s - shown_map.transition.since_s) / kGhostS, 0.0, 1.0);
 }
 
-bool is_moving(const App& app) {
-    return app.motion && app.map.shown && app.time_s - app.map.since_s < kGhostS;
+bool is_moving(const Ui& ui, const ShownMap& shown_map) {
+    return ui.motion && shown_map.transition.shown &&
+           ui.time_s - shown_map.transition.since_s < kGhostS;
 }
 
 }  // namespace tact

@@ -1,22 +1,25 @@
 // Keeping the map on screen in step with the document.
 #pragma once
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
+#include "app/rendering/rendering_state.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
-void make_map_jobs(App& app);
+void make_map_jobs(const Ui& ui, const Workspace& work, ShownMap& shown_map);
 
 // The map of a very large set waits until asked for.
-void request_maps(App& app);
+void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered);
 // Asks anew where the document has changed since: once a frame, whoever changed it.
-void follow_map(App& app);
+void follow_map(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered);
 
 // Takes what the jobs have finished, aligns it to what is shown and starts the transition.
-void take_maps(App& app);
+void take_maps(const Ui& ui, ShownMap& shown_map);
 
 // Puts a map on the screen, aligned to the one before it.
-void show_map(App& app, std::shared_ptr<const LiveMap> map);
+void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> map);
 
 // What is on screen: is it the document's own, exact map?
 enum class MapState {
@@ -26,13 +29,13 @@ enum class MapState {
     preview,  // of the document as it is, from coarse envelopes
     stale     // of an earlier document
 };
-MapState map_state(const App& app);
+MapState map_state(const Workspace& work, const ShownMap& shown_map);
 
 // Positions of the shown map's patterns in this frame, eased; one row each.
-Eigen::MatrixXd eased_points(const App& app);
-double ghost_opacity(const App& app);
+Eigen::MatrixXd eased_points(const Ui& ui, const ShownMap& shown_map);
+double ghost_opacity(const Ui& ui, const ShownMap& shown_map);
 
 // Something still moves: frames must follow.
-bool is_moving(const App& app);
+bool is_moving(const Ui& ui, const ShownMap& shown_map);
 
 }  // namespace tact

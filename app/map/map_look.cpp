@@ -16,8 +16,8 @@ namespace {
 
 constexpr int kMostClusters = 20;
 
-const std::vector<Vibration>& shown_vibrations(const App& app) {
-    return app.map.shown->request.set->vibrations;
+const std::vector<Vibration>& shown_vibrations(const ShownMap& shown_map) {
+    return shown_map.transition.shown->request.set->vibrations;
 }
 
 std::optional<double> value_of(const Vibration& vibration, PatternParameter parameter) {
@@ -26,9 +26,9 @@ std::optional<double> value_of(const Vibration& vibration, PatternParameter para
 }
 
 // The smallest and largest in the set; none has it: nothing.
-std::optional<Range> reach_of(const App& app, PatternParameter parameter) {
+std::optional<Range> reach_of(const ShownMap& shown_map, PatternParameter parameter) {
     std::optional<Range> reach;
-    for (const Vibration& vibration : shown_vibrations(app)) {
+    for (const Vibration& vibration : shown_vibrations(shown_map)) {
         const auto value = value_of(vibration, parameter);
         if (!value) continue;
         if (!reach) reach = Range{*value, *value};
@@ -45,36 +45,39 @@ double share_of(PatternParameter parameter, const Range& reach, double value) {
     return (value - reach.low) / (reach.high - reach.low);
 }
 
-void colour_by(const App& app, PatternParameter parameter, std::vector<PatternLook>& looks) {
-    const auto reach = reach_of(app, parameter);
+void colour_by(const Ui& ui, const ShownMap& shown_map, PatternParameter parameter,
+               std::vector<PatternLook>& looks) {
+    const auto reach = reach_of(shown_map, parameter);
     if (!reach) return;
     for (std::size_t k = 0; k < looks.size(); ++k) {
-        const auto value = value_of(shown_vibrations(app)[k], parameter);
+        const auto value = value_of(shown_vibrations(shown_map)[k], parameter);
         looks[k] = value ? PatternLook{viridis(share_of(parameter, *reach, *value)), false}
-                         : PatternLook{app.theme.dim_text, true};
+                         : PatternLook{ui.theme.dim_text, true};
     }
 }
 
-void colour_clusters(App& app, std::vector<PatternLook>& looks) {
-    ShownClusters& known = app.clusters;
-    const int count = app.map_look.clusters;
-    if (known.of != app.map.shown || known.count != count) {
-        known = {app.map.shown, count,
-                 clusters(app.map.shown->prediction.pm, static_cast<std::size_t>(count))};
+void colour_clusters(const Ui& ui, ShownMap& shown_map, std::vector<PatternLook>& looks) {
+    ShownClusters& known = shown_map.clusters;
+    const int count = shown_map.look.clusters;
+    if (known.of != shown_map.transition.shown || known.count != count) {
+        known = {
+            shown_map.transition.shown, count,
+            clusters(shown_map.transition.shown->prediction.pm, static_cast<std::size_t>(count))};
     }
     for (std::size_t k = 0; k < looks.size() && k < known.group.size(); ++k) {
-        looks[k] = pattern_look(app.theme, known.group[k]);
+        looks[k] = pattern_look(ui.theme, known.group[k]);
     }
 }
 
 // Patterns that differ in one number alone, in its order.
-std::vector<std::vector<std::size_t>> paths_along(const App& app, PatternParameter parameter) {
+std::vector<std::vector<std::size_t>> paths_along(const ShownMap& shown_map,
+                                                  PatternParameter parameter) {
     struct Place {
         double value;
         std::size_t row;
     };
     std::vector<std::pair<Pattern, std::vector<Place>>> groups;
-    const auto& all = shown_vibrations(app);
+    const auto& all = shown_vibrations(shown_map);
     for (std::size_t k = 0; k < all.size(); ++k) {
         const auto value = value_of(all[k], parameter);
         if (!value) continue;
@@ -99,41 +102,42 @@ const char* parameter_name(const std::optional<PatternParameter>& parameter) {
 }
 
 // True where another one was chosen.
-bool draw_parameter_choice(App& app, const char* label, std::optional<PatternParameter>& chosen) {
+bool draw_parameter_choice(Ui& ui, const ShownMap& shown_map, const char* label,
+                           std::optional<PatternParameter>& chosen) {
     bool changed = false;
-    ImGui::SetNextItemWidth(170.0F * app.theme.scale);
+    ImGui::SetNextItemWidth(170.0F * ui.theme.scale);
     if (ImGui::BeginCombo(label, parameter_name(chosen))) {
         if (ImGui::Selectable("none", !chosen)) {
             chosen.reset();
             changed = true;
         }
         for (const PatternParameter parameter : kPatternParameters) {
-            if (!reach_of(app, parameter)) continue;
+            if (!reach_of(shown_map, parameter)) continue;
             if (ImGui::Selectable(traits(parameter).name, chosen == parameter)) {
                 chosen = parameter;
                 changed = true;
             }
-            note_item(app.rects, std::string(label) + ":" + traits(parameter).key);
+            note_item(ui.rects, std::string(label) + ":" + traits(parameter).key);
         }
         ImGui::EndCombo();
     }
-    note_item(app.rects, std::string("look:") + label, parameter_name(chosen));
+    note_item(ui.rects, std::string("look:") + label, parameter_name(chosen));
     return changed;
 }
 
-void draw_filter(App& app) {
-    MapLook& look = app.map_look;
-    if (draw_parameter_choice(app, "Only with", look.filter) && look.filter) {
-        look.passes = reach_of(app, *look.filter).value_or(Range{0.0, 0.0});
+void draw_filter(Ui& ui, ShownMap& shown_map) {
+    MapLook& look = shown_map.look;
+    if (draw_parameter_choice(ui, shown_map, "Only with", look.filter) && look.filter) {
+        look.passes = reach_of(shown_map, *look.filter).value_or(Range{0.0, 0.0});
     }
     if (!look.filter) return;
-    const auto reach = reach_of(app, *look.filter);
+    const auto reach = reach_of(shown_map, *look.filter);
     if (!reach) return;
     auto low = static_cast<float>(look.passes.low);
     auto high = static_cast<float>(look.passes.high);
     const auto least = static_cast<float>(reach->low);
     const auto most = static_cast<float>(reach->high);
-    ImGui::SetNextItemWidth(170.0F * app.theme.scale);
+    ImGui::SetNextItemWidth(170.0F * ui.theme.scale);
     const std::string format = std::string("%.3g ") + traits(*look.filter).unit;
     const float speed = std::max(1e-4F, (most - least) / 200.0F);
     if (ImGui::DragFloatRange2("from, to", &low, &high, speed, least, most, format.c_str(),
@@ -143,26 +147,29 @@ void draw_filter(App& app) {
         look.passes.low = low <= least ? reach->low : static_cast<double>(low);
         look.passes.high = high >= most ? reach->high : static_cast<double>(high);
     }
-    note_item(app.rects, "look:passes");
+    note_item(ui.rects, "look:passes");
 }
 
 }  // namespace
 
-MapDecor map_decor(App& app, const MapMarks& marks, std::vector<PatternLook>& looks) {
+MapDecor map_decor(const Ui& ui, ShownMap& shown_map, const MapMarks& marks,
+                   std::vector<PatternLook>& looks) {
     MapDecor decor{{}, {}, marks};
-    const MapLook& look = app.map_look;
+    const MapLook& look = shown_map.look;
     if (look.clusters > 1) {
-        colour_clusters(app, looks);
+        colour_clusters(ui, shown_map, looks);
     } else if (look.colour) {
-        colour_by(app, *look.colour, looks);
+        colour_by(ui, shown_map, *look.colour, looks);
     }
     if (look.path) {
-        if (app.paths.of != app.map.shown || app.paths.along != look.path) {
-            app.paths = {app.map.shown, look.path, paths_along(app, *look.path)};
+        if (shown_map.paths.of != shown_map.transition.shown ||
+            shown_map.paths.along != look.path) {
+            shown_map.paths = {shown_map.transition.shown, look.path,
+                               paths_along(shown_map, *look.path)};
         }
-        decor.paths = app.paths.paths;
+        decor.paths = shown_map.paths.paths;
     }
-    const auto& all = shown_vibrations(app);
+    const auto& all = shown_vibrations(shown_map);
     for (std::size_t k = 0; k < all.size() && look.filter; ++k) {
         const auto value = value_of(all[k], *look.filter);
         if (!value || !look.passes.contains(*value)) decor.faint.push_back(k);
@@ -180,43 +187,43 @@ void decorate(const MapDecor& decor, SpaceScene& scene) {
     scene.spread = decor.marks.spread;
 }
 
-void draw_map_look(App& app) {
+void draw_map_look(Ui& ui, ShownMap& shown_map) {
     constexpr const char* kLook = "Look...";
-    flow_on(ImGui::CalcTextSize(kLook).x, 2.0F * app.theme.gap_px);
+    flow_on(ImGui::CalcTextSize(kLook).x, 2.0F * ui.theme.gap_px);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    if (link(app, "map look", kLook)) ImGui::OpenPopup("map look");
-    note_item(app.rects, "link:map look");
-    draw_tooltip(app, "Colour, lines, filter and groups of the map.");
+    if (link(ui, "map look", kLook)) ImGui::OpenPopup("map look");
+    note_item(ui.rects, "link:map look");
+    draw_tooltip(ui, "Colour, lines, filter and groups of the map.");
     if (!ImGui::BeginPopup("map look")) return;
-    MapLook& look = app.map_look;
-    if (!app.map.shown) {
-        dim_text(app, "No map yet.");
+    MapLook& look = shown_map.look;
+    if (!shown_map.transition.shown) {
+        dim_text(ui, "No map yet.");
         ImGui::EndPopup();
         return;
     }
-    if (draw_parameter_choice(app, "Colour by", look.colour)) look.clusters = 0;
-    draw_parameter_choice(app, "Lines along", look.path);
-    draw_filter(app);
-    ImGui::SetNextItemWidth(170.0F * app.theme.scale);
+    if (draw_parameter_choice(ui, shown_map, "Colour by", look.colour)) look.clusters = 0;
+    draw_parameter_choice(ui, shown_map, "Lines along", look.path);
+    draw_filter(ui, shown_map);
+    ImGui::SetNextItemWidth(170.0F * ui.theme.scale);
     if (ImGui::SliderInt("Groups", &look.clusters, 0, kMostClusters,
                          look.clusters < 2 ? "none" : "%d", ImGuiSliderFlags_NoInput)) {
         if (look.clusters == 1) look.clusters = 0;
         if (look.clusters > 1) look.colour.reset();
     }
-    note_item(app.rects, "look:groups", std::to_string(look.clusters));
-    draw_tooltip(app, "Patterns that are close by PM, in one colour (average linkage).");
+    note_item(ui.rects, "look:groups", std::to_string(look.clusters));
+    draw_tooltip(ui, "Patterns that are close by PM, in one colour (average linkage).");
     ImGui::Checkbox("Pairs that are too close", &look.show_pairs);
     ImGui::Checkbox("Ellipses of uncertainty", &look.show_spread);
     ImGui::EndPopup();
 }
 
-void draw_map_legend(const App& app, const Rect& area) {
-    const MapLook& look = app.map_look;
-    if (!look.colour || look.clusters > 1 || !app.map.shown) return;
-    const auto reach = reach_of(app, *look.colour);
+void draw_map_legend(const Ui& ui, const ShownMap& shown_map, const Rect& area) {
+    const MapLook& look = shown_map.look;
+    if (!look.colour || look.clusters > 1 || !shown_map.transition.shown) return;
+    const auto reach = reach_of(shown_map, *look.colour);
     if (!reach) return;
-    const Theme& theme = app.theme;
+    const Theme& theme = ui.theme;
     const ParameterTraits& about = traits(*look.colour);
     const std::string unit = *about.unit == '\0' ? "" : std::string(" ") + about.unit;
     const std::string low = significant(reach->low);
@@ -247,24 +254,24 @@ void draw_map_legend(const App& app, const Rect& area) {
     draw_text(list, theme.fonts.small, {x + bar + gap, y}, theme.dim_text, high);
 }
 
-void draw_point_menu(App& app, const SpaceAction& action,
+void draw_point_menu(Ui& ui, Workspace& work, ShownMap& shown_map, const SpaceAction& action,
                      const std::vector<std::optional<std::size_t>>& places) {
     if (action.right_clicked && places[*action.right_clicked]) {
-        app.map_menu_of = *places[*action.right_clicked];
+        shown_map.menu_of = *places[*action.right_clicked];
         ImGui::OpenPopup("point menu");
     }
     if (!ImGui::BeginPopup("point menu")) return;
-    const std::size_t place = app.map_menu_of;
-    if (place < app.document.set.vibrations.size()) {
-        const Vibration& vibration = app.document.set.vibrations[place];
-        dim_text(app, vibration.name);
+    const std::size_t place = shown_map.menu_of;
+    if (place < work.document.set.vibrations.size()) {
+        const Vibration& vibration = work.document.set.vibrations[place];
+        dim_text(ui, vibration.name);
         const bool locks = ImGui::MenuItem(vibration.locked ? "Unlock" : "Lock: always pick it");
-        note_item(app.rects, "menu:lock");
+        note_item(ui.rects, "menu:lock");
         const bool drops = ImGui::MenuItem(vibration.dropped ? "Take back" : "Drop: never pick it");
-        note_item(app.rects, "menu:drop");
-        if (locks || drops) select_only(app, place);
-        if (locks) toggle_locked(app);
-        if (drops) toggle_dropped(app);
+        note_item(ui.rects, "menu:drop");
+        if (locks || drops) select_only(work, place);
+        if (locks) toggle_locked(ui, work);
+        if (drops) toggle_dropped(ui, work);
     }
     ImGui::EndPopup();
 }

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
+#include "app/ui/ui.h"
 #include "viz/space/space_view.h"
 
 namespace tact {
@@ -26,17 +28,18 @@ struct MapDecor {
 };
 
 // Looks are coloured anew where the person asked for that.
-MapDecor map_decor(App& app, const MapMarks& marks, std::vector<PatternLook>& looks);
+MapDecor map_decor(const Ui& ui, ShownMap& shown_map, const MapMarks& marks,
+                   std::vector<PatternLook>& looks);
 void decorate(const MapDecor& decor, SpaceScene& scene);
 
 // The link that opens the choices, for the row of the map's controls.
-void draw_map_look(App& app);
+void draw_map_look(Ui& ui, ShownMap& shown_map);
 
 // What the colours mean, in the upper right corner of the map.
-void draw_map_legend(const App& app, const Rect& area);
+void draw_map_legend(const Ui& ui, const ShownMap& shown_map, const Rect& area);
 
 // The menu of a point: lock, drop.
-void draw_point_menu(App& app, const SpaceAction& action,
+void draw_point_menu(Ui& ui, Workspace& work, ShownMap& shown_map, const SpaceAction& action,
                      const std::vector<std::optional<std::size_t>>& places);
 
 }  // namespace tact

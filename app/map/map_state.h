@@ -6,8 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "app/jobs/latest_job.h"
 #include "app/map/live_map.h"
 #include "model/pattern/pattern_parameter.h"
+#include "viz/space/space_view.h"
 
 namespace tact {
 
@@ -54,6 +56,24 @@ struct ShownPaths {
     std::shared_ptr<const LiveMap> of;
     std::optional<PatternParameter> along;
     std::vector<std::vector<std::size_t>> paths;
+};
+
+struct ShownMap {
+    std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> preview_job;
+    std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> full_job;
+    bool show_people = false;             // their map over the predicted one
+    std::optional<MapProgress> progress;  // while it is being computed
+    bool cancelled = false;               // by the person, until the next edit
+    std::uint64_t compute_large_of = 0;   // the document whose very large map was asked for
+    std::uint64_t maps_asked = 0;         // revision that maps were asked for last
+    MapTransition transition;
+    MapLook look;
+    ShownClusters clusters;
+    ShownPaths paths;
+    std::size_t menu_of = 0;  // the pattern whose menu is open in the map
+    SpaceCamera camera;
+    int dimensions = 3;
+    MatrixQuantity quantity = MatrixQuantity::pm;
 };
 
 }  // namespace tact

@@ -14,10 +14,10 @@ namespace tact {
 
 namespace {
 
-const Dissimilarity& shown_matrix(const App& app) {
-    const Prediction& prediction = app.map.shown->prediction;
-    if (app.matrix_quantity == MatrixQuantity::nc) return prediction.nc;
-    if (app.matrix_quantity == MatrixQuantity::oc) return prediction.oc;
+const Dissimilarity& shown_matrix(const ShownMap& shown_map) {
+    const Prediction& prediction = shown_map.transition.shown->prediction;
+    if (shown_map.quantity == MatrixQuantity::nc) return prediction.nc;
+    if (shown_map.quantity == MatrixQuantity::oc) return prediction.oc;
     return prediction.pm;
 }
 
@@ -27,22 +27,22 @@ const char* quantity_name(MatrixQuantity quantity) {
     return "PM";
 }
 
-void draw_choice(App& app) {
-    const float gap = 1.5F * app.theme.gap_px;
+void draw_choice(Ui& ui, ShownMap& shown_map) {
+    const float gap = 1.5F * ui.theme.gap_px;
     float all = 2.0F * gap;
     for (const auto q : {MatrixQuantity::pm, MatrixQuantity::nc, MatrixQuantity::oc}) {
-        all += radio_width(app, quantity_name(q));
+        all += radio_width(ui, quantity_name(q));
     }
     // Beside the tabs, on the line of their words, or all of them below.
     const float lower = 0.5F * (ImGui::GetFrameHeight() - ImGui::GetItemRectSize().y);
     const bool beside = flow_on(all, 2.0F * gap);
     if (beside) ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lower);
-    const auto choose = [&app, gap](MatrixQuantity quantity, const char* help) {
+    const auto choose = [&, gap](MatrixQuantity quantity, const char* help) {
         const char* name = quantity_name(quantity);
-        if (quantity != MatrixQuantity::pm) flow_on(radio_width(app, name), gap);
-        if (draw_radio(app, name, app.matrix_quantity == quantity)) app.matrix_quantity = quantity;
-        note_item(app.rects, std::string("radio:") + name);
-        draw_tooltip(app, help);
+        if (quantity != MatrixQuantity::pm) flow_on(radio_width(ui, name), gap);
+        if (draw_radio(ui, name, shown_map.quantity == quantity)) shown_map.quantity = quantity;
+        note_item(ui.rects, std::string("radio:") + name);
+        draw_tooltip(ui, help);
     };
     choose(MatrixQuantity::pm,
            "Predicted dissimilarity: the weighted ranks of NC and OC. It depends on the set: a "
@@ -52,10 +52,10 @@ void draw_choice(App& app) {
 }
 
 // The pair's numbers beneath the map: all three, so that PM explains itself.
-void draw_pair(App& app, const Rect& area, std::optional<Pair> pair,
+void draw_pair(Ui& ui, const ShownMap& shown_map, const Rect& area, std::optional<Pair> pair,
                const std::vector<std::string>& labels) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const Theme& theme = app.theme;
+    const Theme& theme = ui.theme;
     if (!pair) {
         const char* hint = "Point at a cell for its numbers; click one to select its row.";
         draw_text(list, theme.fonts.small, area.min, theme.dim_text,
@@ -63,7 +63,7 @@ void draw_pair(App& app, const Rect& area, std::optional<Pair> pair,
         return;
     }
     const auto [i, j] = *pair;
-    const Prediction& prediction = app.map.shown->prediction;
+    const Prediction& prediction = shown_map.transition.shown->prediction;
     const std::size_t m = prediction.pm.condensed.size();
     const std::size_t k = pair_index(prediction.pm.size, std::min(i, j), std::max(i, j));
     const std::string names = labels[i] + "   " + labels[j];
@@ -78,14 +78,14 @@ void draw_pair(App& app, const Rect& area, std::optional<Pair> pair,
     draw_text(list, theme.fonts.small,
               {area.min.x, area.min.y + ImGui::GetTextLineHeightWithSpacing()}, theme.dim_text,
               shortened(theme.fonts.small, numbers, area.width()));
-    note_rect(app.rects, "pair", area.min, area.max, names + "\t" + numbers);
+    note_rect(ui.rects, "pair", area.min, area.max, names + "\t" + numbers);
 }
 
 // The pair that the map joins by a line while one of its points is under the mouse: the cell of it.
-std::optional<Pair> pair_in_map(const App& app, const PatternSet& mapped) {
-    const Vibration* current = current_vibration(app);
-    const auto hovered = app.selection.hovered_last;
-    const auto& all = app.document.set.vibrations;
+std::optional<Pair> pair_in_map(const Workspace& work, const PatternSet& mapped) {
+    const Vibration* current = current_vibration(work);
+    const auto hovered = work.selection.hovered_last;
+    const auto& all = work.document.set.vibrations;
     if (current == nullptr || !hovered || *hovered >= all.size()) return std::nullopt;
     const auto a = place_named(mapped, current->name);
     const auto b = place_named(mapped, all[*hovered].name);
@@ -95,58 +95,59 @@ std::optional<Pair> pair_in_map(const App& app, const PatternSet& mapped) {
 
 }  // namespace
 
-void draw_matrix_panel(App& app) {
-    if (!app.as_picture) draw_choice(app);
+void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
+    if (!ui.as_picture) draw_choice(ui, shown_map);
     Rect area = rest_of_pane();
     if (area.empty()) return;
-    const bool has_pairs = app.map.shown && !app.map.shown->prediction.pm.condensed.empty();
-    if (!has_pairs || map_state(app) == MapState::too_large) {
-        const bool few = app.document.set.vibrations.size() < 2;
-        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area,
+    const bool has_pairs =
+        shown_map.transition.shown && !shown_map.transition.shown->prediction.pm.condensed.empty();
+    if (!has_pairs || map_state(work, shown_map) == MapState::too_large) {
+        const bool few = work.document.set.vibrations.size() < 2;
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area,
                    few ? "No pairs to compare" : "No matrix yet",
                    few ? "It takes two patterns to be alike or far apart."
                        : "It is computed together with the space above.");
         return;
     }
-    const PatternSet& mapped = *app.map.shown->request.set;
+    const PatternSet& mapped = *shown_map.transition.shown->request.set;
     const std::vector<std::string> labels = names_of(mapped);
     // Low panes need it for the map; the pair under the mouse is told there, too.
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    const bool has_foot = !app.as_picture && area.height() > 9.0F * line;
+    const bool has_foot = !ui.as_picture && area.height() > 9.0F * line;
     const float foot = has_foot ? 2.2F * line : 0.0F;
     Rect foot_area = area;
     foot_area.min.y = area.max.y - foot;
-    area.max.y = foot_area.min.y - app.theme.gap_px * 0.5F;
+    area.max.y = foot_area.min.y - ui.theme.gap_px * 0.5F;
 
     MatrixScene scene;
-    scene.condensed = shown_matrix(app).condensed;
+    scene.condensed = shown_matrix(shown_map).condensed;
     scene.labels = labels;
-    scene.quantity = quantity_name(app.matrix_quantity);
-    const PatternSet& set = app.document.set;
-    const Vibration* current = current_vibration(app);
+    scene.quantity = quantity_name(shown_map.quantity);
+    const PatternSet& set = work.document.set;
+    const Vibration* current = current_vibration(work);
     if (current != nullptr) scene.selected = place_named(mapped, current->name);
-    scene.pointed = pair_in_map(app, mapped);
+    scene.pointed = pair_in_map(work, mapped);
     note_rect(
-        app.rects, "view:Matrix", area.min, area.max,
+        ui.rects, "view:Matrix", area.min, area.max,
         scene.pointed ? labels[scene.pointed->first] + "|" + labels[scene.pointed->second] : "");
-    const MatrixAction action = draw_matrix("matrix", app.theme, area, scene);
+    const MatrixAction action = draw_matrix("matrix", ui.theme, area, scene);
     const auto place = [&](std::size_t row) { return place_named(set, labels[row]); };
     if (action.clicked) {
         const auto a = place(action.clicked->first);
         const auto b = place(action.clicked->second);
-        if (a && b) choose_pair(app, *a, *b);
+        if (a && b) choose_pair(work, *a, *b);
     }
     if (action.clicked_row) {
-        if (const auto row = place(*action.clicked_row)) select_only(app, *row);
+        if (const auto row = place(*action.clicked_row)) select_only(work, *row);
     }
     if (action.hovered) {
-        app.selection.hovered = place(action.hovered->second);
+        work.selection.hovered = place(action.hovered->second);
         const auto first = place(action.hovered->first);
-        if (first && app.selection.hovered) {
-            app.selection.hovered_pair = {*first, *app.selection.hovered};
+        if (first && work.selection.hovered) {
+            work.selection.hovered_pair = {*first, *work.selection.hovered};
         }
     }
-    if (has_foot) draw_pair(app, foot_area, action.hovered, labels);
+    if (has_foot) draw_pair(ui, shown_map, foot_area, action.hovered, labels);
 }
 
 }  // namespace tact

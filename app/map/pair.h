@@ -5,7 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
 
 namespace tact {
 
@@ -18,10 +19,11 @@ struct ChosenPair {
 };
 
 // Chosen by a click, else pinned, else the closest by PM. None with fewer than two patterns.
-std::optional<ChosenPair> chosen_pair(const App& app);
+std::optional<ChosenPair> chosen_pair(const Workspace& work, const ShownMap& shown_map);
 
 // Their rows in the map on screen, which there must be; none where it leaves one of them out.
-std::optional<std::pair<std::size_t, std::size_t>> rows_in_map(const App& app,
+std::optional<std::pair<std::size_t, std::size_t>> rows_in_map(const Workspace& work,
+                                                               const ShownMap& shown_map,
                                                                const ChosenPair& pair);
 
 }  // namespace tact

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <optional>
 
+#include "app/document/workspace.h"
 #include "app/map/map_look.h"
-#include "app/window/app.h"
+#include "app/map/map_state.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
@@ -15,6 +17,7 @@ struct SpacePaneAction {
     std::optional<std::size_t> double_clicked{};
 };
 
-SpacePaneAction draw_space_panel(App& app, const MapMarks& marks);
+SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
+                                 const MapMarks& marks);
 
 }  // namespace tact

@@ -19,14 +19,14 @@ namespace tact {
 namespace {
 
 // Until two colours are popped: what can be pressed or typed into stands out from the dialog.
-void push_field_colours(const App& app) {
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(app.theme));
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
+void push_field_colours(const Ui& ui) {
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
 }
 
 // Names of the two curves above their right end.
-void draw_names(App& app, const Plot& plot, const char* measured) {
-    const Theme& theme = app.theme;
+void draw_names(const Ui& ui, const Plot& plot, const char* measured) {
+    const Theme& theme = ui.theme;
     const ImFont* font = theme.fonts.small;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float x = plot.area.max.x;
@@ -40,14 +40,15 @@ void draw_names(App& app, const Plot& plot, const char* measured) {
 }
 
 // The measured signal over the intended one, on one scale.
-void draw_overlay(App& app, const Vibration& intended, const Twin& twin, bool synthetic) {
-    const Theme& theme = app.theme;
+void draw_overlay(Ui& ui, Workspace& work, const Vibration& intended, const Twin& twin,
+                  bool synthetic) {
+    const Theme& theme = ui.theme;
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const Rect outer = rect_at(corner, {width, 130.0F * theme.scale});
     ImGui::Dummy(outer.size());
-    note_rect(app.rects, "import:preview", outer.min, outer.max);
-    const Waveform& drawn = cached_waveform(app.cache, intended);
+    note_rect(ui.rects, "import:preview", outer.min, outer.max);
+    const Waveform& drawn = cached_waveform(work.cache, intended);
     const Waveform& measured = twin.alignment.waveform;
     const double most = std::max({peak_g(drawn), peak_g(measured), 1e-6});
     const PlotLabels labels{"s", "g"};
@@ -59,28 +60,28 @@ void draw_overlay(App& app, const Vibration& intended, const Twin& twin, bool sy
                 TraceStyle::line);
     draw_signal(list, theme, plot, measured.samples_g, measured.rate_hz, faded(theme.accent, 0.8F),
                 TraceStyle::line);
-    draw_names(app, plot, synthetic ? "synthetic" : "measured");
+    draw_names(ui, plot, synthetic ? "synthetic" : "measured");
 }
 
-void draw_empty_overlay(App& app, const char* title, const std::string& reason) {
+void draw_empty_overlay(const Ui& ui, const char* title, const std::string& reason) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const Rect area = rect_at(corner, {ImGui::GetContentRegionAvail().x, 130.0F * app.theme.scale});
+    const Rect area = rect_at(corner, {ImGui::GetContentRegionAvail().x, 130.0F * ui.theme.scale});
     ImGui::Dummy(area.size());
-    draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, title, reason);
+    draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, title, reason);
 }
 
 // The patterns that a recording can measure, and none of them. True when another was chosen.
-bool draw_pattern_choice(App& app, std::string& chosen, std::size_t row) {
+bool draw_pattern_choice(Ui& ui, const Workspace& work, std::string& chosen, std::size_t row) {
     bool changed = false;
     ImGui::SetNextItemWidth(-1.0F);
     const bool open = ImGui::BeginCombo("##pattern", chosen.empty() ? "leave out" : chosen.c_str());
-    note_item(app.rects, "import:pattern " + std::to_string(row), chosen);
+    note_item(ui.rects, "import:pattern " + std::to_string(row), chosen);
     if (!open) return false;
     if (ImGui::Selectable("leave out", chosen.empty())) {
         changed = !chosen.empty();
         chosen.clear();
     }
-    for (const Vibration& vibration : app.document.set.vibrations) {
+    for (const Vibration& vibration : work.document.set.vibrations) {
         if (measures_another(vibration)) continue;
         if (ImGui::Selectable(vibration.name.c_str(), vibration.name == chosen)) {
             changed = chosen != vibration.name;
@@ -96,17 +97,18 @@ const ImportedFile* answer_of(const ImportState& state, std::size_t k) {
     return &state.answer->files[k];
 }
 
-void draw_file_row(App& app, std::size_t k, bool& changed) {
-    ImportState& state = *app.import;
+void draw_file_row(Ui& ui, const Workspace& work, ImportState& importing, std::size_t k,
+                   bool& changed) {
+    ImportState& state = importing;
     ImGui::PushID(static_cast<int>(k));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const std::string name = state.files[k].filename().string();
     ImGui::AlignTextToFramePadding();
     if (ImGui::Selectable(name.c_str(), state.shown == k)) state.shown = k;
-    note_item(app.rects, "import:file " + std::to_string(k), name);
+    note_item(ui.rects, "import:file " + std::to_string(k), name);
     ImGui::TableNextColumn();
-    changed |= draw_pattern_choice(app, state.patterns[k], k);
+    changed |= draw_pattern_choice(ui, work, state.patterns[k], k);
     ImGui::TableNextColumn();
     const ImportedFile* file = answer_of(state, k);
     char text[64] = "";
@@ -120,20 +122,20 @@ void draw_file_row(App& app, std::size_t k, bool& changed) {
     const bool odd =
         file != nullptr &&
         (!file->fault.empty() || (file->twin && file->twin->alignment.correlation < kLeastAlike));
-    if (odd) ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+    if (odd) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text);
     if (odd) ImGui::PopStyleColor();
-    note_item(app.rects, "import:result " + std::to_string(k), text);
-    draw_tooltip(app,
+    note_item(ui.rects, "import:result " + std::to_string(k), text);
+    draw_tooltip(ui,
                  "How alike the recording and its pattern are: 1 is the same but for "
                  "strength, below 0.3 it is hardly a recording of it.");
     ImGui::PopID();
 }
 
-bool draw_files(App& app) {
+bool draw_files(Ui& ui, const Workspace& work, ImportState& importing) {
     bool changed = false;
-    const std::size_t rows = app.import->files.size();
+    const std::size_t rows = importing.files.size();
     const float height = ImGui::GetFrameHeightWithSpacing() *
                          static_cast<float>(std::clamp<std::size_t>(rows, 1, 6));
     constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
@@ -141,40 +143,40 @@ bool draw_files(App& app) {
         ImGui::TableSetupColumn("file", ImGuiTableColumnFlags_WidthStretch, 0.42F);
         ImGui::TableSetupColumn("pattern", ImGuiTableColumnFlags_WidthStretch, 0.34F);
         ImGui::TableSetupColumn("result", ImGuiTableColumnFlags_WidthStretch, 0.24F);
-        for (std::size_t k = 0; k < rows; ++k) draw_file_row(app, k, changed);
+        for (std::size_t k = 0; k < rows; ++k) draw_file_row(ui, work, importing, k, changed);
         ImGui::EndTable();
     }
     return changed;
 }
 
-bool draw_options(App& app) {
-    ImportState& state = *app.import;
+bool draw_options(Ui& ui, ImportState& importing) {
+    ImportState& state = importing;
     const bool has_wave = std::ranges::any_of(
         state.files, [](const auto& file) { return extension_of(file) == ".wav"; });
-    return draw_recording_fields(app, state.fields, has_wave);
+    return draw_recording_fields(ui, state.fields, has_wave);
 }
 
-void draw_shown_file(App& app) {
-    ImportState& state = *app.import;
+void draw_shown_file(Ui& ui, Workspace& work, ImportState& importing) {
+    ImportState& state = importing;
     state.shown = std::min(state.shown, state.files.size() - 1);
     const ImportedFile* file = answer_of(state, state.shown);
-    if (file == nullptr) return draw_empty_overlay(app, "Reading\u2026", "");
-    if (!file->fault.empty()) return draw_empty_overlay(app, "Cannot be read", file->fault);
+    if (file == nullptr) return draw_empty_overlay(ui, "Reading\u2026", "");
+    if (!file->fault.empty()) return draw_empty_overlay(ui, "Cannot be read", file->fault);
     const auto place =
-        file->twin ? place_named(app.document.set, state.patterns[state.shown]) : std::nullopt;
+        file->twin ? place_named(work.document.set, state.patterns[state.shown]) : std::nullopt;
     if (!place) {
-        return draw_empty_overlay(app, "No pattern chosen",
+        return draw_empty_overlay(ui, "No pattern chosen",
                                   "Which one was played when this was recorded?");
     }
-    draw_overlay(app, app.document.set.vibrations[*place], *file->twin, false);
+    draw_overlay(ui, work, work.document.set.vibrations[*place], *file->twin, false);
     std::string remarks;
     for (const std::string& remark : file->remarks) {
         remarks += (remarks.empty() ? "" : "; ") + remark;
     }
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(app, remarks);
+    dim_text(ui, remarks);
     ImGui::PopTextWrapPos();
-    note_item(app.rects, "import:remarks", remarks);
+    note_item(ui.rects, "import:remarks", remarks);
 }
 
 // How many would come into the set; none while one of them cannot.
@@ -198,44 +200,44 @@ void drop_left_out(ImportState& state) {
     }
 }
 
-void draw_import_dialog(App& app) {
-    if (!begin_dialog(app, "Import recordings")) return;
-    ImportState& state = *app.import;
-    push_field_colours(app);
-    dim_text(app, "Recordings by an accelerometer, and the pattern each measures");
-    const bool changed = draw_files(app);
-    if (draw_options(app) || changed) look_at_recordings(app);
-    draw_shown_file(app);
+void draw_import_dialog(Ui& ui, Workspace& work, ImportState& importing) {
+    if (!begin_dialog(ui, "Import recordings")) return;
+    ImportState& state = importing;
+    push_field_colours(ui);
+    dim_text(ui, "Recordings by an accelerometer, and the pattern each measures");
+    const bool changed = draw_files(ui, work, importing);
+    if (draw_options(ui, importing) || changed) look_at_recordings(ui, work, importing);
+    draw_shown_file(ui, work, importing);
     const std::size_t count = importable(state);
     const std::string action =
         count == 1 ? "Import 1 recording" : "Import " + std::to_string(count) + " recordings";
     const bool more = ImGui::Button("Add files...");
-    note_item(app.rects, "button:add files");
+    note_item(ui.rects, "button:add files");
     ImGui::SameLine();
     ImGui::PopStyleColor(2);
     if (more) {
-        app.dialog = Dialog::none;
+        ui.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
         state.adding = true;
-        return import_recordings_dialog(app);
+        return import_recordings_dialog(ui, work);
     }
-    if (!draw_ends(app, action.c_str(), count > 0)) return;
+    if (!draw_ends(ui, action.c_str(), count > 0)) return;
     drop_left_out(state);
-    take_recordings(app);
+    take_recordings(ui, work, importing);
 }
 
-bool draw_actuator(App& app, ActuatorParams& actuator) {
+bool draw_actuator(Ui& ui, ActuatorParams& actuator) {
     const ActuatorParams before = actuator;
-    draw_number_entry(app, "import:resonance", "Resonance", actuator.resonance_hz,
+    draw_number_entry(ui, "import:resonance", "Resonance", actuator.resonance_hz,
                       limits::kResonanceHz, "Hz");
-    draw_number_entry(app, "import:q", "Q", actuator.q, limits::kResonanceQ,
+    draw_number_entry(ui, "import:q", "Q", actuator.q, limits::kResonanceQ,
                       "how much stronger it moves there than far above");
-    draw_number_entry(app, "import:gain", "Gain", actuator.gain, limits::kActuatorGain,
+    draw_number_entry(ui, "import:gain", "Gain", actuator.gain, limits::kActuatorGain,
                       "far above the resonance; below, it falls");
-    draw_number_entry(app, "import:onset", "Onset", actuator.onset_s, limits::kOnsetS,
+    draw_number_entry(ui, "import:onset", "Onset", actuator.onset_s, limits::kOnsetS,
                       "s until the motion begins");
-    draw_number_entry(app, "import:noise", "Noise", actuator.noise_g, limits::kSensorNoiseG,
+    draw_number_entry(ui, "import:noise", "Noise", actuator.noise_g, limits::kSensorNoiseG,
                       "g rms");
     return actuator != before;
 }
@@ -248,46 +250,46 @@ bool is_sound(const ActuatorParams& actuator) {
            limits::kSensorNoiseG.contains(actuator.noise_g);
 }
 
-void draw_simulation_dialog(App& app) {
-    if (!begin_dialog(app, "Simulate measurement")) return;
-    ImportState& state = *app.import;
-    push_field_colours(app);
+void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
+    if (!begin_dialog(ui, "Simulate measurement")) return;
+    ImportState& state = importing;
+    push_field_colours(ui);
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(app,
+    dim_text(ui,
              "What an accelerometer on a resonant actuator might record. It is computed, no "
              "recording: its twins are called synthetic wherever they are shown.");
     ImGui::PopTextWrapPos();
-    const bool changed = draw_actuator(app, state.actuator);
+    const bool changed = draw_actuator(ui, state.actuator);
     const bool sound = is_sound(state.actuator);
-    if (changed && sound) look_at_simulation(app);
-    draw_chips_label(app, "Of");
-    if (draw_chip(app, "all", "all patterns", state.simulate_all)) state.simulate_all = true;
-    note_item(app.rects, "import:all");
-    ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
-    if (draw_chip(app, "selected", "the selected ones", !state.simulate_all)) {
+    if (changed && sound) look_at_simulation(ui, work, importing);
+    draw_chips_label(ui, "Of");
+    if (draw_chip(ui, "all", "all patterns", state.simulate_all)) state.simulate_all = true;
+    note_item(ui.rects, "import:all");
+    ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
+    if (draw_chip(ui, "selected", "the selected ones", !state.simulate_all)) {
         state.simulate_all = false;
     }
-    note_item(app.rects, "import:selected");
+    note_item(ui.rects, "import:selected");
     const auto& shown = state.simulated;
     if (shown && !shown->twins.empty()) {
         const Twin& twin = shown->twins.front();
         const auto place =
-            place_named(app.document.set, std::get<Measurement>(twin.vibration.source).measures);
-        if (place) draw_overlay(app, app.document.set.vibrations[*place], twin, true);
+            place_named(work.document.set, std::get<Measurement>(twin.vibration.source).measures);
+        if (place) draw_overlay(ui, work, work.document.set.vibrations[*place], twin, true);
     } else {
-        draw_empty_overlay(app, shown ? "No pattern selected" : "Computing\u2026",
+        draw_empty_overlay(ui, shown ? "No pattern selected" : "Computing\u2026",
                            shown ? "What measures another pattern has no twin itself." : "");
     }
     const bool any = state.simulate_all || (shown && !shown->twins.empty());
     ImGui::PopStyleColor(2);
-    if (draw_ends(app, "Add synthetic twins", sound && any)) take_simulation(app);
+    if (draw_ends(ui, "Add synthetic twins", sound && any)) take_simulation(ui, work, importing);
 }
 
 }  // namespace
 
-void draw_import_dialogs(App& app) {
-    if (app.dialog == Dialog::import_recordings) draw_import_dialog(app);
-    if (app.dialog == Dialog::simulate_measurement) draw_simulation_dialog(app);
+void draw_import_dialogs(Ui& ui, Workspace& work, ImportState& importing) {
+    if (ui.dialog == Dialog::import_recordings) draw_import_dialog(ui, work, importing);
+    if (ui.dialog == Dialog::simulate_measurement) draw_simulation_dialog(ui, work, importing);
 }
 
 }  // namespace tact

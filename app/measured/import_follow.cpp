@@ -90,61 +90,62 @@ std::optional<SimulationAnswer> simulate_all(const SimulationRequest& request, s
 }
 
 // Puts twins into the set they were asked for as one step and selects the first.
-void take(App& app, std::uint64_t document, const std::vector<const Twin*>& twins,
+void take(Ui& ui, Workspace& work, std::uint64_t document, const std::vector<const Twin*>& twins,
           const std::string& label) {
-    if (document != app.document_number) {
-        return complain(app, label +
-                                 ": nothing was added, as the set it was for is not open any "
-                                 "more. Open that one and ask again.");
+    if (document != work.document_number) {
+        return complain(ui, label +
+                                ": nothing was added, as the set it was for is not open any "
+                                "more. Open that one and ask again.");
     }
-    PatternSet& set = app.document.set;
+    PatternSet& set = work.document.set;
     std::size_t count = 0;
     for (const Twin* twin : twins) {
         const std::string& name = std::get<Measurement>(twin->vibration.source).measures;
         if (!place_named(set, name) || set.vibrations.size() >= limits::kMaxPatterns) continue;
         const std::size_t at = insert_twin(set, twin->vibration);
-        if (count++ == 0) select_only(app, at);
+        if (count++ == 0) select_only(work, at);
     }
-    if (count == 0) return complain(app, "Nothing was added: its patterns are gone.");
-    app.selection.scroll_to_current = true;
-    app.fonts_outdated = true;  // names may need other glyphs
-    document_changed(app);
-    commit_step(app, label);
+    if (count == 0) return complain(ui, "Nothing was added: its patterns are gone.");
+    work.selection.scroll_to_current = true;
+    ui.fonts_outdated = true;  // names may need other glyphs
+    document_changed(work);
+    commit_step(ui, work, label);
     const std::size_t gone = twins.size() - count;
-    say(app, label + ": " + std::to_string(count) + (count == 1 ? " twin" : " twins") +
-                 " beside the intended patterns" +
-                 (gone > 0 ? ", without " + std::to_string(gone) +
-                                 " whose patterns are gone, or for which there is no room"
-                           : "") +
-                 ". View > Intended only or Measured only shows one side.");
+    say(ui, label + ": " + std::to_string(count) + (count == 1 ? " twin" : " twins") +
+                " beside the intended patterns" +
+                (gone > 0 ? ", without " + std::to_string(gone) +
+                                " whose patterns are gone, or for which there is no room"
+                          : "") +
+                ". View > Intended only or Measured only shows one side.");
 }
 
-ImportRequest import_request(App& app, const fs::path& keep_in) {
-    ImportState& state = *app.import;
+ImportRequest import_request(const Workspace& work, ImportState& importing,
+                             const fs::path& keep_in) {
+    ImportState& state = importing;
     return {++state.asked,
-            app.document_number,
+            work.document_number,
             state.files,
             state.patterns,
             options_of(state.fields),
-            std::make_shared<const PatternSet>(app.document.set),
+            std::make_shared<const PatternSet>(work.document.set),
             keep_in};
 }
 
-SimulationRequest simulation_request(App& app, std::vector<std::size_t> places,
-                                     const fs::path& keep_in) {
-    ImportState& state = *app.import;
+SimulationRequest simulation_request(const Workspace& work, ImportState& importing,
+                                     std::vector<std::size_t> places, const fs::path& keep_in) {
+    ImportState& state = importing;
     return {++state.asked,
-            app.document_number,
+            work.document_number,
             std::move(places),
             state.actuator,
-            std::make_shared<const PatternSet>(app.document.set),
+            std::make_shared<const PatternSet>(work.document.set),
             keep_in};
 }
 
 template <class Request, class Answer, class Work>
-void ask_to_take(App& app, Takes<Request, Answer>& takes, Request request, Work work) {
+void ask_to_take(const Ui& ui, Takes<Request, Answer>& takes, Request request, Work work) {
     using Job = LatestJob<Request, Answer>;
-    if (!takes.job) takes.job = std::make_unique<Job>(JobPolicy::finish, work, app.wake);
+    if (!takes.job) takes.job = std::make_unique<Job>(JobPolicy::finish, work, ui.wake);
     takes.waiting.push_back(std::move(request));
     if (takes.waiting.size() == 1) takes.job->submit(takes.waiting.front());
 }
@@ -160,44 +161,38 @@ std::shared_ptr<const Answer> next_taken(Takes<Request, Answer>& takes) {
     return answer;
 }
 
-void take_import(App& app, const ImportAnswer& answer) {
+void take_import(Ui& ui, Workspace& work, const ImportAnswer& answer) {
     std::vector<const Twin*> twins;
     for (const ImportedFile& file : answer.files) {
-        if (!file.fault.empty()) return complain(app, "Not imported: " + file.fault);
+        if (!file.fault.empty()) return complain(ui, "Not imported: " + file.fault);
         if (file.twin) twins.push_back(&*file.twin);
     }
-    take(app, answer.request.document, twins,
+    take(ui, work, answer.request.document, twins,
          twins.size() == 1 ? "Import recording" : "Import recordings");
 }
 
-void take_simulated(App& app, const SimulationAnswer& answer) {
-    if (!answer.fault.empty()) return complain(app, "Not simulated: " + answer.fault);
+void take_simulated(Ui& ui, Workspace& work, const SimulationAnswer& answer) {
+    if (!answer.fault.empty()) return complain(ui, "Not simulated: " + answer.fault);
     std::vector<const Twin*> twins;
     for (const Twin& twin : answer.twins) twins.push_back(&twin);
-    take(app, answer.request.document, twins, "Simulate measurement");
+    take(ui, work, answer.request.document, twins, "Simulate measurement");
 }
 
 }  // namespace
 
-std::shared_ptr<ImportState> make_import() { return std::make_shared<ImportState>(); }
-
-void stop_import(App& app) {
-    if (!app.import) return;
-    app.import->import_job.reset();
-    app.import->simulation_job.reset();
-    app.import->import_takes.job.reset();
-    app.import->simulation_takes.job.reset();
+void stop_import(ImportState& importing) {
+    importing.import_job.reset();
+    importing.simulation_job.reset();
+    importing.import_takes.job.reset();
+    importing.simulation_takes.job.reset();
 }
 
-bool is_taking(const App& app) {
-    if (!app.import) return false;  // of a picture
-    return !(app.import->import_takes.waiting.empty() &&
-             app.import->simulation_takes.waiting.empty());
+bool is_taking(const ImportState& importing) {
+    return !(importing.import_takes.waiting.empty() && importing.simulation_takes.waiting.empty());
 }
 
-void follow_import(App& app) {
-    if (!app.import) return;  // of a picture
-    ImportState& state = *app.import;
+void follow_import(Ui& ui, Workspace& work, ImportState& importing) {
+    ImportState& state = importing;
     if (state.import_job) {
         if (auto answer = state.import_job->latest()) state.answer = std::move(answer);
     }
@@ -205,34 +200,34 @@ void follow_import(App& app) {
         if (auto answer = state.simulation_job->latest()) state.simulated = std::move(answer);
     }
     // The chooser was left without a file.
-    if (state.adding && !app.chooser.is_open && app.dialog == Dialog::none) {
+    if (state.adding && !ui.chooser.is_open && ui.dialog == Dialog::none) {
         state.adding = false;
-        app.dialog = Dialog::import_recordings;
+        ui.dialog = Dialog::import_recordings;
     }
-    if (const auto taken = next_taken(state.import_takes)) take_import(app, *taken);
-    if (const auto taken = next_taken(state.simulation_takes)) take_simulated(app, *taken);
+    if (const auto taken = next_taken(state.import_takes)) take_import(ui, work, *taken);
+    if (const auto taken = next_taken(state.simulation_takes)) take_simulated(ui, work, *taken);
 }
 
-void import_recordings_dialog(App& app) {
-    ask_for_file(app,
+void import_recordings_dialog(Ui& ui, const Workspace& work) {
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::import_recordings,
                   .use = ChooserUse::open,
                   .title = "Import a recording, or a folder of them",
                   .extensions = {".csv", ".txt", ".wav"},
                   .folders_too = true},
-                 app.document.path.parent_path());
+                 work.document.path.parent_path());
 }
 
-void import_recordings(App& app, const std::vector<fs::path>& paths) {
+void import_recordings(Ui& ui, const Workspace& work, ImportState& importing,
+                       const std::vector<fs::path>& paths) {
     const std::vector<fs::path> files = files_of(paths);
     if (files.empty()) {
-        return complain(app, "No recording there: expected .csv, .txt or .wav files");
+        return complain(ui, "No recording there: expected .csv, .txt or .wav files");
     }
-    if (app.document.set.vibrations.empty()) {
-        return complain(app,
-                        "A recording is imported as a measurement of a pattern: there is none");
+    if (work.document.set.vibrations.empty()) {
+        return complain(ui, "A recording is imported as a measurement of a pattern: there is none");
     }
-    ImportState& state = *app.import;
+    ImportState& state = importing;
     if (!std::exchange(state.adding, false)) {
         state.files.clear();
         state.patterns.clear();
@@ -240,12 +235,12 @@ void import_recordings(App& app, const std::vector<fs::path>& paths) {
     }
     state.shown = state.files.size();
     for (const fs::path& file : files) {
-        const auto place = guessed_intended(app.document.set, valid_utf8(file.stem().string()));
+        const auto place = guessed_intended(work.document.set, valid_utf8(file.stem().string()));
         state.files.push_back(file);
-        state.patterns.push_back(place ? app.document.set.vibrations[*place].name : "");
+        state.patterns.push_back(place ? work.document.set.vibrations[*place].name : "");
     }
-    app.dialog = Dialog::import_recordings;
-    look_at_recordings(app);
+    ui.dialog = Dialog::import_recordings;
+    look_at_recordings(ui, work, importing);
 }
 
 bool are_accelerations(const std::vector<fs::path>& paths) {
@@ -254,42 +249,42 @@ bool are_accelerations(const std::vector<fs::path>& paths) {
     return text && parse_acceleration_table(*text, "", true);
 }
 
-void simulate_measurement_dialog(App& app) {
-    app.dialog = Dialog::simulate_measurement;
-    app.import->simulated.reset();
-    look_at_simulation(app);
+void simulate_measurement_dialog(Ui& ui, const Workspace& work, ImportState& importing) {
+    ui.dialog = Dialog::simulate_measurement;
+    importing.simulated.reset();
+    look_at_simulation(ui, work, importing);
 }
 
-void look_at_recordings(App& app) {
-    ImportState& state = *app.import;
+void look_at_recordings(const Ui& ui, const Workspace& work, ImportState& importing) {
+    ImportState& state = importing;
     using Job = LatestJob<ImportRequest, ImportAnswer>;
     if (!state.import_job) {
-        state.import_job = std::make_unique<Job>(JobPolicy::supersede, import_all, app.wake);
+        state.import_job = std::make_unique<Job>(JobPolicy::supersede, import_all, ui.wake);
     }
-    state.import_job->submit(import_request(app, {}));
+    state.import_job->submit(import_request(work, importing, {}));
 }
 
-void take_recordings(App& app) {
-    const fs::path folder = measured_folder(app.session);
-    if (folder.empty()) return complain(app, "Not imported: there is no folder to keep it in");
-    ask_to_take(app, app.import->import_takes, import_request(app, folder), import_all);
+void take_recordings(Ui& ui, const Workspace& work, ImportState& importing) {
+    const fs::path folder = measured_folder(work.session);
+    if (folder.empty()) return complain(ui, "Not imported: there is no folder to keep it in");
+    ask_to_take(ui, importing.import_takes, import_request(work, importing, folder), import_all);
 }
 
-void look_at_simulation(App& app) {
-    ImportState& state = *app.import;
+void look_at_simulation(const Ui& ui, const Workspace& work, ImportState& importing) {
+    ImportState& state = importing;
     using Job = LatestJob<SimulationRequest, SimulationAnswer>;
     if (!state.simulation_job) {
-        state.simulation_job = std::make_unique<Job>(JobPolicy::supersede, simulate_all, app.wake);
+        state.simulation_job = std::make_unique<Job>(JobPolicy::supersede, simulate_all, ui.wake);
     }
-    state.simulation_job->submit(simulation_request(app, {app.selection.current}, {}));
+    state.simulation_job->submit(simulation_request(work, importing, {work.selection.current}, {}));
 }
 
-void take_simulation(App& app) {
-    const fs::path folder = measured_folder(app.session);
-    if (folder.empty()) return complain(app, "Not simulated: there is no folder to keep it in");
+void take_simulation(Ui& ui, const Workspace& work, ImportState& importing) {
+    const fs::path folder = measured_folder(work.session);
+    if (folder.empty()) return complain(ui, "Not simulated: there is no folder to keep it in");
     std::vector<std::size_t> places;
-    if (!app.import->simulate_all) places = selected_indices(app);
-    ask_to_take(app, app.import->simulation_takes, simulation_request(app, places, folder),
+    if (!importing.simulate_all) places = selected_indices(work);
+    ask_to_take(ui, importing.simulation_takes, simulation_request(work, importing, places, folder),
                 simulate_all);
 }
 

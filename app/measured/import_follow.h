@@ -6,34 +6,35 @@
 #include <filesystem>
 #include <vector>
 
+#include "app/document/workspace.h"
 #include "app/measured/import_state.h"
-#include "app/window/app.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
-std::shared_ptr<ImportState> make_import();
-void stop_import(App& app);
+void stop_import(ImportState& importing);
 
 // Takes what was read or simulated; what was to go into the set does, as one step, unless another
 // set is open by then.
-void follow_import(App& app);
-bool is_taking(const App& app);  // something is still to go into the set
+void follow_import(Ui& ui, Workspace& work, ImportState& importing);
+bool is_taking(const ImportState& importing);  // something is still to go into the set
 
 // Choosing recordings, then the dialog on them.
-void import_recordings_dialog(App& app);
-void import_recordings(App& app, const std::vector<std::filesystem::path>& paths);
+void import_recordings_dialog(Ui& ui, const Workspace& work);
+void import_recordings(Ui& ui, const Workspace& work, ImportState& importing,
+                       const std::vector<std::filesystem::path>& paths);
 
 // Whether these are tables of accelerations rather than of ratings.
 bool are_accelerations(const std::vector<std::filesystem::path>& paths);
 
-void simulate_measurement_dialog(App& app);
+void simulate_measurement_dialog(Ui& ui, const Workspace& work, ImportState& importing);
 
 // What the dialogs ask for: a look, or twins in the set.
-void look_at_recordings(App& app);
-void take_recordings(App& app);
-void look_at_simulation(App& app);
-void take_simulation(App& app);
+void look_at_recordings(const Ui& ui, const Workspace& work, ImportState& importing);
+void take_recordings(Ui& ui, const Workspace& work, ImportState& importing);
+void look_at_simulation(const Ui& ui, const Workspace& work, ImportState& importing);
+void take_simulation(Ui& ui, const Workspace& work, ImportState& importing);
 
-void draw_import_dialogs(App& app);
+void draw_import_dialogs(Ui& ui, Workspace& work, ImportState& importing);
 
 }  // namespace tact

@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path model_folder(const App& app) {
-    return app.session.folder.empty() ? fs::path{} : app.session.folder / "models";
+fs::path model_folder(const Workspace& work) {
+    return work.session.folder.empty() ? fs::path{} : work.session.folder / "models";
 }
 
 // Trained on the same, at whatever time.
@@ -39,13 +39,14 @@ std::string file_stem_of(std::string name) {
     return name.empty() ? "trained" : name;
 }
 
-Expected<Done> keep_model(App& app, const std::string& name, const ModelFile& content) {
-    const fs::path folder = model_folder(app);
+Expected<Done> keep_model(Ui& ui, const Workspace& work, ModelBench& model_bench,
+                          const std::string& name, const ModelFile& content) {
+    const fs::path folder = model_folder(work);
     if (folder.empty()) return Done{};
     const auto is_same = [&](const KeptModel& one) {
         return one.content.model == content.model && same_source(one.content, content);
     };
-    if (std::ranges::any_of(kept_models(app), is_same)) return Done{};
+    if (std::ranges::any_of(kept_models(ui, work, model_bench), is_same)) return Done{};
     if (const auto made = make_folder(folder); !made) return made;
     const std::string stem = file_stem_of(name);
     fs::path file = folder / (stem + kModelEnding);
@@ -54,23 +55,23 @@ Expected<Done> keep_model(App& app, const std::string& name, const ModelFile& co
         file = folder / (stem + " " + std::to_string(k) + kModelEnding);
     }
     if (const auto written = write_model_file(file, content); !written) return written;
-    app.training->kept_were_read = false;
+    model_bench.training.kept_were_read = false;
     return Done{};
 }
 
-const std::vector<KeptModel>& kept_models(App& app) {
-    TrainingState& state = *app.training;
+const std::vector<KeptModel>& kept_models(Ui& ui, const Workspace& work, ModelBench& model_bench) {
+    TrainingState& state = model_bench.training;
     if (state.kept_were_read) return state.kept;
     state.kept_were_read = true;
     state.kept.clear();
     std::error_code fault;
-    for (fs::directory_iterator entry(model_folder(app), fault), end; !fault && entry != end;
+    for (fs::directory_iterator entry(model_folder(work), fault), end; !fault && entry != end;
          entry.increment(fault)) {
         const fs::path file = entry->path();
         if (file.extension() != ".json") continue;
         auto content = read_model_file(file);
         if (!content) {
-            complain(app, content.error().message);
+            complain(ui, content.error().message);
             continue;
         }
         state.kept.push_back({name_of_kept(file), file, *std::move(content)});
@@ -79,30 +80,31 @@ const std::vector<KeptModel>& kept_models(App& app) {
     return state.kept;
 }
 
-void use_model(App& app, const PerceptualModelParams& model, const std::string& what) {
-    if (app.document.set.model == model) return say(app, "These parameters are in use already.");
-    app.document.set.model = model;
-    document_changed(app);
-    commit_step(app, "Use " + what);
-    say(app, "In use: " + what + ". Undo brings the others back.");
+void use_model(Ui& ui, Workspace& work, const PerceptualModelParams& model,
+               const std::string& what) {
+    if (work.document.set.model == model) return say(ui, "These parameters are in use already.");
+    work.document.set.model = model;
+    document_changed(work);
+    commit_step(ui, work, "Use " + what);
+    say(ui, "In use: " + what + ". Undo brings the others back.");
 }
 
-void load_model_dialog(App& app) {
-    ask_for_file(app,
+void load_model_dialog(Ui& ui, const Workspace& work) {
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::load_model,
                   .use = ChooserUse::open,
                   .title = "Load parameters of the model",
                   .extensions = {".json"}},
-                 app.document.path.parent_path());
+                 work.document.path.parent_path());
 }
 
-void load_model(App& app, const fs::path& path) {
+void load_model(Ui& ui, Workspace& work, ModelBench& model_bench, const fs::path& path) {
     const auto content = read_model_file(path);
-    if (!content) return complain(app, content.error().message);
+    if (!content) return complain(ui, content.error().message);
     const std::string name = name_of_kept(path);
-    const auto kept = keep_model(app, name, *content);
-    use_model(app, content->model, "the parameters " + name);
-    if (!kept) complain(app, "In use, but not kept for other sets: " + kept.error().message);
+    const auto kept = keep_model(ui, work, model_bench, name, *content);
+    use_model(ui, work, content->model, "the parameters " + name);
+    if (!kept) complain(ui, "In use, but not kept for other sets: " + kept.error().message);
 }
 
 }  // namespace tact

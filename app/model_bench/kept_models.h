@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "app/document/workspace.h"
+#include "app/model_bench/model_state.h"
 #include "app/model_bench/training_state.h"
-#include "app/window/app.h"
+#include "app/ui/ui.h"
 #include "model/io/set/model_file.h"
 
 namespace tact {
@@ -20,16 +22,19 @@ inline constexpr const char* kModelEnding = ".model.json";
 std::string file_stem_of(std::string name);
 
 // Read once, by name; empty without a folder to keep them in.
-const std::vector<KeptModel>& kept_models(App& app);
+const std::vector<KeptModel>& kept_models(Ui& ui, const Workspace& work, ModelBench& model_bench);
 
 // Under a name that no other has; one that is there already stays. An Error changes nothing.
-Expected<Done> keep_model(App& app, const std::string& name, const ModelFile& content);
+Expected<Done> keep_model(Ui& ui, const Workspace& work, ModelBench& model_bench,
+                          const std::string& name, const ModelFile& content);
 
 // The document's model, as one step. `what`: "the paper's parameters".
-void use_model(App& app, const PerceptualModelParams& model, const std::string& what);
+void use_model(Ui& ui, Workspace& work, const PerceptualModelParams& model,
+               const std::string& what);
 
 // From a file, to be kept and used.
-void load_model_dialog(App& app);
-void load_model(App& app, const std::filesystem::path& path);
+void load_model_dialog(Ui& ui, const Workspace& work);
+void load_model(Ui& ui, Workspace& work, ModelBench& model_bench,
+                const std::filesystem::path& path);
 
 }  // namespace tact

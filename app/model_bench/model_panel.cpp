@@ -209,81 +209,83 @@ const std::array<NumberRow, 9> kNumbers{{
      [](Model& m, double v) { m.coding.silent_energy_fraction = v; }},
 }};
 
-void change_model(App& app, const std::function<void(Model&)>& change) {
-    change(app.document.set.model);
-    document_changed(app);
+void change_model(Workspace& work, const std::function<void(Model&)>& change) {
+    change(work.document.set.model);
+    document_changed(work);
 }
 
-void commit_model(App& app, const std::string& what) { commit_step(app, "Change " + what); }
+void commit_model(Ui& ui, Workspace& work, const std::string& what) {
+    commit_step(ui, work, "Change " + what);
+}
 
 // After a row that was changed: what it was, and the way back. True when pressed.
-bool draw_way_back(App& app, const char* id, bool changed, const std::string& original) {
+bool draw_way_back(Ui& ui, const char* id, bool changed, const std::string& original) {
     if (!changed) return false;
-    flow_on(ImGui::CalcTextSize(original.c_str()).x, app.theme.gap_px * 0.5F);
+    flow_on(ImGui::CalcTextSize(original.c_str()).x, ui.theme.gap_px * 0.5F);
     ImGui::PushID(id);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    const bool pressed = link(app, "back", original);
-    note_item(app.rects, std::string("reset:") + id, original);
-    draw_tooltip(app, "Changed. Click to go back to this value.");
+    const bool pressed = link(ui, "back", original);
+    note_item(ui.rects, std::string("reset:") + id, original);
+    draw_tooltip(ui, "Changed. Click to go back to this value.");
     ImGui::PopID();
     return pressed;
 }
 
-void draw_number(App& app, const NumberRow& row, const Model& original) {
-    const double before = row.get(app.document.set.model);
+void draw_number(Ui& ui, Workspace& work, const NumberRow& row, const Model& original) {
+    const double before = row.get(work.document.set.model);
     const double known = row.get(original);
     double value = before;
-    const float room = 56.0F * app.theme.scale;
+    const float room = 56.0F * ui.theme.scale;
     ImGui::BeginGroup();
     Field field = row.field;
     field.right_room_px = room;
-    const FieldEdit edit = draw_field(app, field, value);
+    const FieldEdit edit = draw_field(ui, field, value);
     ImGui::EndGroup();
-    if (edit.changed) change_model(app, [&](Model& m) { row.set(m, value); });
-    if (edit.finished) commit_model(app, row.field.label);
+    if (edit.changed) change_model(work, [&](Model& m) { row.set(m, value); });
+    if (edit.finished) commit_model(ui, work, row.field.label);
     char text[32];
     std::snprintf(text, sizeof text, row.field.format, known);
-    if (draw_way_back(app, row.field.id, before != known, text)) {
-        change_model(app, [&](Model& m) { row.set(m, known); });
-        commit_model(app, row.field.label);
+    if (draw_way_back(ui, row.field.id, before != known, text)) {
+        change_model(work, [&](Model& m) { row.set(m, known); });
+        commit_model(ui, work, row.field.label);
     }
 }
 
-void draw_choice(App& app, const ChoiceRow& row, const Model& original) {
-    const int before = row.get(app.document.set.model);
+void draw_choice(Ui& ui, Workspace& work, const ChoiceRow& row, const Model& original) {
+    const int before = row.get(work.document.set.model);
     const int known = row.get(original);
     ImGui::PushID(row.id);
-    const float gap = 1.5F * app.theme.gap_px;
-    draw_label(app, row.label,
-               radio_width(app, row.options[0]) + gap + radio_width(app, row.options[1]));
-    draw_tooltip(app, row.help);
+    const float gap = 1.5F * ui.theme.gap_px;
+    draw_label(ui, row.label,
+               radio_width(ui, row.options[0]) + gap + radio_width(ui, row.options[1]));
+    draw_tooltip(ui, row.help);
     for (int k = 0; k < 2; ++k) {
         const char* option = row.options[static_cast<std::size_t>(k)];
-        if (k > 0) flow_on(radio_width(app, option), gap);
-        if (draw_radio(app, option, before == k) && before != k) {
-            change_model(app, [&](Model& m) { row.set(m, k); });
-            commit_model(app, row.label);
+        if (k > 0) flow_on(radio_width(ui, option), gap);
+        if (draw_radio(ui, option, before == k) && before != k) {
+            change_model(work, [&](Model& m) { row.set(m, k); });
+            commit_model(ui, work, row.label);
         }
-        note_item(app.rects, std::string("choice:") + row.id + " " + option,
+        note_item(ui.rects, std::string("choice:") + row.id + " " + option,
                   before == k ? "chosen" : "");
-        draw_tooltip(app, row.help);
+        draw_tooltip(ui, row.help);
     }
-    if (draw_way_back(app, row.id, before != known, row.options[static_cast<std::size_t>(known)])) {
-        change_model(app, [&](Model& m) { row.set(m, known); });
-        commit_model(app, row.label);
+    if (draw_way_back(ui, row.id, before != known, row.options[static_cast<std::size_t>(known)])) {
+        change_model(work, [&](Model& m) { row.set(m, known); });
+        commit_model(ui, work, row.label);
     }
     ImGui::PopID();
 }
 
-void draw_heading(App& app, const char* text, const char* detail) {
-    ImGui::Dummy({1.0F, app.theme.gap_px * 0.5F});
-    ImGui::PushFont(app.theme.fonts.semibold);
+void draw_heading(const Ui& ui, const char* text, const char* detail) {
+    ImGui::Dummy({1.0F, ui.theme.gap_px * 0.5F});
+    ImGui::PushFont(ui.theme.fonts.semibold);
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
-    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::PushFont(ui.theme.fonts.small);
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(app, detail);
+    dim_text(ui, detail);
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
 }
@@ -301,11 +303,11 @@ int count_changed(const Model& model, const Model& original) {
     return count;
 }
 
-void draw_summary(App& app, const Model& original) {
-    const int changed = count_changed(app.document.set.model, original);
+void draw_summary(Ui& ui, Workspace& work, const Model& original) {
+    const int changed = count_changed(work.document.set.model, original);
     if (changed == 0) {
         ImGui::PushTextWrapPos(0.0F);
-        dim_text(app,
+        dim_text(ui,
                  "As published: trained parameters of the paper, choices of ours where it "
                  "leaves one open.");
         ImGui::PopTextWrapPos();
@@ -314,51 +316,52 @@ void draw_summary(App& app, const Model& original) {
     char text[96];
     std::snprintf(text, sizeof text,
                   changed == 1 ? "%d parameter changed." : "%d parameters changed.", changed);
-    ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();
-    note_item(app.rects, "model:changed", std::to_string(changed));
+    note_item(ui.rects, "model:changed", std::to_string(changed));
     constexpr const char* kBack = "Back to the paper's";
-    flow_on(ImGui::CalcTextSize(kBack).x, app.theme.gap_px);
-    if (link(app, "reset model", kBack)) {
-        change_model(app, [&](Model& m) { m = original; });
-        commit_model(app, "the model back to the paper's");
+    flow_on(ImGui::CalcTextSize(kBack).x, ui.theme.gap_px);
+    if (link(ui, "reset model", kBack)) {
+        change_model(work, [&](Model& m) { m = original; });
+        commit_model(ui, work, "the model back to the paper's");
     }
-    note_item(app.rects, "reset:model");
+    note_item(ui.rects, "reset:model");
 }
 
-void draw_views(App& app) {
-    const auto view = [&app](ModelView which, const char* name) {
-        if (draw_chip(app, name, name, app.model_panel.view == which)) app.model_panel.view = which;
-        note_item(app.rects, std::string("model:") + name);
+void draw_views(Ui& ui, ModelBench& model_bench) {
+    const auto view = [&](ModelView which, const char* name) {
+        if (draw_chip(ui, name, name, model_bench.panel.view == which))
+            model_bench.panel.view = which;
+        note_item(ui.rects, std::string("model:") + name);
     };
     view(ModelView::parameters, "Parameters");
-    flow_on(chip_width(app, "Train on ratings"), 2.0F * app.theme.scale);
+    flow_on(chip_width(ui, "Train on ratings"), 2.0F * ui.theme.scale);
     view(ModelView::training, "Train on ratings");
     ImGui::Dummy({1.0F, 1.0F});
 }
 
 }  // namespace
 
-void draw_model_panel(App& app) {
-    draw_views(app);
-    if (app.model_panel.view == ModelView::training) return draw_training(app);
+void draw_model_panel(Ui& ui, Workspace& work, ModelBench& model_bench) {
+    draw_views(ui, model_bench);
+    if (model_bench.panel.view == ModelView::training) return draw_training(ui, work, model_bench);
     const Model original;
     ImGui::BeginChild("parameters", ImGui::GetContentRegionAvail());
-    draw_hint(app, "model",
+    draw_hint(ui, "model",
               "Every number here changes the prediction at once, for this set only. Changed ones "
               "show what they were; click it to go back.");
-    draw_model_choice(app);
-    draw_summary(app, original);
-    draw_heading(app, "Trained in the paper",
+    draw_model_choice(ui, work, model_bench);
+    draw_summary(ui, work, original);
+    draw_heading(ui, "Trained in the paper",
                  "With the authors' own tables and kernels; with ours they are a starting point.");
-    for (const NumberRow& row : kTrained) draw_number(app, row, original);
-    draw_heading(app, "Choices of ours", "Where the paper leaves a choice open.");
-    for (const ChoiceRow& row : kChoices) draw_choice(app, row, original);
-    for (const NumberRow& row : kNumbers) draw_number(app, row, original);
-    draw_heading(app, "Physiology tables",
+    for (const NumberRow& row : kTrained) draw_number(ui, work, row, original);
+    draw_heading(ui, "Choices of ours", "Where the paper leaves a choice open.");
+    for (const ChoiceRow& row : kChoices) draw_choice(ui, work, row, original);
+    for (const NumberRow& row : kNumbers) draw_number(ui, work, row, original);
+    draw_heading(ui, "Physiology tables",
                  "Rebuilt from published rates and slopes; the original figures were not at hand.");
-    draw_table_fields(app, original.coding.tables);
+    draw_table_fields(ui, work, model_bench, original.coding.tables);
     ImGui::EndChild();
 }
 

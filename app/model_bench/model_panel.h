@@ -2,13 +2,16 @@
 // fitting them to ratings.
 #pragma once
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/model_bench/model_state.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
-void draw_model_panel(App& app);
-void draw_table_fields(App& app, const PhysiologyTables& original);
-void draw_model_choice(App& app);
-void draw_training(App& app);
+void draw_model_panel(Ui& ui, Workspace& work, ModelBench& model_bench);
+void draw_table_fields(Ui& ui, Workspace& work, ModelBench& model_bench,
+                       const PhysiologyTables& original);
+void draw_model_choice(Ui& ui, Workspace& work, ModelBench& model_bench);
+void draw_training(Ui& ui, Workspace& work, ModelBench& model_bench);
 
 }  // namespace tact

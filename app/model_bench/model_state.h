@@ -1,6 +1,7 @@
 // Which part of the model the bench shows.
 #pragma once
 
+#include "app/model_bench/training_state.h"
 #include "model/physiology/mechanoreceptor.h"
 
 namespace tact {
@@ -12,6 +13,11 @@ struct ModelPanelState {
     ModelView view = ModelView::parameters;
     Receptor type = Receptor::pacinian;
     bool threshold = true;  // or slope
+};
+
+struct ModelBench {
+    ModelPanelState panel;
+    TrainingState training;
 };
 
 }  // namespace tact

@@ -24,26 +24,27 @@ const Curve& curve_of(const PhysiologyTables& tables, bool threshold, Receptor t
     return threshold ? tables.threshold[index_of(type)] : tables.slope[index_of(type)];
 }
 
-void draw_choices(App& app) {
-    ModelPanelState& state = app.model_panel;
-    const float gap = 1.5F * app.theme.gap_px;
+void draw_choices(Ui& ui, ModelBench& model_bench) {
+    ModelPanelState& state = model_bench.panel;
+    const float gap = 1.5F * ui.theme.gap_px;
     for (const Receptor receptor : kReceptors) {
         const char* name = traits(receptor).name;
-        if (receptor != kReceptors[0]) flow_on(radio_width(app, name), gap);
-        if (draw_radio(app, name, state.type == receptor)) state.type = receptor;
-        note_item(app.rects, std::string("table:") + traits(receptor).afferent);
+        if (receptor != kReceptors[0]) flow_on(radio_width(ui, name), gap);
+        if (draw_radio(ui, name, state.type == receptor)) state.type = receptor;
+        note_item(ui.rects, std::string("table:") + traits(receptor).afferent);
     }
-    if (draw_radio(app, "threshold", state.threshold)) state.threshold = true;
-    flow_on(radio_width(app, "slope"), gap);
-    if (draw_radio(app, "slope", !state.threshold)) state.threshold = false;
-    note_item(app.rects, "table:slope");
+    if (draw_radio(ui, "threshold", state.threshold)) state.threshold = true;
+    flow_on(radio_width(ui, "slope"), gap);
+    if (draw_radio(ui, "slope", !state.threshold)) state.threshold = false;
+    note_item(ui.rects, "table:slope");
 }
 
 // One knot: its frequency, its value, and what it was.
-void draw_knot(App& app, std::size_t k, const Curve& original) {
-    const ModelPanelState& state = app.model_panel;
+void draw_knot(Ui& ui, Workspace& work, const ModelBench& model_bench, std::size_t k,
+               const Curve& original) {
+    const ModelPanelState& state = model_bench.panel;
     const Curve& curve =
-        curve_of(app.document.set.model.coding.tables, state.threshold, state.type);
+        curve_of(work.document.set.model.coding.tables, state.threshold, state.type);
     char label[32];
     std::snprintf(label, sizeof label, "%.4g Hz", curve.frequency_hz[k]);
     const std::string id = "knot_" + std::to_string(k);
@@ -55,57 +56,59 @@ void draw_knot(App& app, std::size_t k, const Curve& original) {
                       .step = state.threshold ? 0.05 : 1.0,
                       .help = state.threshold ? "Absolute threshold, log10 of \u00b5m peak"
                                               : "Slope \u03b1, impulses/s per log10 of \u00b5m",
-                      .right_room_px = 56.0F * app.theme.scale};
+                      .right_room_px = 56.0F * ui.theme.scale};
     double value = curve.value[k];
     const double before = value;
     ImGui::BeginGroup();
-    const FieldEdit edit = draw_field(app, field, value);
+    const FieldEdit edit = draw_field(ui, field, value);
     ImGui::EndGroup();
     const auto write = [&](double to) {
-        PhysiologyTables& tables = app.document.set.model.coding.tables;
+        PhysiologyTables& tables = work.document.set.model.coding.tables;
         curve_of(tables, state.threshold, state.type).value[k] = to;
-        document_changed(app);
+        document_changed(work);
     };
     const std::string step = std::string("Change ") + traits(state.type).name +
                              (state.threshold ? " threshold" : " slope");
     if (edit.changed) write(value);
-    if (edit.finished) commit_step(app, step);
+    if (edit.finished) commit_step(ui, work, step);
     const bool known = k < original.value.size() && curve.frequency_hz == original.frequency_hz;
     if (!known || before == original.value[k]) return;
-    ImGui::SameLine(0.0F, app.theme.gap_px * 0.5F);
+    ImGui::SameLine(0.0F, ui.theme.gap_px * 0.5F);
     char text[32];
     std::snprintf(text, sizeof text, field.format, original.value[k]);
     ImGui::PushID(id.c_str());
-    if (link(app, "back", text)) {
+    if (link(ui, "back", text)) {
         write(original.value[k]);
-        commit_step(app, step);
+        commit_step(ui, work, step);
     }
-    note_item(app.rects, "reset:" + id);
+    note_item(ui.rects, "reset:" + id);
     ImGui::PopID();
 }
 
 }  // namespace
 
-void draw_table_fields(App& app, const PhysiologyTables& original) {
-    draw_choices(app);
-    const ModelPanelState& state = app.model_panel;
-    const Curve curve = curve_of(app.document.set.model.coding.tables, state.threshold, state.type);
+void draw_table_fields(Ui& ui, Workspace& work, ModelBench& model_bench,
+                       const PhysiologyTables& original) {
+    draw_choices(ui, model_bench);
+    const ModelPanelState& state = model_bench.panel;
+    const Curve curve =
+        curve_of(work.document.set.model.coding.tables, state.threshold, state.type);
     const Curve& known = curve_of(original, state.threshold, state.type);
-    for (std::size_t k = 0; k < curve.value.size(); ++k) draw_knot(app, k, known);
-    if (link(app, "load tables", "Load tables from CSV\u2026")) load_tables_dialog(app);
-    note_item(app.rects, "load tables");
-    draw_tooltip(app,
+    for (std::size_t k = 0; k < curve.value.size(); ++k) draw_knot(ui, work, model_bench, k, known);
+    if (link(ui, "load tables", "Load tables from CSV\u2026")) load_tables_dialog(ui, work);
+    note_item(ui.rects, "load tables");
+    draw_tooltip(ui,
                  "A file with columns receptor, frequency_hz and either "
                  "slope_imp_per_s_per_log10um or threshold_log10_um_peak");
     if (curve == known) return;
     constexpr const char* kReset = "This table as it was";
-    flow_on(ImGui::CalcTextSize(kReset).x, app.theme.padding_px);
-    if (link(app, "reset table", kReset)) {
-        curve_of(app.document.set.model.coding.tables, state.threshold, state.type) = known;
-        document_changed(app);
-        commit_step(app, std::string("Reset ") + traits(state.type).name + " table");
+    flow_on(ImGui::CalcTextSize(kReset).x, ui.theme.padding_px);
+    if (link(ui, "reset table", kReset)) {
+        curve_of(work.document.set.model.coding.tables, state.threshold, state.type) = known;
+        document_changed(work);
+        commit_step(ui, work, std::string("Reset ") + traits(state.type).name + " table");
     }
-    note_item(app.rects, "reset:table");
+    note_item(ui.rects, "reset:table");
 }
 
 }  // namespace tact

@@ -89,46 +89,48 @@ std::string proposed_name(const FoundTraining& found) {
 
 }  // namespace
 
-void make_training_job(App& app) {
-    app.training->job = std::make_unique<LatestJob<TrainingRequest, FoundTraining>>(
-        JobPolicy::supersede, find_parameters, app.wake);
+void make_training_job(const Ui& ui, ModelBench& model_bench) {
+    model_bench.training.job = std::make_unique<LatestJob<TrainingRequest, FoundTraining>>(
+        JobPolicy::supersede, find_parameters, ui.wake);
 }
 
-void stop_training(App& app) { app.training->job.reset(); }
+void stop_training(ModelBench& model_bench) { model_bench.training.job.reset(); }
 
-std::shared_ptr<TrainingState> still_training(const TrainingState& state) {
-    auto still = std::make_shared<TrainingState>();
-    still->units = state.units;
-    still->objective = state.objective;
-    still->leave_out_participants = state.leave_out_participants;
-    still->own_takes_part = state.own_takes_part;
-    still->others = state.others;
-    still->shows_ties = state.shows_ties;
-    still->kept = state.kept;
-    still->kept_were_read = true;
-    still->found = state.found;
+TrainingState still_training(const TrainingState& state) {
+    TrainingState still;
+    still.units = state.units;
+    still.objective = state.objective;
+    still.leave_out_participants = state.leave_out_participants;
+    still.own_takes_part = state.own_takes_part;
+    still.others = state.others;
+    still.shows_ties = state.shows_ties;
+    still.kept = state.kept;
+    still.kept_were_read = true;
+    still.found = state.found;
     return still;
 }
 
-void follow_training(App& app) {
-    TrainingState& state = *app.training;
+void follow_training(Ui& ui, ModelBench& model_bench) {
+    TrainingState& state = model_bench.training;
     if (!state.job) return;
     const auto latest = state.job->latest();
     if (!latest || latest == state.found) return;
     state.found = latest;
     state.scroll_to_result = latest->fault.empty();
-    if (!latest->fault.empty()) complain(app, "Nothing to fit to: " + latest->fault);
+    if (!latest->fault.empty()) complain(ui, "Nothing to fit to: " + latest->fault);
 }
 
-bool is_training(const App& app) { return app.training->job && app.training->job->busy(); }
+bool is_training(const ModelBench& model_bench) {
+    return model_bench.training.job && model_bench.training.job->busy();
+}
 
-const OwnRatings& own_ratings(App& app) {
-    OwnRatings& own = app.training->own;
-    if (own.revision == app.revision) return own;
-    const PatternSet& set = app.document.set;
+const OwnRatings& own_ratings(const Workspace& work, ModelBench& model_bench) {
+    OwnRatings& own = model_bench.training.own;
+    if (own.revision == work.revision) return own;
+    const PatternSet& set = work.document.set;
     const bool same = own.set && own.set->set->vibrations == set.vibrations &&
                       own.set->set->ratings == set.ratings && own.set->set->name == set.name;
-    own.revision = app.revision;
+    own.revision = work.revision;
     if (same) return own;
     own.set.reset();
     own.fault.clear();
@@ -142,92 +144,94 @@ const OwnRatings& own_ratings(App& app) {
     return own;
 }
 
-TrainingRequest training_request(App& app) {
-    const TrainingState& state = *app.training;
+TrainingRequest training_request(const Workspace& work, ModelBench& model_bench) {
+    const TrainingState& state = model_bench.training;
     TrainingRequest request{
-        {}, app.document.set.model, state.units, state.objective, state.leave_out_participants};
-    const OwnRatings& own = own_ratings(app);
+        {}, work.document.set.model, state.units, state.objective, state.leave_out_participants};
+    const OwnRatings& own = own_ratings(work, model_bench);
     if (own.set && state.own_takes_part) request.sets.push_back(*own.set);
     std::ranges::copy_if(state.others, std::back_inserter(request.sets), &SetToFit::takes_part);
     return request;
 }
 
-void begin_training(App& app) {
-    TrainingRequest request = training_request(app);
-    if (request.sets.empty() || !app.training->job) return;
-    app.training->since_s = app.time_s;
-    app.training->job->submit(std::move(request));
+void begin_training(const Ui& ui, const Workspace& work, ModelBench& model_bench) {
+    TrainingRequest request = training_request(work, model_bench);
+    if (request.sets.empty() || !model_bench.training.job) return;
+    model_bench.training.since_s = ui.time_s;
+    model_bench.training.job->submit(std::move(request));
 }
 
-void cancel_training(App& app) {
-    if (app.training->job) app.training->job->cancel();
+void cancel_training(ModelBench& model_bench) {
+    if (model_bench.training.job) model_bench.training.job->cancel();
 }
 
-bool is_training_stale(App& app) {
-    TrainingFreshness& fresh = app.training->freshness;
-    const auto& found = app.training->found;
+bool is_training_stale(const Workspace& work, ModelBench& model_bench) {
+    TrainingFreshness& fresh = model_bench.training.freshness;
+    const auto& found = model_bench.training.found;
     if (!found) return false;
-    const TrainingRequest now = training_request(app);
+    const TrainingRequest now = training_request(work, model_bench);
     std::vector<std::shared_ptr<const PatternSet>> sets;
     for (const SetToFit& rated : now.sets) sets.push_back(rated.set);
-    const bool is_known = fresh.of == found && fresh.revision == app.revision && fresh.sets == sets;
-    if (!is_known) fresh = {found, app.revision, sets, differ(found->request, now)};
+    const bool is_known =
+        fresh.of == found && fresh.revision == work.revision && fresh.sets == sets;
+    if (!is_known) fresh = {found, work.revision, sets, differ(found->request, now)};
     return fresh.is_stale;
 }
 
-void add_training_set_dialog(App& app) {
-    ask_for_file(app,
+void add_training_set_dialog(Ui& ui, const Workspace& work) {
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::add_training_set,
                   .use = ChooserUse::open,
                   .title = "Add a set that has ratings",
                   .extensions = {".json"}},
-                 app.document.path.parent_path());
+                 work.document.path.parent_path());
 }
 
-void add_training_set(App& app, const fs::path& path) {
+void add_training_set(Ui& ui, const Workspace& work, ModelBench& model_bench,
+                      const fs::path& path) {
     const std::string file = path.filename().string();
     const auto taken = [&](const SetToFit& one) { return one.file == path; };
-    if (path == app.document.path || std::ranges::any_of(app.training->others, taken)) {
-        return complain(app, file + " takes part already.");
+    if (path == work.document.path || std::ranges::any_of(model_bench.training.others, taken)) {
+        return complain(ui, file + " takes part already.");
     }
     const auto loaded = load_set(path);
-    if (!loaded) return complain(app, loaded.error().message);
+    if (!loaded) return complain(ui, loaded.error().message);
     auto rated = rated_set(loaded->set, loaded->set.name.empty() ? file : loaded->set.name);
     if (!rated) {
-        return complain(app, file + ": " + rated.error().message +
-                                 "; open it and load its ratings, then save it");
+        return complain(ui, file + ": " + rated.error().message +
+                                "; open it and load its ratings, then save it");
     }
     rated->file = path;
-    app.training->others.push_back(*std::move(rated));
-    say(app, file + " takes part in training.");
+    model_bench.training.others.push_back(*std::move(rated));
+    say(ui, file + " takes part in training.");
 }
 
-void use_trained(App& app) {
-    const auto found = app.training->found;  // kept while its list is read anew
+void use_trained(Ui& ui, Workspace& work, ModelBench& model_bench) {
+    const auto found = model_bench.training.found;  // kept while its list is read anew
     if (!found || !found->fault.empty()) return;
     const ModelFile content{found->training.model, found->record};
-    const auto kept = keep_model(app, proposed_name(*found), content);
-    use_model(app, content.model, "the trained parameters");
-    if (!kept) complain(app, "In use, but not kept for other sets: " + kept.error().message);
+    const auto kept = keep_model(ui, work, model_bench, proposed_name(*found), content);
+    use_model(ui, work, content.model, "the trained parameters");
+    if (!kept) complain(ui, "In use, but not kept for other sets: " + kept.error().message);
 }
 
-void save_trained_dialog(App& app) {
-    if (!app.training->found) return;
-    ask_for_file(app,
+void save_trained_dialog(Ui& ui, const Workspace& work, const ModelBench& model_bench) {
+    if (!model_bench.training.found) return;
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::save_model,
                   .use = ChooserUse::save,
                   .title = "Save the trained parameters",
                   .extensions = {".json"}},
-                 app.document.path.parent_path(),
-                 proposed_name(*app.training->found) + kModelEnding);
+                 work.document.path.parent_path(),
+                 proposed_name(*model_bench.training.found) + kModelEnding);
 }
 
-void save_trained(App& app, const fs::path& path) {
-    const auto& found = app.training->found;
+void save_trained(Ui& ui, const ModelBench& model_bench, const fs::path& path) {
+    const auto& found = model_bench.training.found;
     if (!found) return;
     const auto written = write_model_file(path, {found->training.model, found->record});
-    if (!written) return complain(app, written.error().message);
-    say(app, "Parameters saved to " + path.string() + ", for --model on the command line too.");
+    if (!written) return complain(ui, written.error().message);
+    say(ui, "Parameters saved to " + path.string() + ", for --model on the command line too.");
 }
 
 }  // namespace tact

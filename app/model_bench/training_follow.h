@@ -3,40 +3,43 @@
 // Left out  drawing: app/panels/training_*.cpp.
 #pragma once
 
+#include "app/document/workspace.h"
+#include "app/model_bench/model_state.h"
 #include "app/model_bench/training_state.h"
-#include "app/window/app.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
-void make_training_job(App& app);
-void stop_training(App& app);
+void make_training_job(const Ui& ui, ModelBench& model_bench);
+void stop_training(ModelBench& model_bench);
 
 // What is shown of it, without its job: for a picture.
-std::shared_ptr<TrainingState> still_training(const TrainingState& state);
+TrainingState still_training(const TrainingState& state);
 
 // Takes what the job has found.
-void follow_training(App& app);
-bool is_training(const App& app);
+void follow_training(Ui& ui, ModelBench& model_bench);
+bool is_training(const ModelBench& model_bench);
 
 // The document's ratings as a set to train on; where it has none that fit, why.
-const OwnRatings& own_ratings(App& app);
+const OwnRatings& own_ratings(const Workspace& work, ModelBench& model_bench);
 
 // All sets that take part, the document first.
-TrainingRequest training_request(App& app);
-void begin_training(App& app);
-void cancel_training(App& app);
+TrainingRequest training_request(const Workspace& work, ModelBench& model_bench);
+void begin_training(const Ui& ui, const Workspace& work, ModelBench& model_bench);
+void cancel_training(ModelBench& model_bench);
 
 // Whether the patterns, the ratings or the model's other choices have changed since.
-bool is_training_stale(App& app);
+bool is_training_stale(const Workspace& work, ModelBench& model_bench);
 
 // Sets with ratings of their own, from files.
-void add_training_set_dialog(App& app);
-void add_training_set(App& app, const std::filesystem::path& path);
+void add_training_set_dialog(Ui& ui, const Workspace& work);
+void add_training_set(Ui& ui, const Workspace& work, ModelBench& model_bench,
+                      const std::filesystem::path& path);
 
 // What was found becomes the document's model, as one step, and is kept
 // (app/model_bench/kept_models.h).
-void use_trained(App& app);
-void save_trained_dialog(App& app);
-void save_trained(App& app, const std::filesystem::path& path);
+void use_trained(Ui& ui, Workspace& work, ModelBench& model_bench);
+void save_trained_dialog(Ui& ui, const Workspace& work, const ModelBench& model_bench);
+void save_trained(Ui& ui, const ModelBench& model_bench, const std::filesystem::path& path);
 
 }  // namespace tact

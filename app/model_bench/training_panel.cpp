@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-#include "app/compare/bench_follow.h"
+#include "app/compare/compare_follow.h"
 #include "app/document/rating_files.h"
 #include "app/jobs/time_left.h"
 #include "app/model_bench/model_panel.h"
@@ -26,72 +26,72 @@ std::string size_text(const SetToFit& set) {
            (set.people == 1 ? " person" : " people");
 }
 
-void draw_set(App& app, const SetToFit& set, bool& takes_part, bool* removed) {
+void draw_set(Ui& ui, const SetToFit& set, bool& takes_part, bool* removed) {
     ImGui::PushID(set.file.empty() ? "the document" : set.file.c_str());
     ImGui::Checkbox(set.name.c_str(), &takes_part);
-    note_item(app.rects, "train on:" + set.name, takes_part ? "on" : "off");
+    note_item(ui.rects, "train on:" + set.name, takes_part ? "on" : "off");
     const std::string size = size_text(set);
-    flow_on(ImGui::CalcTextSize(size.c_str()).x, app.theme.gap_px);
-    dim_text(app, size);
+    flow_on(ImGui::CalcTextSize(size.c_str()).x, ui.theme.gap_px);
+    dim_text(ui, size);
     if (removed != nullptr) {
-        flow_on(ImGui::CalcTextSize("Remove").x, app.theme.gap_px);
-        *removed = link(app, "remove", "Remove");
-        note_item(app.rects, "link:remove " + set.name);
+        flow_on(ImGui::CalcTextSize("Remove").x, ui.theme.gap_px);
+        *removed = link(ui, "remove", "Remove");
+        note_item(ui.rects, "link:remove " + set.name);
     }
     ImGui::PopID();
 }
 
 // Where the document's ratings stand for nothing to train on, why.
-void draw_no_ratings(App& app, const OwnRatings& own) {
+void draw_no_ratings(Ui& ui, const Workspace& work, const OwnRatings& own) {
     if (!own.fault.empty()) {
-        coloured_text(app.theme.warning, "The ratings do not fit the set: " + own.fault);
-        note_item(app.rects, "train:fault", own.fault);
+        coloured_text(ui.theme.warning, "The ratings do not fit the set: " + own.fault);
+        note_item(ui.rects, "train:fault", own.fault);
         return;
     }
     ImGui::TextWrapped(
         "The open set has no ratings. Load what people said, or ask some in the view of studies.");
-    if (ImGui::Button("Load ratings...")) load_ratings_dialog(app);
-    note_item(app.rects, "button:load ratings");
+    if (ImGui::Button("Load ratings...")) load_ratings_dialog(ui, work);
+    note_item(ui.rects, "button:load ratings");
 }
 
-void draw_sets(App& app) {
-    TrainingState& state = *app.training;
-    const OwnRatings& own = own_ratings(app);
+void draw_sets(Ui& ui, const Workspace& work, ModelBench& model_bench) {
+    TrainingState& state = model_bench.training;
+    const OwnRatings& own = own_ratings(work, model_bench);
     if (own.set) {
-        draw_set(app, *own.set, state.own_takes_part, nullptr);
+        draw_set(ui, *own.set, state.own_takes_part, nullptr);
     } else {
-        draw_no_ratings(app, own);
+        draw_no_ratings(ui, work, own);
     }
     std::optional<std::size_t> gone;
     for (std::size_t k = 0; k < state.others.size(); ++k) {
         bool removed = false;
-        draw_set(app, state.others[k], state.others[k].takes_part, &removed);
+        draw_set(ui, state.others[k], state.others[k].takes_part, &removed);
         if (removed) gone = k;
     }
     if (gone) state.others.erase(state.others.begin() + static_cast<std::ptrdiff_t>(*gone));
-    if (link(app, "add a set", "Add a set with ratings...")) add_training_set_dialog(app);
-    note_item(app.rects, "link:add a set");
-    draw_tooltip(app, "Fits one model to several sets, each with what people said of it.");
+    if (link(ui, "add a set", "Add a set with ratings...")) add_training_set_dialog(ui, work);
+    note_item(ui.rects, "link:add a set");
+    draw_tooltip(ui, "Fits one model to several sets, each with what people said of it.");
 }
 
 template <class Value>
-void draw_option(App& app, const char* name, Value& value, Value option, const char* help) {
-    if (draw_radio(app, name, value == option)) value = option;
-    note_item(app.rects, std::string("train:") + name, value == option ? "chosen" : "");
-    draw_tooltip(app, help);
+void draw_option(Ui& ui, const char* name, Value& value, Value option, const char* help) {
+    if (draw_radio(ui, name, value == option)) value = option;
+    note_item(ui.rects, std::string("train:") + name, value == option ? "chosen" : "");
+    draw_tooltip(ui, help);
 }
 
-void draw_settings(App& app) {
-    TrainingState& state = *app.training;
-    const float gap = 1.5F * app.theme.gap_px;
-    draw_label(app, "Objective", radio_width(app, "mean rho") + radio_width(app, "mean |rho|"));
-    draw_option(app, "mean rho", state.objective, TrainingObjective::mean_rho,
+void draw_settings(Ui& ui, ModelBench& model_bench) {
+    TrainingState& state = model_bench.training;
+    const float gap = 1.5F * ui.theme.gap_px;
+    draw_label(ui, "Objective", radio_width(ui, "mean rho") + radio_width(ui, "mean |rho|"));
+    draw_option(ui, "mean rho", state.objective, TrainingObjective::mean_rho,
                 "Mean over the sets of Spearman's rho between PM and the ratings: the paper's.");
-    flow_on(radio_width(app, "mean |rho|"), gap);
-    draw_option(app, "mean |rho|", state.objective, TrainingObjective::mean_absolute_rho,
+    flow_on(radio_width(ui, "mean |rho|"), gap);
+    draw_option(ui, "mean |rho|", state.objective, TrainingObjective::mean_absolute_rho,
                 "The paper's averages drop the sign: it also counts orders that are wrong way "
                 "round.");
-    draw_label(app, "Weights by", 3.0F * radio_width(app, "0.025"));
+    draw_label(ui, "Weights by", 3.0F * radio_width(ui, "0.025"));
     struct Step {
         const char* name;
         int units;
@@ -100,20 +100,20 @@ void draw_settings(App& app) {
     for (const Step& step : {Step{"0.1", 10, "The paper's grid of 44 million combinations."},
                              {"0.05", 20, "26 times as many combinations."},
                              {"0.025", 40, "Above 700 times as many: takes long."}}) {
-        if (step.units != 10) flow_on(radio_width(app, step.name), gap);
-        draw_option(app, step.name, state.units, step.units, step.help);
+        if (step.units != 10) flow_on(radio_width(ui, step.name), gap);
+        draw_option(ui, step.name, state.units, step.units, step.help);
     }
-    draw_label(app, "Also");
+    draw_label(ui, "Also");
     ImGui::Checkbox("leave each person out", &state.leave_out_participants);
-    note_item(app.rects, "train:leave out", state.leave_out_participants ? "on" : "off");
-    draw_tooltip(app,
+    note_item(ui.rects, "train:leave out", state.leave_out_participants ? "on" : "off");
+    draw_tooltip(ui,
                  "Fits without each person in turn, and tries the fit on just that person: what to "
                  "expect of people nobody has asked.");
 }
 
 // What the search costs, kept while the question stays.
-const TrainingEstimate& estimate(App& app, const TrainingRequest& request) {
-    TrainingEstimate& known = app.training->estimate;
+const TrainingEstimate& estimate(ModelBench& model_bench, const TrainingRequest& request) {
+    TrainingEstimate& known = model_bench.training.estimate;
     std::vector<std::size_t> patterns;
     for (const SetToFit& set : request.sets) patterns.push_back(set.set->vibrations.size());
     if (known.units == request.units && known.patterns == patterns) return known;
@@ -122,63 +122,63 @@ const TrainingEstimate& estimate(App& app, const TrainingRequest& request) {
     return known;
 }
 
-void draw_progress(App& app) {
-    const float share = app.training->job->progress();
+void draw_progress(Ui& ui, ModelBench& model_bench) {
+    const float share = model_bench.training.job->progress();
     char text[48];
     std::snprintf(text, sizeof text, "searching, %d %%", static_cast<int>(100.0F * share));
     const std::string left =
-        time_left_text(app.time_s - app.training->since_s, static_cast<double>(share));
+        time_left_text(ui.time_s - model_bench.training.since_s, static_cast<double>(share));
     const Rect bar = rect_at(ImGui::GetCursorScreenPos(),
-                             {ImGui::GetContentRegionAvail().x, 3.0F * app.theme.scale});
+                             {ImGui::GetContentRegionAvail().x, 3.0F * ui.theme.scale});
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(bar.min, bar.max, app.theme.field);
-    list.AddRectFilled(bar.min, {bar.min.x + bar.width() * share, bar.max.y}, app.theme.accent);
+    list.AddRectFilled(bar.min, bar.max, ui.theme.field);
+    list.AddRectFilled(bar.min, {bar.min.x + bar.width() * share, bar.max.y}, ui.theme.accent);
     ImGui::Dummy({bar.width(), bar.height()});
-    dim_text(app, text + (left.empty() ? "" : ", " + left));
-    note_item(app.rects, "train:progress", text);
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    if (link(app, "cancel training", "Cancel")) cancel_training(app);
-    note_item(app.rects, "link:cancel training");
+    dim_text(ui, text + (left.empty() ? "" : ", " + left));
+    note_item(ui.rects, "train:progress", text);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    if (link(ui, "cancel training", "Cancel")) cancel_training(model_bench);
+    note_item(ui.rects, "link:cancel training");
 }
 
-void draw_begin(App& app) {
-    const TrainingRequest request = training_request(app);
+void draw_begin(Ui& ui, const Workspace& work, ModelBench& model_bench) {
+    const TrainingRequest request = training_request(work, model_bench);
     ImGui::BeginDisabled(request.sets.empty());
-    ImGui::PushStyleColor(ImGuiCol_Button, faded(app.theme.accent, 0.45F));
-    if (ImGui::Button("Train")) begin_training(app);
+    ImGui::PushStyleColor(ImGuiCol_Button, faded(ui.theme.accent, 0.45F));
+    if (ImGui::Button("Train")) begin_training(ui, work, model_bench);
     ImGui::PopStyleColor();
     ImGui::EndDisabled();
-    note_item(app.rects, "button:train", request.sets.empty() ? "disabled" : "enabled");
+    note_item(ui.rects, "button:train", request.sets.empty() ? "disabled" : "enabled");
     std::string text = "Nothing takes part.";
     if (!request.sets.empty()) {
-        const TrainingCost& cost = estimate(app, request).cost;
+        const TrainingCost& cost = estimate(model_bench, request).cost;
         const double cores = thread_count(0);
         text = grouped_digits(cost.combinations) + " combinations, " +
                estimate_text(cost.one_core_s / cores);
         if (request.leave_out_participants) text += " or more";
     }
-    flow_on(ImGui::CalcTextSize(text.c_str()).x, app.theme.gap_px);
+    flow_on(ImGui::CalcTextSize(text.c_str()).x, ui.theme.gap_px);
     ImGui::AlignTextToFramePadding();
-    dim_text(app, text);
-    note_item(app.rects, "train:cost", text);
+    dim_text(ui, text);
+    note_item(ui.rects, "train:cost", text);
 }
 
 }  // namespace
 
-void draw_training(App& app) {
+void draw_training(Ui& ui, Workspace& work, ModelBench& model_bench) {
     ImGui::BeginChild("training", ImGui::GetContentRegionAvail());
-    draw_hint(app, "training",
+    draw_hint(ui, "training",
               "Tries every combination of the model's eight trained numbers, and finds those whose "
               "prediction orders the pairs most as people did.");
-    draw_sets(app);
-    draw_settings(app);
-    if (is_training(app)) {
-        draw_progress(app);
-    } else if (app.training->job) {
-        draw_begin(app);
+    draw_sets(ui, work, model_bench);
+    draw_settings(ui, model_bench);
+    if (is_training(model_bench)) {
+        draw_progress(ui, model_bench);
+    } else if (model_bench.training.job) {
+        draw_begin(ui, work, model_bench);
     }
-    const auto found = app.training->found;  // kept while it is drawn
-    if (found && found->fault.empty()) draw_training_result(app, *found);
+    const auto found = model_bench.training.found;  // kept while it is drawn
+    if (found && found->fault.empty()) draw_training_result(ui, work, model_bench, *found);
     ImGui::EndChild();
 }
 

@@ -33,54 +33,55 @@ const char* objective_name(const Training& training) {
     return training.objective == TrainingObjective::mean_rho ? "mean rho" : "mean |rho|";
 }
 
-void draw_heading(App& app, const char* text) {
-    ImGui::Dummy({1.0F, 0.5F * app.theme.gap_px});
-    ImGui::PushFont(app.theme.fonts.semibold);
+void draw_heading(const Ui& ui, const char* text) {
+    ImGui::Dummy({1.0F, 0.5F * ui.theme.gap_px});
+    ImGui::PushFont(ui.theme.fonts.semibold);
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
 }
 
-void small_text(App& app, const std::string& text) {
-    ImGui::PushFont(app.theme.fonts.small);
-    coloured_text(app.theme.dim_text, text);
+void small_text(const Ui& ui, const std::string& text) {
+    ImGui::PushFont(ui.theme.fonts.small);
+    coloured_text(ui.theme.dim_text, text);
     ImGui::PopFont();
 }
 
-void draw_headline(App& app, const Training& training) {
+void draw_headline(Ui& ui, const Training& training) {
     const std::string headline =
         std::string(objective_name(training)) + " " + digits(training.best.value);
-    draw_heading(app, headline.c_str());
-    note_item(app.rects, "train:result", digits(training.best.value));
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    dim_text(app, "was " + digits(training.value_before));
+    draw_heading(ui, headline.c_str());
+    note_item(ui.rects, "train:result", digits(training.best.value));
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    dim_text(ui, "was " + digits(training.value_before));
     const std::uint64_t equal = training.best.combinations;
     char near[32];
     std::snprintf(near, sizeof near, "%.2g %%", 100.0 * training.share_near_best);
-    small_text(app, (equal == 1 ? std::string("No other combination is as good; ")
-                                : grouped_digits(equal) + " combinations are equally good, shown "
-                                                          "is the one nearest to yours; ") +
-                        near + " of all come within " + digits(kNearBest).substr(0, 4) +
-                        " of it. How well it does on what it was fitted to says little of others.");
+    small_text(ui, (equal == 1 ? std::string("No other combination is as good; ")
+                               : grouped_digits(equal) + " combinations are equally good, shown "
+                                                         "is the one nearest to yours; ") +
+                       near + " of all come within " + digits(kNearBest).substr(0, 4) +
+                       " of it. How well it does on what it was fitted to says little of others.");
 }
 
-void draw_actions(App& app, const FoundTraining& found, bool stale) {
-    const bool in_use = app.document.set.model == found.training.model;
+void draw_actions(Ui& ui, Workspace& work, ModelBench& model_bench, const FoundTraining& found,
+                  bool stale) {
+    const bool in_use = work.document.set.model == found.training.model;
     ImGui::BeginDisabled(stale || in_use);
-    if (ImGui::Button("Use these parameters")) use_trained(app);
+    if (ImGui::Button("Use these parameters")) use_trained(ui, work, model_bench);
     ImGui::EndDisabled();
-    note_item(app.rects, "button:use trained", stale ? "stale" : in_use ? "in use" : "enabled");
-    draw_tooltip(app, "For this set, as one step that undo takes back; kept for other sets too.");
-    flow_on(button_width("Save to file..."), app.theme.gap_px);
-    if (ImGui::Button("Save to file...")) save_trained_dialog(app);
-    note_item(app.rects, "button:save trained");
+    note_item(ui.rects, "button:use trained", stale ? "stale" : in_use ? "in use" : "enabled");
+    draw_tooltip(ui, "For this set, as one step that undo takes back; kept for other sets too.");
+    flow_on(button_width("Save to file..."), ui.theme.gap_px);
+    if (ImGui::Button("Save to file...")) save_trained_dialog(ui, work, model_bench);
+    note_item(ui.rects, "button:save trained");
     if (stale) {
-        coloured_text(app.theme.warning,
+        coloured_text(ui.theme.warning,
                       "Of other sets, ratings or choices than the present ones: train again.");
-        note_item(app.rects, "train:stale");
+        note_item(ui.rects, "train:stale");
     } else if (in_use) {
-        flow_on(ImGui::CalcTextSize("In use.").x, app.theme.gap_px);
+        flow_on(ImGui::CalcTextSize("In use.").x, ui.theme.gap_px);
         ImGui::AlignTextToFramePadding();
-        dim_text(app, "In use.");
+        dim_text(ui, "In use.");
     }
 }
 
@@ -104,7 +105,7 @@ std::optional<std::size_t> place_of_value(double value, std::size_t parameter, i
     return static_cast<std::size_t>(std::lround(steps));
 }
 
-void draw_profile_of(App& app, const Training& training, std::size_t p, const Rect& area) {
+void draw_profile_of(Ui& ui, const Training& training, std::size_t p, const Rect& area) {
     const double step = 1.0 / training.grid.units;
     const auto now = trained_values(training.model);
     const auto texts = parameter_texts(training.model, step);
@@ -128,31 +129,31 @@ void draw_profile_of(App& app, const Training& training, std::size_t p, const Re
             std::string(kTrainedNames[p]) + " = " + value,
             std::isfinite(best) ? "at best " + digits(best) : "no order with it"};
     };
-    draw_profile(kTrainedNames[p], app.theme, area, scene);
-    note_rect(app.rects, std::string("profile:") + kTrainedNames[p], area.min, area.max, texts[p]);
+    draw_profile(kTrainedNames[p], ui.theme, area, scene);
+    note_rect(ui.rects, std::string("profile:") + kTrainedNames[p], area.min, area.max, texts[p]);
 }
 
-void draw_profiles(App& app, const Training& training) {
+void draw_profiles(Ui& ui, const Training& training) {
     const Range range = shown_range(training);
-    draw_heading(app, "How sharply the ratings tell each");
-    small_text(app, std::string("The best ") + objective_name(training) +
-                        " that each value allows, the others free: " + digits(range.high) +
-                        " at the head, " + digits(range.low) +
-                        " or less at the foot. Flat: any value would do.");
-    const float gap = 1.5F * app.theme.gap_px;
+    draw_heading(ui, "How sharply the ratings tell each");
+    small_text(ui, std::string("The best ") + objective_name(training) +
+                       " that each value allows, the others free: " + digits(range.high) +
+                       " at the head, " + digits(range.low) +
+                       " or less at the foot. Flat: any value would do.");
+    const float gap = 1.5F * ui.theme.gap_px;
     const float width = ImGui::GetContentRegionAvail().x;
-    const float least = 96.0F * app.theme.scale;
+    const float least = 96.0F * ui.theme.scale;
     const std::size_t columns = width >= 4.0F * least + 3.0F * gap   ? 4
                                 : width >= 2.0F * least + 1.0F * gap ? 2
                                                                      : 1;
     const float wide =
         (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-    const float high = 64.0F * app.theme.scale;
+    const float high = 64.0F * ui.theme.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     for (std::size_t p = 0; p < kTrainedParameters; ++p) {
         const ImVec2 at{corner.x + static_cast<float>(p % columns) * (wide + gap),
                         corner.y + static_cast<float>(p / columns) * (high + gap)};
-        draw_profile_of(app, training, p, rect_at(at, {wide, high}));
+        draw_profile_of(ui, training, p, rect_at(at, {wide, high}));
     }
     const float rows = static_cast<float>((kTrainedParameters + columns - 1) / columns);
     ImGui::SetCursorScreenPos(corner);
@@ -167,12 +168,12 @@ void draw_cells(const std::vector<std::string>& cells) {
     }
 }
 
-void draw_heads(App& app, const std::vector<std::string>& heads) {
+void draw_heads(const Ui& ui, const std::vector<std::string>& heads) {
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::PushFont(ui.theme.fonts.small);
     for (const std::string& head : heads) {
         ImGui::TableNextColumn();
-        dim_text(app, head);
+        dim_text(ui, head);
     }
     ImGui::PopFont();
 }
@@ -180,51 +181,51 @@ void draw_heads(App& app, const std::vector<std::string>& heads) {
 constexpr ImGuiTableFlags kTable =
     ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
 
-void draw_sets(App& app, const Training& training) {
-    draw_heading(app, "Set by set");
+void draw_sets(Ui& ui, const Training& training) {
+    draw_heading(ui, "Set by set");
     const bool several = !training.without_set.empty();
     if (!ImGui::BeginTable("sets", several ? 4 : 3, kTable)) return;
     std::vector<std::string> heads{"rho with PM", "before", "trained"};
     if (several) heads.emplace_back("trained without it");
-    draw_heads(app, heads);
+    draw_heads(ui, heads);
     for (std::size_t k = 0; k < training.sets.size(); ++k) {
         const TrainedSet& set = training.sets[k];
         std::vector<std::string> cells{set.name, digits(set.rho_before), digits(set.rho_after)};
         if (several) cells.push_back(digits(training.without_set[k].rho_after));
         draw_cells(cells);
-        note_item(app.rects, "trained set:" + set.name, digits(set.rho_after));
+        note_item(ui.rects, "trained set:" + set.name, digits(set.rho_after));
     }
     ImGui::EndTable();
 }
 
-void draw_people(App& app, const Training& training) {
+void draw_people(Ui& ui, const Training& training) {
     if (training.without_participant.empty()) return;
-    draw_heading(app, "Person by person");
+    draw_heading(ui, "Person by person");
     const LeftOutMean mean = mean_of(training.without_participant);
     if (!std::isnan(mean.rho_after)) {
-        small_text(app, "On average rho " + digits(mean.rho_after) +
-                            " with a person that the fit had not seen; " + digits(mean.rho_before) +
-                            " with the parameters before.");
+        small_text(ui, "On average rho " + digits(mean.rho_after) +
+                           " with a person that the fit had not seen; " + digits(mean.rho_before) +
+                           " with the parameters before.");
     }
     if (!ImGui::BeginTable("people", 3, kTable)) return;
-    draw_heads(app, {"rho with one person", "before", "trained without"});
+    draw_heads(ui, {"rho with one person", "before", "trained without"});
     for (const LeftOut& one : training.without_participant) {
         draw_cells({one.name, digits(one.rho_before), digits(one.rho_after)});
-        note_item(app.rects, "left out:" + one.name, digits(one.rho_after));
+        note_item(ui.rects, "left out:" + one.name, digits(one.rho_after));
     }
     ImGui::EndTable();
 }
 
-void draw_ties(App& app, const Training& training) {
+void draw_ties(Ui& ui, ModelBench& model_bench, const Training& training) {
     if (training.best.classes < 2) return;
-    bool& open = app.training->shows_ties;
-    ImGui::Dummy({1.0F, 0.5F * app.theme.gap_px});
+    bool& open = model_bench.training.shows_ties;
+    ImGui::Dummy({1.0F, 0.5F * ui.theme.gap_px});
     const std::string text = std::string(open ? "Hide" : "Show") + " the equally good, in " +
                              grouped_digits(training.best.classes) + " proportions";
-    if (link(app, "ties", text)) open = !open;
-    note_item(app.rects, "link:ties", grouped_digits(training.best.classes));
+    if (link(ui, "ties", text)) open = !open;
+    note_item(ui.rects, "link:ties", grouped_digits(training.best.classes));
     if (!open) return;
-    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::PushFont(ui.theme.fonts.small);
     const std::size_t rows = std::min(training.best.points.size(), kListedTies);
     const float height = (static_cast<float>(rows) + 3.0F) * ImGui::GetTextLineHeightWithSpacing();
     constexpr ImGuiTableFlags kFlags =
@@ -232,40 +233,41 @@ void draw_ties(App& app, const Training& training) {
     if (ImGui::BeginTable("ties", 9, kFlags, {0.0F, height})) {
         std::vector<std::string> heads(kTrainedNames.begin(), kTrainedNames.end());
         heads.emplace_back("combinations");
-        draw_heads(app, heads);
+        draw_heads(ui, heads);
         for (std::size_t k = 0; k < rows; ++k) {
             const GridPoint& point = training.best.points[k];
             std::vector<std::string> cells = parameter_texts(training.grid, point);
             cells.push_back(grouped_digits(combinations_of(training.grid, point)));
             draw_cells(cells);
-            note_item(app.rects, "tie:" + std::to_string(k));
+            note_item(ui.rects, "tie:" + std::to_string(k));
         }
         ImGui::EndTable();
     }
     ImGui::PopFont();
     if (training.best.classes > rows) {
-        small_text(app, "and " + grouped_digits(training.best.classes - rows) +
-                            " more: train on the command line lists them all.");
+        small_text(ui, "and " + grouped_digits(training.best.classes - rows) +
+                           " more: train on the command line lists them all.");
     }
 }
 
 }  // namespace
 
-void draw_training_result(App& app, const FoundTraining& found) {
-    const bool stale = is_training_stale(app);
+void draw_training_result(Ui& ui, Workspace& work, ModelBench& model_bench,
+                          const FoundTraining& found) {
+    const bool stale = is_training_stale(work, model_bench);
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    if (std::exchange(app.training->scroll_to_result, false)) ImGui::SetScrollHereY(0.0F);
-    draw_headline(app, found.training);
-    draw_actions(app, found, stale);
+    if (std::exchange(model_bench.training.scroll_to_result, false)) ImGui::SetScrollHereY(0.0F);
+    draw_headline(ui, found.training);
+    draw_actions(ui, work, model_bench, found, stale);
     const ImVec2 numbers = ImGui::GetCursorScreenPos();
-    draw_profiles(app, found.training);
-    draw_sets(app, found.training);
-    draw_people(app, found.training);
-    draw_ties(app, found.training);
+    draw_profiles(ui, found.training);
+    draw_sets(ui, found.training);
+    draw_people(ui, found.training);
+    draw_ties(ui, model_bench, found.training);
     if (!stale) return;
     const Rect veil{{from.x, numbers.y},
                     {from.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y}};
-    draw_stale(*ImGui::GetWindowDrawList(), app.theme, veil, 0.0);
+    draw_stale(*ImGui::GetWindowDrawList(), ui.theme, veil, 0.0);
 }
 
 }  // namespace tact

@@ -23,40 +23,40 @@ bool leaks(const Pattern& pattern) {
     return false;
 }
 
-void draw_leak_warning(App& app, const Pattern& pattern) {
+void draw_leak_warning(Ui& ui, Workspace& work, const Pattern& pattern) {
     if (!leaks(pattern) || !pattern.rhythm.text.empty()) return;
     char label[64];
     std::snprintf(label, sizeof label, "Snap to %.4g Hz steps", 1.0 / pattern.duration_s);
-    const float gap = app.theme.gap_px;
+    const float gap = ui.theme.gap_px;
     const float snap = ImGui::CalcTextSize(label).x;
     const float both = ImGui::CalcTextSize("leaks").x + gap + snap;
-    if (!flow_on(both, 2.0F * gap)) draw_label(app, "", both);
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.warning));
+    if (!flow_on(both, 2.0F * gap)) draw_label(ui, "", both);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(ui.theme.warning));
     ImGui::TextUnformatted("leaks");
     ImGui::PopStyleColor();
-    draw_tooltip(app,
+    draw_tooltip(ui,
                  "A carrier does not fit a whole number of cycles into the pattern. Its spectrum "
                  "leaks into neighbouring bins, and the model counts each of them: rates come out "
                  "too high. Frequencies that are multiples of 1 / duration do not leak.");
     flow_on(snap, gap);
-    if (link(app, "snap", label)) {
-        edit_patterns(app, [](Pattern& p) {
+    if (link(ui, "snap", label)) {
+        edit_patterns(work, [](Pattern& p) {
             for (Carrier& carrier : p.carriers) {
                 carrier.frequency_hz = snapped_hz(carrier.frequency_hz, p.duration_s);
             }
         });
-        commit_step(app, "Snap " + of_selection(app, "carriers"));
+        commit_step(ui, work, "Snap " + of_selection(work, "carriers"));
     }
 }
 
-void draw_carrier(App& app, const Pattern& pattern, std::size_t k) {
+void draw_carrier(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k) {
     const Carrier& carrier = pattern.carriers[k];
     ImGui::PushID(static_cast<int>(k));
     const std::string label = "Carrier " + std::to_string(k + 1);
     const std::string id = "carrier_" + std::to_string(k + 1) + "_hz";
     const double bin_hz = 1.0 / pattern.duration_s;
     edit_number(
-        app,
+        ui, work,
         {.id = id.c_str(),
          .label = label.c_str(),
          .format = "%.5g Hz",
@@ -74,12 +74,12 @@ void draw_carrier(App& app, const Pattern& pattern, std::size_t k) {
 }
 
 // Share of the second of two carriers; with more, each has its own weight.
-void draw_mix(App& app, const Pattern& pattern) {
+void draw_mix(Ui& ui, Workspace& work, const Pattern& pattern) {
     const auto& carriers = pattern.carriers;
     if (carriers.size() == 2) {
         const double sum = carriers[0].weight + carriers[1].weight;
         const double share = sum != 0.0 ? carriers[1].weight / sum : 0.5;
-        edit_number(app,
+        edit_number(ui, work,
                     {.id = "mix",
                      .label = "Mix",
                      .format = "%.3g",
@@ -100,7 +100,7 @@ void draw_mix(App& app, const Pattern& pattern) {
         const std::string label = "Weight " + std::to_string(k + 1);
         const std::string id = "weight_" + std::to_string(k + 1);
         edit_number(
-            app,
+            ui, work,
             {id.c_str(), label.c_str(), "%.3g", {0.0, 1.0}, limits::kCarrierWeight, 0.05, 0.01},
             carriers[k].weight, "weight", [k](Pattern& p, double value) {
                 if (k < p.carriers.size()) p.carriers[k].weight = value;
@@ -108,8 +108,8 @@ void draw_mix(App& app, const Pattern& pattern) {
     }
 }
 
-void add_carrier(App& app) {
-    edit_patterns(app, [](Pattern& p) {
+void add_carrier(Ui& ui, Workspace& work) {
+    edit_patterns(work, [](Pattern& p) {
         if (p.carriers.size() >= limits::kMaxCarriers) return;
         Carrier fresh = p.carriers.back();
         fresh.frequency_hz = snapped_hz(std::min(3.0 * fresh.frequency_hz, 500.0), p.duration_s);
@@ -119,42 +119,42 @@ void add_carrier(App& app) {
             carrier.weight = 1.0 / static_cast<double>(p.carriers.size());
         }
     });
-    commit_step(app, "Add " + of_selection(app, "carrier"));
+    commit_step(ui, work, "Add " + of_selection(work, "carrier"));
 }
 
-void remove_carrier(App& app) {
-    edit_patterns(app, [](Pattern& p) {
+void remove_carrier(Ui& ui, Workspace& work) {
+    edit_patterns(work, [](Pattern& p) {
         if (p.carriers.size() < 2) return;
         p.carriers.pop_back();
         for (Carrier& carrier : p.carriers) {
             carrier.weight = 1.0 / static_cast<double>(p.carriers.size());
         }
     });
-    commit_step(app, "Remove " + of_selection(app, "carrier"));
+    commit_step(ui, work, "Remove " + of_selection(work, "carrier"));
 }
 
-void draw_carrier_links(App& app, const Pattern& pattern) {
+void draw_carrier_links(Ui& ui, Workspace& work, const Pattern& pattern) {
     constexpr const char* kAdd = "Add carrier";
-    draw_label(app, "", ImGui::CalcTextSize(kAdd).x);
+    draw_label(ui, "", ImGui::CalcTextSize(kAdd).x);
     const bool can_add = pattern.carriers.size() < limits::kMaxCarriers;
     if (can_add) {
-        if (link(app, "add carrier", kAdd)) add_carrier(app);
-        note_item(app.rects, "link:add carrier");
+        if (link(ui, "add carrier", kAdd)) add_carrier(ui, work);
+        note_item(ui.rects, "link:add carrier");
     }
     if (pattern.carriers.size() > 1) {
-        if (can_add) flow_on(ImGui::CalcTextSize("Remove").x, 2.0F * app.theme.gap_px);
-        if (link(app, "remove carrier", "Remove")) remove_carrier(app);
-        note_item(app.rects, "link:remove carrier");
+        if (can_add) flow_on(ImGui::CalcTextSize("Remove").x, 2.0F * ui.theme.gap_px);
+        if (link(ui, "remove carrier", "Remove")) remove_carrier(ui, work);
+        note_item(ui.rects, "link:remove carrier");
     }
-    draw_leak_warning(app, pattern);
+    draw_leak_warning(ui, work, pattern);
 }
 
 }  // namespace
 
-void draw_carrier_fields(App& app, const Pattern& pattern) {
-    for (std::size_t k = 0; k < pattern.carriers.size(); ++k) draw_carrier(app, pattern, k);
-    draw_mix(app, pattern);
-    draw_carrier_links(app, pattern);
+void draw_carrier_fields(Ui& ui, Workspace& work, const Pattern& pattern) {
+    for (std::size_t k = 0; k < pattern.carriers.size(); ++k) draw_carrier(ui, work, pattern, k);
+    draw_mix(ui, work, pattern);
+    draw_carrier_links(ui, work, pattern);
 }
 
 }  // namespace tact

@@ -15,9 +15,9 @@ namespace tact {
 
 namespace {
 
-void draw_modulation(App& app, const Pattern& pattern) {
+void draw_modulation(Ui& ui, Workspace& work, const Pattern& pattern) {
     const Modulation& modulation = pattern.modulation;
-    edit_number(app,
+    edit_number(ui, work,
                 {.id = "modulation_hz",
                  .label = "Modulation",
                  .format = "%.4g Hz",
@@ -29,7 +29,7 @@ void draw_modulation(App& app, const Pattern& pattern) {
                 modulation.frequency_hz, "modulation",
                 [](Pattern& p, double value) { p.modulation.frequency_hz = value; });
     const bool am = modulation.kind == ModulationKind::am;
-    edit_number(app,
+    edit_number(ui, work,
                 {.id = "depth",
                  .label = "Depth",
                  .format = "%.3g",
@@ -43,23 +43,23 @@ void draw_modulation(App& app, const Pattern& pattern) {
                 modulation.depth, "depth",
                 [](Pattern& p, double value) { p.modulation.depth = value; });
     const float room =
-        radio_width(app, "product") + radio_width(app, "1 + m sin") + 2.0F * app.theme.gap_px;
-    draw_label(app, "Kind", room);
+        radio_width(ui, "product") + radio_width(ui, "1 + m sin") + 2.0F * ui.theme.gap_px;
+    draw_label(ui, "Kind", room);
     const auto choose = [&](const char* label, ModulationKind kind) {
-        if (draw_radio(app, label, modulation.kind == kind) && modulation.kind != kind) {
-            edit_patterns(app, [kind](Pattern& p) { p.modulation.kind = kind; });
-            commit_step(app, "Change " + of_selection(app, "modulation kind"));
+        if (draw_radio(ui, label, modulation.kind == kind) && modulation.kind != kind) {
+            edit_patterns(work, [kind](Pattern& p) { p.modulation.kind = kind; });
+            commit_step(ui, work, "Change " + of_selection(work, "modulation kind"));
         }
-        note_item(app.rects, std::string("radio:") + label);
+        note_item(ui.rects, std::string("radio:") + label);
     };
     choose("product", ModulationKind::product);
-    draw_tooltip(app, "sin(2 pi f t): Eq. 7 of the paper; the envelope has twice the frequency.");
-    flow_on(radio_width(app, "1 + m sin"), 2.0F * app.theme.gap_px);
+    draw_tooltip(ui, "sin(2 pi f t): Eq. 7 of the paper; the envelope has twice the frequency.");
+    flow_on(radio_width(ui, "1 + m sin"), 2.0F * ui.theme.gap_px);
     choose("1 + m sin", ModulationKind::am);
 }
 
-void draw_times(App& app, const Pattern& pattern) {
-    edit_number(app,
+void draw_times(Ui& ui, Workspace& work, const Pattern& pattern) {
+    edit_number(ui, work,
                 {.id = "attack_ms",
                  .label = "Attack",
                  .format = "%.4g ms",
@@ -70,7 +70,7 @@ void draw_times(App& app, const Pattern& pattern) {
                  .help = "Linear rise at the beginning of every note."},
                 1000.0 * pattern.attack_s, "attack",
                 [](Pattern& p, double value) { p.attack_s = value / 1000.0; });
-    edit_number(app,
+    edit_number(ui, work,
                 {.id = "release_ms",
                  .label = "Release",
                  .format = "%.4g ms",
@@ -82,7 +82,7 @@ void draw_times(App& app, const Pattern& pattern) {
                 1000.0 * pattern.release_s, "release",
                 [](Pattern& p, double value) { p.release_s = value / 1000.0; });
     edit_number(
-        app,
+        ui, work,
         {.id = "duration_s",
          .label = "Duration",
          .format = "%.4g s",
@@ -96,16 +96,16 @@ void draw_times(App& app, const Pattern& pattern) {
         pattern.duration_s, "duration", [](Pattern& p, double value) { p.duration_s = value; });
 }
 
-void draw_measurement(App& app, const Measurement& measurement) {
-    dim_text(app, measurement.synthetic ? "Synthetic measurement: simulated, not recorded"
-                                        : "Measured waveform");
+void draw_measurement(const Ui& ui, const Measurement& measurement) {
+    dim_text(ui, measurement.synthetic ? "Synthetic measurement: simulated, not recorded"
+                                       : "Measured waveform");
     ImGui::TextWrapped("%s", measurement.path.c_str());
     char text[128];
     std::snprintf(text, sizeof text, "%.4g s, peak %.3g g, %.4g g at full scale",
                   duration_s(*measurement.waveform), peak_g(*measurement.waveform),
                   measurement.scale_g);
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(app, text);
+    dim_text(ui, text);
     ImGui::PopTextWrapPos();
     if (!measurement.measures.empty()) {
         ImGui::TextWrapped("Measures %s", measurement.measures.c_str());
@@ -118,13 +118,13 @@ bool is_saved(const PatternSet& saved, const Vibration& vibration) {
     });
 }
 
-void draw_note(App& app, const Vibration& vibration) {
+void draw_note(const Ui& ui, const Workspace& work, const Vibration& vibration) {
     if (vibration.note.empty()) return;
     ImGui::Spacing();
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.dim_text));
-    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(ui.theme.dim_text));
+    ImGui::PushFont(ui.theme.fonts.small);
     // A note describes what was opened; it does not follow edits.
-    const bool edited = app.unsaved && !is_saved(app.document.saved, vibration);
+    const bool edited = work.unsaved && !is_saved(work.document.saved, vibration);
     ImGui::TextWrapped("%s%s", edited ? "Note, from before the edit: " : "",
                        vibration.note.c_str());
     ImGui::PopFont();
@@ -133,20 +133,20 @@ void draw_note(App& app, const Vibration& vibration) {
 
 }  // namespace
 
-void edit_number(App& app, const Field& field, double value, const std::string& what,
+void edit_number(Ui& ui, Workspace& work, const Field& field, double value, const std::string& what,
                  const std::function<void(Pattern&, double)>& write) {
     double edited = value;
-    const FieldEdit edit = draw_field(app, field, edited);
+    const FieldEdit edit = draw_field(ui, field, edited);
     if (edit.changed && edited != value) {
-        edit_patterns(app, [&](Pattern& pattern) { write(pattern, edited); });
+        edit_patterns(work, [&](Pattern& pattern) { write(pattern, edited); });
     }
-    if (edit.finished) commit_step(app, "Change " + of_selection(app, what));
+    if (edit.finished) commit_step(ui, work, "Change " + of_selection(work, what));
 }
 
-void draw_editor_panel(App& app) {
-    const Vibration* vibration = current_vibration(app);
+void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
+    const Vibration* vibration = current_vibration(work);
     if (vibration == nullptr) {
-        draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(), "Nothing to edit",
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "Nothing to edit",
                    "Press New above to make a pattern, or open a set.");
         return;
     }
@@ -155,23 +155,23 @@ void draw_editor_panel(App& app) {
         return;
     }
     // Inside, so that it scrolls away where the pane is low.
-    draw_hint(app, "editor",
+    draw_hint(ui, "editor",
               "Drag a slider and watch the point move on the right. Type a number for an exact "
               "value; arrow keys nudge.");
-    if (app.selection.too_close.contains(vibration->name)) {
-        ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+    if (work.selection.too_close.contains(vibration->name)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
         ImGui::TextWrapped("Too close to another pattern: see Subset, Too close.");
         ImGui::PopStyleColor();
-        note_item(app.rects, "editor:too close");
+        note_item(ui.rects, "editor:too close");
     }
     // Arrow keys nudge what was touched last in this pattern, not in the one before.
-    if (std::exchange(app.editor.active_pattern, vibration->name) != vibration->name) {
-        app.editor.active_field.clear();
+    if (std::exchange(pattern_panes.editor.active_pattern, vibration->name) != vibration->name) {
+        ui.field.active.clear();
     }
     const Vibration shown = *vibration;  // edits below replace the document's own
     ImGui::BeginDisabled(shown.locked);
     if (const auto* pattern = std::get_if<Pattern>(&shown.source)) {
-        edit_number(app,
+        edit_number(ui, work,
                     {.id = "amplitude_g",
                      .label = "Amplitude",
                      .format = "%.3g g",
@@ -182,15 +182,15 @@ void draw_editor_panel(App& app) {
                      .help = "Peak acceleration of the sum of carriers. Typed values reach 50 g."},
                     pattern->amplitude_g, "amplitude",
                     [](Pattern& p, double value) { p.amplitude_g = value; });
-        draw_carrier_fields(app, *pattern);
-        draw_modulation(app, *pattern);
-        draw_rhythm_fields(app, *pattern);
-        draw_times(app, *pattern);
+        draw_carrier_fields(ui, work, *pattern);
+        draw_modulation(ui, work, *pattern);
+        draw_rhythm_fields(ui, work, pattern_panes, *pattern);
+        draw_times(ui, work, *pattern);
     } else {
-        draw_measurement(app, std::get<Measurement>(shown.source));
+        draw_measurement(ui, std::get<Measurement>(shown.source));
     }
     ImGui::EndDisabled();
-    draw_note(app, shown);
+    draw_note(ui, work, shown);
     ImGui::EndChild();
 }
 

@@ -1,10 +1,12 @@
 // The editor of the selected patterns.
 #pragma once
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/patterns/patterns_state.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
-void draw_editor_panel(App& app);
+void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes);
 
 }  // namespace tact

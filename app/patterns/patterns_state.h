@@ -7,7 +7,6 @@
 #include <string>
 
 #include "app/patterns/rhythm_choice.h"
-#include "app/ui/number_typing.h"
 
 namespace tact {
 
@@ -28,17 +27,16 @@ struct SetPanelState {
 };
 
 struct EditorState {
-    std::string active_field;    // arrows nudge it ...
-    std::string active_pattern;  // ... as long as this one is in the editor
-    std::string locked_field;    // clicked in vain: keys meant for it do nothing else
-    NumberTyping typing;
-    std::string nudged_field;      // by arrows ...
-    double nudged_s = -10.0;       // ... and when: more of it soon is the same undo step
-    bool nudges_on = false;        // the step that is about to be committed joins the last one
+    std::string active_pattern;    // the fields' keys go to it
     std::string rhythm_text;       // while being typed
     std::string rhythm_typed_for;  // name of the pattern; empty: not being typed
     RhythmChoice rhythms;
     std::optional<NoteDrag> note_drag;
+};
+
+struct PatternPanes {
+    SetPanelState list;
+    EditorState editor;
 };
 
 }  // namespace tact

@@ -28,44 +28,46 @@ std::string stepped(std::string text, std::size_t step) {
     return text;
 }
 
-void set_rhythm(App& app, const std::string& text) {
-    edit_patterns(app, [&text](Pattern& p) { p.rhythm.text = text; });
-    commit_step(app, "Change " + of_selection(app, "rhythm"));
+void set_rhythm(Ui& ui, Workspace& work, const std::string& text) {
+    edit_patterns(work, [&text](Pattern& p) { p.rhythm.text = text; });
+    commit_step(ui, work, "Change " + of_selection(work, "rhythm"));
 }
 
 // While the mouse is held, the note from the pressed step reaches to the one under the mouse.
-void follow_note_drag(App& app, std::size_t under) {
-    NoteDrag& drag = *app.editor.note_drag;
+void follow_note_drag(Workspace& work, PatternPanes& pattern_panes, std::size_t under) {
+    NoteDrag& drag = *pattern_panes.editor.note_drag;
     if (under == drag.from && !drag.moved) return;
     drag.moved = true;
     const std::string text = with_note(drag.before, drag.from, std::max(drag.from, under));
-    edit_patterns(app, [&text](Pattern& p) { p.rhythm.text = text; });
+    edit_patterns(work, [&text](Pattern& p) { p.rhythm.text = text; });
 }
 
 // A step as a button: a click changes its mark, a drag draws a note over the steps it passes.
-void draw_step(App& app, const std::string& text, std::size_t k, ImVec2 size, float left) {
-    std::optional<NoteDrag>& drag = app.editor.note_drag;
+void draw_step(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const std::string& text,
+               std::size_t k, ImVec2 size, float left) {
+    std::optional<NoteDrag>& drag = pattern_panes.editor.note_drag;
     ImGui::PushID(static_cast<int>(k));
     const bool pressed = ImGui::InvisibleButton("step", size);
-    note_item(app.rects, "step:" + std::to_string(k), std::string(1, text[k]));
+    note_item(ui.rects, "step:" + std::to_string(k), std::string(1, text[k]));
     if (ImGui::IsItemActivated()) drag = NoteDrag{text, k, false};
     if (drag && drag->from == k && ImGui::IsItemActive() && ImGui::IsMouseDown(0)) {
         const float steps = (ImGui::GetIO().MousePos.x - left) / size.x;
         const float last = static_cast<float>(drag->before.size() - 1);
-        follow_note_drag(app, static_cast<std::size_t>(std::clamp(steps, 0.0F, last)));
+        follow_note_drag(work, pattern_panes,
+                         static_cast<std::size_t>(std::clamp(steps, 0.0F, last)));
     }
     const bool drawn = drag && drag->from == k && drag->moved;
     if (drawn && ImGui::IsItemDeactivated()) {
-        commit_step(app, "Change " + of_selection(app, "rhythm"));
+        commit_step(ui, work, "Change " + of_selection(work, "rhythm"));
     } else if (pressed && !drawn) {
-        set_rhythm(app, stepped(text, k));
+        set_rhythm(ui, work, stepped(text, k));
     }
     if (drag && drag->from == k && ImGui::IsItemDeactivated()) drag.reset();
     ImGui::PopID();
 }
 
-void draw_rhythm_grid(App& app, const Rhythm& rhythm) {
-    const Theme& theme = app.theme;
+void draw_rhythm_grid(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Rhythm& rhythm) {
+    const Theme& theme = ui.theme;
     const std::size_t steps = rhythm.text.size();
     const float width = ImGui::GetContentRegionAvail().x;
     const float cell = std::min(20.0F * theme.scale, width / static_cast<float>(steps));
@@ -78,90 +80,93 @@ void draw_rhythm_grid(App& app, const Rhythm& rhythm) {
         // A held step joins the one before it.
         const float left = mark == '=' ? min.x - gap : min.x + gap;
         ImGui::SetCursorScreenPos(min);
-        draw_step(app, rhythm.text, k, {cell, cell}, corner.x);
+        draw_step(ui, work, pattern_panes, rhythm.text, k, {cell, cell}, corner.x);
         ImU32 colour = mark == '-' ? theme.field : theme.accent;
         if (ImGui::IsItemHovered()) colour = mark == '-' ? theme.hover : theme.text;
         list.AddRectFilled({left, min.y + gap}, {min.x + cell - gap, min.y + cell - gap}, colour,
                            2.0F * theme.scale);
-        draw_tooltip(app,
-                     "Click: note, hold, rest. Drag to the right: a note as long as the drag.");
+        draw_tooltip(ui, "Click: note, hold, rest. Drag to the right: a note as long as the drag.");
     }
     ImGui::SetCursorScreenPos({corner.x, corner.y + cell});
     ImGui::Dummy({width, 2.0F * theme.scale});
 }
 
 // The list opens beside the field and stays open while one rhythm after the other is tried.
-void draw_rhythm_popup(App& app, const Pattern& pattern) {
-    const float width = 340.0F * app.theme.scale;
+void draw_rhythm_popup(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
+                       const Pattern& pattern) {
+    const float width = 340.0F * ui.theme.scale;
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, 1e4F});
     if (!ImGui::BeginPopup("rhythm list")) return;
     const auto chosen = [&pattern](const std::string& text) { return text == pattern.rhythm.text; };
-    const RhythmListAction action = draw_rhythm_list(app, app.editor.rhythms, pattern, chosen);
-    if (action.pressed) set_rhythm(app, *action.pressed);
+    const RhythmListAction action =
+        draw_rhythm_list(ui, pattern_panes.editor.rhythms, pattern, chosen);
+    if (action.pressed) set_rhythm(ui, work, *action.pressed);
     ImGui::EndPopup();
 }
 
-void draw_rhythm_links(App& app, const Pattern& pattern) {
+void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
+                       const Pattern& pattern) {
     constexpr const char* kList = "Rhythms...";
     const bool none = pattern.rhythm.text.empty();
-    draw_label(app, "", ImGui::CalcTextSize(kList).x);
+    draw_label(ui, "", ImGui::CalcTextSize(kList).x);
     if (none) {
         constexpr const char* kGrid = "Make a rhythm";
-        if (link(app, "make grid", kGrid)) set_rhythm(app, "x=--x=--");
-        note_item(app.rects, "link:make a rhythm");
-        flow_on(ImGui::CalcTextSize(kList).x, 2.0F * app.theme.gap_px);
+        if (link(ui, "make grid", kGrid)) set_rhythm(ui, work, "x=--x=--");
+        note_item(ui.rects, "link:make a rhythm");
+        flow_on(ImGui::CalcTextSize(kList).x, 2.0F * ui.theme.gap_px);
     }
-    if (link(app, "rhythm list", kList)) ImGui::OpenPopup("rhythm list");
-    note_item(app.rects, "link:rhythms");
-    draw_tooltip(app, "Rhythms of a length and number of notes to pick from");
-    draw_rhythm_popup(app, pattern);
+    if (link(ui, "rhythm list", kList)) ImGui::OpenPopup("rhythm list");
+    note_item(ui.rects, "link:rhythms");
+    draw_tooltip(ui, "Rhythms of a length and number of notes to pick from");
+    draw_rhythm_popup(ui, work, pattern_panes, pattern);
     if (none) return;
     const std::string summary = rhythm_summary(pattern.rhythm.text);
-    flow_on(ImGui::CalcTextSize(summary.c_str()).x, 2.0F * app.theme.gap_px);
-    dim_text(app, shortened(app.theme.fonts.regular, summary, ImGui::GetContentRegionAvail().x));
-    note_item(app.rects, "rhythm summary", summary);
-    draw_tooltip(app,
+    flow_on(ImGui::CalcTextSize(summary.c_str()).x, 2.0F * ui.theme.gap_px);
+    dim_text(ui, shortened(ui.theme.fonts.regular, summary, ImGui::GetContentRegionAvail().x));
+    note_item(ui.rects, "rhythm summary", summary);
+    draw_tooltip(ui,
                  "Evenness is 1 where all notes are equally far apart, as the rhythm repeats, and "
                  "less the more they crowd.");
 }
 
 }  // namespace
 
-void draw_rhythm_fields(App& app, const Pattern& pattern) {
-    EditorState& state = app.editor;
-    draw_label(app, "Rhythm", 120.0F * app.theme.scale);
-    const std::string name = current_vibration(app)->name;
+void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
+                        const Pattern& pattern) {
+    EditorState& state = pattern_panes.editor;
+    draw_label(ui, "Rhythm", 120.0F * ui.theme.scale);
+    const std::string name = current_vibration(work)->name;
     if (state.rhythm_typed_for != name) state.rhythm_text = pattern.rhythm.text;
     ImGui::SetNextItemWidth(-1.0F);
     const char* long_hint = "one note throughout; x=-x note, hold, rest";
     const bool has_room = button_width(long_hint) <= ImGui::GetContentRegionAvail().x;
     ImGui::InputTextWithHint("##rhythm", has_room ? long_hint : "one note", &state.rhythm_text);
-    draw_tooltip(app, "x note, = hold, - rest; the text repeats. Empty: one note throughout.");
-    note_item(app.rects, "rhythm", pattern.rhythm.text);
+    draw_tooltip(ui, "x note, = hold, - rest; the text repeats. Empty: one note throughout.");
+    note_item(ui.rects, "rhythm", pattern.rhythm.text);
     const bool is_typing = ImGui::IsItemActive();
     state.rhythm_typed_for = is_typing ? name : std::string();
     const std::string fault = rhythm_fault(state.rhythm_text);
     if (is_typing && fault.empty() && state.rhythm_text != pattern.rhythm.text) {
-        edit_patterns(app, [&state](Pattern& p) { p.rhythm.text = state.rhythm_text; });
+        edit_patterns(work, [&state](Pattern& p) { p.rhythm.text = state.rhythm_text; });
     }
     if (ImGui::IsItemDeactivatedAfterEdit()) {
         // Up to where the text was a rhythm it was taken.
-        commit_step(app, "Change " + of_selection(app, "rhythm"));
+        commit_step(ui, work, "Change " + of_selection(work, "rhythm"));
         if (!fault.empty()) {
-            complain(app, "Rhythm: " + fault + "; the pattern keeps " +
-                              (pattern.rhythm.text.empty() ? "one note throughout"
-                                                           : "\"" + pattern.rhythm.text + "\""));
+            complain(ui, "Rhythm: " + fault + "; the pattern keeps " +
+                             (pattern.rhythm.text.empty() ? "one note throughout"
+                                                          : "\"" + pattern.rhythm.text + "\""));
         }
     }
     if (is_typing && !fault.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(app.theme.error));
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(ui.theme.error));
         ImGui::TextWrapped("%s", fault.c_str());
         ImGui::PopStyleColor();
     }
-    if (!pattern.rhythm.text.empty()) draw_rhythm_grid(app, pattern.rhythm);
-    draw_rhythm_links(app, pattern);
+    if (!pattern.rhythm.text.empty()) draw_rhythm_grid(ui, work, pattern_panes, pattern.rhythm);
+    draw_rhythm_links(ui, work, pattern_panes, pattern);
     if (pattern.rhythm.text.empty()) return;
-    edit_number(app,
+    edit_number(ui, work,
                 {.id = "unit_ms",
                  .label = "Step",
                  .format = "%.4g ms",

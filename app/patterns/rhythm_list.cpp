@@ -57,67 +57,67 @@ void keep_texts(RhythmChoice& choice) {
     choice.made_note_steps = choice.note_steps;
 }
 
-void draw_count(App& app, const char* id, const char* label, int& value, int most) {
+void draw_count(Ui& ui, const char* id, const char* label, int& value, int most) {
     value = std::clamp(value, 1, most);
-    enter_whole_with_buttons(app,
+    enter_whole_with_buttons(ui,
                              {.id = id,
                               .label = label,
                               .format = "%.9g",
                               .rules = {{1.0, static_cast<double>(most)}},
-                              .width_px = 100.0F * app.theme.scale},
+                              .width_px = 100.0F * ui.theme.scale},
                              value);
-    note_item(app.rects, std::string("rhythm list:") + id, std::to_string(value));
+    note_item(ui.rects, std::string("rhythm list:") + id, std::to_string(value));
     ImGui::SameLine();
-    dim_text(app, label);
+    dim_text(ui, label);
 }
 
-bool chip(App& app, const char* text, bool lit, const char* help) {
-    const bool pressed = draw_chip(app, text, text, lit);
-    note_item(app.rects, std::string("rhythm list:") + text, lit ? "chosen" : "");
-    draw_tooltip(app, help);
+bool chip(Ui& ui, const char* text, bool lit, const char* help) {
+    const bool pressed = draw_chip(ui, text, text, lit);
+    note_item(ui.rects, std::string("rhythm list:") + text, lit ? "chosen" : "");
+    draw_tooltip(ui, help);
     return pressed;
 }
 
-void draw_kind(App& app, RhythmChoice& choice) {
-    const float gap = 2.0F * app.theme.scale;
-    if (chip(app, "Necklaces", choice.list == RhythmList::necklaces,
+void draw_kind(Ui& ui, RhythmChoice& choice) {
+    const float gap = 2.0F * ui.theme.scale;
+    if (chip(ui, "Necklaces", choice.list == RhythmList::necklaces,
              "All rhythms of so many steps and notes; rotations of one another count once.")) {
         choice.list = RhythmList::necklaces;
     }
     ImGui::SameLine(0.0F, gap);
-    if (chip(app, "Euclidean", choice.list == RhythmList::euclidean,
+    if (chip(ui, "Euclidean", choice.list == RhythmList::euclidean,
              "For every number of notes the rhythm that spreads them most evenly.")) {
         choice.list = RhythmList::euclidean;
     }
-    draw_count(app, "steps", "steps", choice.steps, static_cast<int>(kMostListSteps));
+    draw_count(ui, "steps", "steps", choice.steps, static_cast<int>(kMostListSteps));
     if (choice.list == RhythmList::necklaces) {
-        flow_on(120.0F * app.theme.scale, 2.0F * app.theme.gap_px);
-        draw_count(app, "notes", "notes", choice.notes, choice.steps);
+        flow_on(120.0F * ui.theme.scale, 2.0F * ui.theme.gap_px);
+        draw_count(ui, "notes", "notes", choice.notes, choice.steps);
     }
     // On one line with the chips, whose text is smaller and padded.
     const float top = ImGui::GetCursorPosY();
-    ImGui::SetCursorPosY(top + 2.0F * app.theme.scale);
-    dim_text(app, "Notes of");
+    ImGui::SetCursorPosY(top + 2.0F * ui.theme.scale);
+    dim_text(ui, "Notes of");
     const std::pair<const char*, int> lengths[] = {
         {"1 step", 1}, {"2 steps", 2}, {"3 steps", 3}, {"as long as can be", 0}};
     for (const auto& [text, steps] : lengths) {
-        const bool beside = flow_on(chip_width(app, text), gap);
+        const bool beside = flow_on(chip_width(ui, text), gap);
         if (beside && steps == 1) ImGui::SetCursorPosY(top);
-        if (chip(app, text, choice.note_steps == steps,
+        if (chip(ui, text, choice.note_steps == steps,
                  "Every note is held so long, but never into the next.")) {
             choice.note_steps = steps;
         }
     }
 }
 
-void draw_row(App& app, const std::string& text, bool lit, RhythmListAction& action) {
-    const Theme& theme = app.theme;
+void draw_row(Ui& ui, const std::string& text, bool lit, RhythmListAction& action) {
+    const Theme& theme = ui.theme;
     const float s = theme.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
     const ImVec2 size{width, kRhythmRowPx * s};
     if (ImGui::InvisibleButton(text.c_str(), size)) action.pressed = text;
-    note_item(app.rects, "rhythm:" + text, lit ? "chosen" : "");
+    note_item(ui.rects, "rhythm:" + text, lit ? "chosen" : "");
     const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
     if (over) action.hovered = text;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -138,13 +138,13 @@ void draw_row(App& app, const std::string& text, bool lit, RhythmListAction& act
                       text);
 }
 
-void draw_rows(App& app, const RhythmChoice& choice,
+void draw_rows(Ui& ui, const RhythmChoice& choice,
                const std::function<bool(const std::string&)>& chosen, RhythmListAction& action) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 1.0F));
-    if (ImGui::BeginChild("rhythms", {0.0F, kListHeightPx * app.theme.scale})) {
+    if (ImGui::BeginChild("rhythms", {0.0F, kListHeightPx * ui.theme.scale})) {
         if (choice.texts.empty()) {
             const ImVec2 corner = ImGui::GetCursorScreenPos();
-            draw_empty(*ImGui::GetWindowDrawList(), app.theme,
+            draw_empty(*ImGui::GetWindowDrawList(), ui.theme,
                        rect_at(corner, ImGui::GetContentRegionAvail()), "Too many to list",
                        "Choose fewer steps or notes.");
         }
@@ -153,7 +153,7 @@ void draw_rows(App& app, const RhythmChoice& choice,
         while (clipper.Step()) {
             for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
                 const std::string& text = choice.texts[static_cast<std::size_t>(k)];
-                draw_row(app, text, chosen(text), action);
+                draw_row(ui, text, chosen(text), action);
             }
         }
     }
@@ -162,7 +162,7 @@ void draw_rows(App& app, const RhythmChoice& choice,
 }
 
 // Over the whole pattern, from 0 to its largest value.
-void draw_envelope(App& app, RhythmChoice& choice, const Pattern& pattern) {
+void draw_envelope(Ui& ui, RhythmChoice& choice, const Pattern& pattern) {
     // A rhythm repeats: of a minute, which a frame could not wait for, the beginning tells enough.
     constexpr double kLongestS = 4.0;
     Pattern shown = pattern;
@@ -171,11 +171,11 @@ void draw_envelope(App& app, RhythmChoice& choice, const Pattern& pattern) {
         choice.previewed = shown;
         choice.envelope = rhythm_envelope(render(shown).samples_g, EnvelopeParams{});
     }
-    const Theme& theme = app.theme;
+    const Theme& theme = ui.theme;
     const ImVec2 size{ImGui::GetContentRegionAvail().x, kEnvelopeHeightPx * theme.scale};
     const Rect area = rect_at(ImGui::GetCursorScreenPos(), size);
     ImGui::Dummy(size);
-    note_item(app.rects, "rhythm envelope", pattern.rhythm.text);
+    note_item(ui.rects, "rhythm envelope", pattern.rhythm.text);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(area.min, area.max, dialog_field(theme), theme.rounding_px);
     const Rect inner = inset(area, 4.0F * theme.scale);
@@ -208,29 +208,29 @@ std::string rhythm_summary(const std::string& text) {
     return words;
 }
 
-RhythmListAction draw_rhythm_list(App& app, RhythmChoice& choice, const Pattern& pattern,
+RhythmListAction draw_rhythm_list(Ui& ui, RhythmChoice& choice, const Pattern& pattern,
                                   const std::function<bool(const std::string&)>& chosen,
                                   const std::string& all) {
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(app.theme));
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
-    draw_kind(app, choice);
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
+    draw_kind(ui, choice);
     ImGui::PopStyleColor(2);
     keep_texts(choice);
     const std::uint64_t size = size_of(choice);
-    dim_text(app, grouped_digits(size) + (size == 1 ? " rhythm" : " rhythms") +
-                      ", the most even first; evenness at the right");
-    note_item(app.rects, "rhythm list:count", grouped_digits(size));
+    dim_text(ui, grouped_digits(size) + (size == 1 ? " rhythm" : " rhythms") +
+                     ", the most even first; evenness at the right");
+    note_item(ui.rects, "rhythm list:count", grouped_digits(size));
     RhythmListAction action;
-    draw_rows(app, choice, chosen, action);
+    draw_rows(ui, choice, chosen, action);
     Pattern shown = pattern;
     if (action.hovered) shown.rhythm.text = *action.hovered;
-    draw_envelope(app, choice, shown);
-    dim_text(app, shown.rhythm.text.empty()
-                      ? std::string("one note throughout")
-                      : shown.rhythm.text + "   " + rhythm_summary(shown.rhythm.text));
+    draw_envelope(ui, choice, shown);
+    dim_text(ui, shown.rhythm.text.empty()
+                     ? std::string("one note throughout")
+                     : shown.rhythm.text + "   " + rhythm_summary(shown.rhythm.text));
     if (!all.empty() && !choice.texts.empty()) {
-        action.all = link(app, "all rhythms", all);
-        note_item(app.rects, "link:all rhythms");
+        action.all = link(ui, "all rhythms", all);
+        note_item(ui.rects, "link:all rhythms");
     }
     // Without keyboard navigation ImGui leaves an open list to the mouse.
     const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "app/window/app.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
@@ -18,7 +18,7 @@ struct RhythmListAction {
 // Inside an open popup, which Esc closes. `chosen` tells which rows are lit. The envelope is that
 // of `pattern` with the rhythm. A link for all of them is there where `all` is not empty: its
 // words.
-RhythmListAction draw_rhythm_list(App& app, RhythmChoice& choice, const Pattern& pattern,
+RhythmListAction draw_rhythm_list(Ui& ui, RhythmChoice& choice, const Pattern& pattern,
                                   const std::function<bool(const std::string&)>& chosen,
                                   const std::string& all = {});
 

@@ -1,10 +1,15 @@
 // The list of patterns: search, order, names, locks.
 #pragma once
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/patterns/patterns_state.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
-void draw_set_panel(App& app);
+void draw_set_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes);
+
+// Its box takes the keyboard with the next frame.
+void begin_rename(const Workspace& work, PatternPanes& pattern_panes, std::size_t index);
 
 }  // namespace tact

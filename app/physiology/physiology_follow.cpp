@@ -4,37 +4,36 @@
 
 namespace tact {
 
-void make_stages_jobs(App& app) {
+void make_stages_jobs(const Ui& ui, Physiology& physiology) {
     using StagesJob = LatestJob<LiveStagesRequest, LiveStages>;
-    for (auto* job : {&app.stages_job, &app.pinned_job}) {
-        *job = std::make_unique<StagesJob>(JobPolicy::finish, compute_live_stages, app.wake);
+    for (auto* job : {&physiology.stages_job, &physiology.pinned_job}) {
+        *job = std::make_unique<StagesJob>(JobPolicy::finish, compute_live_stages, ui.wake);
     }
 }
 
-void take_stages(App& app) {
-    if (!app.stages_job) return;
-    if (auto stages = app.stages_job->latest()) app.stages = std::move(stages);
-    if (auto stages = app.pinned_job->latest()) app.pinned_stages = std::move(stages);
+void take_stages(Physiology& physiology) {
+    if (!physiology.stages_job) return;
+    if (auto stages = physiology.stages_job->latest()) physiology.stages = std::move(stages);
+    if (auto stages = physiology.pinned_job->latest()) physiology.pinned_stages = std::move(stages);
 }
 
-void follow_current(App& app) {
-    const PatternSet& set = app.document.set;
-    if (!app.stages_job || app.selection.current >= set.vibrations.size()) return;
-    LiveStagesRequest request =
-        stages_request(set, app.selection.current, rendered_by(app.rendering));
-    if (request != app.stages_asked) {
-        app.stages_asked = request;
-        app.stages_job->submit(std::move(request));
+void follow_current(Workspace& work, const RenderingState& rendered, Physiology& physiology) {
+    const PatternSet& set = work.document.set;
+    if (!physiology.stages_job || work.selection.current >= set.vibrations.size()) return;
+    LiveStagesRequest request = stages_request(set, work.selection.current, rendered_by(rendered));
+    if (request != physiology.stages_asked) {
+        physiology.stages_asked = request;
+        physiology.stages_job->submit(std::move(request));
     }
-    const auto pinned = place_named(set, app.pinned);
+    const auto pinned = place_named(set, work.selection.pinned);
     if (!pinned) {
-        app.pinned.clear();
+        work.selection.pinned.clear();
         return;
     }
-    request = stages_request(set, *pinned, rendered_by(app.rendering));
-    if (request == app.pinned_asked) return;
-    app.pinned_asked = request;
-    app.pinned_job->submit(std::move(request));
+    request = stages_request(set, *pinned, rendered_by(rendered));
+    if (request == physiology.pinned_asked) return;
+    physiology.pinned_asked = request;
+    physiology.pinned_job->submit(std::move(request));
 }
 
 }  // namespace tact

@@ -1,15 +1,18 @@
 // Keeping the stages on screen in step with the current and the pinned pattern.
 #pragma once
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/physiology/physiology_state.h"
+#include "app/rendering/rendering_state.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
-void make_stages_jobs(App& app);
-void take_stages(App& app);
+void make_stages_jobs(const Ui& ui, Physiology& physiology);
+void take_stages(Physiology& physiology);
 
 // Asks for the stages of the current and of the pinned vibration where they are not those that were
 // asked for last.
-void follow_current(App& app);
+void follow_current(Workspace& work, const RenderingState& rendered, Physiology& physiology);
 
 }  // namespace tact

@@ -28,9 +28,10 @@ constexpr std::array<float, kStages.size()> kUnits{1.0F, 2.1F, 1.8F, 3.2F, 2.1F,
 
 // The patterns on screen: the current one, then the pinned one; without those whose stages are on
 // their way.
-std::vector<ShownStages> shown_patterns(const App& app) {
+std::vector<ShownStages> shown_patterns(const Ui& ui, const Workspace& work,
+                                        const Physiology& physiology) {
     std::vector<ShownStages> patterns;
-    const PatternSet& set = app.document.set;
+    const PatternSet& set = work.document.set;
     const auto add = [&](const std::shared_ptr<const LiveStages>& live, std::size_t index,
                          bool pinned) {
         const Vibration& wanted = set.vibrations[index];
@@ -38,16 +39,16 @@ std::vector<ShownStages> shown_patterns(const App& app) {
         if (!live || live->request.vibration.name != wanted.name) return;
         const bool stale =
             live->request.vibration.source != wanted.source || live->request.model != set.model;
-        patterns.push_back({live, look_of(app, index), stale, pinned});
+        patterns.push_back({live, look_of(ui, work, index), stale, pinned});
     };
-    add(app.stages, app.selection.current, false);
-    const auto pinned = place_named(set, app.pinned);
-    if (pinned && !patterns.empty()) add(app.pinned_stages, *pinned, true);
+    add(physiology.stages, work.selection.current, false);
+    const auto pinned = place_named(set, work.selection.pinned);
+    if (pinned && !patterns.empty()) add(physiology.pinned_stages, *pinned, true);
     return patterns;
 }
 
-void follow_difference(App& app, const std::vector<ShownStages>& patterns) {
-    ShownDifference& known = app.physiology.difference;
+void follow_difference(Physiology& physiology, const std::vector<ShownStages>& patterns) {
+    ShownDifference& known = physiology.view.difference;
     if (patterns.size() < 2) {
         known = {};
         return;
@@ -64,12 +65,12 @@ void follow_difference(App& app, const std::vector<ShownStages>& patterns) {
 // ---- the strip ----
 
 // A stage in the strip; beneath it, how far two patterns are apart there.
-void draw_stage_chip(App& app, const char* key, const char* text, bool lit,
+void draw_stage_chip(Ui& ui, Physiology& physiology, const char* key, const char* text, bool lit,
                      std::optional<double> difference) {
-    const bool pressed = draw_chip(app, key, text, lit);
-    note_item(app.rects, std::string("stage:") + key);
+    const bool pressed = draw_chip(ui, key, text, lit);
+    note_item(ui.rects, std::string("stage:") + key);
     if (difference) {
-        const Theme& theme = app.theme;
+        const Theme& theme = ui.theme;
         const ImVec2 corner{ImGui::GetItemRectMin().x,
                             ImGui::GetItemRectMax().y + 1.0F * theme.scale};
         const ImVec2 end{ImGui::GetItemRectMax().x, corner.y + 3.0F * theme.scale};
@@ -80,50 +81,51 @@ void draw_stage_chip(App& app, const char* key, const char* text, bool lit,
     }
     if (!pressed) return;
     const std::optional<Stage> stage = stage_named(key);
-    app.physiology.open = app.physiology.open == stage ? std::nullopt : stage;
+    physiology.view.open = physiology.view.open == stage ? std::nullopt : stage;
 }
 
-void draw_strip(App& app) {
-    const float gap = 2.0F * app.theme.scale;
-    const ShownDifference& difference = app.physiology.difference;
-    draw_stage_chip(app, "all", "All stages", !app.physiology.open, std::nullopt);
+void draw_strip(Ui& ui, Physiology& physiology) {
+    const float gap = 2.0F * ui.theme.scale;
+    const ShownDifference& difference = physiology.view.difference;
+    draw_stage_chip(ui, physiology, "all", "All stages", !physiology.view.open, std::nullopt);
     for (const Stage stage : kStages) {
         const StageText& text = text_of(stage);
         ImGui::SameLine(0.0F, gap);
         const float wanted =
-            text_size(app.theme.fonts.small, text.short_name).x + 12.0F * app.theme.scale;
+            text_size(ui.theme.fonts.small, text.short_name).x + 12.0F * ui.theme.scale;
         if (ImGui::GetContentRegionAvail().x < wanted) ImGui::NewLine();
-        draw_stage_chip(app, text.key, text.short_name, app.physiology.open == stage,
+        draw_stage_chip(ui, physiology, text.key, text.short_name, physiology.view.open == stage,
                         difference.a ? difference.stages[index_of(stage)] : std::nullopt);
         char tip[160];
         std::snprintf(tip, sizeof tip, "%s: %s", text.name, text.detail);
-        draw_tooltip(app, tip);
+        draw_tooltip(ui, tip);
     }
-    if (difference.a) ImGui::Dummy({1.0F, 1.0F * app.theme.scale});
+    if (difference.a) ImGui::Dummy({1.0F, 1.0F * ui.theme.scale});
 }
 
 // True where the tour was asked for.
-bool draw_pin_choice(App& app, bool tour_begun) {
-    const bool pinned = !app.pinned.empty();
-    const std::string text = pinned ? "compared with " + app.pinned : "Compare with\u2026";
-    if (link(app, "compare", text)) ImGui::OpenPopup("compare with");
-    note_item(app.rects, "compare with");
+bool draw_pin_choice(Ui& ui, Workspace& work, bool tour_begun) {
+    const bool pinned = !work.selection.pinned.empty();
+    const std::string text =
+        pinned ? "compared with " + work.selection.pinned : "Compare with\u2026";
+    if (link(ui, "compare", text)) ImGui::OpenPopup("compare with");
+    note_item(ui.rects, "compare with");
     if (pinned) {
         ImGui::SameLine();
-        if (link(app, "unpin", "\u00d7")) app.pinned.clear();
-        note_item(app.rects, "unpin");
-        draw_tooltip(app, "Show one pattern again");
+        if (link(ui, "unpin", "\u00d7")) work.selection.pinned.clear();
+        note_item(ui.rects, "unpin");
+        draw_tooltip(ui, "Show one pattern again");
     }
-    ImGui::SameLine(0.0F, 2.0F * app.theme.padding_px);
-    const bool tour_asked = link(app, "tour", tour_begun ? "Resume the tour" : "Tour");
-    note_item(app.rects, "start tour");
+    ImGui::SameLine(0.0F, 2.0F * ui.theme.padding_px);
+    const bool tour_asked = link(ui, "tour", tour_begun ? "Resume the tour" : "Tour");
+    note_item(ui.rects, "start tour");
     if (!ImGui::BeginPopup("compare with")) return tour_asked;
-    for (const Vibration& vibration : app.document.set.vibrations) {
-        if (&vibration == current_vibration(app)) continue;
-        if (ImGui::Selectable(vibration.name.c_str(), app.pinned == vibration.name)) {
-            app.pinned = vibration.name;
+    for (const Vibration& vibration : work.document.set.vibrations) {
+        if (&vibration == current_vibration(work)) continue;
+        if (ImGui::Selectable(vibration.name.c_str(), work.selection.pinned == vibration.name)) {
+            work.selection.pinned = vibration.name;
         }
-        note_item(app.rects, "pin:" + vibration.name);
+        note_item(ui.rects, "pin:" + vibration.name);
     }
     ImGui::EndPopup();
     return tour_asked;
@@ -132,8 +134,8 @@ bool draw_pin_choice(App& app, bool tour_begun) {
 // ---- one stage's place ----
 
 // Name and what is plotted, left of the plots; the name opens the stage, the "i" explains it.
-void draw_stage_label(App& app, Stage stage, const Rect& area) {
-    const Theme& theme = app.theme;
+void draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& area) {
+    const Theme& theme = ui.theme;
     const StageText& text = text_of(stage);
     ImGui::SetCursorScreenPos(area.min);
     ImGui::PushID(text.key);
@@ -144,63 +146,68 @@ void draw_stage_label(App& app, Stage stage, const Rect& area) {
     const ImVec2 size = ImGui::CalcTextSize(text.name, nullptr, false, area.width() - icon);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool pressed = ImGui::InvisibleButton("open", size);
-    const bool over = !app.as_picture && (ImGui::IsItemHovered() || ImGui::IsItemFocused());
+    const bool over = !ui.as_picture && (ImGui::IsItemHovered() || ImGui::IsItemFocused());
     if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     list.AddText(nullptr, 0.0F, area.min, over ? theme.accent : theme.text, text.name, nullptr,
                  area.width() - icon);
-    draw_tooltip(app, "Open this stage large");
-    note_item(app.rects, std::string("label:") + text.key);
-    if (pressed) app.physiology.open = stage;
+    draw_tooltip(ui, "Open this stage large");
+    note_item(ui.rects, std::string("label:") + text.key);
+    if (pressed) physiology.view.open = stage;
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
 
-    if (app.as_picture) return ImGui::PopID();
+    if (ui.as_picture) return ImGui::PopID();
     const ImVec2 centre{area.max.x - icon * 0.6F, area.min.y + line * 0.5F};
     ImGui::SetCursorScreenPos({centre.x - icon * 0.5F, centre.y - icon * 0.5F});
     if (ImGui::InvisibleButton("i", {icon, icon})) {
-        const bool open = app.physiology.explained == stage;
-        app.physiology.explained = open ? std::nullopt : std::optional(stage);
+        const bool open = physiology.view.explained == stage;
+        physiology.view.explained = open ? std::nullopt : std::optional(stage);
     }
-    draw_info_mark(app, centre, ImGui::IsItemHovered() || ImGui::IsItemFocused());
-    note_item(app.rects, std::string("explain:") + text.key);
-    draw_tooltip(app, "What happens here?");
+    draw_info_mark(ui, centre, ImGui::IsItemHovered() || ImGui::IsItemFocused());
+    note_item(ui.rects, std::string("explain:") + text.key);
+    draw_tooltip(ui, "What happens here?");
     ImGui::PopID();
 }
 
 // One pattern, or two with their difference between them.
-void draw_patterns(App& app, const std::vector<ShownStages>& patterns, Stage stage,
-                   const Rect& area, const StageSize& size) {
+void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
+                   const std::vector<ShownStages>& patterns, Stage stage, const Rect& area,
+                   const StageSize& size) {
     if (patterns.empty()) return;
-    if (patterns.size() < 2) return draw_stage(app, patterns[0], stage, area, size);
+    if (patterns.size() < 2)
+        return draw_stage(ui, work, timeline, physiology, patterns[0], stage, area, size);
     const bool has_signals = !signals_of(*patterns[0].live, stage).empty();
-    const float axis = size.time_axis ? time_axis_height(app) : 0.0F;
-    const float text = font_or_current(app.theme.fonts.small).FontSize;
+    const float axis = size.time_axis ? time_axis_height(ui) : 0.0F;
+    const float text = font_or_current(ui.theme.fonts.small).FontSize;
     const float middle = has_signals ? std::max(text, 0.24F * (area.height() - axis)) : text * 1.2F;
     const float each = 0.5F * (area.height() - axis - middle);
     const float y1 = area.min.y + each;
     const float y2 = y1 + middle;
     StageSize upper = size;
     upper.time_axis = false;
-    draw_stage(app, patterns[0], stage, {area.min, {area.max.x, y1}}, upper);
-    draw_stage_difference(app, patterns[0], patterns[1], stage,
+    draw_stage(ui, work, timeline, physiology, patterns[0], stage, {area.min, {area.max.x, y1}},
+               upper);
+    draw_stage_difference(ui, work, timeline, physiology, patterns[0], patterns[1], stage,
                           {{area.min.x, y1}, {area.max.x, y2}}, upper);
-    draw_stage(app, patterns[1], stage, {{area.min.x, y2}, area.max}, size);
+    draw_stage(ui, work, timeline, physiology, patterns[1], stage, {{area.min.x, y2}, area.max},
+               size);
 }
 
-void draw_overview(App& app, const std::vector<ShownStages>& patterns) {
-    const Theme& theme = app.theme;
+void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
+                   const std::vector<ShownStages>& patterns) {
+    const Theme& theme = ui.theme;
     const float gap = 0.75F * theme.gap_px;
     float units = 0.0F;
     for (const float unit : kUnits) units += unit;
     const float free = ImGui::GetContentRegionAvail().y - gap * static_cast<float>(kStages.size());
     float lowest = patterns.size() > 1 ? kLowestPairUnitPx : kLowestUnitPx;
-    if (app.as_picture) lowest = 1.0F;  // nobody can scroll it
+    if (ui.as_picture) lowest = 1.0F;  // nobody can scroll it
     const float unit = std::max(free / units, lowest * theme.scale);
     const float height = unit * units + gap * static_cast<float>(kStages.size());
     const bool scrolls = height > ImGui::GetContentRegionAvail().y + 1.0F;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     // The wheel moves through time where there is more of it than is shown.
-    const bool zoomed_in = app.time_range.length_s() < shown_duration_s(app) - 1e-9;
+    const bool zoomed_in = timeline.range.length_s() < shown_duration_s(work) - 1e-9;
     ImGuiWindowFlags flags = ImGuiWindowFlags_None;
     if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar;
     if (!scrolls || zoomed_in || ImGui::GetIO().KeyCtrl)
@@ -213,10 +220,10 @@ void draw_overview(App& app, const std::vector<ShownStages>& patterns) {
     for (const Stage stage : kStages) {
         const float bottom = top + unit * kUnits[index_of(stage)];
         const Rect area{{corner.x + label, top}, {corner.x + width, bottom}};
-        draw_stage_label(app, stage, {{corner.x, top}, {corner.x + label, bottom}});
+        draw_stage_label(ui, physiology, stage, {{corner.x, top}, {corner.x + label, bottom}});
         StageSize size;
         size.time_axis = stage == kStages.back();
-        draw_patterns(app, patterns, stage, area, size);
+        draw_patterns(ui, work, timeline, physiology, patterns, stage, area, size);
         top = bottom + gap;
     }
     ImGui::SetCursorScreenPos({corner.x, top - gap});
@@ -225,60 +232,62 @@ void draw_overview(App& app, const std::vector<ShownStages>& patterns) {
     ImGui::PopStyleVar();
 }
 
-void draw_large(App& app, const std::vector<ShownStages>& patterns, Stage stage) {
+void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
+                const std::vector<ShownStages>& patterns, Stage stage) {
     const Rect pane = rest_of_pane();
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const StageText& text = text_of(stage);
-    const float name = text_size(app.theme.fonts.small, text.name).x + 32.0F * app.theme.scale;
-    draw_stage_label(app, stage, {pane.min, {pane.min.x + name, pane.max.y}});
-    const float left = name + app.theme.gap_px;
-    draw_text(*ImGui::GetWindowDrawList(), app.theme.fonts.small, {pane.min.x + left, pane.min.y},
-              app.theme.dim_text,
-              shortened(app.theme.fonts.small, text.detail, pane.width() - left));
+    const float name = text_size(ui.theme.fonts.small, text.name).x + 32.0F * ui.theme.scale;
+    draw_stage_label(ui, physiology, stage, {pane.min, {pane.min.x + name, pane.max.y}});
+    const float left = name + ui.theme.gap_px;
+    draw_text(*ImGui::GetWindowDrawList(), ui.theme.fonts.small, {pane.min.x + left, pane.min.y},
+              ui.theme.dim_text, shortened(ui.theme.fonts.small, text.detail, pane.width() - left));
     StageSize size;
     size.large = true;
     size.time_axis =
         stage != Stage::spectrum && stage != Stage::receptors && stage != Stage::networks;
-    draw_patterns(app, patterns, stage, {{pane.min.x, pane.min.y + line}, pane.max}, size);
+    draw_patterns(ui, work, timeline, physiology, patterns, stage,
+                  {{pane.min.x, pane.min.y + line}, pane.max}, size);
 }
 
 }  // namespace
 
-bool draw_physiology_panel(App& app, bool tour_begun) {
-    app.crosshair_last_s = app.crosshair_s;
-    app.crosshair_s.reset();
-    app.physiology.hovered_last = app.physiology.hovered;
-    app.physiology.hovered.reset();
-    const Vibration* vibration = current_vibration(app);
+bool draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline, Physiology& physiology,
+                           bool tour_begun) {
+    timeline.crosshair_last_s = timeline.crosshair_s;
+    timeline.crosshair_s.reset();
+    physiology.view.hovered_last = physiology.view.hovered;
+    physiology.view.hovered.reset();
+    const Vibration* vibration = current_vibration(work);
     if (vibration == nullptr) {
-        draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(), "No vibration to show",
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "No vibration to show",
                    "Press New on the left to make one, or open a set.");
         return false;
     }
-    const double duration_s = shown_duration_s(app);
-    app.time_range = fitted(app.time_range, duration_s);
-    app.playhead.at_s = std::clamp(app.playhead.at_s, 0.0, duration_s);
-    const std::vector<ShownStages> patterns = shown_patterns(app);
-    follow_difference(app, patterns);
+    const double duration_s = shown_duration_s(work);
+    timeline.range = fitted(timeline.range, duration_s);
+    timeline.playhead.at_s = std::clamp(timeline.playhead.at_s, 0.0, duration_s);
+    const std::vector<ShownStages> patterns = shown_patterns(ui, work, physiology);
+    follow_difference(physiology, patterns);
     bool tour_asked = false;
-    if (!app.as_picture) {
-        draw_hint(app, "physiology",
+    if (!ui.as_picture) {
+        draw_hint(ui, "physiology",
                   "Space plays silently, in slow motion; drag in any plot to move through time; a "
                   "stage's name opens it large.");
-        draw_strip(app);
-        tour_asked = draw_pin_choice(app, tour_begun);
+        draw_strip(ui, physiology);
+        tour_asked = draw_pin_choice(ui, work, tour_begun);
     }
     // The links above may have turned to another range.
-    app.time_range = fitted(app.time_range, duration_s);
+    timeline.range = fitted(timeline.range, duration_s);
     if (patterns.empty()) {
-        draw_empty(*ImGui::GetWindowDrawList(), app.theme, rest_of_pane(), "Computing",
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "Computing",
                    "The receptors and nerves of " + vibration->name + " are on their way.");
         return tour_asked;
     }
-    if (app.physiology.open) {
-        draw_large(app, patterns, *app.physiology.open);
+    if (physiology.view.open) {
+        draw_large(ui, work, timeline, physiology, patterns, *physiology.view.open);
     } else {
-        draw_overview(app, patterns);
+        draw_overview(ui, work, timeline, physiology, patterns);
     }
     return tour_asked;
 }

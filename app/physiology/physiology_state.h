@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/jobs/latest_job.h"
 #include "app/physiology/live_stages.h"
 #include "app/physiology/stage_signals.h"
 #include "app/physiology/stages.h"
@@ -48,6 +49,16 @@ struct PhysiologyState {
     ShownLayers layers;
     ShownLayers pinned_layers;
     ShownDifference difference;
+};
+
+struct Physiology {
+    std::unique_ptr<LatestJob<LiveStagesRequest, LiveStages>> stages_job;
+    std::shared_ptr<const LiveStages> stages;  // of the current vibration, or of one before it
+    LiveStagesRequest stages_asked;
+    std::unique_ptr<LatestJob<LiveStagesRequest, LiveStages>> pinned_job;
+    std::shared_ptr<const LiveStages> pinned_stages;
+    LiveStagesRequest pinned_asked;
+    PhysiologyState view;
 };
 
 }  // namespace tact

@@ -5,10 +5,11 @@
 
 namespace tact {
 
-void draw_receptor_stage(App& app, const ShownStages& shown, const Rect& area,
-                         const StageSize& size);
-void draw_spike_stage(App& app, const ShownStages& shown, const Rect& area, const StageSize& size);
-void draw_network_stage(App& app, const ShownStages& shown, const Rect& area,
-                        const StageSize& size);
+void draw_receptor_stage(Ui& ui, const Timeline& timeline, Physiology& physiology,
+                         const ShownStages& shown, const Rect& area, const StageSize& size);
+void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
+                      const ShownStages& shown, const Rect& area, const StageSize& size);
+void draw_network_stage(Ui& ui, const Timeline& timeline, Physiology& physiology,
+                        const ShownStages& shown, const Rect& area, const StageSize& size);
 
 }  // namespace tact

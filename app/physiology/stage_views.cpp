@@ -22,33 +22,33 @@ bool is_silent(const StageSignal& signal) {
     return std::ranges::all_of(signal.samples, [](double sample) { return sample == 0.0; });
 }
 
-ImU32 colour_of(const App& app, const ShownStages& shown, const StageSignal& signal, Stage stage) {
-    if (signal.receptor) return app.theme.receptor[index_of(*signal.receptor)];
+ImU32 colour_of(const Ui& ui, const ShownStages& shown, const StageSignal& signal, Stage stage) {
+    if (signal.receptor) return ui.theme.receptor[index_of(*signal.receptor)];
     if (stage == Stage::vibration) return shown.look.colour;
-    return stage == Stage::brain ? app.theme.text : app.theme.dim_text;
+    return stage == Stage::brain ? ui.theme.text : ui.theme.dim_text;
 }
 
 // A silent channel's line: its name and why there is nothing.
-void draw_silent_row(const App& app, const Rect& area, const StageSignal& signal) {
+void draw_silent_row(const Ui& ui, const Rect& area, const StageSignal& signal) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float y = std::round(area.centre().y);
-    draw_level_line(list, y, area.min.x, area.max.x, app.theme.hairline_px, app.theme.line);
+    draw_level_line(list, y, area.min.x, area.max.x, ui.theme.hairline_px, ui.theme.line);
     const std::string text = std::string(traits(*signal.receptor).name) + " silent";
-    const float text_px = font_or_current(app.theme.fonts.small).FontSize;
+    const float text_px = font_or_current(ui.theme.fonts.small).FontSize;
     if (area.height() < 0.7F * text_px) return;
-    const ImVec2 size = text_size(app.theme.fonts.small, text);
+    const ImVec2 size = text_size(ui.theme.fonts.small, text);
     const ImVec2 corner{area.centre().x - size.x / 2.0F, y - text_px / 2.0F};
-    const float margin = app.theme.gap_px * 0.5F;
+    const float margin = ui.theme.gap_px * 0.5F;
     list.AddRectFilled({corner.x - margin, corner.y},
-                       {corner.x + size.x + margin, corner.y + text_px}, app.theme.pane);
-    draw_text(list, app.theme.fonts.small, corner, app.theme.dim_text, text);
+                       {corner.x + size.x + margin, corner.y + text_px}, ui.theme.pane);
+    draw_text(list, ui.theme.fonts.small, corner, ui.theme.dim_text, text);
 }
 
 // Names a channel within its own row, where there is room for it.
-void draw_channel_name(const App& app, const Rect& area, Receptor receptor) {
+void draw_channel_name(const Ui& ui, const Rect& area, Receptor receptor) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_text_halo(list, app.theme.fonts.small, {area.min.x + 2.0F * app.theme.scale, area.min.y},
-                   app.theme.receptor[index_of(receptor)], app.theme.pane, app.theme.hairline_px,
+    draw_text_halo(list, ui.theme.fonts.small, {area.min.x + 2.0F * ui.theme.scale, area.min.y},
+                   ui.theme.receptor[index_of(receptor)], ui.theme.pane, ui.theme.hairline_px,
                    traits(receptor).name);
 }
 
@@ -72,12 +72,12 @@ std::vector<Rect> shared_out(const Rect& area, const std::vector<StageSignal>& s
     return rects;
 }
 
-TimeRow row_of(const App& app, const ShownStages& shown, const StageSignal& signal, Stage stage) {
+TimeRow row_of(const Ui& ui, const ShownStages& shown, const StageSignal& signal, Stage stage) {
     TimeRow row;
     row.id = signal.id + (shown.pinned ? " pinned" : "");
     row.samples = signal.samples;
     row.rate_hz = signal.rate_hz;
-    row.colour = colour_of(app, shown, signal, stage);
+    row.colour = colour_of(ui, shown, signal, stage);
     row.style = signal.is_signed ? TraceStyle::line : TraceStyle::filled;
     row.largest = signal.largest;
     row.signed_values = signal.is_signed;
@@ -89,59 +89,59 @@ TimeRow row_of(const App& app, const ShownStages& shown, const StageSignal& sign
 // Close enough to tell spikes apart, the central signals show each of them.
 constexpr double kSingleSpikesS = 0.05;
 
-void draw_signals(App& app, const ShownStages& shown, Stage stage, const Rect& area,
-                  const StageSize& size) {
+void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const ShownStages& shown,
+                  Stage stage, const Rect& area, const StageSize& size) {
     std::vector<StageSignal> signals = signals_of(*shown.live, stage);
-    if (stage == Stage::central && app.time_range.length_s() <= kSingleSpikesS) {
+    if (stage == Stage::central && timeline.range.length_s() <= kSingleSpikesS) {
         for (StageSignal& signal : signals) {
             signal.samples = shown.live->central_spikes[index_of(*signal.receptor)];
             signal.rate_hz = kModelRateHz;
             signal.largest = 1.0;
         }
     }
-    const float axis_px = size.time_axis ? time_axis_height(app) : 0.0F;
+    const float axis_px = size.time_axis ? time_axis_height(ui) : 0.0F;
     const std::vector<Rect> rects = shared_out(area, signals, axis_px);
     for (std::size_t k = 0; k < signals.size(); ++k) {
         const bool last = k + 1 == signals.size();
         if (signals[k].receptor && is_silent(signals[k]) && !(last && size.time_axis)) {
-            draw_silent_row(app, rects[k], signals[k]);
+            draw_silent_row(ui, rects[k], signals[k]);
             continue;
         }
-        TimeRow row = row_of(app, shown, signals[k], stage);
+        TimeRow row = row_of(ui, shown, signals[k], stage);
         row.large = size.large;
         row.time_axis = last && size.time_axis;
-        draw_time_row(app, rects[k], row);
+        draw_time_row(ui, work, timeline, rects[k], row);
         if (signals[k].receptor && size.large) {
-            draw_channel_name(app, rects[k], *signals[k].receptor);
+            draw_channel_name(ui, rects[k], *signals[k].receptor);
         }
     }
 }
 
-void draw_spectrum_stage(App& app, const ShownStages& shown, const Rect& area) {
+void draw_spectrum_stage(Ui& ui, const ShownStages& shown, const Rect& area) {
     SpectrumScene scene;
     scene.components = shown.live->neural.components;
     scene.thresholds = &shown.live->request.model.coding.tables.threshold;
-    scene.colour = app.theme.text;
+    scene.colour = ui.theme.text;
     scene.stale = shown.stale;
     const char* id = shown.pinned ? "spectrum pinned" : "spectrum";
-    const SpectrumAction action = draw_spectrum(id, app.theme, area, scene);
-    note_rect(app.rects, std::string("plot:") + id, area.min, area.max);
+    const SpectrumAction action = draw_spectrum(id, ui.theme, area, scene);
+    note_rect(ui.rects, std::string("plot:") + id, area.min, area.max);
     if (!action.hovered) return;
     const Component& component = scene.components[*action.hovered];
     char text[96];
     std::snprintf(text, sizeof text, "%.17g %.17g", component.frequency_hz, component.skin_um);
-    note_rect(app.rects, std::string("under the mouse:") + id, area.min, area.max, text);
+    note_rect(ui.rects, std::string("under the mouse:") + id, area.min, area.max, text);
 }
 
 // In words, where there is no signal to subtract.
-void draw_difference_text(const App& app, const Rect& area, std::optional<double> difference) {
+void draw_difference_text(const Ui& ui, const Rect& area, std::optional<double> difference) {
     if (!difference) return;
     char text[64];
     std::snprintf(text, sizeof text, "%.0f %% not in common", 100.0 * *difference);
-    const ImVec2 size = text_size(app.theme.fonts.small, text);
-    draw_text(*ImGui::GetWindowDrawList(), app.theme.fonts.small,
-              {area.centre().x - size.x / 2.0F, area.centre().y - size.y / 2.0F},
-              app.theme.dim_text, text);
+    const ImVec2 size = text_size(ui.theme.fonts.small, text);
+    draw_text(*ImGui::GetWindowDrawList(), ui.theme.fonts.small,
+              {area.centre().x - size.x / 2.0F, area.centre().y - size.y / 2.0F}, ui.theme.dim_text,
+              text);
 }
 
 }  // namespace
@@ -161,42 +161,43 @@ Receptor strongest_channel(const LiveStages& live) {
     return kReceptors[best];
 }
 
-void draw_stage(App& app, const ShownStages& shown, Stage stage, const Rect& area,
-                const StageSize& size) {
+void draw_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
+                const ShownStages& shown, Stage stage, const Rect& area, const StageSize& size) {
     switch (stage) {
         case Stage::spectrum:
-            return draw_spectrum_stage(app, shown, area);
+            return draw_spectrum_stage(ui, shown, area);
         case Stage::receptors:
-            return draw_receptor_stage(app, shown, area, size);
+            return draw_receptor_stage(ui, timeline, physiology, shown, area, size);
         case Stage::spikes:
-            return draw_spike_stage(app, shown, area, size);
+            return draw_spike_stage(ui, work, timeline, physiology, shown, area, size);
         case Stage::networks:
-            return draw_network_stage(app, shown, area, size);
+            return draw_network_stage(ui, timeline, physiology, shown, area, size);
         default:
-            return draw_signals(app, shown, stage, area, size);
+            return draw_signals(ui, work, timeline, shown, stage, area, size);
     }
 }
 
-void draw_stage_difference(App& app, const ShownStages& a, const ShownStages& b, Stage stage,
-                           const Rect& area, const StageSize& size) {
+void draw_stage_difference(Ui& ui, const Workspace& work, Timeline& timeline,
+                           const Physiology& physiology, const ShownStages& a, const ShownStages& b,
+                           Stage stage, const Rect& area, const StageSize& size) {
     const std::vector<StageSignal> signals = signals_of(*a.live, stage);
-    const auto& differences = app.physiology.difference.signals[index_of(stage)];
+    const auto& differences = physiology.view.difference.signals[index_of(stage)];
     if (signals.empty() || differences.size() != signals.size()) {
-        const auto& known = app.physiology.difference.stages;
-        return draw_difference_text(app, area, known[index_of(stage)]);
+        const auto& known = physiology.view.difference.stages;
+        return draw_difference_text(ui, area, known[index_of(stage)]);
     }
     const std::vector<Rect> rects = shared_out(area, signals, 0.0F);
     for (std::size_t k = 0; k < signals.size(); ++k) {
-        TimeRow row = row_of(app, a, signals[k], stage);
+        TimeRow row = row_of(ui, a, signals[k], stage);
         row.id = signals[k].id + " difference";
         row.samples = differences[k];
-        row.colour = app.theme.warning;
+        row.colour = ui.theme.warning;
         row.signed_values = true;
         row.style = TraceStyle::filled;
         row.largest = 0.0;
         row.large = size.large;
         row.stale = a.stale || b.stale;
-        draw_time_row(app, rects[k], row);
+        draw_time_row(ui, work, timeline, rects[k], row);
     }
 }
 

@@ -1,7 +1,10 @@
 // One stage of one pattern, small among the others or filling the pane.
 #pragma once
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/physiology/physiology_state.h"
+#include "app/timeline/timeline.h"
+#include "app/ui/ui.h"
 #include "viz/drawing/geometry.h"
 
 namespace tact {
@@ -19,13 +22,14 @@ struct StageSize {
     bool time_axis = false;  // ticks below
 };
 
-void draw_stage(App& app, const ShownStages& shown, Stage stage, const Rect& area,
-                const StageSize& size);
+void draw_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
+                const ShownStages& shown, Stage stage, const Rect& area, const StageSize& size);
 
 // Signals of the first pattern minus those of the second; the relative difference where a stage has
 // no signals.
-void draw_stage_difference(App& app, const ShownStages& a, const ShownStages& b, Stage stage,
-                           const Rect& area, const StageSize& size);
+void draw_stage_difference(Ui& ui, const Workspace& work, Timeline& timeline,
+                           const Physiology& physiology, const ShownStages& a, const ShownStages& b,
+                           Stage stage, const Rect& area, const StageSize& size);
 
 // The channel with the strongest activity at the centre: what the overview shows the networks of.
 Receptor strongest_channel(const LiveStages& live);

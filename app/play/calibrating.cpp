@@ -16,66 +16,66 @@ namespace tact {
 namespace {
 
 // What the window takes a voice coil for is the one that is calibrated.
-void follow_rendered_coil(App& app) {
-    std::optional<Calibration>& used = app.rendering.by.calibration;
-    const bool is_coil = traits(app.rendering.by.kind).language == Language::waveform;
-    const Calibration* const wanted = is_coil ? app.play.calibration.get() : nullptr;
+void follow_rendered_coil(Workspace& work, RenderingState& rendered, const PlayState& play) {
+    std::optional<Calibration>& used = rendered.by.calibration;
+    const bool is_coil = traits(rendered.by.kind).language == Language::waveform;
+    const Calibration* const wanted = is_coil ? play.calibration.get() : nullptr;
     if (wanted == nullptr ? !used : used == *wanted) return;
     if (wanted != nullptr) {
         used = *wanted;
     } else {
         used.reset();
     }
-    if (app.rendering.on) predictions_changed(app);
+    if (rendered.on) predictions_changed(work);
 }
 
-void read_chosen(App& app) {
-    PlayState& play = app.play;
+void read_chosen(Ui& ui, PlayState& play) {
     if (play.calibration_read == play.choice.calibration) return;
     play.calibration_read = play.choice.calibration;
     play.calibration.reset();
     if (play.calibration_read.empty()) return;
     Expected<Calibration> read = read_calibration(play.calibration_read);
-    if (!read) return complain(app, read.error().message + "; the device plays uncalibrated");
+    if (!read) return complain(ui, read.error().message + "; the device plays uncalibrated");
     play.calibration = std::make_shared<const Calibration>(*std::move(read));
     const Calibration& made = *play.calibration;
     const bool is_other = !made.device.empty() && made.device != play.choice.id;
     if (is_other || made.channel != play.choice.channel) {
-        complain(app, "This calibration was made for " +
-                          (made.device.empty() ? "this device" : made.device) + ", channel " +
-                          std::to_string(made.channel) + ": here its strengths may be wrong");
+        complain(ui, "This calibration was made for " +
+                         (made.device.empty() ? "this device" : made.device) + ", channel " +
+                         std::to_string(made.channel) + ": here its strengths may be wrong");
     }
 }
 
 }  // namespace
 
-void follow_calibration(App& app) {
-    read_chosen(app);
-    follow_rendered_coil(app);
+void follow_calibration(Ui& ui, Workspace& work, RenderingState& rendered, PlayState& play) {
+    read_chosen(ui, play);
+    follow_rendered_coil(work, rendered, play);
 }
 
-void load_calibration_dialog(App& app) {
-    app.dialog = Dialog::none;  // its list would lie over the files
-    const std::filesystem::path last = app.play.choice.calibration;
-    ask_for_file(app,
+void load_calibration_dialog(Ui& ui, const Workspace& work, const PlayState& play) {
+    ui.dialog = Dialog::none;  // its list would lie over the files
+    const std::filesystem::path last = play.choice.calibration;
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::load_calibration,
                   .use = ChooserUse::open,
                   .title = "Load the calibration of this device",
                   .extensions = {".json"}},
-                 last.empty() ? app.document.path.parent_path() : last.parent_path());
+                 last.empty() ? work.document.path.parent_path() : last.parent_path());
 }
 
-void use_calibration(App& app, const std::filesystem::path& path) {
-    DeviceChoice choice = app.play.choice;
+void use_calibration(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                     PlayState& play, const std::filesystem::path& path) {
+    DeviceChoice choice = play.choice;
     choice.calibration = path.string();
-    choose_device(app, choice);
-    follow_calibration(app);
-    if (app.play.calibration && !app.status.is_error) say(app, calibration_text(app) + ".");
+    choose_device(ui, timeline, play, choice);
+    follow_calibration(ui, work, rendered, play);
+    if (play.calibration && !ui.status.is_error) say(ui, calibration_text(play) + ".");
 }
 
-std::string calibration_text(const App& app) {
-    if (!app.play.calibration) return {};
-    const Calibration& made = *app.play.calibration;
+std::string calibration_text(const PlayState& play) {
+    if (!play.calibration) return {};
+    const Calibration& made = *play.calibration;
     std::string text = "Calibrated";
     if (!made.actuator.empty()) text += ": " + made.actuator;
     if (!made.date.empty()) text += ", " + made.date;
@@ -83,9 +83,8 @@ std::string calibration_text(const App& app) {
            significant(made.points.back().frequency_hz) + " Hz";
 }
 
-DriveRequest drive_request(const App& app, const Vibration& vibration) {
-    return {
-        0, vibration, app.play.calibration, app.play.full_scale_g, false, app.play.is_protected};
+DriveRequest drive_request(const PlayState& play, const Vibration& vibration) {
+    return {0, vibration, play.calibration, play.full_scale_g, false, play.is_protected};
 }
 
 MadeDrive made_drive(const DriveRequest& request) {

@@ -29,54 +29,53 @@ std::string facts_of(const DeviceInfo& device) {
     return text;
 }
 
-void draw_device_row(App& app, const DeviceInfo& device) {
-    const Theme& theme = app.theme;
-    const bool chosen = device.id == app.play.choice.id;
+void draw_device_row(Ui& ui, Timeline& timeline, PlayState& play, const DeviceInfo& device) {
+    const Theme& theme = ui.theme;
+    const bool chosen = device.id == play.choice.id;
     ImGui::PushID(device.id.c_str());
-    if (draw_radio(app, device.name.c_str(), chosen) && !chosen) {
-        choose_device(app, remembered_choice(app, device.id));
+    if (draw_radio(ui, device.name.c_str(), chosen) && !chosen) {
+        choose_device(ui, timeline, play, remembered_choice(play, device.id));
     }
-    note_item(app.rects, "choose:" + device.id, chosen ? "chosen" : "");
+    note_item(ui.rects, "choose:" + device.id, chosen ? "chosen" : "");
     ImGui::PopID();
     ImGui::Indent(18.0F * theme.scale);
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(app, facts_of(device));
-    const std::string trouble = chosen ? device_trouble(app) : device.trouble;
+    dim_text(ui, facts_of(device));
+    const std::string trouble = chosen ? device_trouble(play) : device.trouble;
     if (!trouble.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme.warning);
         ImGui::TextUnformatted(trouble.c_str());
         ImGui::PopStyleColor();
-        note_item(app.rects, "device trouble", trouble);
+        note_item(ui.rects, "device trouble", trouble);
     }
     ImGui::PopTextWrapPos();
     ImGui::Unindent(18.0F * theme.scale);
 }
 
-void draw_list(App& app) {
-    if (draw_radio(app, "Silent: the playhead moves, nothing is felt",
-                   app.play.choice.id.empty())) {
-        choose_device(app, {});
+void draw_list(Ui& ui, Timeline& timeline, PlayState& play) {
+    if (draw_radio(ui, "Silent: the playhead moves, nothing is felt", play.choice.id.empty())) {
+        choose_device(ui, timeline, play, {});
     }
-    note_item(app.rects, "choose:silent");
-    if (app.play.listed) {
-        const auto listed = app.play.listed;
-        for (const DeviceInfo& device : *listed) draw_device_row(app, device);
+    note_item(ui.rects, "choose:silent");
+    if (play.listed) {
+        const auto listed = play.listed;
+        for (const DeviceInfo& device : *listed) draw_device_row(ui, timeline, play, device);
     }
-    const bool is_missing = !app.play.choice.id.empty() && !chosen_device(app);
-    const bool is_none = app.play.listed && app.play.listed->empty();
+    const bool is_missing = !play.choice.id.empty() && !chosen_device(play);
+    const bool is_none = play.listed && play.listed->empty();
     if (!is_missing && !is_none) return;
     ImGui::PushTextWrapPos(0.0F);
-    if (is_missing) ImGui::TextUnformatted(device_text(app).c_str());
-    dim_text(app, device_trouble(app));
+    if (is_missing) ImGui::TextUnformatted(device_text(play).c_str());
+    dim_text(ui, device_trouble(play));
     ImGui::PopTextWrapPos();
-    note_item(app.rects, "device advice", device_trouble(app));
+    note_item(ui.rects, "device advice", device_trouble(play));
 }
 
 // One of a few, by its name in a combo.
-bool draw_combo(App& app, const char* label, const char* id, const std::vector<std::string>& names,
+bool draw_combo(Ui& ui, const char* label, const char* id, const std::vector<std::string>& names,
                 int& chosen) {
-    draw_label(app, label, 200.0F * app.theme.scale);
-    ImGui::SetNextItemWidth(200.0F * app.theme.scale);
+    draw_label(ui, label, 200.0F * ui.theme.scale);
+    ImGui::SetNextItemWidth(200.0F * ui.theme.scale);
     const auto at = static_cast<std::size_t>(chosen);
     bool changed = false;
     if (ImGui::BeginCombo(id, at < names.size() ? names[at].c_str() : "")) {
@@ -85,15 +84,15 @@ bool draw_combo(App& app, const char* label, const char* id, const std::vector<s
                 chosen = static_cast<int>(k);
                 changed = true;
             }
-            note_item(app.rects, std::string("choose:") + (id + 2) + " " + names[k]);
+            note_item(ui.rects, std::string("choose:") + (id + 2) + " " + names[k]);
         }
         ImGui::EndCombo();
     }
-    note_item(app.rects, std::string("combo:") + (id + 2), at < names.size() ? names[at] : "");
+    note_item(ui.rects, std::string("combo:") + (id + 2), at < names.size() ? names[at] : "");
     return changed;
 }
 
-void draw_channel(App& app, const DeviceInfo& device, DeviceChoice& choice) {
+void draw_channel(Ui& ui, const DeviceInfo& device, DeviceChoice& choice) {
     if (device.channels.empty()) return;
     std::vector<std::string> names;
     for (std::size_t k = 0; k < device.channels.size(); ++k) {
@@ -102,16 +101,16 @@ void draw_channel(App& app, const DeviceInfo& device, DeviceChoice& choice) {
         names.push_back(name == number ? number : number + ", " + name);
     }
     int channel = choice.channel - 1;
-    if (draw_combo(app, "Channel", "##channel", names, channel)) choice.channel = channel + 1;
+    if (draw_combo(ui, "Channel", "##channel", names, channel)) choice.channel = channel + 1;
     if (!device.is_server) return;
     constexpr int kCounts[] = {0, 1, 2, 4, 6, 8};
     const std::vector<std::string> counts{"2, or as many as needed", "1", "2", "4", "6", "8"};
     int at = 0;
     for (int k = 0; k < 6; ++k) at = kCounts[k] == choice.of_channels ? k : at;
-    if (draw_combo(app, "Outputs", "##outputs", counts, at)) {
+    if (draw_combo(ui, "Outputs", "##outputs", counts, at)) {
         choice.of_channels = kCounts[at];
     }
-    draw_tooltip(app,
+    draw_tooltip(ui,
                  "Of the card behind the sound server, which mixes what does not match: with the "
                  "card's own number of outputs each channel stays by itself.");
 }
@@ -138,90 +137,95 @@ constexpr Field kFullScale{
         "The acceleration that full scale is taken for. The actuator may well do another: "
         "strengths within a set are in proportion, but uncalibrated."};
 
-void draw_calibration_links(App& app) {
-    if (can_be_calibrated(app)) {
-        if (link(app, "calibrate", "Calibrate...")) app.dialog = Dialog::calibrate;
-        note_item(app.rects, "link:calibrate");
-        draw_tooltip(app, "With an accelerometer on the actuator: how many g it gives");
-        ImGui::SameLine(0.0F, app.theme.padding_px);
+void draw_calibration_links(Ui& ui, const Workspace& work, const PlayState& play) {
+    if (can_be_calibrated(play)) {
+        if (link(ui, "calibrate", "Calibrate...")) ui.dialog = Dialog::calibrate;
+        note_item(ui.rects, "link:calibrate");
+        draw_tooltip(ui, "With an accelerometer on the actuator: how many g it gives");
+        ImGui::SameLine(0.0F, ui.theme.padding_px);
     }
-    if (link(app, "load calibration", "Load calibration...")) load_calibration_dialog(app);
-    note_item(app.rects, "link:load calibration");
-    draw_tooltip(app, "A file that an earlier calibration of this actuator has left");
+    if (link(ui, "load calibration", "Load calibration..."))
+        load_calibration_dialog(ui, work, play);
+    note_item(ui.rects, "link:load calibration");
+    draw_tooltip(ui, "A file that an earlier calibration of this actuator has left");
 }
 
 // How drives get their strength: by a calibration, or by what full scale is taken for.
-void draw_strength(App& app) {
-    const std::string calibrated = calibration_text(app);
+void draw_strength(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                   PlayState& play) {
+    const std::string calibrated = calibration_text(play);
     if (!calibrated.empty()) {
         ImGui::PushTextWrapPos(0.0F);
         ImGui::TextUnformatted(calibrated.c_str());
         ImGui::PopTextWrapPos();
-        note_item(app.rects, "calibrated", calibrated);
-        dim_text(app, "at a level of 100 % patterns have the strength they say");
-        if (link(app, "no calibration", "Use none")) use_calibration(app, {});
-        note_item(app.rects, "link:no calibration");
-        ImGui::SameLine(0.0F, app.theme.padding_px);
-        draw_calibration_links(app);
+        note_item(ui.rects, "calibrated", calibrated);
+        dim_text(ui, "at a level of 100 % patterns have the strength they say");
+        if (link(ui, "no calibration", "Use none"))
+            use_calibration(ui, work, timeline, rendered, play, {});
+        note_item(ui.rects, "link:no calibration");
+        ImGui::SameLine(0.0F, ui.theme.padding_px);
+        draw_calibration_links(ui, work, play);
         return;
     }
-    draw_field(app, kFullScale, app.play.full_scale_g);
-    ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+    draw_field(ui, kFullScale, play.full_scale_g);
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
     ImGui::TextUnformatted("Uncalibrated");
     ImGui::PopStyleColor();
-    note_item(app.rects, "uncalibrated");
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    dim_text(app, "what is felt in g is not known");
-    ImGui::Checkbox("Protect the actuator", &app.play.is_protected);
-    note_item(app.rects, "check:protect", app.play.is_protected ? "on" : "off");
-    draw_tooltip(app,
+    note_item(ui.rects, "uncalibrated");
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    dim_text(ui, "what is felt in g is not known");
+    ImGui::Checkbox("Protect the actuator", &play.is_protected);
+    note_item(ui.rects, "check:protect", play.is_protected ? "on" : "off");
+    draw_tooltip(ui,
                  "Leaves out what is slower than 16 Hz, fades both ends of a pattern in 5 ms and "
                  "stops after a minute on end. Without it an actuator may be harmed.");
-    draw_calibration_links(app);
+    draw_calibration_links(ui, work, play);
 }
 
-void draw_choice(App& app) {
-    const std::optional<DeviceInfo> device = chosen_device(app);
+void draw_choice(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                 PlayState& play) {
+    const std::optional<DeviceInfo> device = chosen_device(play);
     if (!device) return;
     ImGui::Separator();
-    DeviceChoice choice = app.play.choice;
-    draw_channel(app, *device, choice);
+    DeviceChoice choice = play.choice;
+    draw_channel(ui, *device, choice);
     double offset_ms = 1e3 * choice.latency_offset_s;
-    if (draw_field(app, kLatency, offset_ms).changed) choice.latency_offset_s = 1e-3 * offset_ms;
-    choose_device(app, choice);
-    draw_strength(app);
-    if (app.play.status.dropouts > 0) {
+    if (draw_field(ui, kLatency, offset_ms).changed) choice.latency_offset_s = 1e-3 * offset_ms;
+    choose_device(ui, timeline, play, choice);
+    draw_strength(ui, work, timeline, rendered, play);
+    if (play.status.dropouts > 0) {
         ImGui::PushTextWrapPos(0.0F);
-        const std::string gaps = significant(static_cast<double>(app.play.status.dropouts));
-        dim_text(app, gaps + (gaps == "1" ? " gap" : " gaps") +
-                          " since it was opened: the computer was too slow");
+        const std::string gaps = significant(static_cast<double>(play.status.dropouts));
+        dim_text(ui, gaps + (gaps == "1" ? " gap" : " gaps") +
+                         " since it was opened: the computer was too slow");
         ImGui::PopTextWrapPos();
     }
 }
 
 }  // namespace
 
-void draw_devices(App& app) {
-    if (!begin_dialog(app, "Devices")) return;
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(app.theme));
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
-    draw_list(app);
-    draw_choice(app);
+void draw_devices(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                  PlayState& play) {
+    if (!begin_dialog(ui, "Devices")) return;
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
+    draw_list(ui, timeline, play);
+    draw_choice(ui, work, timeline, rendered, play);
     ImGui::Spacing();
-    ImGui::BeginDisabled(!can_sound(app));
-    if (ImGui::Button("Test buzz")) play_test_buzz(app);
-    note_item(app.rects, "button:test buzz");
-    draw_tooltip(app, "150 Hz for 0.3 s, at the level of the bar");
+    ImGui::BeginDisabled(!can_sound(play));
+    if (ImGui::Button("Test buzz")) play_test_buzz(ui, timeline, play);
+    note_item(ui.rects, "button:test buzz");
+    draw_tooltip(ui, "150 Hz for 0.3 s, at the level of the bar");
     ImGui::EndDisabled();
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    if (ImGui::Button("Refresh")) refresh_devices(app);
-    note_item(app.rects, "button:refresh");
-    if (app.play.list_job && app.play.list_job->busy()) {
-        ImGui::SameLine(0.0F, app.theme.gap_px);
-        dim_text(app, "looking...");
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    if (ImGui::Button("Refresh")) refresh_devices(play);
+    note_item(ui.rects, "button:refresh");
+    if (play.list_job && play.list_job->busy()) {
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
+        dim_text(ui, "looking...");
     }
     ImGui::PopStyleColor(2);
-    end_dialog(app);
+    end_dialog(ui);
 }
 
 }  // namespace tact

@@ -26,9 +26,9 @@ std::string percent(double share) {
     return text;
 }
 
-void draw_kind(App& app) {
-    RenderingState& state = app.rendering;
-    const float wide = 190.0F * app.theme.scale;
+void draw_kind(Ui& ui, Workspace& work, RenderingState& rendered) {
+    RenderingState& state = rendered;
+    const float wide = 190.0F * ui.theme.scale;
     ImGui::SetNextItemWidth(std::min(wide, ImGui::GetContentRegionAvail().x));
     const char* shown = traits(state.by.kind).name;
     if (ImGui::BeginCombo("##kind", shown, ImGuiComboFlags_HeightLargest)) {
@@ -36,28 +36,28 @@ void draw_kind(App& app) {
             const bool chosen = state.by.kind == kind;
             if (ImGui::Selectable(traits(kind).name, chosen) && !chosen) {
                 state.by.kind = kind;
-                if (state.on) predictions_changed(app);
+                if (state.on) predictions_changed(work);
             }
-            note_item(app.rects, std::string("choose:") + traits(kind).key);
-            draw_tooltip(app, (std::string("Keeps ") + traits(kind).keeps + ".").c_str());
+            note_item(ui.rects, std::string("choose:") + traits(kind).key);
+            draw_tooltip(ui, (std::string("Keeps ") + traits(kind).keeps + ".").c_str());
         }
         ImGui::EndCombo();
     }
-    note_item(app.rects, "combo:device kind", shown);
+    note_item(ui.rects, "combo:device kind", shown);
 }
 
-void draw_switch(App& app) {
+void draw_switch(Ui& ui, Workspace& work, RenderingState& rendered) {
     constexpr const char* kLabel = "Predict from this";
-    flow_on(ImGui::CalcTextSize(kLabel).x + ImGui::GetFrameHeight() + app.theme.gap_px,
-            1.5F * app.theme.gap_px);
-    if (ImGui::Checkbox(kLabel, &app.rendering.on)) predictions_changed(app);
-    note_item(app.rects, "rendered", app.rendering.on ? "on" : "off");
-    draw_tooltip(app,
+    flow_on(ImGui::CalcTextSize(kLabel).x + ImGui::GetFrameHeight() + ui.theme.gap_px,
+            1.5F * ui.theme.gap_px);
+    if (ImGui::Checkbox(kLabel, &rendered.on)) predictions_changed(work);
+    note_item(ui.rects, "rendered", rendered.on ? "on" : "off");
+    draw_tooltip(ui,
                  "Stages, matrix, map and metrics of what the device plays, instead of what was "
                  "meant. Titles say so; the document stays as it is.");
 }
 
-void draw_full_scale(App& app) {
+void draw_full_scale(Ui& ui, Workspace& work, RenderingState& rendered) {
     constexpr Field kField{.id = "rendering_full_scale_g",
                            .label = "Full scale",
                            .format = "%.2f g",
@@ -68,20 +68,21 @@ void draw_full_scale(App& app) {
                            .help =
                                "The acceleration that the device's strongest is taken for. "
                                "Uncalibrated: nobody has measured it."};
-    const FieldEdit edit = draw_field(app, kField, app.rendering.by.full_scale_g);
-    if (edit.changed && app.rendering.on) predictions_changed(app);
+    const FieldEdit edit = draw_field(ui, kField, rendered.by.full_scale_g);
+    if (edit.changed && rendered.on) predictions_changed(work);
 }
 
 // The largest of both, so that what is weaker looks weaker.
-void draw_waves(App& app, const LiveRendering& live, bool stale, const Rect& area) {
+void draw_waves(Ui& ui, const Workspace& work, Timeline& timeline, const LiveRendering& live,
+                bool stale, const Rect& area) {
     const double largest = std::max(peak_g(live.intended), peak_g(live.rendering.waveform));
-    const ImFont* small = app.theme.fonts.small;
+    const ImFont* small = ui.theme.fonts.small;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float caption = small == nullptr ? 0.0F : small->FontSize + 2.0F * app.theme.scale;
-    const float each = (area.height() - time_axis_height(app)) / 2.0F;
+    const float caption = small == nullptr ? 0.0F : small->FontSize + 2.0F * ui.theme.scale;
+    const float each = (area.height() - time_axis_height(ui)) / 2.0F;
     const auto draw = [&](const char* id, const char* words, const Waveform& waveform, ImU32 colour,
                           Rect place, bool last) {
-        draw_text(list, small, {place.min.x, place.min.y}, app.theme.dim_text, words);
+        draw_text(list, small, {place.min.x, place.min.y}, ui.theme.dim_text, words);
         place.min.y += caption;
         TimeRow row;
         row.id = id;
@@ -93,12 +94,12 @@ void draw_waves(App& app, const LiveRendering& live, bool stale, const Rect& are
         row.large = true;
         row.time_axis = last;
         row.stale = stale;
-        draw_time_row(app, place, row);
+        draw_time_row(ui, work, timeline, place, row);
     };
     const float split = area.min.y + each;
-    draw("intended", "meant", live.intended, app.theme.dim_text, {area.min, {area.max.x, split}},
+    draw("intended", "meant", live.intended, ui.theme.dim_text, {area.min, {area.max.x, split}},
          false);
-    draw("rendered", "played", live.rendering.waveform, app.theme.accent,
+    draw("rendered", "played", live.rendering.waveform, ui.theme.accent,
          {{area.min.x, split}, area.max}, true);
 }
 
@@ -114,7 +115,7 @@ std::string band_words(const BandEnergy& band, bool is_last) {
     return text;
 }
 
-void draw_band(App& app, const BandEnergy& band, double whole_g2, bool is_last) {
+void draw_band(Ui& ui, const BandEnergy& band, double whole_g2, bool is_last) {
     const auto cell = [](const std::string& text) {
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(text.c_str());
@@ -122,31 +123,31 @@ void draw_band(App& app, const BandEnergy& band, double whole_g2, bool is_last) 
     const std::string lost = band.intended_g2 > 1e-4 * whole_g2 ? percent(band.share_lost) : "-";
     ImGui::TableNextRow();
     cell(band_words(band, is_last));
-    note_item(app.rects, "band:" + band_words(band, is_last), lost);
+    note_item(ui.rects, "band:" + band_words(band, is_last), lost);
     cell(percent(band.intended_g2 / whole_g2));
     cell(percent(band.rendered_g2 / whole_g2));
     const bool much = band.share_lost > 0.5 && band.intended_g2 > 0.05 * whole_g2;
-    if (much) ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+    if (much) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
     cell(lost);
     if (much) ImGui::PopStyleColor();
 }
 
-void draw_bands(App& app, const Rendering& rendering) {
+void draw_bands(Ui& ui, const Rendering& rendering) {
     double whole_g2 = 0.0;
     for (const BandEnergy& band : rendering.bands) whole_g2 += band.intended_g2;
-    if (!(whole_g2 > 0.0)) return dim_text(app, "Silence: there is nothing to lose.");
-    ImGui::PushFont(app.theme.fonts.small);
+    if (!(whole_g2 > 0.0)) return dim_text(ui, "Silence: there is nothing to lose.");
+    ImGui::PushFont(ui.theme.fonts.small);
     if (ImGui::BeginTable("bands", 4, ImGuiTableFlags_SizingStretchProp)) {
         ImGui::TableSetupColumn("band", 0, 1.3F);
         for (const char* name : {"meant", "played", "lost of it"}) ImGui::TableSetupColumn(name);
-        ImGui::PushStyleColor(ImGuiCol_Text, app.theme.dim_text);
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
         for (const char* name : {"energy", "meant", "played", "lost of it"}) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(name);
         }
         ImGui::PopStyleColor();
         for (const BandEnergy& band : rendering.bands) {
-            draw_band(app, band, whole_g2, &band == &rendering.bands.back());
+            draw_band(ui, band, whole_g2, &band == &rendering.bands.back());
         }
         ImGui::EndTable();
     }
@@ -177,7 +178,7 @@ std::vector<std::string> remarks_on(const Rendering& rendering) {
     return remarks;
 }
 
-void draw_summary(App& app, const Rendering& rendering) {
+void draw_summary(Ui& ui, const Rendering& rendering) {
     std::string text = percent(rendering.share_lost) + " of its energy is lost";
     if (rendering.share_added > 0.005) {
         text += ", and " + percent(rendering.share_added) + " as much appears where less was meant";
@@ -185,60 +186,62 @@ void draw_summary(App& app, const Rendering& rendering) {
     text += ".";
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(text.c_str());
-    note_item(app.rects, "rendering:summary", text);
-    ImGui::PushFont(app.theme.fonts.small);
-    for (const std::string& remark : remarks_on(rendering)) dim_text(app, remark);
-    dim_text(app, std::string("This kind keeps ") + traits(rendering.by.kind).keeps +
-                      (is_calibrated(rendering.by)
-                           ? ". Computed from its measured response, at a level of 100 %."
-                           : ". Computed from how it is told, not measured."));
+    note_item(ui.rects, "rendering:summary", text);
+    ImGui::PushFont(ui.theme.fonts.small);
+    for (const std::string& remark : remarks_on(rendering)) dim_text(ui, remark);
+    dim_text(ui, std::string("This kind keeps ") + traits(rendering.by.kind).keeps +
+                     (is_calibrated(rendering.by)
+                          ? ". Computed from its measured response, at a level of 100 %."
+                          : ". Computed from how it is told, not measured."));
     ImGui::PopFont();
     ImGui::PopTextWrapPos();
 }
 
-void draw_report(App& app) {
-    const Vibration* const current = current_vibration(app);
-    const std::shared_ptr<const LiveRendering> live = app.rendering.shown;
+void draw_report(Ui& ui, const Workspace& work, Timeline& timeline,
+                 const RenderingState& rendered) {
+    const Vibration* const current = current_vibration(work);
+    const std::shared_ptr<const LiveRendering> live = rendered.shown;
     if (current == nullptr || !live) {
         const Rect area = rest_of_pane();
         if (area.empty()) return;
-        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area,
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area,
                    current == nullptr ? "No pattern" : "Computing",
                    "What the device plays will stand here, beside what was meant.");
         return;
     }
-    const bool stale = live->request != RenderingRequest{*current, app.rendering.by};
-    draw_summary(app, live->rendering);
+    const bool stale = live->request != RenderingRequest{*current, rendered.by};
+    draw_summary(ui, live->rendering);
     const float rows = static_cast<float>(live->rendering.bands.size()) + 1.0F;
-    const float line = app.theme.fonts.small == nullptr
+    const float line = ui.theme.fonts.small == nullptr
                            ? ImGui::GetTextLineHeightWithSpacing()
-                           : app.theme.fonts.small->FontSize + ImGui::GetStyle().ItemSpacing.y;
-    const float least = 130.0F * app.theme.scale;
-    const float room = rest_of_pane().height() - rows * line - app.theme.gap_px;
+                           : ui.theme.fonts.small->FontSize + ImGui::GetStyle().ItemSpacing.y;
+    const float least = 130.0F * ui.theme.scale;
+    const float room = rest_of_pane().height() - rows * line - ui.theme.gap_px;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const Rect waves = rect_at(corner, {ImGui::GetContentRegionAvail().x, std::max(least, room)});
     ImGui::Dummy(waves.size());
-    draw_waves(app, *live, stale, waves);
-    draw_bands(app, live->rendering);
+    draw_waves(ui, work, timeline, *live, stale, waves);
+    draw_bands(ui, live->rendering);
 }
 
 }  // namespace
 
-void draw_device_panel(App& app) {
+void draw_device_panel(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                       const PlayState& play) {
     // Longer than a low pane.
     ImGui::BeginChild("device report", ImGui::GetContentRegionAvail());
-    draw_kind(app);
-    draw_switch(app);
-    if (is_calibrated(app.rendering.by)) {
-        const std::string text = calibration_text(app);
+    draw_kind(ui, work, rendered);
+    draw_switch(ui, work, rendered);
+    if (is_calibrated(rendered.by)) {
+        const std::string text = calibration_text(play);
         ImGui::PushTextWrapPos(0.0F);
-        dim_text(app, text);
+        dim_text(ui, text);
         ImGui::PopTextWrapPos();
-        note_item(app.rects, "rendering:calibrated", text);
+        note_item(ui.rects, "rendering:calibrated", text);
     } else {
-        draw_full_scale(app);
+        draw_full_scale(ui, work, rendered);
     }
-    draw_report(app);
+    draw_report(ui, work, timeline, rendered);
     ImGui::EndChild();
 }
 

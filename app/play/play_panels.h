@@ -1,15 +1,23 @@
 // What plays: the bar under the menus, the tab and the dialog of devices.
 #pragma once
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
+#include "app/play/play_state.h"
+#include "app/rendering/rendering_state.h"
+#include "app/timeline/timeline.h"
+#include "app/ui/ui.h"
 #include "viz/drawing/geometry.h"
 
 namespace tact {
 
-void draw_device_panel(App& app);
-void draw_devices(App& app);
-float transport_height(const App& app);
-void draw_transport_bar(App& app, const Rect& area);
+void draw_device_panel(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                       const PlayState& play);
+void draw_devices(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                  PlayState& play);
+float transport_height(const Ui& ui);
+void draw_transport_bar(Ui& ui, Workspace& work, Timeline& timeline, ShownMap& shown_map,
+                        const RenderingState& rendered, PlayState& play, const Rect& area);
 
 // Of the bar: device, level, meter, clip light; without `level` the device alone.
 // Without `level` its controls, without `wide` most of the device's name is left out.
@@ -17,7 +25,7 @@ struct SoundParts {
     bool level = true;
     bool wide = true;
 };
-void draw_sound_controls(App& app, SoundParts parts);
-float sound_controls_width(const App& app, SoundParts parts);
+void draw_sound_controls(Ui& ui, Timeline& timeline, PlayState& play, SoundParts parts);
+float sound_controls_width(const Ui& ui, const PlayState& play, SoundParts parts);
 
 }  // namespace tact

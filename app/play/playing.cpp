@@ -17,9 +17,9 @@ namespace {
 constexpr double kHoverRestS = 0.15;
 constexpr double kMeterFallDbPerS = 30.0;
 
-const Vibration* vibration_named(const App& app, const std::string& name) {
-    const auto place = place_named(app.document.set, name);
-    return place ? &app.document.set.vibrations[*place] : nullptr;
+const Vibration* vibration_named(const Workspace& work, const std::string& name) {
+    const auto place = place_named(work.document.set, name);
+    return place ? &work.document.set.vibrations[*place] : nullptr;
 }
 
 // As the bar says, but for a signal that has a level of its own.
@@ -27,26 +27,24 @@ double level_now(const PlayState& play) {
     return play.sounding ? play.sounding->level.value_or(play.level) : play.level;
 }
 
-void play_drive(App& app, const Drive& drive, bool loop) {
-    PlayState& play = app.play;
+void play_drive(Ui& ui, Timeline& timeline, PlayState& play, const Drive& drive, bool loop) {
     play.halted = false;
     play.device->set_level(level_now(play));
     const Expected<Done> begun = play.device->play(drive, loop);
     if (begun) return;
     play.sounding.reset();
-    app.playhead.playing = false;
-    complain(app, begun.error().message);
+    timeline.playhead.playing = false;
+    complain(ui, begun.error().message);
 }
 
 // At once, or when its drive by the calibration is computed; until then what sounded goes on.
-void play_vibration(App& app, const Vibration& vibration) {
-    PlayState& play = app.play;
-    DriveRequest request = drive_request(app, vibration);
+void play_vibration(Ui& ui, Timeline& timeline, PlayState& play, const Vibration& vibration) {
+    DriveRequest request = drive_request(play, vibration);
     request.loops = play.sounding->loops;
     if (!request.calibration) {
         const MadeDrive made = made_drive(request);
-        if (!made.remark.empty()) say(app, made.remark);
-        return play_drive(app, made.drive, play.sounding->loops);
+        if (!made.remark.empty()) say(ui, made.remark);
+        return play_drive(ui, timeline, play, made.drive, play.sounding->loops);
     }
     if (!play.drive_job) {
         play.drive_job = std::make_unique<LatestJob<DriveRequest, MadeDrive>>(
@@ -54,7 +52,7 @@ void play_vibration(App& app, const Vibration& vibration) {
             [](const DriveRequest& asked, std::stop_token, std::atomic<float>&) {
                 return std::optional(made_drive(asked));
             },
-            app.wake);
+            ui.wake);
     }
     request.number = ++play.drives_asked;
     play.sounding->is_prepared = false;
@@ -62,95 +60,94 @@ void play_vibration(App& app, const Vibration& vibration) {
 }
 
 // The pattern of the queue that is to sound now; one that was removed ends it all.
-void play_current(App& app) {
-    Sounding& sounding = *app.play.sounding;
-    const Vibration* vibration = vibration_named(app, sounding.names[sounding.at]);
+void play_current(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
+    Sounding& sounding = *play.sounding;
+    const Vibration* vibration = vibration_named(work, sounding.names[sounding.at]);
     if (vibration == nullptr) {
-        silence(app);
+        silence(timeline, play);
         return;
     }
     sounding.rests_until_s.reset();
     sounding.position_s = 0.0;
     sounding.as_played = *vibration;
-    app.playhead.playing = true;
-    app.playhead.at_s = 0.0;
+    timeline.playhead.playing = true;
+    timeline.playhead.at_s = 0.0;
     if (sounding.selects) {
-        select_only(app, *place_named(app.document.set, vibration->name));
-        app.selection.scroll_to_current = true;
+        select_only(work, *place_named(work.document.set, vibration->name));
+        work.selection.scroll_to_current = true;
     }
-    play_vibration(app, *vibration);
+    play_vibration(ui, timeline, play, *vibration);
 }
 
-void start(App& app, Sounding sounding) {
-    silence(app);
-    app.playhead.speed = 1.0;
-    app.play.sounding = std::move(sounding);
-    play_current(app);
+void start(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, Sounding sounding) {
+    silence(timeline, play);
+    timeline.playhead.speed = 1.0;
+    play.sounding = std::move(sounding);
+    play_current(ui, work, timeline, play);
 }
 
-void end(App& app) {
-    const bool was_pattern = !app.play.sounding->names.empty();
-    app.play.sounding.reset();
+void end(Timeline& timeline, PlayState& play) {
+    const bool was_pattern = !play.sounding->names.empty();
+    play.sounding.reset();
     if (!was_pattern) return;
-    app.playhead.playing = false;
+    timeline.playhead.playing = false;
 }
 
 // What comes after a pattern that has been felt to its end.
-void advance(App& app) {
-    Sounding& sounding = *app.play.sounding;
+void advance(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
+    Sounding& sounding = *play.sounding;
     const bool is_last = sounding.at + 1 >= sounding.names.size();
-    if (is_last && !sounding.repeats) return end(app);
+    if (is_last && !sounding.repeats) return end(timeline, play);
     if (!sounding.rests_until_s) {
-        sounding.rests_until_s = app.time_s + app.play.gap_s;
+        sounding.rests_until_s = ui.time_s + play.gap_s;
         return;
     }
-    if (app.time_s < *sounding.rests_until_s) return;
+    if (ui.time_s < *sounding.rests_until_s) return;
     sounding.at = is_last ? 0 : sounding.at + 1;
-    play_current(app);
+    play_current(ui, work, timeline, play);
 }
 
 // A loop takes up what was edited, or another pattern, at its next round.
-void follow_edits(App& app) {
-    Sounding& sounding = *app.play.sounding;
-    const Vibration* current = current_vibration(app);
-    const bool new_round = app.play.status.position_s < sounding.position_s;
+void follow_edits(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play) {
+    Sounding& sounding = *play.sounding;
+    const Vibration* current = current_vibration(work);
+    const bool new_round = play.status.position_s < sounding.position_s;
     if (!sounding.follows || !new_round || current == nullptr) return;
     if (*current == sounding.as_played) return;
     sounding.names = {current->name};
     sounding.as_played = *current;
-    play_vibration(app, *current);
+    play_vibration(ui, timeline, play, *current);
 }
 
 // Begins what was being computed for the one that sounds.
-bool take_drive(App& app) {
-    Sounding& sounding = *app.play.sounding;
-    const auto made = app.play.drive_job ? app.play.drive_job->latest() : nullptr;
-    if (sounding.is_prepared || !made || made->request.number != app.play.drives_asked) {
+bool take_drive(Ui& ui, Timeline& timeline, PlayState& play) {
+    Sounding& sounding = *play.sounding;
+    const auto made = play.drive_job ? play.drive_job->latest() : nullptr;
+    if (sounding.is_prepared || !made || made->request.number != play.drives_asked) {
         return false;
     }
     sounding.is_prepared = true;
-    if (!made->remark.empty()) say(app, made->remark);
-    play_drive(app, made->drive, sounding.loops);
+    if (!made->remark.empty()) say(ui, made->remark);
+    play_drive(ui, timeline, play, made->drive, sounding.loops);
     return true;
 }
 
-void follow_device(App& app) {
-    if (app.play.halted) return;
-    if (take_drive(app)) return;  // of which this frame's status says nothing yet
-    Sounding& sounding = *app.play.sounding;
-    if (!sounding.is_prepared && !app.play.status.playing) return;
-    if (!app.play.status.playing || sounding.rests_until_s) return advance(app);
+void follow_device(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
+    if (play.halted) return;
+    if (take_drive(ui, timeline, play)) return;  // of which this frame's status says nothing yet
+    Sounding& sounding = *play.sounding;
+    if (!sounding.is_prepared && !play.status.playing) return;
+    if (!play.status.playing || sounding.rests_until_s) return advance(ui, work, timeline, play);
     if (sounding.names.empty()) return;
-    follow_edits(app);
-    sounding.position_s = app.play.status.position_s;
-    app.playhead.at_s = app.play.status.position_s;
+    follow_edits(ui, work, timeline, play);
+    sounding.position_s = play.status.position_s;
+    timeline.playhead.at_s = play.status.position_s;
 }
 
 // The chosen device where it is there and not open yet, as it is chosen.
-void open_chosen(App& app) {
-    PlayState& play = app.play;
+void open_chosen(Ui& ui, PlayState& play) {
     if (play.opened == play.choice) return;
-    const std::optional<DeviceInfo> info = chosen_device(app);
+    const std::optional<DeviceInfo> info = chosen_device(play);
     if (!info || !play.audio) return;
     auto device = open_device(play.audio, *info, play.choice);
     play.opened = play.choice;
@@ -158,188 +155,193 @@ void open_chosen(App& app) {
         play.device = std::move(*device);
     } else {
         play.device.reset();
-        complain(app, device.error().message);
+        complain(ui, device.error().message);
     }
 }
 
-void follow_status(App& app) {
-    PlayState& play = app.play;
-    const double fall = std::pow(10.0, -kMeterFallDbPerS * app.frame_s / 20.0);
+void follow_status(Ui& ui, Timeline& timeline, PlayState& play) {
+    const double fall = std::pow(10.0, -kMeterFallDbPerS * ui.frame_s / 20.0);
     play.meter *= fall;
     if (play.meter < 1e-3) play.meter = 0.0;
     if (!play.device) return;
     play.device->set_level(level_now(play));
     play.status = play.device->status();
     play.meter = std::max(play.meter, play.status.peak);
-    play.clip_light |= play.status.clipped && is_sounding(app);
+    play.clip_light |= play.status.clipped && is_sounding(play);
     if (play.status.trouble.empty()) {
         play.told_trouble.clear();
     } else if (play.told_trouble != play.status.trouble) {
         play.told_trouble = play.status.trouble;
-        complain(app, play.status.trouble);
-        if (play.sounding) end(app);
+        complain(ui, play.status.trouble);
+        if (play.sounding) end(timeline, play);
     }
 }
 
 // A pattern that the mouse has rested on in the map is felt once.
-void follow_hover(App& app) {
-    PlayState& play = app.play;
+void follow_hover(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     const auto hovered = std::exchange(play.hovered_in_map, std::nullopt);
-    if (!hovered || !play.on_hover || *hovered >= app.document.set.vibrations.size()) {
+    if (!hovered || !play.on_hover || *hovered >= work.document.set.vibrations.size()) {
         play.felt_on_hover.clear();
         return;
     }
-    const std::string& name = app.document.set.vibrations[*hovered].name;
-    if (name == play.felt_on_hover || app.time_s - app.hover_since_s < kHoverRestS) return;
-    if (!can_sound(app)) return;
+    const std::string& name = work.document.set.vibrations[*hovered].name;
+    if (name == play.felt_on_hover || ui.time_s - ui.hover_since_s < kHoverRestS) return;
+    if (!can_sound(play)) return;
     play.felt_on_hover = name;
-    start(app, {.names = {name}});
+    start(ui, work, timeline, play, {.names = {name}});
 }
 
-Sounding of_transport(const App& app) {
-    const std::string name = current_vibration(app)->name;
-    const std::optional<ChosenPair> pair = chosen_pair(app);
-    if (app.play.alternates && pair) {
-        const std::string& partner = app.document.set.vibrations[pair->partner].name;
-        return {.names = {name, partner}, .repeats = app.playhead.loop};
+Sounding of_transport(const Workspace& work, const Timeline& timeline, const ShownMap& shown_map,
+                      const PlayState& play) {
+    const std::string name = current_vibration(work)->name;
+    const std::optional<ChosenPair> pair = chosen_pair(work, shown_map);
+    if (play.alternates && pair) {
+        const std::string& partner = work.document.set.vibrations[pair->partner].name;
+        return {.names = {name, partner}, .repeats = timeline.playhead.loop};
     }
-    return {.names = {name}, .loops = app.playhead.loop, .follows = app.playhead.loop};
+    return {.names = {name}, .loops = timeline.playhead.loop, .follows = timeline.playhead.loop};
 }
 
 }  // namespace
 
-void make_sound(App& app) {
-    app.play.audio = std::make_shared<AudioHost>();
-    app.play.list_job = std::make_unique<LatestJob<int, Listing>>(
+void make_sound(const Ui& ui, Timeline& timeline, PlayState& play) {
+    play.audio = std::make_shared<AudioHost>();
+    play.list_job = std::make_unique<LatestJob<int, Listing>>(
         JobPolicy::finish,
-        [host = app.play.audio](int, std::stop_token, std::atomic<float>&) {
+        [host = play.audio](int, std::stop_token, std::atomic<float>&) {
             return std::optional<Listing>(list_devices(*host));
         },
-        app.wake);
-    refresh_devices(app);
+        ui.wake);
+    refresh_devices(play);
     // With an actuator at hand, play is meant to be felt.
-    if (!app.play.choice.id.empty()) app.playhead.speed = 1.0;
+    if (!play.choice.id.empty()) timeline.playhead.speed = 1.0;
 }
 
-void stop_sound(App& app) {
-    silence(app);
-    app.play.device.reset();
-    app.play.list_job.reset();
-    app.play.drive_job.reset();
-    app.play.audio.reset();
+void stop_sound(Timeline& timeline, PlayState& play) {
+    silence(timeline, play);
+    play.device.reset();
+    play.list_job.reset();
+    play.drive_job.reset();
+    play.audio.reset();
 }
 
-bool can_sound(const App& app) { return app.play.device != nullptr; }
+bool can_sound(const PlayState& play) { return play.device != nullptr; }
 
-bool is_sounding(const App& app) { return app.play.sounding.has_value(); }
+bool is_sounding(const PlayState& play) { return play.sounding.has_value(); }
 
-void follow_focus(App& app, bool focused) {
-    const bool is_lost = std::exchange(app.play.focused, focused) && !focused;
-    const std::optional<DeviceInfo> device = chosen_device(app);
-    if (!is_lost || !device || device->kind != DeviceKind::hid || app.play.held) return;
-    if (silence(app)) say(app, device->name + " is still: another window has the keys.");
+void follow_focus(Ui& ui, Timeline& timeline, PlayState& play, bool focused) {
+    const bool is_lost = std::exchange(play.focused, focused) && !focused;
+    const std::optional<DeviceInfo> device = chosen_device(play);
+    if (!is_lost || !device || device->kind != DeviceKind::hid || play.held) return;
+    if (silence(timeline, play)) say(ui, device->name + " is still: another window has the keys.");
 }
 
-void take_escape(App& app, bool is_pressed) {
-    app.escape_taken = is_pressed && (silence(app) || app.play.halted);
-    if (is_pressed) app.play.halted = false;
+void take_escape(Ui& ui, Timeline& timeline, PlayState& play, bool is_pressed) {
+    ui.escape_taken = is_pressed && (silence(timeline, play) || play.halted);
+    if (is_pressed) play.halted = false;
 }
 
-void follow_sound(App& app) {
-    PlayState& play = app.play;
+void follow_sound(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                  PlayState& play) {
     if (play.list_job) {
         if (auto listed = play.list_job->latest()) play.listed = std::move(listed);
     }
-    follow_calibration(app);
-    open_chosen(app);
-    follow_status(app);
+    follow_calibration(ui, work, rendered, play);
+    open_chosen(ui, play);
+    follow_status(ui, timeline, play);
     if (play.sounding) {
         // The playhead was halted, dragged or slowed down: it goes its own way.
         const bool is_pattern = !play.sounding->names.empty();
-        if (is_pattern && (!app.playhead.playing || app.playhead.speed != 1.0)) {
-            const bool goes_on = app.playhead.playing;
-            silence(app);
-            app.playhead.playing = goes_on;
+        if (is_pattern && (!timeline.playhead.playing || timeline.playhead.speed != 1.0)) {
+            const bool goes_on = timeline.playhead.playing;
+            silence(timeline, play);
+            timeline.playhead.playing = goes_on;
         } else {
-            follow_device(app);
+            follow_device(ui, work, timeline, play);
         }
     }
-    follow_hover(app);
+    follow_hover(ui, work, timeline, play);
 }
 
-void toggle_playing(App& app) {
-    if (is_sounding(app)) {
-        silence(app);
+void toggle_playing(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                    PlayState& play) {
+    if (is_sounding(play)) {
+        silence(timeline, play);
         return;
     }
-    Playhead& playhead = app.playhead;
-    const double end_s = shown_duration_s(app);
+    Playhead& playhead = timeline.playhead;
+    const double end_s = shown_duration_s(work);
     if (!playhead.playing && playhead.at_s >= end_s) playhead.at_s = 0.0;
     playhead.playing = !playhead.playing && end_s > 0.0;
     if (!playhead.playing || playhead.speed != 1.0) return;
-    if (can_sound(app) && current_vibration(app) != nullptr) {
-        start(app, of_transport(app));
-    } else if (!app.play.choice.id.empty()) {
-        say(app, device_text(app) + ": " + device_trouble(app));
+    if (can_sound(play) && current_vibration(work) != nullptr) {
+        start(ui, work, timeline, play, of_transport(work, timeline, shown_map, play));
+    } else if (!play.choice.id.empty()) {
+        say(ui, device_text(play) + ": " + device_trouble(play));
     }
 }
 
-void set_speed(App& app, double speed) {
-    const bool begins = app.playhead.playing && speed == 1.0 && app.playhead.speed != 1.0;
-    app.playhead.speed = speed;
-    if (begins && can_sound(app) && current_vibration(app) != nullptr) {
-        start(app, of_transport(app));
+void set_speed(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+               PlayState& play, double speed) {
+    const bool begins = timeline.playhead.playing && speed == 1.0 && timeline.playhead.speed != 1.0;
+    timeline.playhead.speed = speed;
+    if (begins && can_sound(play) && current_vibration(work) != nullptr) {
+        start(ui, work, timeline, play, of_transport(work, timeline, shown_map, play));
     }
 }
 
-void toggle_alternating(App& app) { app.play.alternates = !app.play.alternates; }
+void toggle_alternating(PlayState& play) { play.alternates = !play.alternates; }
 
-bool is_alternating(const App& app) { return app.play.alternates; }
+bool is_alternating(const PlayState& play) { return play.alternates; }
 
-void play_once(App& app, std::size_t index) {
-    if (index >= app.document.set.vibrations.size()) return;
-    if (can_sound(app)) return start(app, {.names = {app.document.set.vibrations[index].name}});
-    app.playhead.at_s = 0.0;
-    app.playhead.playing = shown_duration_s(app) > 0.0;
+void play_once(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, std::size_t index) {
+    if (index >= work.document.set.vibrations.size()) return;
+    if (can_sound(play))
+        return start(ui, work, timeline, play,
+                     {.names = {work.document.set.vibrations[index].name}});
+    timeline.playhead.at_s = 0.0;
+    timeline.playhead.playing = shown_duration_s(work) > 0.0;
 }
 
-void play_pair(App& app, std::size_t first, std::size_t second) {
-    const auto& all = app.document.set.vibrations;
+void play_pair(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, std::size_t first,
+               std::size_t second) {
+    const auto& all = work.document.set.vibrations;
     if (std::max(first, second) >= all.size()) return;
-    choose_pair(app, first, second);
-    if (!can_sound(app)) return play_once(app, first);
-    start(app, {.names = {all[first].name, all[second].name}, .selects = false});
+    choose_pair(work, first, second);
+    if (!can_sound(play)) return play_once(ui, work, timeline, play, first);
+    start(ui, work, timeline, play,
+          {.names = {all[first].name, all[second].name}, .selects = false});
 }
 
-void stop_playing(App& app) {
-    silence(app);
-    app.playhead.playing = false;
+void stop_playing(Timeline& timeline, PlayState& play) {
+    silence(timeline, play);
+    timeline.playhead.playing = false;
 }
 
-void play_all(App& app) {
-    if (!can_sound(app) || app.document.set.vibrations.empty()) return;
-    start(app, {.names = names_of(app.document.set), .selects = true});
+void play_all(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
+    if (!can_sound(play) || work.document.set.vibrations.empty()) return;
+    start(ui, work, timeline, play, {.names = names_of(work.document.set), .selects = true});
 }
 
-void play_test_buzz(App& app) {
-    if (!can_sound(app)) return;
-    silence(app);
-    app.play.sounding = Sounding{};
-    play_drive(app, test_buzz(), false);
+void play_test_buzz(Ui& ui, Timeline& timeline, PlayState& play) {
+    if (!can_sound(play)) return;
+    silence(timeline, play);
+    play.sounding = Sounding{};
+    play_drive(ui, timeline, play, test_buzz(), false);
 }
 
-void play_signal(App& app, const Drive& drive, double level) {
-    if (!can_sound(app)) return;
-    silence(app);
-    app.play.sounding = Sounding{};
-    app.play.sounding->level = level;
-    play_drive(app, drive, false);
+void play_signal(Ui& ui, Timeline& timeline, PlayState& play, const Drive& drive, double level) {
+    if (!can_sound(play)) return;
+    silence(timeline, play);
+    play.sounding = Sounding{};
+    play.sounding->level = level;
+    play_drive(ui, timeline, play, drive, false);
 }
 
-bool silence(App& app) {
-    if (app.play.device) app.play.device->stop();
-    if (!app.play.sounding) return false;
-    end(app);
+bool silence(Timeline& timeline, PlayState& play) {
+    if (play.device) play.device->stop();
+    if (!play.sounding) return false;
+    end(timeline, play);
     return true;
 }
 

@@ -21,7 +21,7 @@ constexpr float kMeterWidthPx = 64.0F;
 constexpr float kLightPx = 10.0F;
 constexpr double kQuietestDb = -48.0;
 
-bool is_device_chosen(const App& app) { return !app.play.choice.id.empty(); }
+bool is_device_chosen(const PlayState& play) { return !play.choice.id.empty(); }
 
 // Of the meter's width: its left end is -48 dB of full scale.
 float meter_share(double of_full_scale) {
@@ -30,88 +30,92 @@ float meter_share(double of_full_scale) {
     return static_cast<float>(std::clamp(1.0 - db / kQuietestDb, 0.0, 1.0));
 }
 
-void draw_device_item(App& app, const DeviceInfo& device) {
-    const bool chosen = device.id == app.play.choice.id;
+void draw_device_item(Ui& ui, Timeline& timeline, PlayState& play, const DeviceInfo& device) {
+    const bool chosen = device.id == play.choice.id;
     if (ImGui::MenuItem(device.name.c_str(), device.interface.c_str(), chosen)) {
-        choose_device(app, remembered_choice(app, device.id));
+        choose_device(ui, timeline, play, remembered_choice(play, device.id));
     }
-    note_item(app.rects, "device:" + device.id, chosen ? "chosen" : "");
+    note_item(ui.rects, "device:" + device.id, chosen ? "chosen" : "");
 }
 
-void draw_device_menu(App& app) {
+void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
     if (!ImGui::BeginPopup("device menu")) return;
-    const std::string trouble = device_trouble(app);
+    const std::string trouble = device_trouble(play);
     if (!trouble.empty()) {
-        ImGui::PushTextWrapPos(320.0F * app.theme.scale);
-        dim_text(app, trouble);
+        ImGui::PushTextWrapPos(320.0F * ui.theme.scale);
+        dim_text(ui, trouble);
         ImGui::PopTextWrapPos();
-        note_item(app.rects, "device advice", trouble);
+        note_item(ui.rects, "device advice", trouble);
         ImGui::Separator();
     }
-    if (ImGui::MenuItem("Silent", nullptr, !is_device_chosen(app))) choose_device(app, {});
-    note_item(app.rects, "device:silent");
-    const auto listed = app.play.listed;  // kept: choosing may change it
-    for (std::size_t k = 0; listed && k < listed->size(); ++k) draw_device_item(app, (*listed)[k]);
+    if (ImGui::MenuItem("Silent", nullptr, !is_device_chosen(play)))
+        choose_device(ui, timeline, play, {});
+    note_item(ui.rects, "device:silent");
+    const auto listed = play.listed;  // kept: choosing may change it
+    for (std::size_t k = 0; listed && k < listed->size(); ++k)
+        draw_device_item(ui, timeline, play, (*listed)[k]);
     ImGui::Separator();
-    if (ImGui::MenuItem("Refresh devices")) refresh_devices(app);
-    note_item(app.rects, "device:refresh");
-    if (ImGui::MenuItem("Devices...")) app.dialog = Dialog::devices;
-    note_item(app.rects, "device:dialog");
+    if (ImGui::MenuItem("Refresh devices")) refresh_devices(play);
+    note_item(ui.rects, "device:refresh");
+    if (ImGui::MenuItem("Devices...")) ui.dialog = Dialog::devices;
+    note_item(ui.rects, "device:dialog");
     ImGui::EndPopup();
 }
 
-float device_width(const App& app, bool wide) {
-    return (wide ? kDeviceWidthPx : kNarrowDeviceWidthPx) * app.theme.scale;
+float device_width(const Ui& ui, bool wide) {
+    return (wide ? kDeviceWidthPx : kNarrowDeviceWidthPx) * ui.theme.scale;
 }
 
-void draw_device_button(App& app, bool wide) {
-    const Theme& theme = app.theme;
+void draw_device_button(Ui& ui, Timeline& timeline, PlayState& play, bool wide) {
+    const Theme& theme = ui.theme;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 size{device_width(app, wide), ImGui::GetFrameHeight()};
+    const ImVec2 size{device_width(ui, wide), ImGui::GetFrameHeight()};
     if (ImGui::Button("##device", size)) ImGui::OpenPopup("device menu");
-    const std::string text = device_text(app);
-    note_item(app.rects, "device", text);
-    const std::string trouble = device_trouble(app);
-    draw_tooltip(app, trouble.empty() ? "What plays: at 1\u00d7 it is felt" : trouble.c_str());
+    const std::string text = device_text(play);
+    note_item(ui.rects, "device", text);
+    const std::string trouble = device_trouble(play);
+    draw_tooltip(ui, trouble.empty() ? "What plays: at 1\u00d7 it is felt" : trouble.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float arrow = 4.0F * theme.scale;
     const float pad = ImGui::GetStyle().FramePadding.x;
     const ImVec2 tip{corner.x + size.x - pad - arrow, corner.y + size.y * 0.5F};
     list.AddTriangleFilled({tip.x - arrow, tip.y - arrow * 0.5F}, {tip.x, tip.y + arrow * 0.6F},
                            {tip.x + arrow, tip.y - arrow * 0.5F}, theme.dim_text);
-    const bool is_lost = is_device_chosen(app) && !trouble.empty();
-    const ImU32 ink = is_lost ? theme.warning : is_device_chosen(app) ? theme.text : theme.dim_text;
+    const bool is_lost = is_device_chosen(play) && !trouble.empty();
+    const ImU32 ink = is_lost                  ? theme.warning
+                      : is_device_chosen(play) ? theme.text
+                                               : theme.dim_text;
     draw_text(list, theme.fonts.regular,
               {corner.x + pad, corner.y + ImGui::GetStyle().FramePadding.y}, ink,
               shortened(theme.fonts.regular, text, size.x - 3.0F * pad - 2.0F * arrow));
-    draw_device_menu(app);
+    draw_device_menu(ui, timeline, play);
 }
 
-void draw_level(App& app) {
-    auto percent = static_cast<float>(100.0 * app.play.level);
-    ImGui::SetNextItemWidth(kLevelWidthPx * app.theme.scale);
+void draw_level(Ui& ui, PlayState& play) {
+    auto percent = static_cast<float>(100.0 * play.level);
+    ImGui::SetNextItemWidth(kLevelWidthPx * ui.theme.scale);
     if (ImGui::SliderFloat("##level", &percent, 0.0F, 100.0F, "level %.0f %%",
                            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
-        app.play.level = 0.01 * static_cast<double>(percent);
+        play.level = 0.01 * static_cast<double>(percent);
     }
-    note_item(app.rects, "level", std::to_string(app.play.level));
-    draw_tooltip(app,
+    note_item(ui.rects, "level", std::to_string(play.level));
+    draw_tooltip(ui,
                  "How strong everything is felt, also while it plays. Every start begins at 10 %: "
                  "strengths are uncalibrated.");
 }
 
-void draw_meter(App& app) {
-    const Theme& theme = app.theme;
+void draw_meter(Ui& ui, const PlayState& play) {
+    const Theme& theme = ui.theme;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{kMeterWidthPx * theme.scale, ImGui::GetFrameHeight()};
     ImGui::InvisibleButton("##meter", size);
-    note_item(app.rects, "meter", std::to_string(app.play.meter));
-    draw_tooltip(app, "What the device is given, from -48 dB to full scale; the line is the limit");
+    note_item(ui.rects, "meter", std::to_string(play.meter));
+    draw_tooltip(ui, "What the device is given, from -48 dB to full scale; the line is the limit");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float y1 = corner.y + size.y * 0.38F;
     const float y2 = corner.y + size.y * 0.62F;
     list.AddRectFilled({corner.x, y1}, {corner.x + size.x, y2}, theme.field, 2.0F * theme.scale);
-    const float lit = size.x * meter_share(app.play.meter);
+    const float lit = size.x * meter_share(play.meter);
     if (lit > 0.0F) {
         list.AddRectFilled({corner.x, y1}, {corner.x + lit, y2}, theme.accent, 2.0F * theme.scale);
     }
@@ -120,20 +124,20 @@ void draw_meter(App& app) {
                  theme.hairline_px);
 }
 
-void draw_clip_light(App& app) {
-    const Theme& theme = app.theme;
+void draw_clip_light(Ui& ui, PlayState& play) {
+    const Theme& theme = ui.theme;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{2.0F * kLightPx * theme.scale, ImGui::GetFrameHeight()};
-    if (ImGui::InvisibleButton("##clip", size)) app.play.clip_light = false;
-    note_item(app.rects, "clip", app.play.clip_light ? "on" : "off");
-    draw_tooltip(app, app.play.clip_light
-                          ? "Too strong for full scale: the whole pattern was turned down, its "
-                            "shape is kept. Lower the level; a click puts the light out."
-                          : "Lights up where a pattern had to be turned down");
+    if (ImGui::InvisibleButton("##clip", size)) play.clip_light = false;
+    note_item(ui.rects, "clip", play.clip_light ? "on" : "off");
+    draw_tooltip(ui, play.clip_light
+                         ? "Too strong for full scale: the whole pattern was turned down, its "
+                           "shape is kept. Lower the level; a click puts the light out."
+                         : "Lights up where a pattern had to be turned down");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 centre = corner + size * 0.5F;
     const float radius = 0.45F * kLightPx * theme.scale;
-    if (app.play.clip_light) {
+    if (play.clip_light) {
         list.AddCircleFilled(centre, radius, theme.error);
     } else {
         list.AddCircle(centre, radius, theme.line, 0, theme.trace_px);
@@ -142,24 +146,24 @@ void draw_clip_light(App& app) {
 
 }  // namespace
 
-float sound_controls_width(const App& app, SoundParts parts) {
-    float width = device_width(app, parts.wide);
-    if (parts.level && is_device_chosen(app)) {
-        width += (kLevelWidthPx + kMeterWidthPx + 2.0F * kLightPx) * app.theme.scale +
-                 2.5F * app.theme.gap_px;
+float sound_controls_width(const Ui& ui, const PlayState& play, SoundParts parts) {
+    float width = device_width(ui, parts.wide);
+    if (parts.level && is_device_chosen(play)) {
+        width += (kLevelWidthPx + kMeterWidthPx + 2.0F * kLightPx) * ui.theme.scale +
+                 2.5F * ui.theme.gap_px;
     }
     return width;
 }
 
-void draw_sound_controls(App& app, SoundParts parts) {
-    draw_device_button(app, parts.wide);
-    if (!parts.level || !is_device_chosen(app)) return;
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    draw_level(app);
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    draw_meter(app);
-    ImGui::SameLine(0.0F, 0.5F * app.theme.gap_px);
-    draw_clip_light(app);
+void draw_sound_controls(Ui& ui, Timeline& timeline, PlayState& play, SoundParts parts) {
+    draw_device_button(ui, timeline, play, parts.wide);
+    if (!parts.level || !is_device_chosen(play)) return;
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    draw_level(ui, play);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    draw_meter(ui, play);
+    ImGui::SameLine(0.0F, 0.5F * ui.theme.gap_px);
+    draw_clip_light(ui, play);
 }
 
 }  // namespace tact

@@ -59,8 +59,8 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 colour)
     }
 }
 
-bool icon_button(App& app, const char* id, Icon icon, bool lit, const char* tip) {
-    const Theme& theme = app.theme;
+bool icon_button(Ui& ui, const char* id, Icon icon, bool lit, const char* tip) {
+    const Theme& theme = ui.theme;
     const float side = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(id, {side * 1.15F, side});
@@ -72,9 +72,9 @@ bool icon_button(App& app, const char* id, Icon icon, bool lit, const char* tip)
     }
     draw_icon(list, icon, corner + ImVec2{side * 0.575F, side * 0.5F}, side * 0.46F,
               lit ? theme.accent : theme.text);
-    note_item(app.rects, std::string("transport:") + id, lit ? "on" : "off");
-    draw_tooltip(app, tip);
-    ImGui::SameLine(0.0F, app.theme.gap_px * 0.5F);
+    note_item(ui.rects, std::string("transport:") + id, lit ? "on" : "off");
+    draw_tooltip(ui, tip);
+    ImGui::SameLine(0.0F, ui.theme.gap_px * 0.5F);
     return pressed;
 }
 
@@ -87,15 +87,16 @@ constexpr std::array<Speed, 3> kSpeeds{{{"1\u00d7", 1.0, "Real time"},
                                         {"1/10", 0.1, "Ten times slower"},
                                         {"1/100", 0.01, "A hundred times slower"}}};
 
-void draw_speeds(App& app) {
+void draw_speeds(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                 PlayState& play) {
     for (const Speed& speed : kSpeeds) {
-        const bool chosen = app.playhead.speed == speed.speed;
-        if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, faded(app.theme.accent, 0.35F));
-        if (ImGui::Button(speed.text)) set_speed(app, speed.speed);
+        const bool chosen = timeline.playhead.speed == speed.speed;
+        if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, faded(ui.theme.accent, 0.35F));
+        if (ImGui::Button(speed.text)) set_speed(ui, work, timeline, shown_map, play, speed.speed);
         if (chosen) ImGui::PopStyleColor();
-        note_item(app.rects, std::string("speed:") + speed.text, chosen ? "chosen" : "");
-        draw_tooltip(app, speed.tip);
-        ImGui::SameLine(0.0F, app.theme.gap_px * 0.5F);
+        note_item(ui.rects, std::string("speed:") + speed.text, chosen ? "chosen" : "");
+        draw_tooltip(ui, speed.tip);
+        ImGui::SameLine(0.0F, ui.theme.gap_px * 0.5F);
     }
 }
 
@@ -105,14 +106,14 @@ struct TimeTexts {
     std::string range;  // empty: all of it is shown
 };
 
-TimeTexts time_texts(const App& app) {
+TimeTexts time_texts(const Workspace& work, const Timeline& timeline) {
     char at[32];
     char whole[48];
-    std::snprintf(at, sizeof at, "%.3f s", app.playhead.at_s);
-    std::snprintf(whole, sizeof whole, "of %.3f s", shown_duration_s(app));
-    const TimeRange& range = app.time_range;
+    std::snprintf(at, sizeof at, "%.3f s", timeline.playhead.at_s);
+    std::snprintf(whole, sizeof whole, "of %.3f s", shown_duration_s(work));
+    const TimeRange& range = timeline.range;
     const bool zoomed_in =
-        range.length_s() > 0.0 && range.length_s() < shown_duration_s(app) - 1e-9;
+        range.length_s() > 0.0 && range.length_s() < shown_duration_s(work) - 1e-9;
     char shown[64] = "";
     if (zoomed_in) {
         std::snprintf(shown, sizeof shown, "%.4g\u2013%.4g s shown", range.start_s, range.end_s);
@@ -127,17 +128,17 @@ struct ComputingTexts {
     const char* action = "";
 };
 
-ComputingTexts computing_texts(const App& app) {
-    if (app.map_progress) {
+ComputingTexts computing_texts(const Ui& ui, const ShownMap& shown_map) {
+    if (shown_map.progress) {
         char percent[16];
         std::snprintf(percent, sizeof percent, "%.0f %%",
-                      static_cast<double>(100.0F * app.map_progress->share));
+                      static_cast<double>(100.0F * shown_map.progress->share));
         const std::string left =
-            time_left_text(app.time_s - app.map_progress->since_s, app.map_progress->share);
+            time_left_text(ui.time_s - shown_map.progress->since_s, shown_map.progress->share);
         return {std::string("computing the map, ") + percent + (left.empty() ? "" : ", " + left),
                 percent, "Cancel"};
     }
-    if (app.map_cancelled) return {"map not computed", "no map", "Compute"};
+    if (shown_map.cancelled) return {"map not computed", "no map", "Compute"};
     return {};
 }
 
@@ -166,23 +167,24 @@ constexpr std::array<bool BarParts::*, 9> kFirstToGo{&BarParts::computing_in_ful
 constexpr const char* kShowAll = "Show all";
 constexpr float kAlternateSides = 1.5F;  // width of A|B, of its height
 
-float bar_width(const App& app, const BarParts& parts) {
-    const float gap = app.theme.gap_px;
+float bar_width(const Ui& ui, const Workspace& work, const Timeline& timeline,
+                const ShownMap& shown_map, const PlayState& play, const BarParts& parts) {
+    const float gap = ui.theme.gap_px;
     const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
     const float icon = 1.15F * ImGui::GetFrameHeight() + 0.5F * gap;
-    const TimeTexts time = time_texts(app);
-    const ComputingTexts computing = computing_texts(app);
+    const TimeTexts time = time_texts(work, timeline);
+    const ComputingTexts computing = computing_texts(ui, shown_map);
     float sum = icon * (1.0F + (parts.steps ? 3.0F : 0.0F) + (parts.loop ? 1.0F : 0.0F));
     if (parts.loop) sum += kAlternateSides * ImGui::GetFrameHeight() + 0.5F * gap;
     if (parts.speeds) {
-        sum += app.theme.padding_px;
+        sum += ui.theme.padding_px;
         for (const Speed& speed : kSpeeds) sum += button_width(speed.text) + 0.5F * gap;
     }
-    sum += app.theme.padding_px + sound_controls_width(app, {parts.level, parts.wide_device});
-    sum += app.theme.padding_px + text_size(app.theme.fonts.semibold, time.at).x;
+    sum += ui.theme.padding_px + sound_controls_width(ui, play, {parts.level, parts.wide_device});
+    sum += ui.theme.padding_px + text_size(ui.theme.fonts.semibold, time.at).x;
     if (parts.whole) sum += 0.75F * gap + width(time.whole);
     if (!time.range.empty()) {
-        sum += app.theme.padding_px + width(kShowAll);
+        sum += ui.theme.padding_px + width(kShowAll);
         if (parts.range) sum += gap + width(time.range);
     }
     if (parts.computing && !computing.full.empty()) {
@@ -192,10 +194,11 @@ float bar_width(const App& app, const BarParts& parts) {
     return sum;
 }
 
-BarParts fitting_parts(const App& app, float room_px) {
+BarParts fitting_parts(const Ui& ui, const Workspace& work, const Timeline& timeline,
+                       const ShownMap& shown_map, const PlayState& play, float room_px) {
     BarParts parts;
     for (const auto part : kFirstToGo) {
-        if (bar_width(app, parts) <= room_px) break;
+        if (bar_width(ui, work, timeline, shown_map, play, parts) <= room_px) break;
         parts.*part = false;
     }
     return parts;
@@ -207,67 +210,68 @@ void lower_to_text() {
 }
 
 // "0.382 s of 1.000 s": digits that do not dance.
-void draw_time(App& app, const BarParts& parts) {
-    const TimeTexts time = time_texts(app);
-    ImGui::PushFont(app.theme.fonts.semibold);
+void draw_time(Ui& ui, const Workspace& work, Timeline& timeline, const BarParts& parts) {
+    const TimeTexts time = time_texts(work, timeline);
+    ImGui::PushFont(ui.theme.fonts.semibold);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(time.at.c_str());
     ImGui::PopFont();
-    note_item(app.rects, "playhead", time.at);
+    note_item(ui.rects, "playhead", time.at);
     if (parts.whole) {
-        ImGui::SameLine(0.0F, app.theme.gap_px * 0.75F);
-        dim_text(app, time.whole);
-        note_item(app.rects, "bar:whole");
+        ImGui::SameLine(0.0F, ui.theme.gap_px * 0.75F);
+        dim_text(ui, time.whole);
+        note_item(ui.rects, "bar:whole");
     }
     if (time.range.empty()) return;
-    ImGui::SameLine(0.0F, app.theme.padding_px);
+    ImGui::SameLine(0.0F, ui.theme.padding_px);
     if (parts.range) {
-        dim_text(app, time.range);
-        note_item(app.rects, "bar:range");
-        ImGui::SameLine(0.0F, app.theme.gap_px);
+        dim_text(ui, time.range);
+        note_item(ui.rects, "bar:range");
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
     }
     lower_to_text();
-    if (link(app, "show all", kShowAll)) app.time_range = {};
-    note_item(app.rects, "show all");
+    if (link(ui, "show all", kShowAll)) timeline.range = {};
+    note_item(ui.rects, "show all");
 }
 
-void draw_computing(App& app, const BarParts& parts) {
-    const ComputingTexts texts = computing_texts(app);
+void draw_computing(Ui& ui, const Workspace& work, ShownMap& shown_map,
+                    const RenderingState& rendered, const BarParts& parts) {
+    const ComputingTexts texts = computing_texts(ui, shown_map);
     if (texts.full.empty() || !parts.computing) return;
     const std::string& text = parts.computing_in_full ? texts.full : texts.brief;
-    const float right = ImGui::GetWindowWidth() - app.theme.padding_px;
-    const float width = ImGui::CalcTextSize(text.c_str()).x + ImGui::CalcTextSize(texts.action).x +
-                        app.theme.gap_px;
+    const float right = ImGui::GetWindowWidth() - ui.theme.padding_px;
+    const float width =
+        ImGui::CalcTextSize(text.c_str()).x + ImGui::CalcTextSize(texts.action).x + ui.theme.gap_px;
     ImGui::SameLine(right - width);
     lower_to_text();
-    dim_text(app, text);
-    note_item(app.rects, "bar:computing", text);
-    ImGui::SameLine(0.0F, app.theme.gap_px);
+    dim_text(ui, text);
+    note_item(ui.rects, "bar:computing", text);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
     lower_to_text();
-    if (link(app, "map action", texts.action)) {
-        if (app.map_progress) {
-            app.full_job->cancel();
-            app.preview_job->cancel();
-            app.map_cancelled = true;
+    if (link(ui, "map action", texts.action)) {
+        if (shown_map.progress) {
+            shown_map.full_job->cancel();
+            shown_map.preview_job->cancel();
+            shown_map.cancelled = true;
         } else {
-            request_maps(app);
+            request_maps(work, shown_map, rendered);
         }
     }
-    note_item(app.rects, std::string("map:") + texts.action);
+    note_item(ui.rects, std::string("map:") + texts.action);
 }
 
 // "A|B", the one that sounds bright.
-void draw_alternate(App& app) {
-    const Theme& theme = app.theme;
+void draw_alternate(Ui& ui, PlayState& play) {
+    const Theme& theme = ui.theme;
     const float side = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton("alternate", {kAlternateSides * side, side})) {
-        toggle_alternating(app);
+        toggle_alternating(play);
     }
     const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
-    const bool lit = app.play.alternates;
-    note_item(app.rects, "transport:A|B", lit ? "on" : "off");
-    draw_tooltip(app,
+    const bool lit = play.alternates;
+    note_item(ui.rects, "transport:A|B", lit ? "on" : "off");
+    draw_tooltip(ui,
                  "Plays the current pattern and its partner in turn. The partner is the pattern "
                  "compared with, else the one chosen in the matrix or map, else the closest one.");
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -275,7 +279,7 @@ void draw_alternate(App& app) {
         list.AddRectFilled(corner, corner + ImVec2{kAlternateSides * side, side},
                            lit ? faded(theme.accent, 0.28F) : theme.hover, theme.rounding_px);
     }
-    const std::optional<Sounding>& sounding = app.play.sounding;
+    const std::optional<Sounding>& sounding = play.sounding;
     const bool in_turn = sounding && sounding->names.size() == 2;
     const std::array<const char*, 3> letters{"A", "|", "B"};
     float x =
@@ -290,66 +294,68 @@ void draw_alternate(App& app) {
     ImGui::SameLine(0.0F, theme.gap_px * 0.5F);
 }
 
-const char* play_tip(const App& app) {
-    if (is_sounding(app)) return "Stop (Space; Esc silences everything)";
-    if (app.playhead.playing) return "Pause (Space)";
-    if (!can_sound(app)) return "Play silently (Space)";
-    return app.playhead.speed == 1.0
+const char* play_tip(const Timeline& timeline, const PlayState& play) {
+    if (is_sounding(play)) return "Stop (Space; Esc silences everything)";
+    if (timeline.playhead.playing) return "Pause (Space)";
+    if (!can_sound(play)) return "Play silently (Space)";
+    return timeline.playhead.speed == 1.0
                ? "Play (Space)"
                : "Play silently, in slow motion; at 1\u00d7 it is felt (Space)";
 }
 
-void draw_buttons(App& app, const BarParts& parts) {
-    Playhead& playhead = app.playhead;
-    const double duration_s = shown_duration_s(app);
+void draw_buttons(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                  PlayState& play, const BarParts& parts) {
+    Playhead& playhead = timeline.playhead;
+    const double duration_s = shown_duration_s(work);
     const bool playing = playhead.playing;
-    const Icon halt = is_sounding(app) ? Icon::stop : Icon::pause;
-    if (icon_button(app, "play", playing ? halt : Icon::play, playing, play_tip(app))) {
-        toggle_playing(app);
+    const Icon halt = is_sounding(play) ? Icon::stop : Icon::pause;
+    if (icon_button(ui, "play", playing ? halt : Icon::play, playing, play_tip(timeline, play))) {
+        toggle_playing(ui, work, timeline, shown_map, play);
     }
     if (parts.steps) {
-        if (icon_button(app, "to start", Icon::to_start, false, "Back to the start (Home)")) {
+        if (icon_button(ui, "to start", Icon::to_start, false, "Back to the start (Home)")) {
             playhead.at_s = 0.0;
         }
-        if (icon_button(app, "back", Icon::back, false, "5 ms back ( , )")) {
+        if (icon_button(ui, "back", Icon::back, false, "5 ms back ()")) {
             playhead = stepped(playhead, -1, duration_s);
         }
-        if (icon_button(app, "forward", Icon::forward, false, "5 ms on ( . )")) {
+        if (icon_button(ui, "forward", Icon::forward, false, "5 ms on ( . )")) {
             playhead = stepped(playhead, 1, duration_s);
         }
     }
-    if (parts.loop &&
-        icon_button(app, "loop", Icon::loop, playhead.loop, "Start over at the end")) {
+    if (parts.loop && icon_button(ui, "loop", Icon::loop, playhead.loop, "Start over at the end")) {
         playhead.loop = !playhead.loop;
     }
-    if (parts.loop) draw_alternate(app);
+    if (parts.loop) draw_alternate(ui, play);
 }
 
 }  // namespace
 
-float transport_height(const App& app) { return ImGui::GetFrameHeight() + 1.5F * app.theme.gap_px; }
+float transport_height(const Ui& ui) { return ImGui::GetFrameHeight() + 1.5F * ui.theme.gap_px; }
 
-void draw_transport_bar(App& app, const Rect& area) {
+void draw_transport_bar(Ui& ui, Workspace& work, Timeline& timeline, ShownMap& shown_map,
+                        const RenderingState& rendered, PlayState& play, const Rect& area) {
     ImGui::SetNextWindowPos(area.min);
     ImGui::SetNextWindowSize(area.size());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
-                        ImVec2(app.theme.padding_px, 0.75F * app.theme.gap_px));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, app.theme.pane_rounding_px);
+                        ImVec2(ui.theme.padding_px, 0.75F * ui.theme.gap_px));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.theme.pane_rounding_px);
     if (ImGui::Begin("transport", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
                          ImGuiWindowFlags_NoBringToFrontOnFocus)) {
-        const BarParts parts = fitting_parts(app, area.width() - 2.0F * app.theme.padding_px);
-        draw_buttons(app, parts);
-        ImGui::SameLine(0.0F, app.theme.padding_px);
-        draw_sound_controls(app, {parts.level, parts.wide_device});
+        const BarParts parts = fitting_parts(ui, work, timeline, shown_map, play,
+                                             area.width() - 2.0F * ui.theme.padding_px);
+        draw_buttons(ui, work, timeline, shown_map, play, parts);
+        ImGui::SameLine(0.0F, ui.theme.padding_px);
+        draw_sound_controls(ui, timeline, play, {parts.level, parts.wide_device});
         if (parts.speeds) {
-            ImGui::SameLine(0.0F, app.theme.padding_px);
-            draw_speeds(app);
+            ImGui::SameLine(0.0F, ui.theme.padding_px);
+            draw_speeds(ui, work, timeline, shown_map, play);
         }
-        ImGui::SameLine(0.0F, app.theme.padding_px);
-        draw_time(app, parts);
-        draw_computing(app, parts);
+        ImGui::SameLine(0.0F, ui.theme.padding_px);
+        draw_time(ui, work, timeline, parts);
+        draw_computing(ui, work, shown_map, rendered, parts);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

@@ -22,8 +22,8 @@ constexpr double kRoom = 0.995;
 // A device begins after it was told to, hence ends after its time; this much earlier it was cut.
 constexpr double kEarlyS = 0.1;
 
-bool is_controller(const App& app) {
-    const std::optional<DeviceInfo> info = chosen_device(app);
+bool is_controller(const PlayState& play) {
+    const std::optional<DeviceInfo> info = chosen_device(play);
     return info && info->kind == DeviceKind::hid;
 }
 
@@ -54,23 +54,23 @@ void count_dropouts(StudyActuator& actuator, std::uint64_t seen) {
 
 }  // namespace
 
-StudyActuator study_actuator(const App& app, const PatternSet& set,
-                             const std::vector<std::string>& names) {
+StudyActuator study_actuator(const PlayState& play, const StudyState& studying,
+                             const PatternSet& set, const std::vector<std::string>& names) {
     StudyActuator actuator;
-    const DeviceStatus status = app.study->device->status();
+    const DeviceStatus status = studying.device->status();
     actuator.is_there = status.connected && status.trouble.empty();
     actuator.seen_dropouts = status.dropouts;
-    actuator.ceiling = is_controller(app) ? 1.0 : kCeiling;
-    actuator.level = app.play.level;
+    actuator.ceiling = is_controller(play) ? 1.0 : kCeiling;
+    actuator.level = play.level;
     for (const std::string& name : names) {
         const Vibration& vibration = set.vibrations[*place_named(set, name)];
-        MadeDrive made = made_drive(drive_request(app, vibration));
+        MadeDrive made = made_drive(drive_request(play, vibration));
         if (!made.remark.empty()) actuator.remark += made.remark + " ";
-        actuator.peaks.push_back(largest_of(made.drive, is_controller(app)));
+        actuator.peaks.push_back(largest_of(made.drive, is_controller(play)));
         actuator.drives.push_back(std::move(made.drive));
     }
     if (!actuator.is_there) return actuator;
-    const double factor = common_factor(actuator.peaks, app.play.level, actuator.ceiling);
+    const double factor = common_factor(actuator.peaks, play.level, actuator.ceiling);
     if (factor == 1.0) return actuator;
     for (Drive& drive : actuator.drives) {
         for (double& sample : drive.samples) sample *= factor;
@@ -80,14 +80,15 @@ StudyActuator study_actuator(const App& app, const PatternSet& set,
     return actuator;
 }
 
-StudyDevice study_device(const App& app, const StudyActuator& actuator) {
-    std::string calibration = study_calibration(app);
+StudyDevice study_device(const PlayState& play, const StudyState& studying,
+                         const StudyActuator& actuator) {
+    std::string calibration = study_calibration(play);
     if (actuator.turned_down_db > 0.0) {
         calibration += ", all patterns turned down by " + significant(actuator.turned_down_db) +
                        " dB, as the strongest is too strong for the output";
     }
     // One that is listed and cannot play is felt as little as none.
-    return {actuator.is_there ? app.study->device->status().name : kNoDevice, calibration, {}};
+    return {actuator.is_there ? studying.device->status().name : kNoDevice, calibration, {}};
 }
 
 std::string strength_words(const StudyActuator& actuator) {
@@ -113,16 +114,17 @@ Play play_so_far(const StudyState& state, const DeviceStatus& status) {
     return play;
 }
 
-void lose_actuator(App& app, const std::string& trouble) {
-    StudyActuator& actuator = app.study->actuator;
+void lose_actuator(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                   const std::string& trouble) {
+    StudyActuator& actuator = studying.actuator;
     actuator.known_trouble = trouble;
     actuator.fault = "The actuator stopped, please call the experimenter. " + trouble + ".";
-    const StudyRun& run = *app.study->run;
-    if (is_at_work(run) && !run.is_asking) act(app, {.what = What::ask});
+    const StudyRun& run = *studying.run;
+    if (is_at_work(run) && !run.is_asking) act(ui, work, play, studying, {.what = What::ask});
 }
 
-void follow_actuator(App& app) {
-    StudyState& state = *app.study;
+void follow_actuator(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying) {
+    StudyState& state = studying;
     StudyActuator& actuator = state.actuator;
     if (!state.run || !actuator.is_there) return;
     const DeviceStatus status = state.device->status();
@@ -132,11 +134,12 @@ void follow_actuator(App& app) {
     if (trouble.empty()) {
         actuator.known_trouble.clear();
     } else if (state.run->playing || trouble != actuator.known_trouble) {
-        return lose_actuator(app, trouble);
+        return lose_actuator(ui, work, play, studying, trouble);
     }
     if (!state.run->playing) return;
-    const double left_s = state.run->playing_until_s - app.time_s;
-    if (left_s > kEarlyS && !status.playing) act(app, {.what = What::cut_short});
+    const double left_s = state.run->playing_until_s - ui.time_s;
+    if (left_s > kEarlyS && !status.playing)
+        act(ui, work, play, studying, {.what = What::cut_short});
 }
 
 }  // namespace tact

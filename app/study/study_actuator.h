@@ -13,18 +13,21 @@
 #include <string>
 #include <vector>
 
+#include "app/document/workspace.h"
+#include "app/play/play_state.h"
 #include "app/study/study_state.h"
-#include "app/window/app.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
 // Of the device as it is chosen now, for the patterns of a study.
-StudyActuator study_actuator(const App& app, const PatternSet& set,
-                             const std::vector<std::string>& names);
+StudyActuator study_actuator(const PlayState& play, const StudyState& studying,
+                             const PatternSet& set, const std::vector<std::string>& names);
 
 // Its name, calibration and level, and by how much the set is turned down, as the participant's
 // file has them; without the masking.
-StudyDevice study_device(const App& app, const StudyActuator& actuator);
+StudyDevice study_device(const PlayState& play, const StudyState& studying,
+                         const StudyActuator& actuator);
 
 // For the experimenter, before the first trial: what the patterns are not felt as. Empty: nothing.
 std::string strength_words(const StudyActuator& actuator);
@@ -33,10 +36,11 @@ std::string strength_words(const StudyActuator& actuator);
 Play play_so_far(const StudyState& state, const DeviceStatus& status);
 
 // The device refused to play, or went: the run pauses and says so.
-void lose_actuator(App& app, const std::string& trouble);
+void lose_actuator(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                   const std::string& trouble);
 
 // Each frame, and before anything is done: the play that is under way takes as long as the device
 // takes, and ends when the device does.
-void follow_actuator(App& app);
+void follow_actuator(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying);
 
 }  // namespace tact

@@ -15,21 +15,21 @@ namespace tact {
 
 namespace {
 
-void draw_choice(App& app) {
-    StudyState& state = *app.study;
+void draw_choice(Ui& ui, StudyState& studying) {
+    StudyState& state = studying;
     const auto choose = [&](StudyShow which, const char* name) {
-        if (draw_radio(app, name, state.show == which)) state.show = which;
-        note_item(app.rects, std::string("study show:") + name);
+        if (draw_radio(ui, name, state.show == which)) state.show = which;
+        note_item(ui.rects, std::string("study show:") + name);
     };
     choose(StudyShow::matrix, "Matrix");
-    ImGui::SameLine(0.0F, 1.5F * app.theme.gap_px);
+    ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
     choose(StudyShow::map, "Map");
     if (!state.shown) return;
-    flow_on(ImGui::CalcTextSize("Show the mean").x, 2.0F * app.theme.gap_px);
+    flow_on(ImGui::CalcTextSize("Show the mean").x, 2.0F * ui.theme.gap_px);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    if (link(app, "show mean", "Show the mean")) state.shown.reset();
-    note_item(app.rects, "link:show mean");
+    if (link(ui, "show mean", "Show the mean")) state.shown.reset();
+    note_item(ui.rects, "link:show mean");
 }
 
 bool has_map(const PerceptualSpace& space, std::size_t patterns) {
@@ -37,12 +37,13 @@ bool has_map(const PerceptualSpace& space, std::size_t patterns) {
            space.verdict != MdsVerdict::constant;
 }
 
-void draw_map(App& app, const StudyAnswers& answers, const Rect& area) {
+void draw_map(const Ui& ui, const Workspace& work, ShownMap& shown_map, const StudyState& studying,
+              const StudyAnswers& answers, const Rect& area) {
     const std::vector<std::string>& labels = answers.results->study.labels;
-    const auto shown = app.study->shown;
+    const auto shown = studying.shown;
     const PerceptualSpace& space = shown ? answers.maps[*shown] : answers.mean_map;
     if (!has_map(space, labels.size())) {
-        return draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "No map of these answers",
+        return draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "No map of these answers",
                           "A map needs answers that differ, of more than a few pairs.");
     }
     Eigen::MatrixXd points = space.points;
@@ -55,46 +56,47 @@ void draw_map(App& app, const StudyAnswers& answers, const Rect& area) {
     }
     std::vector<PatternLook> looks;
     for (const std::string& label : labels) {
-        const auto place = place_named(app.document.set, label);
-        looks.push_back(place ? look_of(app, *place) : PatternLook{app.theme.dim_text, true});
+        const auto place = place_named(work.document.set, label);
+        looks.push_back(place ? look_of(ui, work, *place) : PatternLook{ui.theme.dim_text, true});
     }
     scene.labels = labels;
     scene.looks = looks;
     scene.points = &points;
-    draw_space("study map", app.theme, area, scene, app.camera);
+    draw_space("study map", ui.theme, area, scene, shown_map.camera);
 }
 
-void draw_values(App& app, const StudyAnswers& answers, const Rect& area) {
-    const auto shown = app.study->shown;
+void draw_values(const Ui& ui, const StudyState& studying, const StudyAnswers& answers,
+                 const Rect& area) {
+    const auto shown = studying.shown;
     const Dissimilarity& matrix = shown ? answers.matrices[*shown] : answers.results->mean;
     MatrixScene scene;
     scene.condensed = matrix.condensed;
     scene.labels = answers.results->study.labels;
     scene.quantity = "dissimilarity";
-    scene.largest = app.study->rule.scaling == RatingScaling::none ? 100.0 : 0.0;
-    draw_matrix("study matrix", app.theme, area, scene);
+    scene.largest = studying.rule.scaling == RatingScaling::none ? 100.0 : 0.0;
+    draw_matrix("study matrix", ui.theme, area, scene);
 }
 
 }  // namespace
 
-void draw_study_answers(App& app) {
-    const std::shared_ptr<const StudyAnswers> answers = app.study->answers;
-    if (answers && app.study->shown && *app.study->shown >= answers->records.size()) {
-        app.study->shown.reset();
+void draw_study_answers(Ui& ui, const Workspace& work, ShownMap& shown_map, StudyState& studying) {
+    const std::shared_ptr<const StudyAnswers> answers = studying.answers;
+    if (answers && studying.shown && *studying.shown >= answers->records.size()) {
+        studying.shown.reset();
     }
     if (!answers || !answers->results) {
         const Rect area = rest_of_pane();
         if (area.empty()) return;
-        return draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "No answers yet",
+        return draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "No answers yet",
                           "What participants say appears here, as a matrix and as a map.");
     }
-    draw_choice(app);
+    draw_choice(ui, studying);
     const Rect area = rest_of_pane();
     if (area.width() < 40.0F || area.height() < 40.0F) return;
-    const bool is_map = app.study->show == StudyShow::map;
-    if (is_map) draw_map(app, *answers, area);
-    if (!is_map) draw_values(app, *answers, area);
-    note_rect(app.rects, is_map ? "study map" : "study matrix", area.min, area.max);
+    const bool is_map = studying.show == StudyShow::map;
+    if (is_map) draw_map(ui, work, shown_map, studying, *answers, area);
+    if (!is_map) draw_values(ui, studying, *answers, area);
+    note_rect(ui.rects, is_map ? "study map" : "study matrix", area.min, area.max);
 }
 
 }  // namespace tact

@@ -103,110 +103,109 @@ const auto kTrials = std::to_array<NumberRow>({
      false},
 });
 
-void change(App& app, const std::function<void(StudyDesign&)>& edit) {
-    edit(app.document.set.study);
-    document_changed(app);
+void change(Workspace& work, const std::function<void(StudyDesign&)>& edit) {
+    edit(work.document.set.study);
+    document_changed(work);
 }
 
-void change_at_once(App& app, const std::string& label,
+void change_at_once(Ui& ui, Workspace& work, const std::string& label,
                     const std::function<void(StudyDesign&)>& edit) {
-    change(app, edit);
-    commit_step(app, label);
+    change(work, edit);
+    commit_step(ui, work, label);
 }
 
-void draw_number(App& app, const NumberRow& row) {
-    double value = row.get(app.document.set.study);
-    const FieldEdit edit = draw_field(app, row.field, value);
-    if (edit.changed) change(app, [&](StudyDesign& design) { row.set(design, value); });
-    if (edit.finished) commit_step(app, std::string("study: ") + row.field.label);
+void draw_number(Ui& ui, Workspace& work, const NumberRow& row) {
+    double value = row.get(work.document.set.study);
+    const FieldEdit edit = draw_field(ui, row.field, value);
+    if (edit.changed) change(work, [&](StudyDesign& design) { row.set(design, value); });
+    if (edit.finished) commit_step(ui, work, std::string("study: ") + row.field.label);
 }
 
 // The output that is an actuator's or gone is told below the choice.
-void draw_headphones(App& app) {
-    const StudyDesign& design = app.document.set.study;
+void draw_headphones(Ui& ui, Workspace& work, const PlayState& play) {
+    const StudyDesign& design = work.document.set.study;
     if (design.masking <= 0.0) return;
-    const auto listed = app.play.listed;
+    const auto listed = play.listed;
     const auto name_of = [&](const std::string& id) {
         for (std::size_t k = 0; listed && k < listed->size(); ++k) {
             if ((*listed)[k].id == id) return (*listed)[k].name;
         }
         return id.substr(id.rfind('/') + 1);
     };
-    draw_label(app, "Headphones", 200.0F * app.theme.scale);
+    draw_label(ui, "Headphones", 200.0F * ui.theme.scale);
     ImGui::SetNextItemWidth(-1.0F);
     const std::string shown =
         design.headphones.empty() ? "choose an output" : name_of(design.headphones);
     const bool is_open = ImGui::BeginCombo("##headphones", shown.c_str());
-    note_item(app.rects, "study:headphones", design.headphones);
-    draw_tooltip(app, "The sound output that the participant's headphones are on");
+    note_item(ui.rects, "study:headphones", design.headphones);
+    draw_tooltip(ui, "The sound output that the participant's headphones are on");
     for (std::size_t k = 0; is_open && listed && k < listed->size(); ++k) {
         const DeviceInfo& device = (*listed)[k];
         if (device.kind != DeviceKind::audio) continue;
-        const bool is_actuator = device.id == app.play.choice.id;
+        const bool is_actuator = device.id == play.choice.id;
         const std::string label =
             device.name + (is_actuator ? " (the actuator's)" : "") + "##" + device.id;
         if (ImGui::Selectable(label.c_str(), device.id == design.headphones,
                               is_actuator ? ImGuiSelectableFlags_Disabled : 0)) {
-            change_at_once(app, "study: headphones",
+            change_at_once(ui, work, "study: headphones",
                            [id = device.id](StudyDesign& d) { d.headphones = id; });
         }
-        note_item(app.rects, "study headphones:" + device.id);
+        note_item(ui.rects, "study headphones:" + device.id);
     }
     if (is_open) ImGui::EndCombo();
-    const Expected<DeviceInfo> output = masking_output(app.play, app.document.set.study.headphones);
+    const Expected<DeviceInfo> output = masking_output(play, work.document.set.study.headphones);
     if (output) return;
     const std::string why = "No masking noise: " + output.error().message + ".";
-    ImGui::PushStyleColor(ImGuiCol_Text, app.theme.warning);
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(why.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
-    note_item(app.rects, "study:no masking", why);
+    note_item(ui.rects, "study:no masking", why);
 }
 
-void draw_kind(App& app) {
-    StudyKind& kind = app.study->kind;
+void draw_kind(Ui& ui, StudyState& studying) {
+    StudyKind& kind = studying.kind;
     const auto choose = [&](StudyKind which, const char* name) {
-        if (draw_radio(app, name, kind == which) && kind != which) {
+        if (draw_radio(ui, name, kind == which) && kind != which) {
             kind = which;
-            app.study->shown.reset();
+            studying.shown.reset();
         }
-        note_item(app.rects, std::string("study kind:") + name);
+        note_item(ui.rects, std::string("study kind:") + name);
     };
     choose(StudyKind::pairwise, "Rate pairs");
-    draw_tooltip(app,
-                 "Two patterns at a time, similarity from 0 to 100: every pair several times.");
-    flow_on(radio_width(app, "Sort into groups"), 1.5F * app.theme.gap_px);
+    draw_tooltip(ui, "Two patterns at a time, similarity from 0 to 100: every pair several times.");
+    flow_on(radio_width(ui, "Sort into groups"), 1.5F * ui.theme.gap_px);
     choose(StudyKind::sorting, "Sort into groups");
-    draw_tooltip(app,
+    draw_tooltip(ui,
                  "All patterns at once, put together where they feel alike, several times with "
                  "given numbers of groups. Quicker, and coarser.");
 }
 
-void draw_order(App& app) {
-    const StudyOrder order = app.document.set.study.order;
-    draw_label(app, "Order");
+void draw_order(Ui& ui, Workspace& work) {
+    const StudyOrder order = work.document.set.study.order;
+    draw_label(ui, "Order");
     const auto choose = [&](StudyOrder which, const char* name) {
-        if (draw_radio(app, name, order == which) && order != which) {
-            change_at_once(app, "study: order", [which](StudyDesign& d) { d.order = which; });
+        if (draw_radio(ui, name, order == which) && order != which) {
+            change_at_once(ui, work, "study: order", [which](StudyDesign& d) { d.order = which; });
         }
-        note_item(app.rects, std::string("study order:") + name);
+        note_item(ui.rects, std::string("study order:") + name);
     };
     choose(StudyOrder::full, "Full design");
-    draw_tooltip(app, "The publication's: all pairs in random order, pass by pass.");
-    flow_on(radio_width(app, "Adaptive"), 1.5F * app.theme.gap_px);
+    draw_tooltip(ui, "The publication's: all pairs in random order, pass by pass.");
+    flow_on(radio_width(ui, "Adaptive"), 1.5F * ui.theme.gap_px);
     choose(StudyOrder::adaptive, "Adaptive");
-    draw_tooltip(app,
+    draw_tooltip(ui,
                  "Not the publication's: pairs in an order that settles the map early, with a "
                  "word when more trials would change little. Its answers are kept apart.");
 }
 
 // The line that an experimenter plans by.
-void draw_prediction(App& app) {
-    const StudyDesign& design = app.document.set.study;
-    const std::size_t patterns = study_names(app).size();
+void draw_prediction(Ui& ui, const Workspace& work, const StudyState& studying) {
+    const StudyDesign& design = work.document.set.study;
+    const std::size_t patterns = study_names(work).size();
     char text[120];
-    if (app.study->kind == StudyKind::sorting) {
+    if (studying.kind == StudyKind::sorting) {
         const std::size_t rounds = design.groups.empty()
                                        ? sorting_rounds(patterns, patterns / 2).size()
                                        : design.groups.size();
@@ -215,65 +214,66 @@ void draw_prediction(App& app) {
     } else {
         std::snprintf(text, sizeof text, "%zu trials, about %.0f min",
                       trial_count(design, patterns),
-                      std::ceil(predicted_minutes(design, patterns, study_duration_s(app))));
+                      std::ceil(predicted_minutes(design, patterns, study_duration_s(work))));
     }
-    ImGui::PushFont(app.theme.fonts.large);
+    ImGui::PushFont(ui.theme.fonts.large);
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
-    note_item(app.rects, "study:prediction", text);
-    draw_tooltip(app, "18 s a trial, as in the publication; longer for longer patterns.");
+    note_item(ui.rects, "study:prediction", text);
+    draw_tooltip(ui, "18 s a trial, as in the publication; longer for longer patterns.");
 }
 
 // Numbers of groups, as text; taken when the entry is left.
-void draw_rounds(App& app) {
-    const std::size_t patterns = study_names(app).size();
-    std::string& typed = app.study->rounds_text;
+void draw_rounds(Ui& ui, Workspace& work, StudyState& studying) {
+    const std::size_t patterns = study_names(work).size();
+    std::string& typed = studying.rounds_text;
     const std::string hint = rounds_text(sorting_rounds(patterns, patterns / 2));
-    draw_label(app, "Rounds");
+    draw_label(ui, "Rounds");
     ImGui::SetNextItemWidth(-1.0F);
-    std::string shown = rounds_text(app.document.set.study.groups);
+    std::string shown = rounds_text(work.document.set.study.groups);
     ImGui::InputTextWithHint("##rounds", hint.c_str(), &shown);
     if (ImGui::IsItemActive()) typed = shown;
     const bool is_left = ImGui::IsItemDeactivatedAfterEdit();
-    note_item(app.rects, "study:rounds", shown);
-    draw_tooltip(app,
+    note_item(ui.rects, "study:rounds", shown);
+    draw_tooltip(ui,
                  "Numbers of groups, a round each, or free: as many as the participant likes. Left "
                  "empty: a free round, then 3, 6, 9, 12 and 15 without the one nearest to it.");
     if (!is_left) return;
     const auto rounds = rounds_in(typed, patterns);
     if (!rounds) {
-        return complain(app, "Rounds are numbers of groups from 2 to " + std::to_string(patterns) +
-                                 ", or free: " + hint + ".");
+        return complain(ui, "Rounds are numbers of groups from 2 to " + std::to_string(patterns) +
+                                ", or free: " + hint + ".");
     }
-    change_at_once(app, "study: rounds", [&](StudyDesign& design) { design.groups = *rounds; });
+    change_at_once(ui, work, "study: rounds",
+                   [&](StudyDesign& design) { design.groups = *rounds; });
 }
 
-void toggle_pattern(App& app, const std::string& name, bool takes_part) {
-    change_at_once(app, "study: patterns", [&](StudyDesign& design) {
-        design.patterns = study_patterns(app.document.set);
+void toggle_pattern(Ui& ui, Workspace& work, const std::string& name, bool takes_part) {
+    change_at_once(ui, work, "study: patterns", [&](StudyDesign& design) {
+        design.patterns = study_patterns(work.document.set);
         if (takes_part) {
             design.patterns.push_back(name);
         } else {
             std::erase(design.patterns, name);
         }
-        if (design.patterns.size() == app.document.set.vibrations.size()) design.patterns.clear();
+        if (design.patterns.size() == work.document.set.vibrations.size()) design.patterns.clear();
     });
 }
 
-void draw_patterns(App& app) {
-    const std::vector<std::string> chosen = study_names(app);
-    const std::vector<std::string> all = names_of(app.document.set);
+void draw_patterns(Ui& ui, Workspace& work) {
+    const std::vector<std::string> chosen = study_names(work);
+    const std::vector<std::string> all = names_of(work.document.set);
     const std::string head = std::to_string(chosen.size()) + " of " + std::to_string(all.size()) +
                              " patterns###study patterns";
     const bool is_open = ImGui::TreeNodeEx(
         head.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
-    note_item(app.rects, "study:patterns", std::to_string(chosen.size()));
+    note_item(ui.rects, "study:patterns", std::to_string(chosen.size()));
     if (!is_open) return;
     const std::set<std::string_view> taking_part(chosen.begin(), chosen.end());
     for (const std::string& name : all) {
         bool takes_part = taking_part.contains(name);
-        if (ImGui::Checkbox(name.c_str(), &takes_part)) toggle_pattern(app, name, takes_part);
-        note_item(app.rects, "study pattern:" + name, takes_part ? "on" : "off");
+        if (ImGui::Checkbox(name.c_str(), &takes_part)) toggle_pattern(ui, work, name, takes_part);
+        note_item(ui.rects, "study pattern:" + name, takes_part ? "on" : "off");
     }
 }
 
@@ -284,39 +284,40 @@ struct TextRow {
     std::string StudyDesign::*text;
 };
 
-void draw_text_field(App& app, const TextRow& row, const std::string& shown) {
+void draw_text_field(Ui& ui, Workspace& work, const TextRow& row, const std::string& shown) {
     constexpr float kLines = 8.0F;
     std::string typed = shown;
     if (ImGui::InputTextMultiline((std::string("##") + row.id).c_str(), &typed,
                                   {-1.0F, kLines * ImGui::GetTextLineHeight()})) {
-        change(app, [&](StudyDesign& design) { design.*row.text = typed; });
+        change(work, [&](StudyDesign& design) { design.*row.text = typed; });
     }
-    if (ImGui::IsItemDeactivatedAfterEdit()) commit_step(app, std::string("study: ") + row.id);
-    note_item(app.rects, std::string("study text:") + row.id);
+    if (ImGui::IsItemDeactivatedAfterEdit()) commit_step(ui, work, std::string("study: ") + row.id);
+    note_item(ui.rects, std::string("study text:") + row.id);
 }
 
-void draw_text_row(App& app, const TextRow& row, const std::string& shown) {
+void draw_text_row(Ui& ui, Workspace& work, StudyState& studying, const TextRow& row,
+                   const std::string& shown) {
     ImGui::Spacing();
     ImGui::PushID(row.id);
-    dim_text(app, row.title);
-    bool is_edited = app.study->edited_text == row.id;
+    dim_text(ui, row.title);
+    bool is_edited = studying.edited_text == row.id;
     const char* toggle = is_edited ? "Done" : "Edit";
-    ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
-    if (link(app, "edit", toggle)) {
+    ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
+    if (link(ui, "edit", toggle)) {
         is_edited = !is_edited;
-        app.study->edited_text = is_edited ? row.id : "";
+        studying.edited_text = is_edited ? row.id : "";
     }
-    note_item(app.rects, std::string("study:edit ") + row.id);
-    if (!(app.document.set.study.*row.text).empty()) {
-        ImGui::SameLine(0.0F, 2.0F * app.theme.gap_px);
-        if (link(app, "standard", "Standard text")) {
-            change_at_once(app, std::string("study: ") + row.id,
+    note_item(ui.rects, std::string("study:edit ") + row.id);
+    if (!(work.document.set.study.*row.text).empty()) {
+        ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
+        if (link(ui, "standard", "Standard text")) {
+            change_at_once(ui, work, std::string("study: ") + row.id,
                            [&](StudyDesign& design) { (design.*row.text).clear(); });
         }
-        note_item(app.rects, std::string("study:standard ") + row.id);
+        note_item(ui.rects, std::string("study:standard ") + row.id);
     }
     if (is_edited) {
-        draw_text_field(app, row, shown);
+        draw_text_field(ui, work, row, shown);
     } else {
         ImGui::PushTextWrapPos(0.0F);
         ImGui::TextUnformatted(shown.c_str());
@@ -327,24 +328,25 @@ void draw_text_row(App& app, const TextRow& row, const std::string& shown) {
 
 }  // namespace
 
-void draw_study_design(App& app) {
+void draw_study_design(Ui& ui, Workspace& work, const PlayState& play, StudyState& studying) {
     ImGui::BeginChild("study design", ImGui::GetContentRegionAvail());
-    draw_kind(app);
-    draw_prediction(app);
+    draw_kind(ui, studying);
+    draw_prediction(ui, work, studying);
     ImGui::Spacing();
-    const bool rates = app.study->kind == StudyKind::pairwise;
-    if (rates) draw_order(app);
-    if (!rates) draw_rounds(app);
+    const bool rates = studying.kind == StudyKind::pairwise;
+    if (rates) draw_order(ui, work);
+    if (!rates) draw_rounds(ui, work, studying);
     for (const NumberRow& row : kTrials) {
-        if (rates || !row.of_pairs) draw_number(app, row);
+        if (rates || !row.of_pairs) draw_number(ui, work, row);
     }
-    draw_headphones(app);
+    draw_headphones(ui, work, play);
     ImGui::Spacing();
-    draw_patterns(app);
-    const StudyDesign& design = app.document.set.study;
-    draw_text_row(app, {"instructions", "Instructions", &StudyDesign::instructions},
-                  instructions_of(design, app.study->kind));
-    draw_text_row(app, {"consent", "Consent", &StudyDesign::consent}, consent_of(design));
+    draw_patterns(ui, work);
+    const StudyDesign& design = work.document.set.study;
+    draw_text_row(ui, work, studying, {"instructions", "Instructions", &StudyDesign::instructions},
+                  instructions_of(design, studying.kind));
+    draw_text_row(ui, work, studying, {"consent", "Consent", &StudyDesign::consent},
+                  consent_of(design));
     ImGui::EndChild();
 }
 

@@ -28,19 +28,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void follow_question(App& app) {
-    StudyState& state = *app.study;
+void follow_question(const Ui& ui, const Workspace& work, StudyState& studying) {
+    StudyState& state = studying;
     StudyQuestion question = state.asked;
     question.number = state.folder_revision;
-    question.folder = study_folder(app);
+    question.folder = study_folder(work, studying);
     if (question.folder != state.asked.folder) state.shown.reset();
     question.kind = state.kind;
     question.rule = state.rule;
-    question.rule.attention = app.document.set.study.attention;
-    question.set = app.committed;
+    question.rule.attention = work.document.set.study.attention;
+    question.set = work.committed;
     if (!state.job) {
-        state.job = std::make_unique<LatestJob<StudyQuestion, StudyAnswers>>(
-            JobPolicy::supersede, read_answers, app.wake);
+        state.job = std::make_unique<LatestJob<StudyQuestion, StudyAnswers>>(JobPolicy::supersede,
+                                                                             read_answers, ui.wake);
     }
     if (question != state.asked) state.job->submit(question);
     state.asked = question;
@@ -49,16 +49,10 @@ void follow_question(App& app) {
 
 }  // namespace
 
-std::shared_ptr<StudyState> make_study() {
-    auto state = std::make_shared<StudyState>();
-    state->device = std::make_shared<MemoryDevice>(false);
-    return state;
-}
-
-void stop_study(App& app) {
-    app.study->job.reset();
-    if (app.study->run) app.study->device->stop();
-    stop_masking(*app.study);
+void stop_study(StudyState& studying) {
+    studying.job.reset();
+    if (studying.run) studying.device->stop();
+    stop_masking(studying);
 }
 
 void use_device(StudyState& study, const std::shared_ptr<Device>& device) {
@@ -76,49 +70,51 @@ void release_device(StudyState& study) {
     study.has_window_device = false;
 }
 
-void open_study(App& app) {
-    app.study->is_open = true;
-    app.layout.maximised.reset();
-    ++app.study->folder_revision;
+void open_study(Layout& layout, StudyState& studying) {
+    studying.is_open = true;
+    layout.maximised.reset();
+    ++studying.folder_revision;
 }
 
-void close_study(App& app) { app.study->is_open = false; }
+void close_study(StudyState& studying) { studying.is_open = false; }
 
-fs::path study_folder(const App& app, const SavedFrom& place) {
-    const ChosenFolder& chosen = app.study->folder;
-    if (chosen.document_number == app.document_number) return chosen.path;
+fs::path study_folder(const Workspace& work, const StudyState& studying, const SavedFrom& place) {
+    const ChosenFolder& chosen = studying.folder;
+    if (chosen.document_number == work.document_number) return chosen.path;
     // A set that was recovered into the state folder has its participants where they were.
     const fs::path& file = place.file;
-    if (!file.empty() && file.parent_path() != app.session.folder) {
+    if (!file.empty() && file.parent_path() != work.session.folder) {
         std::string stem = file.stem().string();
         if (stem.ends_with(".tactspace")) stem.resize(stem.size() - 10);
         return file.parent_path() / (stem + " study");
     }
-    if (app.session.folder.empty()) return {};
+    if (work.session.folder.empty()) return {};
     std::string name = place.set_name.empty() ? "unnamed" : place.set_name;
     std::ranges::replace(name, '/', '_');
-    return app.session.folder / "studies" / name;
+    return work.session.folder / "studies" / name;
 }
 
-fs::path study_folder(const App& app) {
-    return study_folder(app, {app.document.path, app.document.set.name});
+fs::path study_folder(const Workspace& work, const StudyState& studying) {
+    return study_folder(work, studying, {work.document.path, work.document.set.name});
 }
 
-void choose_study_folder(App& app) {
-    ask_for_file(app,
+void choose_study_folder(Ui& ui, const Workspace& work, const StudyState& studying) {
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::study_folder,
                   .use = ChooserUse::save_folder,
                   .title = "Folder for participants",
                   .folders_too = true},
-                 study_folder(app).parent_path(), study_folder(app).filename().string());
+                 study_folder(work, studying).parent_path(),
+                 study_folder(work, studying).filename().string());
 }
 
-void set_study_folder(App& app, const fs::path& folder) {
-    app.study->folder = {folder, app.document_number};
+void set_study_folder(const Workspace& work, StudyState& studying, const fs::path& folder) {
+    studying.folder = {folder, work.document_number};
 }
 
-std::string unused_code(const App& app, const std::string& prefix) {
-    const fs::path folder = study_folder(app);
+std::string unused_code(const Workspace& work, const StudyState& studying,
+                        const std::string& prefix) {
+    const fs::path folder = study_folder(work, studying);
     std::error_code none;
     for (int number = 1;; ++number) {
         const std::string code = prefix + "P" + std::to_string(number);
@@ -126,28 +122,28 @@ std::string unused_code(const App& app, const std::string& prefix) {
     }
 }
 
-std::string study_calibration(const App& app) {
-    const std::string level = ", level " + significant(app.play.level);
-    if (app.play.calibration) {
-        std::string text = calibration_text(app);
+std::string study_calibration(const PlayState& play) {
+    const std::string level = ", level " + significant(play.level);
+    if (play.calibration) {
+        std::string text = calibration_text(play);
         text.front() = 'c';  // in the middle of a sentence
         return text + level;
     }
-    return "uncalibrated, full scale stands for " + significant(app.play.full_scale_g) + " g" +
-           level;
+    return "uncalibrated, full scale stands for " + significant(play.full_scale_g) + " g" + level;
 }
 
-StudyHeader study_header(const App& app, const std::string& code) {
-    const PatternSet& set = app.document.set;
+StudyHeader study_header(const Workspace& work, const PlayState& play, const StudyState& studying,
+                         const std::string& code) {
+    const PatternSet& set = work.document.set;
     StudyHeader header;
     header.program = kProgramVersion;
-    header.kind = app.study->kind;
+    header.kind = studying.kind;
     header.set_name = set.name;
     header.patterns = study_patterns(set);
     header.set_fingerprint = study_fingerprint(set, header.patterns);
     header.design = set.study;
     header.participant.code = code;
-    header.device = {app.study->device->status().name, study_calibration(app), {}};
+    header.device = {studying.device->status().name, study_calibration(play), {}};
     return header;
 }
 
@@ -162,109 +158,113 @@ std::vector<double> study_durations_s(const PatternSet& set,
     return all;
 }
 
-void simulate_participant(App& app) {
-    const StudyState& state = *app.study;
-    const auto& map = app.map.shown;
-    const std::vector<std::string> names = study_names(app);
-    if (!map || names.size() < 3 || names_of(*map->request.set) != names_of(app.document.set)) {
-        return complain(app, "The map must be there first: simulated people feel by it.");
+void simulate_participant(Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                          const PlayState& play, StudyState& studying) {
+    const StudyState& state = studying;
+    const auto& map = shown_map.transition.shown;
+    const std::vector<std::string> names = study_names(work);
+    if (!map || names.size() < 3 || names_of(*map->request.set) != names_of(work.document.set)) {
+        return complain(ui, "The map must be there first: simulated people feel by it.");
     }
     std::vector<std::size_t> place;
-    for (const std::string& name : names) place.push_back(*place_named(app.document.set, name));
+    for (const std::string& name : names) place.push_back(*place_named(work.document.set, name));
     Dissimilarity truth{names.size(), {}};
     for (std::size_t i = 0; i < place.size(); ++i) {
         for (std::size_t j = i + 1; j < place.size(); ++j) {
             truth.condensed.push_back(map->prediction.pm(place[i], place[j]));
         }
     }
-    const std::string code = unused_code(app, "synthetic ");
-    StudyHeader header = study_header(app, code);
+    const std::string code = unused_code(work, studying, "synthetic ");
+    StudyHeader header = study_header(work, play, studying, code);
     header.device = {"none: simulated", "none", {}};
     header.synthetic = true;
     header.seed = participant_seed(header.design.seed, code);
     const StudyRecord record = simulated_study(header, {{}, truth, header.seed});
-    const fs::path folder = study_folder(app);
-    if (const auto made = make_folder(folder); !made) return complain(app, made.error().message);
+    const fs::path folder = study_folder(work, studying);
+    if (const auto made = make_folder(folder); !made) return complain(ui, made.error().message);
     const auto written = write_study_file(folder / study_file_name(code), record);
-    if (!written) return complain(app, written.error().message);
-    ++app.study->folder_revision;
-    say(app, "Simulated a participant" + std::string(state.kind == StudyKind::sorting
-                                                         ? " who sorted."
-                                                         : " who rated all pairs."));
+    if (!written) return complain(ui, written.error().message);
+    ++studying.folder_revision;
+    say(ui, "Simulated a participant" + std::string(state.kind == StudyKind::sorting
+                                                        ? " who sorted."
+                                                        : " who rated all pairs."));
 }
 
-void use_as_ratings(App& app) {
-    const auto& answers = app.study->answers;
+void use_as_ratings(Ui& ui, Workspace& work, Layout& layout, Comparing& comparing,
+                    StudyState& studying) {
+    const auto& answers = studying.answers;
     if (!answers || !answers->results || answers->results->study.judgements.empty()) return;
     const StudyResults& results = *answers->results;
-    const Expected<RatingStudy> study = matched(results.study, names_of(app.document.set));
-    if (!study) return complain(app, study.error().message);
+    const Expected<RatingStudy> study = matched(results.study, names_of(work.document.set));
+    if (!study) return complain(ui, study.error().message);
     const std::string source = std::string(results.synthetic ? kSyntheticRatings : "") +
                                answers->question.folder.filename().string();
-    app.document.set.ratings = kept_ratings(*study, source);
-    document_changed(app);
-    commit_step(app, "Use the study as ratings");
-    app.bench = BenchTab::compare;
-    app.compare.view = CompareView::table;
-    close_study(app);
+    work.document.set.ratings = kept_ratings(*study, source);
+    document_changed(work);
+    commit_step(ui, work, "Use the study as ratings");
+    layout.bench = BenchTab::compare;
+    comparing.panel.view = CompareView::table;
+    close_study(studying);
     const std::string unrated = remark_on_unrated(unrated_patterns(*study), study->labels.size());
-    say(app, "The study's ratings are compared with the metrics." +
-                 (unrated.empty() ? "" : " " + unrated + "."));
+    say(ui, "The study's ratings are compared with the metrics." +
+                (unrated.empty() ? "" : " " + unrated + "."));
 }
 
-void export_study_dialog(App& app) {
-    ask_for_file(app,
+void export_study_dialog(Ui& ui, const Workspace& work, const StudyState& studying) {
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::export_study,
                   .use = ChooserUse::save,
                   .title = "Export answers as CSV",
                   .extensions = {".csv"}},
-                 study_folder(app).parent_path(), "answers.csv");
+                 study_folder(work, studying).parent_path(), "answers.csv");
 }
 
-void export_study(App& app, const fs::path& file) {
-    const auto& answers = app.study->answers;
-    if (!answers || !answers->results) return complain(app, "There are no answers to export yet.");
+void export_study(Ui& ui, const StudyState& studying, const fs::path& file) {
+    const auto& answers = studying.answers;
+    if (!answers || !answers->results) return complain(ui, "There are no answers to export yet.");
     std::ostringstream text;
     write_study_csv(text, answers->records, *answers->results, StudyRows::everyone);
     if (const auto written = write_atomically(file, text.str()); !written) {
-        return complain(app, written.error().message);
+        return complain(ui, written.error().message);
     }
-    say(app, "Exported " + file.string() + ".");
+    say(ui, "Exported " + file.string() + ".");
 }
 
-void follow_study(App& app) {
-    StudyState& state = *app.study;
-    if (state.run && state.run->playing && app.time_s >= state.run->playing_until_s) {
-        act(app, {});
+void follow_study(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying) {
+    StudyState& state = studying;
+    if (state.run && state.run->playing && ui.time_s >= state.run->playing_until_s) {
+        act(ui, work, play, studying, {});
     }
-    follow_actuator(app);
-    follow_masking(app);
-    if (state.is_open && !state.run) follow_question(app);
+    follow_actuator(ui, work, play, studying);
+    follow_masking(ui, work, play, studying);
+    if (state.is_open && !state.run) follow_question(ui, work, studying);
 }
 
-bool is_study_running(const App& app) { return app.study->run.has_value(); }
+bool is_study_running(const StudyState& studying) { return studying.run.has_value(); }
 
-bool is_study_playing(const App& app) { return app.study->run && app.study->run->playing; }
+bool is_study_playing(const StudyState& studying) { return studying.run && studying.run->playing; }
 
-std::vector<std::string> study_names(const App& app) { return study_patterns(app.document.set); }
+std::vector<std::string> study_names(const Workspace& work) {
+    return study_patterns(work.document.set);
+}
 
-double study_duration_s(const App& app) {
+double study_duration_s(const Workspace& work) {
     double longest_s = 0.0;
-    for (const std::string& name : study_names(app)) {
-        const auto place = place_named(app.document.set, name);
-        const Vibration& vibration = app.document.set.vibrations[*place];
+    for (const std::string& name : study_names(work)) {
+        const auto place = place_named(work.document.set, name);
+        const Vibration& vibration = work.document.set.vibrations[*place];
         const auto* pattern = std::get_if<Pattern>(&vibration.source);
         longest_s = std::max(longest_s, pattern != nullptr
                                             ? pattern->duration_s
-                                            : study_durations_s(app.document.set, {name}).front());
+                                            : study_durations_s(work.document.set, {name}).front());
     }
     return longest_s;
 }
 
-double study_wake_s(const App& app) {
-    const StudyState& state = *app.study;
+double study_wake_s(const Ui& ui, const StudyState& studying) {
+    const StudyState& state = studying;
     if (state.run) {
-        const double next_s = next_change_s(*state.run, app.time_s) + 0.005;
+        const double next_s = next_change_s(*state.run, ui.time_s) + 0.005;
         const bool looks = state.masks || state.actuator.is_there;
         return looks ? std::min(next_s, kMaskingLookS) : next_s;
     }

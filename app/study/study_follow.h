@@ -6,15 +6,19 @@
 #include <filesystem>
 #include <string>
 
+#include "app/compare/compare_state.h"
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
+#include "app/play/play_state.h"
 #include "app/study/study_state.h"
-#include "app/window/app.h"
+#include "app/timeline/timeline.h"
+#include "app/ui/layout.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
-std::shared_ptr<StudyState> make_study();
-
 // Before the program ends: the job, sound, and the file of a run, which is complete as it is.
-void stop_study(App& app);
+void stop_study(StudyState& studying);
 
 // The device of the window, where there is one, becomes that of the study; a run keeps the one that
 // it began with.
@@ -23,54 +27,64 @@ void use_device(StudyState& study, const std::shared_ptr<Device>& device);
 void release_device(StudyState& study);
 
 // The view in place of the panes, and back.
-void open_study(App& app);
-void close_study(App& app);
+void open_study(Layout& layout, StudyState& studying);
+void close_study(StudyState& studying);
 
 // Where participants' files are: chosen, or beside the document, or of a document without a file
 // in the state folder. Empty without a home.
-std::filesystem::path study_folder(const App& app);
-std::filesystem::path study_folder(const App& app, const SavedFrom& place);  // as if it were there
-void choose_study_folder(App& app);
-void set_study_folder(App& app, const std::filesystem::path& folder);
+std::filesystem::path study_folder(const Workspace& work, const StudyState& studying);
+std::filesystem::path study_folder(const Workspace& work, const StudyState& studying,
+                                   const SavedFrom& place);  // as if it were there
+void choose_study_folder(Ui& ui, const Workspace& work, const StudyState& studying);
+void set_study_folder(const Workspace& work, StudyState& studying,
+                      const std::filesystem::path& folder);
 
 // The document has been saved from there: its participants come along, if it had no file and they
 // no place but the state folder, and stay in sight else. Says so behind what is said.
-void keep_participants(App& app, const SavedFrom& place_before);
+void keep_participants(Ui& ui, const Workspace& work, StudyState& studying,
+                       const SavedFrom& place_before);
 
 // "P1", "P2", ... after a prefix, whichever has no file yet.
-std::string unused_code(const App& app, const std::string& prefix = "");
+std::string unused_code(const Workspace& work, const StudyState& studying,
+                        const std::string& prefix = "");
 
 // A new participant from the consent on; one with a file from where it was left.
-void begin_participant(App& app);
-void resume_participant(App& app, const StudyRecord& record);
+void begin_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
+                       StudyState& studying);
+void resume_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
+                        StudyState& studying, const StudyRecord& record);
 
 // Answers as PM's prediction of the map on screen would have them, noise added, labelled synthetic.
-void simulate_participant(App& app);
+void simulate_participant(Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                          const PlayState& play, StudyState& studying);
 
 // What the participant did: the run goes on, and what it asks for is done.
-void act(App& app, const StudyEvent& event);
+void act(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+         const StudyEvent& event);
 
 // Who is counted, as the ratings of the document: one step. The CSV of all of them.
-void use_as_ratings(App& app);
-void export_study_dialog(App& app);
-void export_study(App& app, const std::filesystem::path& file);
+void use_as_ratings(Ui& ui, Workspace& work, Layout& layout, Comparing& comparing,
+                    StudyState& studying);
+void export_study_dialog(Ui& ui, const Workspace& work, const StudyState& studying);
+void export_study(Ui& ui, const StudyState& studying, const std::filesystem::path& file);
 
 // Each frame: time passes for the run; the participants' files are read again where need be.
-void follow_study(App& app);
-bool is_study_running(const App& app);
-bool is_study_playing(const App& app);  // its button fills while it does
+void follow_study(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying);
+bool is_study_running(const StudyState& studying);
+bool is_study_playing(const StudyState& studying);  // its button fills while it does
 // How strong full scale is, in words: what is known of the device's strength.
-std::string study_calibration(const App& app);
+std::string study_calibration(const PlayState& play);
 
 // What a participant's file begins with, of the document as it is.
-StudyHeader study_header(const App& app, const std::string& code);
+StudyHeader study_header(const Workspace& work, const PlayState& play, const StudyState& studying,
+                         const std::string& code);
 
 // The patterns that take part, how long each is, and the longest of them.
-std::vector<std::string> study_names(const App& app);
+std::vector<std::string> study_names(const Workspace& work);
 std::vector<double> study_durations_s(const PatternSet& set, const std::vector<std::string>& names);
-double study_duration_s(const App& app);
+double study_duration_s(const Workspace& work);
 
 // When the next frame is needed without input; infinite: not at all.
-double study_wake_s(const App& app);
+double study_wake_s(const Ui& ui, const StudyState& studying);
 
 }  // namespace tact

@@ -17,19 +17,20 @@ constexpr double kLoopS = 20.0;
 constexpr const char* kOff = "Masking noise is off: ";
 
 // Opens the output of the design, where this program has sound.
-Expected<Done> open_masking(App& app, const std::string& headphones) {
-    if (!app.play.audio) {
-        if (app.study->masking) return Done{};
+Expected<Done> open_masking(const PlayState& play, StudyState& studying,
+                            const std::string& headphones) {
+    if (!play.audio) {
+        if (studying.masking) return Done{};
         return Error{"this program has no sound"};
     }
-    const Expected<DeviceInfo> output = masking_output(app.play, headphones);
+    const Expected<DeviceInfo> output = masking_output(play, headphones);
     if (!output) return output.error();
     DeviceChoice choice;
     choice.id = output->id;
     choice.everywhere = true;
-    auto device = open_device(app.play.audio, *output, choice);
+    auto device = open_device(play.audio, *output, choice);
     if (!device) return device.error();
-    app.study->masking = std::move(*device);
+    studying.masking = std::move(*device);
     return Done{};
 }
 
@@ -63,11 +64,11 @@ Expected<DeviceInfo> masking_output(const PlayState& play, const std::string& he
     return *wanted;
 }
 
-void begin_masking(App& app, const StudyDesign& design) {
-    StudyState& state = *app.study;
+void begin_masking(const PlayState& play, StudyState& studying, const StudyDesign& design) {
+    StudyState& state = studying;
     stop_masking(state);
     if (design.masking <= 0.0) return;
-    Expected<Done> begun = open_masking(app, design.headphones);
+    Expected<Done> begun = open_masking(play, studying, design.headphones);
     if (begun) {
         state.masking->set_level(design.masking);
         begun = state.masking->play({kRateHz, pink_noise(kRateHz, kLoopS, 1)}, true);
@@ -82,8 +83,8 @@ void stop_masking(StudyState& state) {
     state.masking_fault.clear();
 }
 
-void follow_masking(App& app) {
-    StudyState& state = *app.study;
+void follow_masking(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying) {
+    StudyState& state = studying;
     if (!state.run || !state.masks) return;
     const DeviceStatus status = state.masking->status();
     if (status.trouble.empty() && status.connected) return;
@@ -92,11 +93,12 @@ void follow_masking(App& app) {
     state.masking_fault = "The masking noise stopped: " + why + ".";
     const bool is_at_work =
         state.run->page != StudyPage::consent && state.run->page != StudyPage::finished;
-    if (is_at_work && !state.run->is_asking) act(app, {StudyEvent::What::ask, 0, 0.0, {}, {}});
+    if (is_at_work && !state.run->is_asking)
+        act(ui, work, play, studying, {StudyEvent::What::ask, 0, 0.0, {}, {}});
 }
 
-std::string masking_words(const App& app, const StudyDesign& design) {
-    const StudyState& state = *app.study;
+std::string masking_words(const StudyState& studying, const StudyDesign& design) {
+    const StudyState& state = studying;
     if (design.masking <= 0.0) return {};
     if (!state.masks) {
         const std::string& fault = state.masking_fault;

@@ -9,8 +9,10 @@
 
 #include <string>
 
+#include "app/document/workspace.h"
+#include "app/play/play_state.h"
 #include "app/study/study_state.h"
-#include "app/window/app.h"
+#include "app/ui/ui.h"
 #include "devices/device/device_info.h"
 #include "model/common/expected.h"
 
@@ -23,14 +25,14 @@ inline constexpr double kMaskingLookS = 0.25;
 // is none, not even where it is the only one.
 Expected<DeviceInfo> masking_output(const PlayState& play, const std::string& headphones);
 
-void begin_masking(App& app, const StudyDesign& design);
+void begin_masking(const PlayState& play, StudyState& studying, const StudyDesign& design);
 void stop_masking(StudyState& state);
 
 // Each frame.
-void follow_masking(App& app);
+void follow_masking(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying);
 
 // For the participant's file: "pink noise at 30 % of full scale on PulseAudio", "none: there is no
 // sound output"; empty where the design asks for none.
-std::string masking_words(const App& app, const StudyDesign& design);
+std::string masking_words(const StudyState& studying, const StudyDesign& design);
 
 }  // namespace tact

@@ -17,7 +17,7 @@ namespace {
 
 using What = StudyEvent::What;
 
-const StudyRun& run_of(const App& app) { return *app.study->run; }
+const StudyRun& run_of(const StudyState& studying) { return *studying.run; }
 
 std::string time_left_text(double minutes) {
     char text[48];
@@ -69,9 +69,9 @@ const char* name_of(StudyPage page) {
 }
 
 // Where one is on the way, and for how long still.
-void draw_progress(App& app, const Rect& area) {
-    const StudyRun& run = run_of(app);
-    const Theme& theme = app.theme;
+void draw_progress(Ui& ui, const StudyState& studying, const Rect& area) {
+    const StudyRun& run = run_of(studying);
+    const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::size_t wanted = answers_wanted(run.record);
     const std::size_t given = std::min(wanted, answers_given(run.record));
@@ -83,7 +83,7 @@ void draw_progress(App& app, const Rect& area) {
     if (!is_at_work) text = run.page == StudyPage::training ? "Training" : "";
     draw_text(list, theme.fonts.regular, area.min, theme.dim_text, text);
     note_rect(
-        app.rects, "study page", area.min, area.max,
+        ui.rects, "study page", area.min, area.max,
         std::string(run.is_asking ? "asking" : name_of(run.page)) + " " + std::to_string(given));
     const bool is_begun = given > 0 || is_at_work;
     const std::string left = is_begun && given < wanted ? time_left_text(minutes_left(run)) : "";
@@ -99,10 +99,10 @@ void draw_progress(App& app, const Rect& area) {
                        theme.accent, half);
 }
 
-void draw_foot(App& app, const Rect& area) {
-    const StudyState& state = *app.study;
-    const Theme& theme = app.theme;
-    centred_text(app, theme.fonts.small, theme.dim_text, area, area.max.y - 24.0F * theme.scale,
+void draw_foot(Ui& ui, const StudyState& studying, const Rect& area) {
+    const StudyState& state = studying;
+    const Theme& theme = ui.theme;
+    centred_text(theme.fonts.small, theme.dim_text, area, area.max.y - 24.0F * theme.scale,
                  keys_of(*state.run));
     std::string warning = state.run->trouble;
     if (!warning.empty()) warning = "Not on the disk, please call the experimenter. " + warning;
@@ -121,9 +121,9 @@ void draw_foot(App& app, const Rect& area) {
         warning += (warning.empty() ? "" : " ") + state.masking_fault;
     }
     if (warning.empty()) return;
-    centred_text(app, theme.fonts.regular, state.run->trouble.empty() ? theme.warning : theme.error,
+    centred_text(theme.fonts.regular, state.run->trouble.empty() ? theme.warning : theme.error,
                  area, area.max.y - 52.0F * theme.scale, warning);
-    note_rect(app.rects, "study:warning", area.min, area.max, warning);
+    note_rect(ui.rects, "study:warning", area.min, area.max, warning);
 }
 
 void wrapped(const Rect& area, const std::string& text) {
@@ -134,58 +134,60 @@ void wrapped(const Rect& area, const std::string& text) {
 }
 
 // A page that is read: a title, words, and the way on.
-void draw_reading_page(App& app, const Rect& area, const char* title, const std::string& text,
+void draw_reading_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                       const Rect& area, const char* title, const std::string& text,
                        const char* go_on) {
     ImGui::SetCursorScreenPos(area.min);
-    ImGui::PushFont(app.theme.fonts.large);
+    ImGui::PushFont(ui.theme.fonts.large);
     ImGui::TextUnformatted(title);
     ImGui::PopFont();
-    wrapped({{area.min.x, area.min.y + 44.0F * app.theme.scale}, area.max}, text);
-    const float y = ImGui::GetCursorScreenPos().y + 28.0F * app.theme.scale;
-    draw_go_on(app, {{area.min.x, y}, {area.max.x, y}}, go_on);
+    wrapped({{area.min.x, area.min.y + 44.0F * ui.theme.scale}, area.max}, text);
+    const float y = ImGui::GetCursorScreenPos().y + 28.0F * ui.theme.scale;
+    draw_go_on(ui, work, play, studying, {{area.min.x, y}, {area.max.x, y}}, go_on);
 }
 
-void draw_entry(App& app, const char* label, const char* id, std::string& text) {
-    draw_label(app, label);
-    ImGui::SetNextItemWidth(240.0F * app.theme.scale);
+void draw_entry(Ui& ui, const char* label, const char* id, std::string& text) {
+    draw_label(ui, label);
+    ImGui::SetNextItemWidth(240.0F * ui.theme.scale);
     ImGui::InputText((std::string("##") + id).c_str(), &text);
-    note_item(app.rects, std::string("study field:") + id, text);
+    note_item(ui.rects, std::string("study field:") + id, text);
 }
 
-void draw_consent(App& app, const Rect& area, std::span<const KeyPress> pressed) {
-    StudyState& state = *app.study;
+void draw_consent(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                  const Rect& area, std::span<const KeyPress> pressed) {
+    StudyState& state = studying;
     ImGui::SetCursorScreenPos(area.min);
-    ImGui::PushFont(app.theme.fonts.large);
+    ImGui::PushFont(ui.theme.fonts.large);
     ImGui::TextUnformatted("Welcome");
     ImGui::PopFont();
-    wrapped({{area.min.x, area.min.y + 44.0F * app.theme.scale}, area.max},
+    wrapped({{area.min.x, area.min.y + 44.0F * ui.theme.scale}, area.max},
             consent_of(state.run->record.header.design));
-    const float y = ImGui::GetCursorScreenPos().y + 20.0F * app.theme.scale;
+    const float y = ImGui::GetCursorScreenPos().y + 20.0F * ui.theme.scale;
     ImGui::SetCursorScreenPos({area.min.x, y});
     ImGui::BeginGroup();
-    draw_entry(app, "Code", "code", state.code);
+    draw_entry(ui, "Code", "code", state.code);
     ImGui::SameLine();
-    dim_text(app, "no name, please");
-    draw_entry(app, "Age", "age", state.age);
-    draw_entry(app, "Gender", "gender", state.gender);
-    draw_entry(app, "Hand", "hand", state.hand);
+    dim_text(ui, "no name, please");
+    draw_entry(ui, "Age", "age", state.age);
+    draw_entry(ui, "Gender", "gender", state.gender);
+    draw_entry(ui, "Hand", "hand", state.hand);
     ImGui::SameLine();
-    dim_text(app, "that writes");
+    dim_text(ui, "that writes");
     ImGui::Spacing();
     ImGui::Checkbox("I agree and take part", &state.agrees);
-    note_item(app.rects, "check:agree", state.agrees ? "on" : "off");
+    note_item(ui.rects, "check:agree", state.agrees ? "on" : "off");
     ImGui::EndGroup();
     if (was_pressed(pressed, key::kEnter)) {
         if (state.agrees) {
-            act(app, {What::go_on, 0, 0.0, {}, {}});
+            act(ui, work, play, studying, {What::go_on, 0, 0.0, {}, {}});
         } else {
             state.agrees = true;
         }
         if (!state.run) return;
     }
-    const float foot = ImGui::GetCursorScreenPos().y + 20.0F * app.theme.scale;
+    const float foot = ImGui::GetCursorScreenPos().y + 20.0F * ui.theme.scale;
     ImGui::BeginDisabled(!state.agrees || study_file_name(state.code).empty());
-    draw_go_on(app, {{area.min.x, foot}, {area.max.x, foot}}, "Begin");
+    draw_go_on(ui, work, play, studying, {{area.min.x, foot}, {area.max.x, foot}}, "Begin");
     ImGui::EndDisabled();
 }
 
@@ -203,77 +205,82 @@ std::string rest_text(const StudyState& state) {
 }
 
 // Esc: nothing is lost either way, and the page says so.
-void draw_asking(App& app, const Rect& area, std::span<const KeyPress> pressed) {
-    const StudyRun& run = run_of(app);
+void draw_asking(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                 const Rect& area, std::span<const KeyPress> pressed) {
+    const StudyRun& run = run_of(studying);
     ImGui::SetCursorScreenPos(area.min);
-    ImGui::PushFont(app.theme.fonts.large);
+    ImGui::PushFont(ui.theme.fonts.large);
     ImGui::TextUnformatted("Paused");
     ImGui::PopFont();
     const std::size_t given = answers_given(run.record);
     const bool is_new = run.page == StudyPage::consent;
-    wrapped({{area.min.x, area.min.y + 44.0F * app.theme.scale}, area.max},
+    wrapped({{area.min.x, area.min.y + 44.0F * ui.theme.scale}, area.max},
             is_new ? "Nothing has been written yet."
                    : std::to_string(given) + (given == 1 ? " answer is" : " answers are") +
                          " kept. Who leaves can go on later with the trial on the screen." +
-                         settling_text(*app.study));
-    ImGui::SetCursorScreenPos(
-        {area.min.x, ImGui::GetCursorScreenPos().y + 28.0F * app.theme.scale});
+                         settling_text(studying));
+    ImGui::SetCursorScreenPos({area.min.x, ImGui::GetCursorScreenPos().y + 28.0F * ui.theme.scale});
     const bool stays = ImGui::Button("Go on") || was_pressed(pressed, key::kEnter);
-    note_item(app.rects, "button:stay");
-    ImGui::SameLine(0.0F, app.theme.gap_px);
+    note_item(ui.rects, "button:stay");
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
     const bool leaves = ImGui::Button("Leave the study") || was_typed(pressed, U'q');
-    note_item(app.rects, "button:leave");
+    note_item(ui.rects, "button:leave");
     if (stays) {
-        act(app, {What::stay, 0, 0.0, {}, {}});
+        act(ui, work, play, studying, {What::stay, 0, 0.0, {}, {}});
     } else if (leaves) {
-        act(app, {What::leave, 0, 0.0, {}, {}});
+        act(ui, work, play, studying, {What::leave, 0, 0.0, {}, {}});
     }
 }
 
 // A page that is read: a column of comfortable width, which scrolls where it is too long.
-void draw_column(App& app, const Rect& area, std::span<const KeyPress> pressed) {
-    const StudyRun& run = run_of(app);
-    const float width = std::min(640.0F * app.theme.scale, area.width());
+void draw_column(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                 const Rect& area, std::span<const KeyPress> pressed) {
+    const StudyRun& run = run_of(studying);
+    const float width = std::min(640.0F * ui.theme.scale, area.width());
     ImGui::SetCursorScreenPos({area.centre().x - 0.5F * width, area.min.y});
     ImGui::BeginChild("page", {width, area.height()}, false, ImGuiWindowFlags_NoNav);
     const Rect column =
         rect_at(ImGui::GetCursorScreenPos(), {ImGui::GetContentRegionAvail().x, area.height()});
     if (run.is_asking) {
-        draw_asking(app, column, pressed);
+        draw_asking(ui, work, play, studying, column, pressed);
     } else if (run.page == StudyPage::consent) {
-        draw_consent(app, column, pressed);
+        draw_consent(ui, work, play, studying, column, pressed);
     } else if (run.page == StudyPage::instructions) {
-        draw_reading_page(app, column, run.answers_before > 0 ? "Welcome back" : "What you will do",
+        draw_reading_page(ui, work, play, studying, column,
+                          run.answers_before > 0 ? "Welcome back" : "What you will do",
                           instructions_of(run.record.header.design, run.record.header.kind),
                           "Go on");
     } else if (run.page == StudyPage::rest) {
-        draw_reading_page(app, column, "A break", rest_text(*app.study), "Go on");
+        draw_reading_page(ui, work, play, studying, column, "A break", rest_text(studying),
+                          "Go on");
     } else {
-        draw_reading_page(app, column, "Thank you", "That was all. Your answers are kept.", "Done");
+        draw_reading_page(ui, work, play, studying, column, "Thank you",
+                          "That was all. Your answers are kept.", "Done");
     }
     ImGui::EndChild();
 }
 
-void draw_page(App& app, const Rect& area, std::span<const KeyPress> pressed) {
-    const StudyRun& run = run_of(app);
+void draw_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+               const Rect& area, std::span<const KeyPress> pressed) {
+    const StudyRun& run = run_of(studying);
     const bool goes_on = was_pressed(pressed, key::kEnter);
     if (goes_on && !run.is_asking && run.page != StudyPage::consent) {
-        act(app, {What::go_on, 0, 0.0, {}, {}});
-        if (!app.study->run) return;
+        act(ui, work, play, studying, {What::go_on, 0, 0.0, {}, {}});
+        if (!studying.run) return;
     }
-    if (run.is_asking) return draw_column(app, area, pressed);
+    if (run.is_asking) return draw_column(ui, work, play, studying, area, pressed);
     switch (run.page) {
         case StudyPage::training:
-            return draw_training_page(app, area, pressed);
+            return draw_training_page(ui, work, play, studying, area, pressed);
         case StudyPage::trial:
-            return draw_trial_page(app, area, pressed);
+            return draw_trial_page(ui, work, play, studying, area, pressed);
         case StudyPage::sorting:
-            return draw_sorting_page(app, area, pressed);
+            return draw_sorting_page(ui, work, play, studying, area, pressed);
         case StudyPage::consent:
         case StudyPage::instructions:
         case StudyPage::rest:
         case StudyPage::finished:
-            return draw_column(app, area, pressed);
+            return draw_column(ui, work, play, studying, area, pressed);
     }
 }
 
@@ -285,24 +292,25 @@ bool was_typed(std::span<const KeyPress> pressed, char32_t sign) {
     });
 }
 
-void centred_text(const App&, const ImFont* font, ImU32 colour, const Rect& area, float y,
+void centred_text(const ImFont* font, ImU32 colour, const Rect& area, float y,
                   const std::string& text) {
     const std::string shown = shortened(font, text, area.width());
     draw_text(*ImGui::GetWindowDrawList(), font,
               {area.centre().x - 0.5F * text_size(font, shown).x, y}, colour, shown);
 }
 
-float played_share(const App& app) {
-    const StudyRun& run = run_of(app);
+float played_share(const Ui& ui, const StudyState& studying) {
+    const StudyRun& run = run_of(studying);
     if (!run.playing) return 0.0F;
     const double duration_s = run.duration_s[*run.playing];
     if (duration_s <= 0.0) return 1.0F;
-    const double left_s = run.playing_until_s - app.time_s;
+    const double left_s = run.playing_until_s - ui.time_s;
     return static_cast<float>(std::clamp(1.0 - left_s / duration_s, 0.0, 1.0));
 }
 
-bool draw_feel_button(App& app, const Rect& area, const FeelButton& button) {
-    const Theme& theme = app.theme;
+bool draw_feel_button(Ui& ui, const StudyState& studying, const Rect& area,
+                      const FeelButton& button) {
+    const Theme& theme = ui.theme;
     ImGui::SetCursorScreenPos(area.min);
     ImGui::BeginDisabled(!button.is_enabled);
     const bool pressed = ImGui::InvisibleButton(button.id, area.size());
@@ -310,12 +318,12 @@ bool draw_feel_button(App& app, const Rect& area, const FeelButton& button) {
     ImGui::EndDisabled();
     const char* state =
         button.is_playing ? "playing " : (button.is_enabled ? "ready " : "waiting ");
-    note_rect(app.rects, button.id, area.min, area.max, state + std::to_string(button.times));
+    note_rect(ui.rects, button.id, area.min, area.max, state + std::to_string(button.times));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(area.min, area.max, is_lit ? theme.hover : theme.field,
                        theme.pane_rounding_px);
     if (button.is_playing) {
-        const float x = area.min.x + played_share(app) * area.width();
+        const float x = area.min.x + played_share(ui, studying) * area.width();
         list.AddRectFilled(area.min, {x, area.max.y}, faded(theme.accent, 0.45F),
                            theme.pane_rounding_px);
     }
@@ -324,25 +332,26 @@ bool draw_feel_button(App& app, const Rect& area, const FeelButton& button) {
                  theme.pane_rounding_px, 0, theme.hairline_px);
     const float middle = area.centre().y - (button.key.empty() ? 0.5F : 0.9F) *
                                                text_size(theme.fonts.large, button.label).y;
-    centred_text(app, theme.fonts.large, is_plain ? theme.text : theme.dim_text, area, middle,
+    centred_text(theme.fonts.large, is_plain ? theme.text : theme.dim_text, area, middle,
                  button.label);
-    centred_text(app, theme.fonts.small, theme.dim_text, area, middle + 28.0F * theme.scale,
-                 button.key);
+    centred_text(theme.fonts.small, theme.dim_text, area, middle + 28.0F * theme.scale, button.key);
     return pressed && button.is_enabled;
 }
 
-void draw_go_on(App& app, const Rect& area, const char* label) {
+void draw_go_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                const Rect& area, const char* label) {
     ImGui::SetCursorScreenPos(area.min);
-    const bool may = app.study->run && may_go_on(run_of(app), app.time_s);
+    const bool may = studying.run && may_go_on(run_of(studying), ui.time_s);
     ImGui::BeginDisabled(!may);
-    const ImVec2 size{160.0F * app.theme.scale, 40.0F * app.theme.scale};
+    const ImVec2 size{160.0F * ui.theme.scale, 40.0F * ui.theme.scale};
     const bool pressed = ImGui::Button(label, size);
     ImGui::EndDisabled();
-    note_item(app.rects, "study:go on", may ? "ready" : "waiting");
-    if (pressed) act(app, {What::go_on, 0, 0.0, {}, {}});
+    note_item(ui.rects, "study:go on", may ? "ready" : "waiting");
+    if (pressed) act(ui, work, play, studying, {What::go_on, 0, 0.0, {}, {}});
 }
 
-void draw_study_pages(App& app, std::span<const KeyPress> pressed) {
+void draw_study_pages(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                      std::span<const KeyPress> pressed) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.0F, 0.0F});
     ImGui::SetNextWindowSize(screen);
@@ -351,18 +360,19 @@ void draw_study_pages(App& app, std::span<const KeyPress> pressed) {
                                         ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
     if (ImGui::Begin("study run", nullptr, kFlags)) {
-        const float margin = 32.0F * app.theme.scale;
+        const float margin = 32.0F * ui.theme.scale;
         const Rect area = inset({{0.0F, 0.0F}, screen}, margin);
-        draw_progress(app, area);
-        draw_foot(app, area);
-        if (was_pressed(pressed, key::kEscape) && !run_of(app).is_asking) {
-            act(app, {What::ask, 0, 0.0, {}, {}});
+        draw_progress(ui, studying, area);
+        draw_foot(ui, studying, area);
+        if (was_pressed(pressed, key::kEscape) && !run_of(studying).is_asking) {
+            act(ui, work, play, studying, {What::ask, 0, 0.0, {}, {}});
         } else {
             // Low windows have no room for air above.
-            const bool is_low = area.height() < 700.0F * app.theme.scale;
-            const float head = 40.0F * app.theme.scale;
+            const bool is_low = area.height() < 700.0F * ui.theme.scale;
+            const float head = 40.0F * ui.theme.scale;
             const float top = area.min.y + (is_low ? head : std::max(head, 0.16F * area.height()));
-            draw_page(app, {{area.min.x, top}, {area.max.x, area.max.y - 72.0F * app.theme.scale}},
+            draw_page(ui, work, play, studying,
+                      {{area.min.x, top}, {area.max.x, area.max.y - 72.0F * ui.theme.scale}},
                       pressed);
         }
     }

@@ -5,20 +5,27 @@
 
 #include <span>
 
+#include "app/document/workspace.h"
+#include "app/play/play_state.h"
 #include "app/screen/input_queue.h"
 #include "app/study/study_follow.h"
-#include "app/window/app.h"
+#include "app/study/study_state.h"
+#include "app/ui/ui.h"
 #include "viz/drawing/geometry.h"
 
 namespace tact {
 
 // The page of the run; there must be one.
-void draw_study_pages(App& app, std::span<const KeyPress> pressed);
+void draw_study_pages(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                      std::span<const KeyPress> pressed);
 
 // Content of pages, in `area`; each takes its own keys.
-void draw_training_page(App& app, const Rect& area, std::span<const KeyPress> pressed);
-void draw_trial_page(App& app, const Rect& area, std::span<const KeyPress> pressed);
-void draw_sorting_page(App& app, const Rect& area, std::span<const KeyPress> pressed);
+void draw_training_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                        const Rect& area, std::span<const KeyPress> pressed);
+void draw_trial_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                     const Rect& area, std::span<const KeyPress> pressed);
+void draw_sorting_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                       const Rect& area, std::span<const KeyPress> pressed);
 
 // A large button with its key beneath; filled as far as its pattern has played. True when pressed.
 struct FeelButton {
@@ -29,19 +36,21 @@ struct FeelButton {
     int times = 0;  // felt before
     bool is_enabled = true;
 };
-bool draw_feel_button(App& app, const Rect& area, const FeelButton& button);
+bool draw_feel_button(Ui& ui, const StudyState& studying, const Rect& area,
+                      const FeelButton& button);
 
 // The button at the foot of a page that goes on.
-void draw_go_on(App& app, const Rect& area, const char* label);
+void draw_go_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                const Rect& area, const char* label);
 
 // Of the pattern that plays, 0 to 1.
-float played_share(const App& app);
+float played_share(const Ui& ui, const StudyState& studying);
 
 // A sign was typed, without Ctrl and the like.
 bool was_typed(std::span<const KeyPress> pressed, char32_t sign);
 
 // Words in the middle of a page.
-void centred_text(const App& app, const ImFont* font, ImU32 colour, const Rect& area, float y,
+void centred_text(const ImFont* font, ImU32 colour, const Rect& area, float y,
                   const std::string& text);
 
 }  // namespace tact

@@ -16,52 +16,54 @@ namespace {
 
 constexpr int kColumns = 7;
 
-void small_text(App& app, ImU32 colour, const std::string& text, const char* noted) {
-    ImGui::PushFont(app.theme.fonts.small);
+void small_text(Ui& ui, ImU32 colour, const std::string& text, const char* noted) {
+    ImGui::PushFont(ui.theme.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    note_item(app.rects, noted, text);
+    note_item(ui.rects, noted, text);
 }
 
-void draw_buttons(App& app) {
+void draw_buttons(Ui& ui, const Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                  PlayState& play, StudyState& studying) {
     ImGui::PushStyleColor(ImGuiCol_Button,
-                          (app.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110));
-    if (ImGui::Button("Run a participant...")) begin_participant(app);
+                          (ui.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110));
+    if (ImGui::Button("Run a participant..."))
+        begin_participant(ui, work, timeline, play, studying);
     ImGui::PopStyleColor();
-    note_item(app.rects, "button:run participant");
-    draw_tooltip(app, "Fills the window: consent, instructions, training, trials.");
-    flow_on(button_width("Simulate one"), app.theme.gap_px);
-    if (ImGui::Button("Simulate one")) simulate_participant(app);
-    note_item(app.rects, "button:simulate");
-    draw_tooltip(app,
+    note_item(ui.rects, "button:run participant");
+    draw_tooltip(ui, "Fills the window: consent, instructions, training, trials.");
+    flow_on(button_width("Simulate one"), ui.theme.gap_px);
+    if (ImGui::Button("Simulate one")) simulate_participant(ui, work, shown_map, play, studying);
+    note_item(ui.rects, "button:simulate");
+    draw_tooltip(ui,
                  "A participant that is none: answers as the model predicts, with noise. Labelled "
                  "synthetic in its file and everywhere else.");
-    const std::string folder = study_folder(app).filename().string();
-    flow_on(ImGui::CalcTextSize(folder.c_str()).x, 2.0F * app.theme.gap_px);
+    const std::string folder = study_folder(work, studying).filename().string();
+    flow_on(ImGui::CalcTextSize(folder.c_str()).x, 2.0F * ui.theme.gap_px);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    if (link(app, "study folder", folder.empty() ? "Choose a folder..." : folder)) {
-        choose_study_folder(app);
+    if (link(ui, "study folder", folder.empty() ? "Choose a folder..." : folder)) {
+        choose_study_folder(ui, work, studying);
     }
-    note_item(app.rects, "link:study folder", study_folder(app).string());
-    draw_tooltip(app, ("Participants' files are in " + study_folder(app).string() +
-                       ". Click to choose another folder.")
-                          .c_str());
+    note_item(ui.rects, "link:study folder", study_folder(work, studying).string());
+    draw_tooltip(ui, ("Participants' files are in " + study_folder(work, studying).string() +
+                      ". Click to choose another folder.")
+                         .c_str());
 }
 
 // What it would be felt by, if by anything.
-void draw_device(App& app) {
-    const DeviceStatus status = app.study->device->status();
+void draw_device(Ui& ui, const PlayState& play, const StudyState& studying) {
+    const DeviceStatus status = studying.device->status();
     if (status.connected) {
-        return small_text(app, app.theme.dim_text,
-                          "Felt on " + status.name + ", " + study_calibration(app) + ".",
+        return small_text(ui, ui.theme.dim_text,
+                          "Felt on " + status.name + ", " + study_calibration(play) + ".",
                           "study:device");
     }
-    small_text(app, app.theme.warning,
+    small_text(ui, ui.theme.warning,
                "No actuator: nothing will be felt. A run is a rehearsal, and its files say so.",
                "study:device");
 }
@@ -82,7 +84,7 @@ std::string agreement_text(const StudyAnswers& answers) {
     return text + "; reliability of the mean " + significant(agreement.spearman_brown, 2) + ".";
 }
 
-void draw_settling(App& app, const StudyAnswers& answers) {
+void draw_settling(Ui& ui, const StudyAnswers& answers) {
     if (!answers.settling) return;
     const MapSettling& settling = *answers.settling;
     std::string text = "The latest participant's map still moves: more trials tell more.";
@@ -94,7 +96,7 @@ void draw_settling(App& app, const StudyAnswers& answers) {
                 " since so many trials as there "
                 "are patterns.";
     }
-    small_text(app, settling.is_settled ? app.theme.accent : app.theme.dim_text, text,
+    small_text(ui, settling.is_settled ? ui.theme.accent : ui.theme.dim_text, text,
                "study:settling");
 }
 
@@ -113,7 +115,7 @@ std::string identical_text(const ParticipantSummary& person) {
     return text.empty() ? "\u2013" : text;
 }
 
-void draw_cells(App& app, const ParticipantSummary& person) {
+void draw_cells(const Ui& ui, const ParticipantSummary& person) {
     const auto cell = [](const std::string& text) {
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(text.c_str());
@@ -125,16 +127,17 @@ void draw_cells(App& app, const ParticipantSummary& person) {
     ImGui::TableNextColumn();
     const std::string state = state_of(person);
     const bool is_odd = !person.excluded.empty() || person.is_outlier;
-    ImGui::PushStyleColor(ImGuiCol_Text, is_odd ? app.theme.warning : app.theme.dim_text);
+    ImGui::PushStyleColor(ImGuiCol_Text, is_odd ? ui.theme.warning : ui.theme.dim_text);
     ImGui::TextUnformatted(state.c_str());
     ImGui::PopStyleColor();
-    draw_tooltip(app, person.is_outlier
-                          ? "Agrees with the others far less than they do among themselves "
-                            "(below Tukey's lower fence). Counted all the same."
-                          : state.c_str());
+    draw_tooltip(ui, person.is_outlier
+                         ? "Agrees with the others far less than they do among themselves "
+                           "(below Tukey's lower fence). Counted all the same."
+                         : state.c_str());
 }
 
-void draw_row(App& app, const StudyAnswers& answers, std::size_t k) {
+void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
+              StudyState& studying, const StudyAnswers& answers, std::size_t k) {
     const StudyRecord& record = answers.records[k];
     const std::string& code = record.header.participant.code;
     const ParticipantSummary* person = nullptr;
@@ -147,24 +150,25 @@ void draw_row(App& app, const StudyAnswers& answers, std::size_t k) {
     // First, so that a click on it is not one on the row, which lies under all columns.
     ImGui::TableSetColumnIndex(kColumns - 1);
     if (person->answers < person->wanted && !person->synthetic) {
-        if (link(app, "go on", "Go on")) resume_participant(app, record);
-        note_item(app.rects, "link:go on " + code);
-        draw_tooltip(app, "Takes the study up again at the trial where it was left.");
+        if (link(ui, "go on", "Go on"))
+            resume_participant(ui, work, timeline, play, studying, record);
+        note_item(ui.rects, "link:go on " + code);
+        draw_tooltip(ui, "Takes the study up again at the trial where it was left.");
     }
     ImGui::TableSetColumnIndex(0);
-    if (ImGui::Selectable(code.c_str(), app.study->shown == k,
-                          ImGuiSelectableFlags_SpanAllColumns)) {
-        app.study->shown = app.study->shown == k ? std::nullopt : std::optional(k);
+    if (ImGui::Selectable(code.c_str(), studying.shown == k, ImGuiSelectableFlags_SpanAllColumns)) {
+        studying.shown = studying.shown == k ? std::nullopt : std::optional(k);
     }
-    note_item(app.rects, "participant:" + code,
+    note_item(ui.rects, "participant:" + code,
               std::to_string(person->answers) + " of " + std::to_string(person->wanted) + ", " +
                   state_of(*person));
-    draw_cells(app, *person);
+    draw_cells(ui, *person);
     ImGui::PopID();
 }
 
 // Widths are set: columns that fit their content would move after the first frame.
-void draw_table(App& app, const StudyAnswers& answers) {
+void draw_table(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
+                StudyState& studying, const StudyAnswers& answers) {
     struct Column {
         const char* name;
         const char* tip;
@@ -185,21 +189,22 @@ void draw_table(App& app, const StudyAnswers& answers) {
         ImGui::TableSetupColumn(column.name, ImGuiTableColumnFlags_WidthStretch, column.weight);
     }
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::PushFont(ui.theme.fonts.small);
     for (const Column& column : kHeads) {
         ImGui::TableNextColumn();
-        dim_text(app, column.name);
-        if (*column.tip != '\0') draw_tooltip(app, column.tip);
+        dim_text(ui, column.name);
+        if (*column.tip != '\0') draw_tooltip(ui, column.tip);
     }
     ImGui::PopFont();
-    for (std::size_t k = 0; k < answers.records.size(); ++k) draw_row(app, answers, k);
+    for (std::size_t k = 0; k < answers.records.size(); ++k)
+        draw_row(ui, work, timeline, play, studying, answers, k);
     ImGui::EndTable();
 }
 
-void draw_rule(App& app) {
-    CollectRule& rule = app.study->rule;
+void draw_rule(Ui& ui, StudyState& studying) {
+    CollectRule& rule = studying.rule;
     ImGui::Checkbox("Count unfinished ones", &rule.unfinished_too);
-    note_item(app.rects, "check:unfinished", rule.unfinished_too ? "on" : "off");
+    note_item(ui.rects, "check:unfinished", rule.unfinished_too ? "on" : "off");
     struct Choice {
         RatingScaling scaling;
         const char* name;
@@ -209,53 +214,58 @@ void draw_rule(App& app) {
          {Choice{RatingScaling::none, "As rated", "The publication's: no scaling of people."},
           {RatingScaling::min_max, "Own range", "Each one's lowest and highest to 0 and 100."},
           {RatingScaling::standard, "Standardised", "Each one to mean 50, deviation 10."}}) {
-        flow_on(radio_width(app, choice.name), 1.5F * app.theme.gap_px);
-        if (draw_radio(app, choice.name, rule.scaling == choice.scaling)) {
+        flow_on(radio_width(ui, choice.name), 1.5F * ui.theme.gap_px);
+        if (draw_radio(ui, choice.name, rule.scaling == choice.scaling)) {
             rule.scaling = choice.scaling;
         }
-        note_item(app.rects, std::string("study scaling:") + choice.name);
-        draw_tooltip(app, choice.tip);
+        note_item(ui.rects, std::string("study scaling:") + choice.name);
+        draw_tooltip(ui, choice.tip);
     }
 }
 
-void draw_results(App& app, const StudyAnswers& answers) {
-    small_text(app, app.theme.dim_text, agreement_text(answers), "study:agreement");
-    draw_settling(app, answers);
+void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, Comparing& comparing,
+                  PlayState& play, StudyState& studying, const StudyAnswers& answers) {
+    small_text(ui, ui.theme.dim_text, agreement_text(answers), "study:agreement");
+    draw_settling(ui, answers);
     if (answers.is_of_other_patterns) {
-        small_text(app, app.theme.warning,
+        small_text(ui, ui.theme.warning,
                    "These answers are about other patterns than the set now has.",
                    "study:other patterns");
     }
     const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing();
-    const float height = std::max(ImGui::GetContentRegionAvail().y - foot, 60.0F * app.theme.scale);
+    const float height = std::max(ImGui::GetContentRegionAvail().y - foot, 60.0F * ui.theme.scale);
     ImGui::BeginChild("participants", {0.0F, height});
-    draw_table(app, answers);
+    draw_table(ui, work, timeline, play, studying, answers);
     ImGui::EndChild();
-    draw_rule(app);
+    draw_rule(ui, studying);
     const bool counts = !answers.results->study.judgements.empty();
     ImGui::BeginDisabled(!counts);
-    if (ImGui::Button("Use as the set's ratings")) use_as_ratings(app);
-    note_item(app.rects, "button:use as ratings");
+    if (ImGui::Button("Use as the set's ratings"))
+        use_as_ratings(ui, work, layout, comparing, studying);
+    note_item(ui.rects, "button:use as ratings");
     ImGui::EndDisabled();
-    draw_tooltip(app, "Compare then shows which metric agrees with them best. One undo step.");
-    flow_on(button_width("Export CSV..."), app.theme.gap_px);
-    if (ImGui::Button("Export CSV...")) export_study_dialog(app);
-    note_item(app.rects, "button:export study");
-    draw_tooltip(app, "A line an answer, those who are not counted marked: for R and Python.");
+    draw_tooltip(ui, "Compare then shows which metric agrees with them best. One undo step.");
+    flow_on(button_width("Export CSV..."), ui.theme.gap_px);
+    if (ImGui::Button("Export CSV...")) export_study_dialog(ui, work, studying);
+    note_item(ui.rects, "button:export study");
+    draw_tooltip(ui, "A line an answer, those who are not counted marked: for R and Python.");
 }
 
-void draw_people(App& app) {
-    draw_buttons(app);
-    draw_device(app);
-    const std::shared_ptr<const StudyAnswers> answers = app.study->answers;
+void draw_people(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
+                 const ShownMap& shown_map, Comparing& comparing, PlayState& play,
+                 StudyState& studying) {
+    draw_buttons(ui, work, timeline, shown_map, play, studying);
+    draw_device(ui, play, studying);
+    const std::shared_ptr<const StudyAnswers> answers = studying.answers;
     if (!answers) return;
     if (!answers->fault.empty()) {
-        return small_text(app, app.theme.error, answers->fault, "study:fault");
+        return small_text(ui, ui.theme.error, answers->fault, "study:fault");
     }
-    if (answers->results) return draw_results(app, *answers);
+    if (answers->results)
+        return draw_results(ui, work, layout, timeline, comparing, play, studying, *answers);
     const Rect area = rest_of_pane();
     if (area.empty()) return;
-    draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "Nobody took part yet",
+    draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "Nobody took part yet",
                answers->others.empty()
                    ? "Run a participant: each becomes a file in the folder above."
                    : "There are participants of the other kind of study in this folder.");
@@ -264,9 +274,11 @@ void draw_people(App& app) {
 }  // namespace
 
 // Scrolls where the pane is too low for its buttons.
-void draw_study_people(App& app) {
+void draw_study_people(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
+                       const ShownMap& shown_map, Comparing& comparing, PlayState& play,
+                       StudyState& studying) {
     ImGui::BeginChild("study people", ImGui::GetContentRegionAvail());
-    draw_people(app);
+    draw_people(ui, work, layout, timeline, shown_map, comparing, play, studying);
     ImGui::EndChild();
 }
 

@@ -26,17 +26,18 @@ bool move_or_copy(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-void keep_participants(App& app, const SavedFrom& place_before) {
-    const fs::path before = study_folder(app, place_before);
-    const fs::path now = study_folder(app);
+void keep_participants(Ui& ui, const Workspace& work, StudyState& studying,
+                       const SavedFrom& place_before) {
+    const fs::path before = study_folder(work, studying, place_before);
+    const fs::path now = study_folder(work, studying);
     if (now == before || !contains_study(before)) return;
-    ++app.study->folder_revision;
+    ++studying.folder_revision;
     if (place_before.file.empty() && !is_there(now) && move_or_copy(before, now)) {
-        return say(app, app.status.text + " Its participants are now in " + now.string() + ".");
+        return say(ui, ui.status.text + " Its participants are now in " + now.string() + ".");
     }
-    set_study_folder(app, before);
-    say(app, app.status.text + " Its participants stay in " + before.string() +
-                 "; Study > Folder for participants... chooses another one.");
+    set_study_folder(work, studying, before);
+    say(ui, ui.status.text + " Its participants stay in " + before.string() +
+                "; Study > Folder for participants... chooses another one.");
 }
 
 }  // namespace tact

@@ -22,8 +22,8 @@ namespace {
 
 constexpr double kLookS = 0.01;  // between two looks at a device that still plays
 
-void end_run(App& app) {
-    StudyState& state = *app.study;
+void end_run(Ui& ui, StudyState& studying) {
+    StudyState& state = studying;
     const std::string code = state.run->record.header.participant.code;
     const bool is_complete = state.run->page == StudyPage::finished;
     const bool has_file = state.log.has_value();
@@ -33,15 +33,15 @@ void end_run(App& app) {
     state.log.reset();
     state.set.reset();
     ++state.folder_revision;
-    if (!has_file) return say(app, "Nobody took part; nothing was written.");
-    say(app, code + (is_complete ? " has finished." : " can go on where it was left."));
+    if (!has_file) return say(ui, "Nobody took part; nothing was written.");
+    say(ui, code + (is_complete ? " has finished." : " can go on where it was left."));
 }
 
 // The participant's file, with its first line on the disk.
-Expected<Done> begin_file(App& app) {
-    StudyState& state = *app.study;
+Expected<Done> begin_file(const Workspace& work, StudyState& studying) {
+    StudyState& state = studying;
     const StudyHeader& header = state.run->record.header;
-    const fs::path folder = study_folder(app);
+    const fs::path folder = study_folder(work, studying);
     if (folder.empty()) return Error{"expected a folder for participants, choose one first"};
     if (const auto made = make_folder(folder); !made) return made;
     auto log = StudyLog::begin(folder / study_file_name(header.participant.code), header);
@@ -55,25 +55,29 @@ Expected<Done> write_line(StudyState& state, const std::string& line) {
     return state.log->append(line);
 }
 
-void act_on(App& app, const StudyDeeds& deeds) {
-    StudyState& state = *app.study;
+void act_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+            const StudyDeeds& deeds) {
+    StudyState& state = studying;
     if (deeds.silence) state.device->stop();
     if (deeds.play) {
         StudyActuator& actuator = state.actuator;
         actuator.dropouts = 0;
         actuator.seen_dropouts = state.device->status().dropouts;
         const auto played = state.device->play(actuator.drives[*deeds.play], false);
-        if (!played && actuator.is_there) return lose_actuator(app, played.error().message);
+        if (!played && actuator.is_there)
+            return lose_actuator(ui, work, play, studying, played.error().message);
     }
     if (deeds.begin_file || deeds.line) {
-        const Expected<Done> done = deeds.line ? write_line(state, *deeds.line) : begin_file(app);
-        act(app, {done ? What::saved : What::not_saved,
-                  0,
-                  0.0,
-                  done ? std::string() : done.error().message,
-                  {}});
+        const Expected<Done> done =
+            deeds.line ? write_line(state, *deeds.line) : begin_file(work, studying);
+        act(ui, work, play, studying,
+            {done ? What::saved : What::not_saved,
+             0,
+             0.0,
+             done ? std::string() : done.error().message,
+             {}});
     }
-    if (deeds.left) end_run(app);
+    if (deeds.left) end_run(ui, studying);
 }
 
 bool is_paused(const StudyRun& run) { return run.is_asking || run.page == StudyPage::rest; }
@@ -87,43 +91,45 @@ void look_at_map(StudyState& state) {
     state.settling = map_settling(record.header.patterns.size(), rated_trials(record));
 }
 
-void start_run(App& app, StudyRecord record) {
-    StudyState& state = *app.study;
-    state.set = std::make_shared<const PatternSet>(app.document.set);
+void start_run(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
+               StudyState& studying, StudyRecord record) {
+    StudyState& state = studying;
+    state.set = std::make_shared<const PatternSet>(work.document.set);
     std::vector<double> durations = study_durations_s(*state.set, record.header.patterns);
     state.run = study_run(std::move(record), std::move(durations));
     state.held.reset();
     state.settling.reset();
-    silence(app);
-    app.playhead.playing = false;
-    app.status = {};
+    silence(timeline, play);
+    timeline.playhead.playing = false;
+    ui.status = {};
 }
 
 }  // namespace
 
 namespace {
 
-bool refuses_silence(App& app) {
-    const bool is_silent = app.play.level <= 0.0 && app.study->device->status().connected;
-    if (is_silent) complain(app, "The level is 0: nothing would be felt. Raise it first.");
+bool refuses_silence(Ui& ui, const PlayState& play, const StudyState& studying) {
+    const bool is_silent = play.level <= 0.0 && studying.device->status().connected;
+    if (is_silent) complain(ui, "The level is 0: nothing would be felt. Raise it first.");
     return is_silent;
 }
 
 }  // namespace
 
-void begin_participant(App& app) {
-    if (refuses_silence(app)) return;
-    StudyState& state = *app.study;
+void begin_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
+                       StudyState& studying) {
+    if (refuses_silence(ui, play, studying)) return;
+    StudyState& state = studying;
     StudyRecord record;
-    record.header = study_header(app, unused_code(app));
+    record.header = study_header(work, play, studying, unused_code(work, studying));
     if (record.header.patterns.size() < 3) {
-        return complain(app, "A study takes three patterns at least.");
+        return complain(ui, "A study takes three patterns at least.");
     }
     const std::size_t patterns = record.header.patterns.size();
     for (const int groups : record.header.design.groups) {
         if (state.kind == StudyKind::sorting && static_cast<std::size_t>(groups) > patterns) {
-            return complain(app, "A round asks for " + std::to_string(groups) + " groups of " +
-                                     std::to_string(patterns) + " patterns.");
+            return complain(ui, "A round asks for " + std::to_string(groups) + " groups of " +
+                                    std::to_string(patterns) + " patterns.");
         }
     }
     state.code = record.header.participant.code;
@@ -131,10 +137,10 @@ void begin_participant(App& app) {
     state.gender.clear();
     state.hand.clear();
     state.agrees = false;
-    state.actuator = study_actuator(app, app.document.set, record.header.patterns);
-    record.header.device = study_device(app, state.actuator);
-    begin_masking(app, record.header.design);
-    start_run(app, std::move(record));
+    state.actuator = study_actuator(play, studying, work.document.set, record.header.patterns);
+    record.header.device = study_device(play, studying, state.actuator);
+    begin_masking(play, studying, record.header.design);
+    start_run(ui, work, timeline, play, studying, std::move(record));
 }
 
 namespace {
@@ -146,22 +152,24 @@ Expected<Done> note_device(StudyState& state, StudyRecord& record, const StudyDe
     return write_line(state, device_line(record.devices.back()));
 }
 
-void go_on_with(App& app, StudyRecord record) {
-    StudyState& state = *app.study;
-    const fs::path file = study_folder(app) / study_file_name(record.header.participant.code);
+void go_on_with(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
+                StudyState& studying, StudyRecord record) {
+    StudyState& state = studying;
+    const fs::path file =
+        study_folder(work, studying) / study_file_name(record.header.participant.code);
     auto log = StudyLog::resume(file, record);
-    if (!log) return complain(app, log.error().message);
+    if (!log) return complain(ui, log.error().message);
     state.log.emplace(*std::move(log));
-    state.actuator = study_actuator(app, app.document.set, record.header.patterns);
-    begin_masking(app, record.header.design);
-    StudyDevice device = study_device(app, state.actuator);
-    device.masking = masking_words(app, record.header.design);
+    state.actuator = study_actuator(play, studying, work.document.set, record.header.patterns);
+    begin_masking(play, studying, record.header.design);
+    StudyDevice device = study_device(play, studying, state.actuator);
+    device.masking = masking_words(studying, record.header.design);
     if (const auto noted = note_device(state, record, device); !noted) {
         state.log.reset();
         stop_masking(state);
-        return complain(app, noted.error().message);
+        return complain(ui, noted.error().message);
     }
-    start_run(app, std::move(record));
+    start_run(ui, work, timeline, play, studying, std::move(record));
 }
 
 std::string device_words(const StudyDevice& device) {
@@ -171,61 +179,66 @@ std::string device_words(const StudyDevice& device) {
 
 // Answers by another device, or another strength, are answers to other stimuli: that is a
 // decision.
-void ask_to_go_on(App& app, const StudyRecord& record, const StudyDevice& was,
+void ask_to_go_on(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
+                  StudyState& studying, const StudyRecord& record, const StudyDevice& was,
                   const StudyDevice& now) {
     const std::string& code = record.header.participant.code;
     const std::string words =
         is_rehearsal(now) ? "no device: nothing would be felt" : device_words(now);
-    ask(app, {.title = "Another device or strength",
-              .text = "The last answers of " + code + " were given with " + device_words(was) +
-                      ". Now it is " + words +
-                      ". Who goes on has this noted in the file, for the answers from here on.",
-              .answers = {{"Go on as it is now", [&app, record] { go_on_with(app, record); }},
-                          {"Not yet"}},
-              .marked = 1});
+    ask(ui, {.title = "Another device or strength",
+             .text = "The last answers of " + code + " were given with " + device_words(was) +
+                     ". Now it is " + words +
+                     ". Who goes on has this noted in the file, for the answers from here on.",
+             .answers = {{"Go on as it is now",
+                          [&, record] { go_on_with(ui, work, timeline, play, studying, record); }},
+                         {"Not yet"}},
+             .marked = 1});
 }
 
 }  // namespace
 
-void resume_participant(App& app, const StudyRecord& record) {
-    if (refuses_silence(app)) return;
-    const std::string fingerprint = study_fingerprint(app.document.set, record.header.patterns);
+void resume_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
+                        StudyState& studying, const StudyRecord& record) {
+    if (refuses_silence(ui, play, studying)) return;
+    const std::string fingerprint = study_fingerprint(work.document.set, record.header.patterns);
     if (fingerprint != record.header.set_fingerprint) {
-        return complain(app, record.header.participant.code +
-                                 " felt other patterns: open the set as it was to go on.");
+        return complain(ui, record.header.participant.code +
+                                " felt other patterns: open the set as it was to go on.");
     }
-    const StudyDevice now =
-        study_device(app, study_actuator(app, app.document.set, record.header.patterns));
+    const StudyDevice now = study_device(
+        play, studying, study_actuator(play, studying, work.document.set, record.header.patterns));
     const StudyDevice& was = device_of(record, answers_given(record));
     if (now.name != was.name || now.calibration != was.calibration) {
-        return ask_to_go_on(app, record, was, now);
+        return ask_to_go_on(ui, work, timeline, play, studying, record, was, now);
     }
-    go_on_with(app, record);
+    go_on_with(ui, work, timeline, play, studying, record);
 }
 
 namespace {
 
-void step_run(App& app, StudyEvent event, const DeviceStatus& status) {
-    StudyState& state = *app.study;
+void step_run(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+              StudyEvent event, const DeviceStatus& status) {
+    StudyState& state = studying;
     const bool was_paused = is_paused(*state.run);
     event.at = utc_now();
     event.played = play_so_far(state, status);
-    StudyStep step = stepped(*std::move(state.run), event, app.time_s);
+    StudyStep step = stepped(*std::move(state.run), event, ui.time_s);
     state.run = std::move(step.run);
     if (is_paused(*state.run) && !was_paused) look_at_map(state);
-    act_on(app, step.deeds);
+    act_on(ui, work, play, studying, step.deeds);
 }
 
 }  // namespace
 
-void act(App& app, const StudyEvent& event) {
-    StudyState& state = *app.study;
+void act(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+         const StudyEvent& event) {
+    StudyState& state = studying;
     if (!state.run) return;
     const DeviceStatus status = state.device->status();
     // It began later than it was told to, and is felt to its end.
-    const bool is_late = state.run->playing && app.time_s >= state.run->playing_until_s;
+    const bool is_late = state.run->playing && ui.time_s >= state.run->playing_until_s;
     if (is_late && state.actuator.is_there && status.playing) {
-        step_run(app, {.what = What::plays_on, .value = kLookS}, status);
+        step_run(ui, work, play, studying, {.what = What::plays_on, .value = kLookS}, status);
     }
     if (event.what == What::go_on && state.run->page == StudyPage::consent) {
         StudyHeader& header = state.run->record.header;
@@ -234,19 +247,19 @@ void act(App& app, const StudyEvent& event) {
              {std::pair{"age", state.age}, {"gender", state.gender}, {"hand", state.hand}}) {
             if (!value.empty()) header.participant.fields.emplace_back(key, value);
         }
-        header.device.masking = masking_words(app, header.design);
+        header.device.masking = masking_words(studying, header.design);
         header.seed = participant_seed(header.design.seed, state.code);
         if (!state.agrees) return;
         // Its order of trials is the code's.
         state.run = study_run(std::move(state.run->record), std::move(state.run->duration_s));
     }
-    if (event.what == What::play && may_play(*state.run, app.time_s)) {
+    if (event.what == What::play && may_play(*state.run, ui.time_s)) {
         state.pressed_button = event.index;
     }
     const StudyDesign& design = state.run->record.header.design;
-    if (event.what == What::stay && !state.masks) begin_masking(app, design);
+    if (event.what == What::stay && !state.masks) begin_masking(play, studying, design);
     if (event.what == What::stay) state.actuator.fault.clear();
-    step_run(app, event, status);
+    step_run(ui, work, play, studying, event, status);
 }
 
 }  // namespace tact

@@ -38,8 +38,8 @@ struct SortingLayout {
     std::vector<Rect> boxes;
 };
 
-SortingLayout layout_of(const App& app, const Rect& area, std::size_t boxes) {
-    const float gap = app.theme.padding_px;
+SortingLayout layout_of(const Ui& ui, const Rect& area, std::size_t boxes) {
+    const float gap = ui.theme.padding_px;
     SortingLayout layout;
     layout.tray = {area.min, {area.max.x, area.min.y + 0.24F * area.height()}};
     const std::size_t columns = boxes <= 3 ? boxes : (boxes <= 8 ? 4 : 5);
@@ -70,12 +70,12 @@ std::vector<std::size_t> in_group(const StudyRun& run, std::size_t group) {
     return members;
 }
 
-Rect token_rect(const App& app, const Rect& box, std::size_t k, std::size_t count) {
-    const float gap = app.theme.gap_px;
-    const Rect inner = inset(box, app.theme.padding_px);
-    float side = kTokenPx * app.theme.scale;
+Rect token_rect(const Ui& ui, const Rect& box, std::size_t k, std::size_t count) {
+    const float gap = ui.theme.gap_px;
+    const Rect inner = inset(box, ui.theme.padding_px);
+    float side = kTokenPx * ui.theme.scale;
     // Smaller where they would not fit.
-    for (; side > 20.0F * app.theme.scale; side *= 0.85F) {
+    for (; side > 20.0F * ui.theme.scale; side *= 0.85F) {
         const auto columns = std::max(1.0F, std::floor((inner.width() + gap) / (side + gap)));
         if (std::ceil(static_cast<float>(count) / columns) * (side + gap) <= inner.height() + gap) {
             break;
@@ -88,8 +88,8 @@ Rect token_rect(const App& app, const Rect& box, std::size_t k, std::size_t coun
     return rect_at(corner, {side, side});
 }
 
-void draw_box(App& app, const Rect& box, const std::string& label, bool is_target) {
-    const Theme& theme = app.theme;
+void draw_box(const Ui& ui, const Rect& box, const std::string& label, bool is_target) {
+    const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(box.min, box.max, is_target ? theme.hover : theme.pane,
                        theme.pane_rounding_px);
@@ -101,23 +101,27 @@ void draw_box(App& app, const Rect& box, const std::string& label, bool is_targe
 }
 
 // What a token's release means: a click plays, a drag puts it where it was let go.
-void release(App& app, const SortingLayout& layout, std::size_t pattern) {
+void release(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+             const SortingLayout& layout, std::size_t pattern) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const ImVec2 way = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0F);
-    if (std::hypot(way.x, way.y) < 6.0F * app.theme.scale) {
-        return act(app, {What::play, pattern, 0.0, {}, {}});
+    if (std::hypot(way.x, way.y) < 6.0F * ui.theme.scale) {
+        return act(ui, work, play, studying, {What::play, pattern, 0.0, {}, {}});
     }
-    if (layout.tray.contains(mouse)) return act(app, {What::put, pattern, -1.0, {}, {}});
+    if (layout.tray.contains(mouse))
+        return act(ui, work, play, studying, {What::put, pattern, -1.0, {}, {}});
     for (std::size_t k = 0; k < layout.boxes.size(); ++k) {
         if (layout.boxes[k].contains(mouse)) {
-            return act(app, {What::put, pattern, static_cast<double>(k), {}, {}});
+            return act(ui, work, play, studying,
+                       {What::put, pattern, static_cast<double>(k), {}, {}});
         }
     }
 }
 
-void draw_token(App& app, const SortingLayout& layout, std::size_t pattern, const Rect& place) {
-    StudyState& state = *app.study;
-    const Theme& theme = app.theme;
+void draw_token(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                const SortingLayout& layout, std::size_t pattern, const Rect& place) {
+    StudyState& state = studying;
+    const Theme& theme = ui.theme;
     const std::string name = token_name(*state.run, pattern);
     ImGui::SetCursorScreenPos(place.min);
     ImGui::InvisibleButton(("token " + name).c_str(), place.size());
@@ -125,7 +129,7 @@ void draw_token(App& app, const SortingLayout& layout, std::size_t pattern, cons
     const bool is_lit = is_held || ImGui::IsItemHovered();
     const bool is_released = ImGui::IsItemDeactivated();
     if (ImGui::IsItemActivated()) state.held = pattern;
-    note_rect(app.rects, "study:token " + name, place.min, place.max,
+    note_rect(ui.rects, "study:token " + name, place.min, place.max,
               state.run->groups[pattern] == kUnsorted
                   ? "unsorted"
                   : std::to_string(state.run->groups[pattern] + 1));
@@ -135,19 +139,20 @@ void draw_token(App& app, const SortingLayout& layout, std::size_t pattern, cons
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at.min, at.max, is_lit ? theme.hover : theme.field, theme.pane_rounding_px);
     if (state.run->playing == pattern) {
-        list.AddRectFilled(at.min, {at.min.x + played_share(app) * at.width(), at.max.y},
+        list.AddRectFilled(at.min, {at.min.x + played_share(ui, studying) * at.width(), at.max.y},
                            faded(theme.accent, 0.45F), theme.pane_rounding_px);
     }
     const bool is_chosen = state.held == pattern;
     list.AddRect(at.min, at.max, is_chosen ? theme.accent : theme.line, theme.pane_rounding_px, 0,
                  (is_chosen ? 2.0F : 1.0F) * theme.scale);
-    centred_text(app, theme.fonts.large, theme.text, at,
+    centred_text(theme.fonts.large, theme.text, at,
                  at.centre().y - 0.5F * text_size(theme.fonts.large, name).y, name);
-    if (is_released) release(app, layout, pattern);
+    if (is_released) release(ui, work, play, studying, layout, pattern);
 }
 
-void take_keys(App& app, std::span<const KeyPress> pressed, std::size_t boxes) {
-    StudyState& state = *app.study;
+void take_keys(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+               std::span<const KeyPress> pressed, std::size_t boxes) {
+    StudyState& state = studying;
     const std::vector<std::size_t>& order = state.run->training;
     const auto place = state.held ? std::ranges::find(order, *state.held) : order.end();
     const auto at = static_cast<std::size_t>(place - order.begin());
@@ -157,11 +162,13 @@ void take_keys(App& app, std::span<const KeyPress> pressed, std::size_t boxes) {
         state.held = order[(at + order.size() - 1) % order.size()];
     }
     if (!state.held) return;
-    if (was_pressed(pressed, key::kSpace)) act(app, {What::play, *state.held, 0.0, {}, {}});
-    if (was_typed(pressed, U'0')) act(app, {What::put, *state.held, -1.0, {}, {}});
+    if (was_pressed(pressed, key::kSpace))
+        act(ui, work, play, studying, {What::play, *state.held, 0.0, {}, {}});
+    if (was_typed(pressed, U'0'))
+        act(ui, work, play, studying, {What::put, *state.held, -1.0, {}, {}});
     for (std::size_t k = 0; k < std::min(boxes, kMostKeys); ++k) {
         if (was_typed(pressed, key_of(k))) {
-            act(app, {What::put, *state.held, static_cast<double>(k), {}, {}});
+            act(ui, work, play, studying, {What::put, *state.held, static_cast<double>(k), {}, {}});
         }
     }
 }
@@ -176,29 +183,30 @@ std::string task_text(const StudyRun& run) {
 
 }  // namespace
 
-void draw_sorting_page(App& app, const Rect& area, std::span<const KeyPress> pressed) {
-    take_keys(app, pressed, box_count(*app.study->run));
-    const StudyRun& run = *app.study->run;
-    const Theme& theme = app.theme;
+void draw_sorting_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                       const Rect& area, std::span<const KeyPress> pressed) {
+    take_keys(ui, work, play, studying, pressed, box_count(*studying.run));
+    const StudyRun& run = *studying.run;
+    const Theme& theme = ui.theme;
     // Higher than on other pages, but below the progress.
     const float top = std::max(area.min.y - 0.06F * area.height(), 72.0F * theme.scale);
-    centred_text(app, theme.fonts.large, theme.text, area, top, task_text(run));
+    centred_text(theme.fonts.large, theme.text, area, top, task_text(run));
     const float foot = 64.0F * theme.scale;
     const std::size_t boxes = box_count(run);
     const SortingLayout layout = layout_of(
-        app, {{area.min.x, top + 48.0F * theme.scale}, {area.max.x, area.max.y - foot}}, boxes);
+        ui, {{area.min.x, top + 48.0F * theme.scale}, {area.max.x, area.max.y - foot}}, boxes);
     const bool drags = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    draw_box(app, layout.tray, "still to sort", drags && layout.tray.contains(mouse));
-    note_rect(app.rects, "study:tray", layout.tray.min, layout.tray.max);
+    draw_box(ui, layout.tray, "still to sort", drags && layout.tray.contains(mouse));
+    note_rect(ui.rects, "study:tray", layout.tray.min, layout.tray.max);
     for (std::size_t k = 0; k < boxes; ++k) {
         const Rect& box = layout.boxes[k];
         std::string label = "group " + std::to_string(k + 1);
         if (k >= kDigits && k < kMostKeys) {
             label += std::string(", key ") + static_cast<char>(key_of(k));
         }
-        draw_box(app, box, label, drags && box.contains(mouse));
-        note_rect(app.rects, "study:group " + std::to_string(k + 1), box.min, box.max);
+        draw_box(ui, box, label, drags && box.contains(mouse));
+        note_rect(ui.rects, "study:group " + std::to_string(k + 1), box.min, box.max);
     }
     // Places first: a token that is let go changes them.
     std::vector<std::pair<std::size_t, Rect>> tokens;
@@ -206,12 +214,13 @@ void draw_sorting_page(App& app, const Rect& area, std::span<const KeyPress> pre
         const std::vector<std::size_t> members = in_group(run, k < boxes ? k : kUnsorted);
         const Rect& box = k < boxes ? layout.boxes[k] : layout.tray;
         for (std::size_t m = 0; m < members.size(); ++m) {
-            tokens.emplace_back(members[m], token_rect(app, box, m, members.size()));
+            tokens.emplace_back(members[m], token_rect(ui, box, m, members.size()));
         }
     }
-    for (const auto& [pattern, place] : tokens) draw_token(app, layout, pattern, place);
+    for (const auto& [pattern, place] : tokens)
+        draw_token(ui, work, play, studying, layout, pattern, place);
     const ImVec2 corner{area.centre().x - 80.0F * theme.scale, area.max.y - 48.0F * theme.scale};
-    draw_go_on(app, {corner, area.max}, "Done");
+    draw_go_on(ui, work, play, studying, {corner, area.max}, "Done");
 }
 
 }  // namespace tact

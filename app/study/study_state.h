@@ -11,6 +11,7 @@
 #include "app/jobs/latest_job.h"
 #include "app/study/study_runner.h"
 #include "devices/device/device.h"
+#include "devices/device/memory_device.h"
 #include "model/io/people/study_file.h"
 #include "model/map/mds.h"
 #include "model/set/pattern_set.h"
@@ -96,11 +97,11 @@ struct StudyState {
     std::optional<std::size_t> held;      // pattern, in sorting: by the mouse or the keyboard
     std::optional<MapSettling> settling;  // of the run, in adaptive order, as of its last pause
     std::size_t pressed_button = 0;       // last: 0 left, 1 right
-    std::shared_ptr<Device> device;       // never null
-    bool has_window_device = false;       // it is the one that the window plays on
-    StudyActuator actuator;               // of the run
-    std::shared_ptr<Device> masking;      // on the participant's headphones; null: nothing is
-    std::string masking_fault;            // a sentence; empty: it sounds, or is not asked for
+    std::shared_ptr<Device> device = std::make_shared<MemoryDevice>(false);  // never null
+    bool has_window_device = false;   // it is the one that the window plays on
+    StudyActuator actuator;           // of the run
+    std::shared_ptr<Device> masking;  // on the participant's headphones; null: nothing is
+    std::string masking_fault;        // a sentence; empty: it sounds, or is not asked for
     bool masks = false;
 };
 

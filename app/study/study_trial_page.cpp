@@ -17,9 +17,15 @@ using What = StudyEvent::What;
 constexpr float kFeelPx = 200.0F;
 constexpr float kSliderPx = 560.0F;
 
-void feel(App& app, std::size_t button) { act(app, {What::play, button, 0.0, {}, {}}); }
+void feel(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+          std::size_t button) {
+    act(ui, work, play, studying, {What::play, button, 0.0, {}, {}});
+}
 
-void rate(App& app, double similarity) { act(app, {What::rate, 0, similarity, {}, {}}); }
+void rate(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+          double similarity) {
+    act(ui, work, play, studying, {What::rate, 0, similarity, {}, {}});
+}
 
 std::string waiting_text(const StudyRun& run, double now_s) {
     if (may_rate(run, now_s)) {
@@ -31,9 +37,9 @@ std::string waiting_text(const StudyRun& run, double now_s) {
     return run.given.plays_left == 0 ? "Now feel A" : "Now feel B";
 }
 
-void draw_slider_track(App& app, const Rect& track, bool is_open) {
-    const StudyRun& run = *app.study->run;
-    const Theme& theme = app.theme;
+void draw_slider_track(const Ui& ui, const StudyState& studying, const Rect& track, bool is_open) {
+    const StudyRun& run = *studying.run;
+    const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float y = track.centre().y;
     const float half = 3.0F * theme.scale;
@@ -60,8 +66,9 @@ void draw_slider_track(App& app, const Rect& track, bool is_open) {
               theme.text, number);
 }
 
-void draw_slider(App& app, const Rect& area) {
-    const bool is_open = may_rate(*app.study->run, app.time_s);
+void draw_slider(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                 const Rect& area) {
+    const bool is_open = may_rate(*studying.run, ui.time_s);
     ImGui::SetCursorScreenPos(area.min);
     ImGui::BeginDisabled(!is_open);
     ImGui::InvisibleButton("slider", area.size());
@@ -69,40 +76,42 @@ void draw_slider(App& app, const Rect& area) {
     ImGui::EndDisabled();
     if (is_held && is_open) {
         const float share = (ImGui::GetIO().MousePos.x - area.min.x) / area.width();
-        rate(app, std::round(100.0 * static_cast<double>(std::clamp(share, 0.0F, 1.0F))));
+        rate(ui, work, play, studying,
+             std::round(100.0 * static_cast<double>(std::clamp(share, 0.0F, 1.0F))));
     }
-    const auto& similarity = app.study->run->similarity;
+    const auto& similarity = studying.run->similarity;
     note_rect(
-        app.rects, "study:slider", area.min, area.max,
+        ui.rects, "study:slider", area.min, area.max,
         similarity ? std::to_string(std::lround(*similarity)) : (is_open ? "open" : "closed"));
-    draw_slider_track(app, area, is_open);
+    draw_slider_track(ui, studying, area, is_open);
 }
 
 // The slider by keyboard: from the middle, by 1, or by 10 with Shift; to the ends.
-void take_slider_keys(App& app, std::span<const KeyPress> pressed) {
+void take_slider_keys(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                      std::span<const KeyPress> pressed) {
     for (const KeyPress& press : pressed) {
-        const double now = app.study->run->similarity.value_or(50.0);
+        const double now = studying.run->similarity.value_or(50.0);
         const double step = press.shift ? 10.0 : 1.0;
-        if (press.code == key::kRight) rate(app, now + step);
-        if (press.code == key::kLeft) rate(app, now - step);
-        if (press.code == key::kHome) rate(app, 0.0);
-        if (press.code == key::kEnd) rate(app, 100.0);
+        if (press.code == key::kRight) rate(ui, work, play, studying, now + step);
+        if (press.code == key::kLeft) rate(ui, work, play, studying, now - step);
+        if (press.code == key::kHome) rate(ui, work, play, studying, 0.0);
+        if (press.code == key::kEnd) rate(ui, work, play, studying, 100.0);
     }
 }
 
 // Positions on a page of so many pixels; smaller where the window is too low for it.
-float page_scale(const App& app, const Rect& area, float height_px) {
-    return std::min(app.theme.scale, area.height() / height_px);
+float page_scale(const Ui& ui, const Rect& area, float height_px) {
+    return std::min(ui.theme.scale, area.height() / height_px);
 }
 
 // Rows of at most six.
-Rect training_cell(const App& app, const Rect& area, std::size_t k, std::size_t count) {
+Rect training_cell(const Ui& ui, const Rect& area, std::size_t k, std::size_t count) {
     const std::size_t columns = std::min<std::size_t>(count, count <= 8 ? 4 : 6);
-    const float gap = app.theme.padding_px;
+    const float gap = ui.theme.padding_px;
     const auto rows = static_cast<float>((count + columns - 1) / columns);
-    const float room = area.height() - 90.0F * app.theme.scale;
+    const float room = area.height() - 90.0F * ui.theme.scale;
     const auto across = static_cast<float>(columns);
-    const float side = std::min({120.0F * app.theme.scale, (room / rows - gap) / 0.75F,
+    const float side = std::min({120.0F * ui.theme.scale, (room / rows - gap) / 0.75F,
                                  (area.width() - gap * (across - 1.0F)) / across});
     const float width = static_cast<float>(columns) * (side + gap) - gap;
     const ImVec2 corner{
@@ -111,78 +120,81 @@ Rect training_cell(const App& app, const Rect& area, std::size_t k, std::size_t 
     return rect_at(corner, {side, 0.75F * side});
 }
 
-void take_training_keys(App& app, std::span<const KeyPress> pressed) {
-    StudyState& state = *app.study;
+void take_training_keys(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                        std::span<const KeyPress> pressed) {
+    StudyState& state = studying;
     const std::size_t count = state.run->training.size();
     const std::size_t at = state.held.value_or(0);
     if (was_pressed(pressed, key::kRight)) state.held = state.held ? (at + 1) % count : 0;
     if (was_pressed(pressed, key::kLeft)) state.held = (at + count - 1) % count;
     if (was_pressed(pressed, key::kSpace)) {
         if (!state.held) state.held = 0;
-        feel(app, *state.held);
+        feel(ui, work, play, studying, *state.held);
     }
 }
 
 }  // namespace
 
-void draw_training_page(App& app, const Rect& area, std::span<const KeyPress> pressed) {
-    take_training_keys(app, pressed);
-    const StudyRun& run = *app.study->run;
-    const Theme& theme = app.theme;
-    centred_text(app, theme.fonts.large, theme.text, area, area.min.y,
+void draw_training_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                        const Rect& area, std::span<const KeyPress> pressed) {
+    take_training_keys(ui, work, play, studying, pressed);
+    const StudyRun& run = *studying.run;
+    const Theme& theme = ui.theme;
+    centred_text(theme.fonts.large, theme.text, area, area.min.y,
                  run.feels_again && !run.playing ? "That was cut short: feel it once more"
                                                  : "Get to know them: feel each at least once");
     const Rect buttons{{area.min.x, area.min.y + 56.0F * theme.scale}, area.max};
     const std::size_t count = run.training.size();
     std::optional<std::size_t> chosen;
     for (std::size_t k = 0; k < count; ++k) {
-        const Rect cell = training_cell(app, buttons, k, count);
+        const Rect cell = training_cell(ui, buttons, k, count);
         const std::string id = "study:train " + std::to_string(k + 1);
         const FeelButton button{id.c_str(),  std::to_string(k + 1),
                                 "",          run.playing == run.training[k],
-                                run.felt[k], may_play(run, app.time_s)};
-        if (draw_feel_button(app, cell, button)) chosen = k;
-        if (app.study->held == k) {
+                                run.felt[k], may_play(run, ui.time_s)};
+        if (draw_feel_button(ui, studying, cell, button)) chosen = k;
+        if (studying.held == k) {
             ImGui::GetWindowDrawList()->AddRect(cell.min, cell.max, theme.text,
                                                 theme.pane_rounding_px, 0, 2.0F * theme.scale);
         }
     }
-    if (chosen) feel(app, *chosen);
-    const Rect last = training_cell(app, buttons, count - 1, count);
+    if (chosen) feel(ui, work, play, studying, *chosen);
+    const Rect last = training_cell(ui, buttons, count - 1, count);
     const float left = area.centre().x - 80.0F * theme.scale;
     const float y = last.max.y + 40.0F * theme.scale;
-    draw_go_on(app, {{left, y}, {area.max.x, y}}, "Start rating");
+    draw_go_on(ui, work, play, studying, {{left, y}, {area.max.x, y}}, "Start rating");
 }
 
-void draw_trial_page(App& app, const Rect& area, std::span<const KeyPress> pressed) {
-    if (was_typed(pressed, U'a')) feel(app, 0);
-    if (was_typed(pressed, U'b')) feel(app, 1);
-    take_slider_keys(app, pressed);
-    const StudyRun& run = *app.study->run;
-    const Theme& theme = app.theme;
-    centred_text(app, theme.fonts.large, theme.text, area, area.min.y,
-                 waiting_text(run, app.time_s));
-    const float s = page_scale(app, area, 440.0F);
+void draw_trial_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                     const Rect& area, std::span<const KeyPress> pressed) {
+    if (was_typed(pressed, U'a')) feel(ui, work, play, studying, 0);
+    if (was_typed(pressed, U'b')) feel(ui, work, play, studying, 1);
+    take_slider_keys(ui, work, play, studying, pressed);
+    const StudyRun& run = *studying.run;
+    const Theme& theme = ui.theme;
+    centred_text(theme.fonts.large, theme.text, area, area.min.y, waiting_text(run, ui.time_s));
+    const float s = page_scale(ui, area, 440.0F);
     const float side = std::min(kFeelPx * s, 0.3F * area.width());
     const float gap = 0.4F * side;
     const float top = area.min.y + 64.0F * s;
-    const bool is_ready = may_play(run, app.time_s);
+    const bool is_ready = may_play(run, ui.time_s);
     // Of identical patterns only the button that was pressed fills.
-    const bool is_left = run.playing && app.study->pressed_button == 0;
-    const bool is_right = run.playing && app.study->pressed_button == 1;
+    const bool is_left = run.playing && studying.pressed_button == 0;
+    const bool is_right = run.playing && studying.pressed_button == 1;
     const Rect left = rect_at({area.centre().x - side - 0.5F * gap, top}, {side, 0.7F * side});
     const Rect right = rect_at({area.centre().x + 0.5F * gap, top}, {side, 0.7F * side});
-    const bool feels_left =
-        draw_feel_button(app, left, {"study:A", "A", "", is_left, run.given.plays_left, is_ready});
+    const bool feels_left = draw_feel_button(
+        ui, studying, left, {"study:A", "A", "", is_left, run.given.plays_left, is_ready});
     const bool feels_right = draw_feel_button(
-        app, right, {"study:B", "B", "", is_right, run.given.plays_right, is_ready});
+        ui, studying, right, {"study:B", "B", "", is_right, run.given.plays_right, is_ready});
     const float width = std::min(kSliderPx * theme.scale, area.width());
     const float y = left.max.y + 96.0F * s;
-    draw_slider(app, rect_at({area.centre().x - 0.5F * width, y - 16.0F * s}, {width, 32.0F * s}));
+    draw_slider(ui, work, play, studying,
+                rect_at({area.centre().x - 0.5F * width, y - 16.0F * s}, {width, 32.0F * s}));
     const ImVec2 foot{area.centre().x - 80.0F * theme.scale, y + 84.0F * s};
-    draw_go_on(app, {foot, {area.max.x, foot.y}}, "Next");
-    if (feels_left) feel(app, 0);
-    if (feels_right) feel(app, 1);
+    draw_go_on(ui, work, play, studying, {foot, {area.max.x, foot.y}}, "Next");
+    if (feels_left) feel(ui, work, play, studying, 0);
+    if (feels_right) feel(ui, work, play, studying, 1);
 }
 
 }  // namespace tact

@@ -14,19 +14,20 @@ namespace {
 
 constexpr std::size_t kMostPairs = 200;
 
-const std::vector<Vibration>& mapped(const App& app) {
-    return app.map.shown->request.set->vibrations;
+const std::vector<Vibration>& mapped(const ShownMap& shown_map) {
+    return shown_map.transition.shown->request.set->vibrations;
 }
 
 // What is asked for now, without the pairs themselves.
-TooClosePairs question_of(const App& app) {
-    const SubsetState& state = *app.subset;
+TooClosePairs question_of(const ShownMap& shown_map, const SubsetState& picking) {
+    const SubsetState& state = picking;
     TooClosePairs asked;
-    asked.of = app.map.shown;
+    asked.of = shown_map.transition.shown;
     asked.by = state.too_close;
     asked.share = state.share;
     asked.reference = state.reference_a + "\n" + state.reference_b;
-    const Subset* subset = state.too_close == TooClose::picked ? shown_subset(app) : nullptr;
+    const Subset* subset =
+        state.too_close == TooClose::picked ? shown_subset(shown_map, picking) : nullptr;
     if (subset != nullptr) asked.picked = subset->members;
     return asked;
 }
@@ -75,9 +76,9 @@ void find_pairs(TooClosePairs& pairs, const SubsetState& state) {
 
 }  // namespace
 
-const TooClosePairs& too_close_pairs(App& app) {
-    TooClosePairs& pairs = app.subset->pairs;
-    TooClosePairs asked = question_of(app);
+const TooClosePairs& too_close_pairs(const ShownMap& shown_map, SubsetState& picking) {
+    TooClosePairs& pairs = picking.pairs;
+    TooClosePairs asked = question_of(shown_map, picking);
     if (is_same_question(pairs, asked)) return pairs;
     // Sorted once for a map: of half a million pairs a slider could not wait for it.
     if (pairs.of == asked.of) asked.values = pairs.values;
@@ -87,81 +88,91 @@ const TooClosePairs& too_close_pairs(App& app) {
         pairs.values =
             std::make_shared<const std::vector<double>>(sorted_values(pairs.of->prediction.pm));
     }
-    find_pairs(pairs, *app.subset);
+    find_pairs(pairs, picking);
     return pairs;
 }
 
-void open_pair(App& app, const std::string& a, const std::string& b) {
-    app.subset->opened = {a, b};
-    const auto first = place_named(app.document.set, a);
-    const auto second = place_named(app.document.set, b);
-    if (first && second) choose_pair(app, *first, *second);
+void open_pair(Workspace& work, SubsetState& picking, const std::string& a, const std::string& b) {
+    picking.opened = {a, b};
+    const auto first = place_named(work.document.set, a);
+    const auto second = place_named(work.document.set, b);
+    if (first && second) choose_pair(work, *first, *second);
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> opened_rows(const App& app) {
-    const auto& opened = app.subset->opened;
-    if (!opened || !app.map.shown) return std::nullopt;
-    const auto a = place_named(*app.map.shown->request.set, opened->first);
-    const auto b = place_named(*app.map.shown->request.set, opened->second);
+std::optional<std::pair<std::size_t, std::size_t>> opened_rows(const ShownMap& shown_map,
+                                                               const SubsetState& picking) {
+    const auto& opened = picking.opened;
+    if (!opened || !shown_map.transition.shown) return std::nullopt;
+    const auto a = place_named(*shown_map.transition.shown->request.set, opened->first);
+    const auto b = place_named(*shown_map.transition.shown->request.set, opened->second);
     if (!a || !b || *a == *b) return std::nullopt;
     return std::minmax(*a, *b);
 }
 
-std::string fixed_because(const App& app, std::size_t row) {
-    const auto place = place_named(app.document.set, mapped(app)[row].name);
+std::string fixed_because(const Workspace& work, const ShownMap& shown_map, std::size_t row) {
+    const auto place = place_named(work.document.set, mapped(shown_map)[row].name);
     if (!place) return "removed";
-    const Vibration& vibration = app.document.set.vibrations[*place];
+    const Vibration& vibration = work.document.set.vibrations[*place];
     if (!std::holds_alternative<Pattern>(vibration.source)) return "measured";
     return vibration.locked ? "locked" : "";
 }
 
-std::size_t row_to_change(const App& app, std::pair<std::size_t, std::size_t> rows) {
-    const bool first = fixed_because(app, rows.first).empty();
-    const bool second = fixed_because(app, rows.second).empty();
-    const bool is_second = first == second ? app.subset->change_second : second;
+std::size_t row_to_change(const Workspace& work, const ShownMap& shown_map,
+                          const SubsetState& picking, std::pair<std::size_t, std::size_t> rows) {
+    const bool first = fixed_because(work, shown_map, rows.first).empty();
+    const bool second = fixed_because(work, shown_map, rows.second).empty();
+    const bool is_second = first == second ? picking.change_second : second;
     return is_second ? rows.second : rows.first;
 }
 
-SeparationRequest separation_request(App& app, std::size_t row) {
-    const TooClosePairs& pairs = too_close_pairs(app);
+SeparationRequest separation_request(const ShownMap& shown_map, SubsetState& picking,
+                                     std::size_t row) {
+    const TooClosePairs& pairs = too_close_pairs(shown_map, picking);
     return {pairs.of, row, pairs.threshold, pairs.picked};
 }
 
-std::string separation_obstacle(const App& app, std::size_t row) {
-    const std::string why = fixed_because(app, row);
+std::string separation_obstacle(const Workspace& work, const ShownMap& shown_map,
+                                const SubsetState& picking, std::size_t row) {
+    const std::string why = fixed_because(work, shown_map, row);
     if (why == "locked") return "Neither may be changed: unlock one of them (Ctrl+L).";
     if (why == "measured") return "Only a pattern made of parameters can be changed.";
     if (!why.empty()) return "The pattern was removed.";
-    if (app.subset->too_close == TooClose::ratings) {
+    if (picking.too_close == TooClose::ratings) {
         return "People have not rated a changed pattern: choose Closest, which goes by PM.";
     }
-    return map_state(app) == MapState::exact ? "" : "It can be asked once the map is exact.";
+    return map_state(work, shown_map) == MapState::exact ? ""
+                                                         : "It can be asked once the map is exact.";
 }
 
-void ask_for_separation(App& app, std::size_t row) {
-    if (!app.subset->separation_job || !separation_obstacle(app, row).empty()) return;
-    app.subset->separation_job->submit(separation_request(app, row));
+void ask_for_separation(const Workspace& work, const ShownMap& shown_map, SubsetState& picking,
+                        std::size_t row) {
+    if (!picking.separation_job || !separation_obstacle(work, shown_map, picking, row).empty())
+        return;
+    picking.separation_job->submit(separation_request(shown_map, picking, row));
 }
 
-void ask_about_picked(App& app, const std::string& a, const std::string& b) {
-    app.subset->view = SubsetView::confusable;
-    app.subset->too_close = TooClose::picked;
-    open_pair(app, a, b);
-    if (const auto rows = opened_rows(app)) ask_for_separation(app, row_to_change(app, *rows));
+void ask_about_picked(Workspace& work, const ShownMap& shown_map, SubsetState& picking,
+                      const std::string& a, const std::string& b) {
+    picking.view = SubsetView::confusable;
+    picking.too_close = TooClose::picked;
+    open_pair(work, picking, a, b);
+    if (const auto rows = opened_rows(shown_map, picking))
+        ask_for_separation(work, shown_map, picking,
+                           row_to_change(work, shown_map, picking, *rows));
 }
 
-void apply_separation(App& app, std::size_t place, const Separation& separation) {
-    Vibration& vibration = app.document.set.vibrations[place];
+void apply_separation(Ui& ui, Workspace& work, std::size_t place, const Separation& separation) {
+    Vibration& vibration = work.document.set.vibrations[place];
     auto* pattern = std::get_if<Pattern>(&vibration.source);
     if (pattern == nullptr || vibration.locked) return;
     *pattern = with_value(*pattern, separation.parameter, separation.to);
     vibration.generated = false;  // another generation is not to take it away
-    document_changed(app);
+    document_changed(work);
     const std::string what =
         std::string(traits(separation.parameter).name) + " of " + vibration.name;
-    commit_step(app, "Change " + what);
-    select_only(app, place);
-    say(app, "Changed " + what + ". Ctrl+Z takes it back.");
+    commit_step(ui, work, "Change " + what);
+    select_only(work, place);
+    say(ui, "Changed " + what + ". Ctrl+Z takes it back.");
 }
 
 }  // namespace tact

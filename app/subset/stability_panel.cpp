@@ -19,17 +19,17 @@ std::string percent(double share) {
     return text;
 }
 
-void draw_ask(App& app) {
-    SubsetState& state = *app.subset;
+void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
+    SubsetState& state = picking;
     const bool busy = state.stability_job && state.stability_job->busy();
-    const Pick* pick = shown_pick(app);
+    const Pick* pick = shown_pick(shown_map, picking);
     const bool possible = pick != nullptr && !pick->request.by_ratings &&
                           pick->request.metric == Metric::pm && state.stability_job;
     ImGui::BeginDisabled(busy || !possible);
     if (ImGui::Button("Draw 100 models")) state.stability_job->submit({state.pick, 100});
-    note_item(app.rects, "button:draw models");
+    note_item(ui.rects, "button:draw models");
     ImGui::EndDisabled();
-    draw_tooltip(app,
+    draw_tooltip(ui,
                  "Thresholds of each receptor type within 6 dB, choices the paper leaves open, "
                  "weights near the trained ones: 100 models, and what each would pick.");
     if (busy) {
@@ -38,22 +38,22 @@ void draw_ask(App& app) {
         char text[32];
         std::snprintf(text, sizeof text, "drawing, %d %%",
                       static_cast<int>(100.0F * state.stability_job->progress()));
-        dim_text(app, text);
+        dim_text(ui, text);
         ImGui::SameLine();
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y);
-        if (link(app, "cancel stability", "Cancel")) state.stability_job->cancel();
-        note_item(app.rects, "link:cancel stability");
+        if (link(ui, "cancel stability", "Cancel")) state.stability_job->cancel();
+        note_item(ui.rects, "link:cancel stability");
     } else if (!possible) {
         const std::string why = pick == nullptr
                                     ? "Nothing is picked yet: see Pick."
                                     : "Only a subset picked by PM hangs on the model's numbers.";
-        coloured_note(app.theme.dim_text, why);
-        note_item(app.rects, "stability obstacle", why);
+        coloured_note(ui.theme.dim_text, why);
+        note_item(ui.rects, "stability obstacle", why);
     }
 }
 
-void draw_share(App& app, const std::string& name, double share, bool is_member) {
-    const Theme& theme = app.theme;
+void draw_share(Ui& ui, const std::string& name, double share, bool is_member) {
+    const Theme& theme = ui.theme;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(name.c_str());
@@ -69,15 +69,15 @@ void draw_share(App& app, const std::string& name, double share, bool is_member)
     draw_text(list, theme.fonts.small, {bar.max.x + theme.gap_px, corner.y}, theme.dim_text,
               percent(share));
     ImGui::Dummy({width, height});
-    note_rect(app.rects, "stability:" + name, bar.min, bar.max, std::to_string(share));
+    note_rect(ui.rects, "stability:" + name, bar.min, bar.max, std::to_string(share));
 }
 
-void draw_shares(App& app, const Stability& stability) {
-    const auto names = names_of(*app.subset->stability->request.pick->request.map->request.set);
+void draw_shares(Ui& ui, const SubsetState& picking, const Stability& stability) {
+    const auto names = names_of(*picking.stability->request.pick->request.map->request.set);
     ImGui::BeginChild("shares", {0.0F, rest_or_lines(4.0F).height()});
     if (ImGui::BeginTable("shares", 2, ImGuiTableFlags_NoSavedSettings)) {
         for (const std::size_t k : ever_picked(stability)) {
-            draw_share(app, names[k], stability.share_picked[k],
+            draw_share(ui, names[k], stability.share_picked[k],
                        std::ranges::binary_search(stability.subset.members, k));
         }
         ImGui::EndTable();
@@ -87,13 +87,14 @@ void draw_shares(App& app, const Stability& stability) {
 
 }  // namespace
 
-void draw_stability_view(App& app) {
-    draw_ask(app);
-    const Stability* stability = shown_stability(app);
+void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                         SubsetState& picking) {
+    draw_ask(ui, shown_map, picking);
+    const Stability* stability = shown_stability(picking);
     if (stability == nullptr) {
         const Rect area = rest_of_pane();
         if (area.empty()) return;
-        draw_empty(*ImGui::GetWindowDrawList(), app.theme, area, "How sure is this subset?",
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "How sure is this subset?",
                    "The model has numbers nobody knows exactly. Draw them at random, and see who "
                    "stays picked and how far each point moves.");
         return;
@@ -102,14 +103,14 @@ void draw_stability_view(App& app) {
                              " of the draws, the same weakest pair in " +
                              percent(stability->share_weakest) +
                              ". In the map, half of the draws lie within each ellipse.";
-    ImGui::PushFont(app.theme.fonts.small);
-    coloured_note(app.theme.dim_text, text);
-    if (is_pick_stale(app)) {
-        coloured_note(app.theme.warning, "Of the subset before the last change.");
+    ImGui::PushFont(ui.theme.fonts.small);
+    coloured_note(ui.theme.dim_text, text);
+    if (is_pick_stale(work, shown_map, picking)) {
+        coloured_note(ui.theme.warning, "Of the subset before the last change.");
     }
     ImGui::PopFont();
-    note_item(app.rects, "subset:stability", text);
-    draw_shares(app, *stability);
+    note_item(ui.rects, "subset:stability", text);
+    draw_shares(ui, picking, *stability);
 }
 
 }  // namespace tact

@@ -14,28 +14,28 @@ namespace tact {
 namespace {
 
 // Whole numbers below the curve, as many as have room, and what they count.
-void draw_counts(const App& app, const Plot& plot, const PickCurve& curve) {
-    const ImFont* font = app.theme.fonts.small;
+void draw_counts(const Ui& ui, const Plot& plot, const PickCurve& curve) {
+    const ImFont* font = ui.theme.fonts.small;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float y = plot.area.max.y + 3.0F * app.theme.scale;
+    const float y = plot.area.max.y + 3.0F * ui.theme.scale;
     const std::string unit = "picked";
     const float unit_left = plot.area.max.x - text_size(font, unit).x;
-    float free = plot.area.min.x - app.theme.gap_px;
+    float free = plot.area.min.x - ui.theme.gap_px;
     for (const CurvePoint& point : curve.points) {
         const std::string text = std::to_string(point.count);
         const float width = text_size(font, text).x;
         const float left = to_pixel(plot.x, static_cast<double>(point.count)) - 0.5F * width;
-        if (left < free || left + width + app.theme.gap_px > unit_left) continue;
-        draw_text(list, font, {left, y}, app.theme.dim_text, text);
-        free = left + width + app.theme.gap_px;
+        if (left < free || left + width + ui.theme.gap_px > unit_left) continue;
+        draw_text(list, font, {left, y}, ui.theme.dim_text, text);
+        free = left + width + ui.theme.gap_px;
     }
-    draw_text(list, font, {unit_left, y}, app.theme.dim_text, unit);
+    draw_text(list, font, {unit_left, y}, ui.theme.dim_text, unit);
 }
 
 // How far apart the weakest pair is for each k; a click chooses k.
-void draw_points(App& app, const Rect& area) {
-    const PickCurve& curve = *app.subset->curve;
-    const Theme& theme = app.theme;
+void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
+    const PickCurve& curve = *picking.curve;
+    const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     double most = 0.0;
     for (const CurvePoint& point : curve.points) most = std::max(most, point.bound);
@@ -47,7 +47,7 @@ void draw_points(App& app, const Rect& area) {
     const Plot plot =
         plot_within(above, theme, {first - 0.5, last + 0.5}, {0.0, 1.05 * most}, labels);
     draw_axes(list, theme, plot, labels);
-    draw_counts(app, plot, curve);
+    draw_counts(ui, plot, curve);
     ImGui::SetCursorScreenPos(area.min);
     const bool pressed = ImGui::InvisibleButton("curve", area.size());
     std::optional<std::size_t> hovered;
@@ -56,7 +56,7 @@ void draw_points(App& app, const Rect& area) {
         if (k >= first && k <= last) hovered = static_cast<std::size_t>(k - first);
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     }
-    note_rect(app.rects, "subset:curve", plot.area.min, plot.area.max,
+    note_rect(ui.rects, "subset:curve", plot.area.min, plot.area.max,
               std::to_string(curve.points.size()));
     std::vector<ImVec2> line;
     for (const CurvePoint& point : curve.points) {
@@ -69,11 +69,11 @@ void draw_points(App& app, const Rect& area) {
     }
     list.AddPolyline(line.data(), static_cast<int>(line.size()), theme.dim_text, 0, theme.trace_px);
     for (std::size_t k = 0; k < line.size(); ++k) {
-        const bool chosen = curve.points[k].count == static_cast<std::size_t>(app.subset->count);
+        const bool chosen = curve.points[k].count == static_cast<std::size_t>(picking.count);
         const bool lit = chosen || hovered == k;
         draw_disc(list, theme, line[k], (lit ? 5.0F : 3.0F) * theme.scale,
                   lit ? theme.accent : theme.dim_text);
-        note_rect(app.rects, "curve point:" + std::to_string(curve.points[k].count), line[k],
+        note_rect(ui.rects, "curve point:" + std::to_string(curve.points[k].count), line[k],
                   line[k]);
     }
     if (!hovered) return;
@@ -82,30 +82,30 @@ void draw_points(App& app, const Rect& area) {
                                          "weakest pair " + grouped(point.weakest),
                                          point.bound > point.weakest ? "not proven" : "proven"};
     draw_readout(list, theme, area, line[*hovered], lines);
-    if (pressed) app.subset->count = static_cast<int>(point.count);
+    if (pressed) picking.count = static_cast<int>(point.count);
 }
 
-bool is_busy(const App& app) { return app.subset->curve_job && app.subset->curve_job->busy(); }
+bool is_busy(const SubsetState& picking) { return picking.curve_job && picking.curve_job->busy(); }
 
 }  // namespace
 
-bool has_curve(const App& app) { return app.subset->curve || is_busy(app); }
+bool has_curve(const SubsetState& picking) { return picking.curve || is_busy(picking); }
 
-void draw_curve(App& app, const Rect& area) {
+void draw_curve(Ui& ui, SubsetState& picking, const Rect& area) {
     if (area.width() < 90.0F || area.height() < 70.0F) return;
-    const SubsetState& state = *app.subset;
+    const SubsetState& state = picking;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (state.curve && state.curve->points.size() > 1) {
-        draw_points(app, area);
+        draw_points(ui, picking, area);
         const bool stale = state.curve->request != state.curve_asked;
-        if (stale) draw_stale(list, app.theme, area, ImGui::GetTime());
+        if (stale) draw_stale(list, ui.theme, area, ImGui::GetTime());
         return;
     }
-    if (!is_busy(app)) return;
+    if (!is_busy(picking)) return;
     char text[32];
     std::snprintf(text, sizeof text, "%d %% done",
                   static_cast<int>(100.0F * state.curve_job->progress()));
-    draw_empty(list, app.theme, area, "Trying other counts", text);
+    draw_empty(list, ui.theme, area, "Trying other counts", text);
 }
 
 }  // namespace tact

@@ -156,30 +156,31 @@ Expected<Done> write_subset(const fs::path& folder, const SubsetReport& report) 
     return Done{};
 }
 
-void export_subset_dialog(App& app) {
-    if (shown_pick(app) == nullptr) return;
-    ask_for_file(app,
+void export_subset_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                          const SubsetState& picking) {
+    if (shown_pick(shown_map, picking) == nullptr) return;
+    ask_for_file(ui,
                  {.purpose = ChooserPurpose::export_subset,
                   .use = ChooserUse::save_folder,
                   .title = "Export the picked subset into a folder",
                   .extensions = {".json", ".md", ".png", ".svg"},
                   .folders_too = true,
                   .file_names = {kFiles.begin(), kFiles.end()}},
-                 app.document.path.parent_path(), "subset");
+                 work.document.path.parent_path(), "subset");
 }
 
-void export_subset(App& app, const fs::path& folder) {
-    if (shown_pick(app) == nullptr) return;
-    app.subset->export_to = folder;
+void export_subset(const ShownMap& shown_map, SubsetState& picking, const fs::path& folder) {
+    if (shown_pick(shown_map, picking) == nullptr) return;
+    picking.export_to = folder;
 }
 
-void continue_subset_export(App& app) {
-    const fs::path folder = std::exchange(app.subset->export_to, {});
-    const Pick* pick = shown_pick(app);
+void continue_subset_export(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
+    const fs::path folder = std::exchange(picking.export_to, {});
+    const Pick* pick = shown_pick(shown_map, picking);
     if (folder.empty() || pick == nullptr) return;
     SubsetAnswer answer = pick->answer;
     std::optional<double> weakest_of_best;
-    if (const Subset* shown = shown_subset(app); shown != &pick->answer.best) {
+    if (const Subset* shown = shown_subset(shown_map, picking); shown != &pick->answer.best) {
         weakest_of_best = answer.best.weakest_dissimilarity;
         answer.best = *shown;
     }
@@ -198,9 +199,9 @@ void continue_subset_export(App& app) {
                               weakest_of_best,
                               origin};
     if (const auto written = write_subset(folder, report); !written) {
-        return complain(app, "Not exported: " + written.error().message);
+        return complain(ui, "Not exported: " + written.error().message);
     }
-    say(app, "Exported the subset to " + folder.string());
+    say(ui, "Exported the subset to " + folder.string());
 }
 
 }  // namespace tact

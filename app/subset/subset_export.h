@@ -11,7 +11,10 @@
 #include <optional>
 #include <string>
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
+#include "app/subset/subset_state.h"
+#include "app/ui/ui.h"
 #include "model/map/mds.h"
 #include "model/subset/subset.h"
 
@@ -36,10 +39,12 @@ std::string report_text(const SubsetReport& report);
 Expected<Done> write_subset(const std::filesystem::path& folder, const SubsetReport& report);
 
 // From the window.
-void export_subset_dialog(App& app);
-void export_subset(App& app, const std::filesystem::path& folder);
+void export_subset_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                          const SubsetState& picking);
+void export_subset(const ShownMap& shown_map, SubsetState& picking,
+                   const std::filesystem::path& folder);
 
 // Writes what is asked for: between two frames, as it draws pictures.
-void continue_subset_export(App& app);
+void continue_subset_export(Ui& ui, const ShownMap& shown_map, SubsetState& picking);
 
 }  // namespace tact

@@ -109,11 +109,12 @@ std::size_t possible_count(const SubsetProblem& problem, std::size_t objects, in
     return std::clamp(static_cast<std::size_t>(std::max(wanted, 2)), std::min(least, most), most);
 }
 
-PickRequest request_of(const App& app) {
-    const SubsetState& state = *app.subset;
-    PickRequest request{app.map.shown, {}, state.by_ratings, state.metric};
-    if (app.document.set.ratings.empty()) request.by_ratings = false;
-    const PatternSet& set = *app.map.shown->request.set;
+PickRequest request_of(const Workspace& work, const ShownMap& shown_map,
+                       const SubsetState& picking) {
+    const SubsetState& state = picking;
+    PickRequest request{shown_map.transition.shown, {}, state.by_ratings, state.metric};
+    if (work.document.set.ratings.empty()) request.by_ratings = false;
+    const PatternSet& set = *shown_map.transition.shown->request.set;
     request.problem = subset_problem(set, 2, state.objective);
     request.problem.count = possible_count(request.problem, set.vibrations.size(), state.count);
     return request;
@@ -133,60 +134,61 @@ void take(const std::unique_ptr<Job>& job, std::shared_ptr<const Answer>& answer
 
 }  // namespace
 
-void make_subset_jobs(App& app) {
-    SubsetState& state = *app.subset;
+void make_subset_jobs(const Ui& ui, SubsetState& picking) {
+    SubsetState& state = picking;
     state.pick_job =
-        std::make_unique<LatestJob<PickRequest, Pick>>(JobPolicy::supersede, pick_subset, app.wake);
+        std::make_unique<LatestJob<PickRequest, Pick>>(JobPolicy::supersede, pick_subset, ui.wake);
     state.curve_job = std::make_unique<LatestJob<PickRequest, PickCurve>>(JobPolicy::supersede,
-                                                                          follow_curve, app.wake);
+                                                                          follow_curve, ui.wake);
     state.separation_job = std::make_unique<LatestJob<SeparationRequest, FoundSeparations>>(
-        JobPolicy::supersede, find_separations, app.wake);
+        JobPolicy::supersede, find_separations, ui.wake);
     state.stability_job = std::make_unique<LatestJob<StabilityRequest, FoundStability>>(
-        JobPolicy::supersede, find_stability, app.wake);
+        JobPolicy::supersede, find_stability, ui.wake);
 }
 
-std::shared_ptr<SubsetState> still_subset(const SubsetState& state) {
-    auto still = std::make_shared<SubsetState>();
-    still->view = state.view;
-    still->count = state.count;
-    still->objective = state.objective;
-    still->by_ratings = state.by_ratings;
-    still->metric = state.metric;
-    still->alternative = state.alternative;
-    still->too_close = state.too_close;
-    still->share = state.share;
-    still->reference_a = state.reference_a;
-    still->reference_b = state.reference_b;
-    still->opened = state.opened;
-    still->change_second = state.change_second;
-    still->asked = state.asked;
-    still->curve_asked = state.curve_asked;
-    still->cancelled = state.cancelled;
-    still->pick = state.pick;
-    still->curve = state.curve;
-    still->separations = state.separations;
-    still->stability = state.stability;
+SubsetState still_subset(const SubsetState& state) {
+    SubsetState still;
+    still.view = state.view;
+    still.count = state.count;
+    still.objective = state.objective;
+    still.by_ratings = state.by_ratings;
+    still.metric = state.metric;
+    still.alternative = state.alternative;
+    still.too_close = state.too_close;
+    still.share = state.share;
+    still.reference_a = state.reference_a;
+    still.reference_b = state.reference_b;
+    still.opened = state.opened;
+    still.change_second = state.change_second;
+    still.asked = state.asked;
+    still.curve_asked = state.curve_asked;
+    still.cancelled = state.cancelled;
+    still.pick = state.pick;
+    still.curve = state.curve;
+    still.separations = state.separations;
+    still.stability = state.stability;
     return still;
 }
 
-void stop_subset_jobs(App& app) {
-    app.subset->pick_job.reset();
-    app.subset->curve_job.reset();
-    app.subset->separation_job.reset();
-    app.subset->stability_job.reset();
+void stop_subset_jobs(SubsetState& picking) {
+    picking.pick_job.reset();
+    picking.curve_job.reset();
+    picking.separation_job.reset();
+    picking.stability_job.reset();
 }
 
-void follow_subset(App& app) {
-    SubsetState& state = *app.subset;
+void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
+                   SubsetState& picking) {
+    SubsetState& state = picking;
     if (!state.pick_job) return;
     take(state.pick_job, state.pick);
     take(state.curve_job, state.curve);
     take(state.separation_job, state.separations);
     take(state.stability_job, state.stability);
-    const bool has_pairs =
-        map_state(app) == MapState::exact && app.map.shown->prediction.pm.size > 1;
-    if (app.bench != BenchTab::subset || !has_pairs) return;
-    PickRequest request = request_of(app);
+    const bool has_pairs = map_state(work, shown_map) == MapState::exact &&
+                           shown_map.transition.shown->prediction.pm.size > 1;
+    if (layout.bench != BenchTab::subset || !has_pairs) return;
+    PickRequest request = request_of(work, shown_map, picking);
     if (request == state.asked) return;
     state.asked = request;
     state.cancelled = false;
@@ -198,48 +200,49 @@ void follow_subset(App& app) {
     state.curve_job->submit(std::move(request));
 }
 
-const Pick* shown_pick(const App& app) {
-    const Pick* pick = app.subset->pick.get();
-    if (pick == nullptr || !app.map.shown || !pick->fault.empty()) return nullptr;
+const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking) {
+    const Pick* pick = picking.pick.get();
+    if (pick == nullptr || !shown_map.transition.shown || !pick->fault.empty()) return nullptr;
     const auto& picked = set_of(pick->request).vibrations;
-    const auto& shown = app.map.shown->request.set->vibrations;
+    const auto& shown = shown_map.transition.shown->request.set->vibrations;
     const bool is_of_shown =
         std::ranges::equal(picked, shown, {}, &Vibration::name, &Vibration::name);
     return is_of_shown ? pick : nullptr;
 }
 
-bool is_pick_stale(const App& app) {
-    const SubsetState& state = *app.subset;
-    if (map_state(app) != MapState::exact || !state.pick) return true;
+bool is_pick_stale(const Workspace& work, const ShownMap& shown_map, const SubsetState& picking) {
+    const SubsetState& state = picking;
+    if (map_state(work, shown_map) != MapState::exact || !state.pick) return true;
     // A map that has just come is asked about at the end of its frame.
-    return state.pick->request != state.asked || state.pick->request.map != app.map.shown;
+    return state.pick->request != state.asked ||
+           state.pick->request.map != shown_map.transition.shown;
 }
 
-const Subset* shown_subset(const App& app) {
-    const Pick* pick = shown_pick(app);
+const Subset* shown_subset(const ShownMap& shown_map, const SubsetState& picking) {
+    const Pick* pick = shown_pick(shown_map, picking);
     if (pick == nullptr) return nullptr;
-    const auto& alternative = app.subset->alternative;
+    const auto& alternative = picking.alternative;
     if (!alternative || *alternative >= pick->answer.alternatives.size()) return &pick->answer.best;
     return &pick->answer.alternatives[*alternative];
 }
 
-bool is_picking(const App& app) { return app.subset->pick_job && app.subset->pick_job->busy(); }
+bool is_picking(const SubsetState& picking) { return picking.pick_job && picking.pick_job->busy(); }
 
-bool is_subset_busy(const App& app) {
-    const SubsetState& state = *app.subset;
+bool is_subset_busy(const SubsetState& picking) {
+    const SubsetState& state = picking;
     return state.pick_job && (state.pick_job->busy() || state.curve_job->busy() ||
                               state.separation_job->busy() || state.stability_job->busy());
 }
 
-void cancel_picking(App& app) {
-    app.subset->pick_job->cancel();
-    app.subset->curve_job->cancel();
-    app.subset->cancelled = true;
+void cancel_picking(SubsetState& picking) {
+    picking.pick_job->cancel();
+    picking.curve_job->cancel();
+    picking.cancelled = true;
 }
 
-const Stability* shown_stability(const App& app) {
-    const auto& found = app.subset->stability;
-    return found && found->request.pick == app.subset->pick ? &found->stability : nullptr;
+const Stability* shown_stability(const SubsetState& picking) {
+    const auto& found = picking.stability;
+    return found && found->request.pick == picking.pick ? &found->stability : nullptr;
 }
 
 }  // namespace tact

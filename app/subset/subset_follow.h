@@ -1,31 +1,35 @@
 // Keeping the picked subset, and what is asked about it, in step with the document.
 #pragma once
 
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
 #include "app/subset/subset_state.h"
-#include "app/window/app.h"
+#include "app/ui/layout.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
-void make_subset_jobs(App& app);
+void make_subset_jobs(const Ui& ui, SubsetState& picking);
 // What is shown of it, without its jobs: for a picture.
-std::shared_ptr<SubsetState> still_subset(const SubsetState& state);
+SubsetState still_subset(const SubsetState& state);
 
-void stop_subset_jobs(App& app);
+void stop_subset_jobs(SubsetState& picking);
 
 // Takes what the jobs have finished; asks anew where the document or the question has changed.
-void follow_subset(App& app);
+void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
+                   SubsetState& picking);
 
 // The subset on screen, of the map on screen; null: none. It may answer an earlier question ...
-const Pick* shown_pick(const App& app);
+const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking);
 // ... and then is not that of the document as it is.
-bool is_pick_stale(const App& app);
+bool is_pick_stale(const Workspace& work, const ShownMap& shown_map, const SubsetState& picking);
 // The best one, or the alternative that is looked at.
-const Subset* shown_subset(const App& app);
-bool is_picking(const App& app);
-bool is_subset_busy(const App& app);  // with anything
-void cancel_picking(App& app);
+const Subset* shown_subset(const ShownMap& shown_map, const SubsetState& picking);
+bool is_picking(const SubsetState& picking);
+bool is_subset_busy(const SubsetState& picking);  // with anything
+void cancel_picking(SubsetState& picking);
 
 // The share of draws, where the shown subset's was computed.
-const Stability* shown_stability(const App& app);
+const Stability* shown_stability(const SubsetState& picking);
 
 }  // namespace tact

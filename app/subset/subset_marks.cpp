@@ -5,33 +5,33 @@
 
 namespace tact {
 
-MapMarks subset_marks(App& app) {
+MapMarks subset_marks(const Layout& layout, const ShownMap& shown_map, SubsetState& picking) {
     MapMarks marks;
-    if (app.bench != BenchTab::subset || !app.map.shown) return marks;
-    const SubsetState& state = *app.subset;
+    if (layout.bench != BenchTab::subset || !shown_map.transition.shown) return marks;
+    const SubsetState& state = picking;
     const bool confusable = state.view == SubsetView::confusable;
-    const Subset* subset = shown_subset(app);
+    const Subset* subset = shown_subset(shown_map, picking);
     if (subset && (!confusable || state.too_close == TooClose::picked)) {
         marks.chosen = subset->members;
-    } else if (const auto opened = opened_rows(app); opened && confusable) {
+    } else if (const auto opened = opened_rows(shown_map, picking); opened && confusable) {
         marks.chosen = {opened->first, opened->second};
     }
     if (confusable) {
-        for (const ConfusablePair& pair : too_close_pairs(app).pairs) {
+        for (const ConfusablePair& pair : too_close_pairs(shown_map, picking).pairs) {
             marks.links.push_back({pair.a, pair.b});
         }
     }
-    const Stability* stability = shown_stability(app);
+    const Stability* stability = shown_stability(picking);
     if (state.view == SubsetView::stability && stability &&
-        state.pick->request.map == app.map.shown) {
+        state.pick->request.map == shown_map.transition.shown) {
         marks.spread.assign(stability->spread.begin(), stability->spread.end());
     }
     return marks;
 }
 
-std::set<std::string> too_close_names(const App& app) {
-    const SubsetState& state = *app.subset;
-    if (app.bench != BenchTab::subset || state.view != SubsetView::confusable) return {};
+std::set<std::string> too_close_names(const Layout& layout, const SubsetState& picking) {
+    const SubsetState& state = picking;
+    if (layout.bench != BenchTab::subset || state.view != SubsetView::confusable) return {};
     if (!state.pairs.of) return {};
     const auto& all = state.pairs.of->request.set->vibrations;
     std::set<std::string> names;

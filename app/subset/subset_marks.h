@@ -5,13 +5,15 @@
 #include <string>
 
 #include "app/map/map_look.h"
-#include "app/window/app.h"
+#include "app/map/map_state.h"
+#include "app/subset/subset_state.h"
+#include "app/ui/layout.h"
 
 namespace tact {
 
-MapMarks subset_marks(App& app);
+MapMarks subset_marks(const Layout& layout, const ShownMap& shown_map, SubsetState& picking);
 
 // Names of the patterns that are in a pair that is too close, while that is what is shown.
-std::set<std::string> too_close_names(const App& app);
+std::set<std::string> too_close_names(const Layout& layout, const SubsetState& picking);
 
 }  // namespace tact

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/compare/bench_follow.h"
+#include "app/compare/compare_follow.h"
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/map/map_follow.h"
@@ -22,49 +22,49 @@ namespace tact {
 
 namespace {
 
-void draw_views(App& app) {
-    SubsetState& state = *app.subset;
+void draw_views(Ui& ui, const Workspace& work, const ShownMap& shown_map, SubsetState& picking) {
+    SubsetState& state = picking;
     bool is_first = true;
     for (const auto& [view, name] : {std::pair{SubsetView::pick, "Pick"},
                                      {SubsetView::confusable, "Too close"},
                                      {SubsetView::stability, "How sure"}}) {
-        if (!is_first) flow_on(chip_width(app, name), 2.0F * app.theme.scale);
+        if (!is_first) flow_on(chip_width(ui, name), 2.0F * ui.theme.scale);
         is_first = false;
-        if (draw_chip(app, name, name, state.view == view)) state.view = view;
-        note_item(app.rects, std::string("subset:") + name);
+        if (draw_chip(ui, name, name, state.view == view)) state.view = view;
+        note_item(ui.rects, std::string("subset:") + name);
     }
-    if (shown_pick(app) == nullptr) return;
-    flow_on(ImGui::CalcTextSize("Export...").x, 2.0F * app.theme.gap_px);
+    if (shown_pick(shown_map, picking) == nullptr) return;
+    flow_on(ImGui::CalcTextSize("Export...").x, 2.0F * ui.theme.gap_px);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + 2.0F * app.theme.scale});
-    if (link(app, "export subset", "Export...")) export_subset_dialog(app);
-    note_item(app.rects, "link:export subset");
-    draw_tooltip(app, "The picked patterns as a set, with a page of tables and the map.");
+    ImGui::SetCursorScreenPos({corner.x, corner.y + 2.0F * ui.theme.scale});
+    if (link(ui, "export subset", "Export...")) export_subset_dialog(ui, work, shown_map, picking);
+    note_item(ui.rects, "link:export subset");
+    draw_tooltip(ui, "The picked patterns as a set, with a page of tables and the map.");
 }
 
-void draw_count(App& app) {
-    SubsetState& state = *app.subset;
+void draw_count(Ui& ui, SubsetState& picking) {
+    SubsetState& state = picking;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Pick");
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    enter_whole_with_buttons(app,
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    enter_whole_with_buttons(ui,
                              {.id = "count",
                               .label = "Pick",
                               .format = "%.9g",
                               .rules = {{2.0, 1000.0}},
-                              .width_px = 96.0F * app.theme.scale},
+                              .width_px = 96.0F * ui.theme.scale},
                              state.count);
-    note_item(app.rects, "subset:count", std::to_string(state.count));
-    draw_tooltip(app, "How many patterns the subset has.");
+    note_item(ui.rects, "subset:count", std::to_string(state.count));
+    draw_tooltip(ui, "How many patterns the subset has.");
 }
 
-void draw_objective(App& app) {
-    SubsetState& state = *app.subset;
+void draw_objective(Ui& ui, SubsetState& picking) {
+    SubsetState& state = picking;
     const auto choose = [&](const char* name, SubsetObjective objective, const char* help) {
-        flow_on(radio_width(app, name), 1.5F * app.theme.gap_px);
-        if (draw_radio(app, name, state.objective == objective)) state.objective = objective;
-        note_item(app.rects, std::string("radio:") + name);
-        draw_tooltip(app, help);
+        flow_on(radio_width(ui, name), 1.5F * ui.theme.gap_px);
+        if (draw_radio(ui, name, state.objective == objective)) state.objective = objective;
+        note_item(ui.rects, std::string("radio:") + name);
+        draw_tooltip(ui, help);
     };
     choose("Weakest pair", SubsetObjective::max_min,
            "The two that are most alike are as far apart as can be: nobody confuses any two.");
@@ -72,12 +72,12 @@ void draw_objective(App& app) {
            "All pairs together are as far apart as can be; two of them may still be alike.");
 }
 
-void draw_source(App& app) {
-    SubsetState& state = *app.subset;
-    const bool has_ratings = !app.document.set.ratings.empty();
+void draw_source(Ui& ui, const Workspace& work, SubsetState& picking) {
+    SubsetState& state = picking;
+    const bool has_ratings = !work.document.set.ratings.empty();
     const char* shown = state.by_ratings && has_ratings ? "Ratings" : traits(state.metric).name;
-    const float s = app.theme.scale;
-    const bool beside = flow_on(84.0F * s, 1.5F * app.theme.gap_px);
+    const float s = ui.theme.scale;
+    const bool beside = flow_on(84.0F * s, 1.5F * ui.theme.gap_px);
     const float room = beside ? ImGui::GetContentRegionAvail().x : 120.0F * s;
     ImGui::SetNextItemWidth(std::min(120.0F * s, room));
     if (ImGui::BeginCombo("##source", shown)) {
@@ -91,8 +91,8 @@ void draw_source(App& app) {
         if (has_ratings && ImGui::Selectable("Ratings", state.by_ratings)) state.by_ratings = true;
         ImGui::EndCombo();
     }
-    note_item(app.rects, "subset:source", shown);
-    draw_tooltip(app, "What says how far apart two patterns are.");
+    note_item(ui.rects, "subset:source", shown);
+    draw_tooltip(ui, "What says how far apart two patterns are.");
 }
 
 const std::string& name_of(const Pick& pick, std::size_t member) {
@@ -103,102 +103,108 @@ std::string quantity_of(const Pick& pick) {
     return pick.request.by_ratings ? "rating" : traits(pick.request.metric).name;
 }
 
-void draw_proof(App& app, const Pick& pick) {
+void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                const SubsetState& picking, const Pick& pick) {
     const SubsetAnswer& answer = pick.answer;
     std::string text = "Proven: no other subset is better.";
-    ImU32 colour = app.theme.dim_text;
+    ImU32 colour = ui.theme.dim_text;
     if (answer.proof == SubsetProof::ties_open) {
         text = "No weakest pair can be farther apart; the sum was not settled in time.";
-        colour = app.theme.warning;
+        colour = ui.theme.warning;
     } else if (answer.proof == SubsetProof::open) {
         text = "The best found in time; none is above " + grouped(answer.bound) + ".";
-        colour = app.theme.warning;
+        colour = ui.theme.warning;
     }
-    if (is_pick_stale(app)) {
-        text = map_state(app) == MapState::exact
+    if (is_pick_stale(work, shown_map, picking)) {
+        text = map_state(work, shown_map) == MapState::exact
                    ? "Of the question before."
                    : "From before the last change; picked anew once the map is exact.";
-        colour = app.theme.warning;
+        colour = ui.theme.warning;
     }
     // Beside the headline, or where it has no room there below it.
-    const ImFont* small = app.theme.fonts.small;
-    if (flow_on(text_size(small, text).x, 1.5F * app.theme.gap_px)) {
-        const float lower = app.theme.fonts.regular->FontSize - small->FontSize;
+    const ImFont* small = ui.theme.fonts.small;
+    if (flow_on(text_size(small, text).x, 1.5F * ui.theme.gap_px)) {
+        const float lower = ui.theme.fonts.regular->FontSize - small->FontSize;
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);
     }
-    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::PushFont(ui.theme.fonts.small);
     coloured_note(colour, text);
     ImGui::PopFont();
-    note_item(app.rects, "subset:proof", text);
+    note_item(ui.rects, "subset:proof", text);
 }
 
 // What can be done with the two that are most alike.
-void draw_weakest_pair(App& app, const Pick& pick, const std::string& a, const std::string& b) {
+void draw_weakest_pair(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                       PlayState& play, SubsetState& picking, const Pick& pick,
+                       const std::string& a, const std::string& b) {
     const std::string names = a + " \u2013 " + b;
     const std::string shown =
-        shortened(app.theme.fonts.regular, names, ImGui::GetContentRegionAvail().x);
-    if (link(app, "weakest pair", shown)) open_pair(app, a, b);
-    note_item(app.rects, "link:weakest pair", a + "|" + b);
-    draw_tooltip(app, (names + ": shows the two in every pane.").c_str());
-    const auto first = place_named(app.document.set, a);
-    const auto second = place_named(app.document.set, b);
+        shortened(ui.theme.fonts.regular, names, ImGui::GetContentRegionAvail().x);
+    if (link(ui, "weakest pair", shown)) open_pair(work, picking, a, b);
+    note_item(ui.rects, "link:weakest pair", a + "|" + b);
+    draw_tooltip(ui, (names + ": shows the two in every pane.").c_str());
+    const auto first = place_named(work.document.set, a);
+    const auto second = place_named(work.document.set, b);
     if (!first || !second) return;
-    const bool plays = app.playhead.playing;
-    const char* play = plays ? "Stop" : "Play both";
-    flow_on(ImGui::CalcTextSize(play).x, 1.5F * app.theme.gap_px);
-    if (link(app, "play pair", play)) plays ? stop_playing(app) : play_pair(app, *first, *second);
-    note_item(app.rects, "link:play pair", play);
-    draw_tooltip(app, "One after the other; without a device silently, the first alone.");
+    const bool plays = timeline.playhead.playing;
+    const char* act = plays ? "Stop" : "Play both";
+    flow_on(ImGui::CalcTextSize(act).x, 1.5F * ui.theme.gap_px);
+    if (link(ui, "play pair", act))
+        plays ? stop_playing(timeline, play) : play_pair(ui, work, timeline, play, *first, *second);
+    note_item(ui.rects, "link:play pair", act);
+    draw_tooltip(ui, "One after the other; without a device silently, the first alone.");
     if (pick.request.by_ratings || pick.request.metric != Metric::pm) return;
     constexpr const char* kAsk = "What would separate them?";
-    flow_on(ImGui::CalcTextSize(kAsk).x, 1.5F * app.theme.gap_px);
-    if (link(app, "separate pair", kAsk)) ask_about_picked(app, a, b);
-    note_item(app.rects, "link:separate pair");
-    draw_tooltip(app,
+    flow_on(ImGui::CalcTextSize(kAsk).x, 1.5F * ui.theme.gap_px);
+    if (link(ui, "separate pair", kAsk)) ask_about_picked(work, shown_map, picking, a, b);
+    note_item(ui.rects, "link:separate pair");
+    draw_tooltip(ui,
                  "The smallest change of one number that brings one of the two farther from all "
                  "others of the subset.");
 }
 
 // The weakest pair, large: what the subset is worth.
-void draw_headline(App& app, const Pick& pick, const Subset& subset) {
+void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                   PlayState& play, SubsetState& picking, const Pick& pick, const Subset& subset) {
     const std::string a = name_of(pick, subset.weakest.first);
     const std::string b = name_of(pick, subset.weakest.second);
-    ImGui::PushFont(app.theme.fonts.large);
+    ImGui::PushFont(ui.theme.fonts.large);
     ImGui::TextUnformatted(grouped(subset.weakest_dissimilarity).c_str());
     ImGui::PopFont();
     char exact[40];
     std::snprintf(exact, sizeof exact, "%.17g", subset.weakest_dissimilarity);
-    note_item(app.rects, "subset:weakest", exact);
-    ImGui::SameLine(0.0F, app.theme.gap_px);
-    const float lower = app.theme.fonts.large->FontSize - app.theme.fonts.regular->FontSize;
+    note_item(ui.rects, "subset:weakest", exact);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    const float lower = ui.theme.fonts.large->FontSize - ui.theme.fonts.regular->FontSize;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);
     const std::string what = quantity_of(pick) + " of the weakest pair";
-    dim_text(app, shortened(app.theme.fonts.regular, what, ImGui::GetContentRegionAvail().x));
-    draw_proof(app, pick);
-    draw_weakest_pair(app, pick, a, b);
+    dim_text(ui, shortened(ui.theme.fonts.regular, what, ImGui::GetContentRegionAvail().x));
+    draw_proof(ui, work, shown_map, picking, pick);
+    draw_weakest_pair(ui, work, timeline, shown_map, play, picking, pick, a, b);
 }
 
-void draw_member(App& app, const Pick& pick, std::size_t member) {
+void draw_member(Ui& ui, Workspace& work, const Pick& pick, std::size_t member) {
     const std::string& name = name_of(pick, member);
-    const auto place = place_named(app.document.set, name);
+    const auto place = place_named(work.document.set, name);
     if (!place) return;
-    const Vibration& vibration = app.document.set.vibrations[*place];
+    const Vibration& vibration = work.document.set.vibrations[*place];
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float s = app.theme.scale;
+    const float s = ui.theme.scale;
     ImGui::PushID(static_cast<int>(member));
     const std::string text = "      " + name + (vibration.locked ? "  (locked)" : "");
-    if (ImGui::Selectable(text.c_str(), app.selection.current == *place)) select_only(app, *place);
-    note_item(app.rects, "member:" + name, vibration.locked ? "locked" : "");
-    if (ImGui::IsItemHovered()) app.selection.hovered = place;
-    draw_pattern_mark(*ImGui::GetWindowDrawList(), app.theme,
+    if (ImGui::Selectable(text.c_str(), work.selection.current == *place))
+        select_only(work, *place);
+    note_item(ui.rects, "member:" + name, vibration.locked ? "locked" : "");
+    if (ImGui::IsItemHovered()) work.selection.hovered = place;
+    draw_pattern_mark(*ImGui::GetWindowDrawList(), ui.theme,
                       {corner.x + 9.0F * s, corner.y + 0.5F * ImGui::GetTextLineHeight()}, 5.0F * s,
-                      look_of(app, *place), app.theme.pane);
+                      look_of(ui, work, *place), ui.theme.pane);
     if (ImGui::BeginPopupContextItem("member menu")) {
-        select_only(app, *place);
+        select_only(work, *place);
         if (ImGui::MenuItem(vibration.locked ? "Unlock" : "Lock: always pick it")) {
-            toggle_locked(app);
+            toggle_locked(ui, work);
         }
-        if (ImGui::MenuItem("Drop: never pick it")) toggle_dropped(app);
+        if (ImGui::MenuItem("Drop: never pick it")) toggle_dropped(ui, work);
         ImGui::EndPopup();
     }
     ImGui::PopID();
@@ -222,18 +228,18 @@ std::string exchange_text(const Pick& pick, const Subset& other) {
     return in + " for " + out;
 }
 
-void draw_alternatives(App& app, const Pick& pick) {
+void draw_alternatives(Ui& ui, SubsetState& picking, const Pick& pick) {
     const auto& all = pick.answer.alternatives;
     if (all.empty()) return;
-    SubsetState& state = *app.subset;
-    ImGui::Dummy({1.0F, 0.5F * app.theme.gap_px});
-    ImGui::PushFont(app.theme.fonts.small);
-    dim_text(app, pick.answer.are_alternatives_proven ? "Next best" : "Others that are good");
+    SubsetState& state = picking;
+    ImGui::Dummy({1.0F, 0.5F * ui.theme.gap_px});
+    ImGui::PushFont(ui.theme.fonts.small);
+    dim_text(ui, pick.answer.are_alternatives_proven ? "Next best" : "Others that are good");
     ImGui::PopFont();
     const auto line = [&](const std::string& text, std::optional<std::size_t> which, int id) {
         ImGui::PushID(id);
         if (ImGui::Selectable(text.c_str(), state.alternative == which)) state.alternative = which;
-        note_item(app.rects, "alternative:" + std::to_string(id), text);
+        note_item(ui.rects, "alternative:" + std::to_string(id), text);
         ImGui::PopID();
     };
     if (state.alternative) line("Back to the best", std::nullopt, 0);
@@ -245,36 +251,37 @@ void draw_alternatives(App& app, const Pick& pick) {
 }
 
 // True where there is a subset to draw.
-bool draw_pick_state(App& app) {
-    SubsetState& state = *app.subset;
-    if (is_picking(app)) {
+bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                     SubsetState& picking) {
+    SubsetState& state = picking;
+    if (is_picking(picking)) {
         char text[32];
         std::snprintf(text, sizeof text, "picking, %d %%",
                       static_cast<int>(100.0F * state.pick_job->progress()));
-        dim_text(app, text);
+        dim_text(ui, text);
         ImGui::SameLine();
-        if (link(app, "cancel picking", "Cancel")) cancel_picking(app);
-        note_item(app.rects, "link:cancel picking");
+        if (link(ui, "cancel picking", "Cancel")) cancel_picking(picking);
+        note_item(ui.rects, "link:cancel picking");
     } else if (state.cancelled) {
-        dim_text(app, "Cancelled.");
+        dim_text(ui, "Cancelled.");
         ImGui::SameLine();
-        if (link(app, "pick again", "Pick again")) state.asked = {};
-        note_item(app.rects, "link:pick again");
+        if (link(ui, "pick again", "Pick again")) state.asked = {};
+        note_item(ui.rects, "link:pick again");
     }
-    if (shown_pick(app) != nullptr) return true;
-    const bool has_fault = state.pick && !state.pick->fault.empty() && !is_picking(app);
+    if (shown_pick(shown_map, picking) != nullptr) return true;
+    const bool has_fault = state.pick && !state.pick->fault.empty() && !is_picking(picking);
     const Rect area = rest_of_pane();
     if (area.empty()) return false;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (app.document.set.vibrations.size() < 2) {
-        draw_empty(list, app.theme, area, "Nothing to pick from",
+    if (work.document.set.vibrations.size() < 2) {
+        draw_empty(list, ui.theme, area, "Nothing to pick from",
                    "It takes two patterns to be alike or far apart.");
-    } else if (is_picking(app)) {
-        draw_empty(list, app.theme, area, "Picking",
+    } else if (is_picking(picking)) {
+        draw_empty(list, ui.theme, area, "Picking",
                    "Of many patterns it takes some seconds to prove that no others are better.");
     } else {
         draw_empty(
-            list, app.theme, area, "Nothing picked yet",
+            list, ui.theme, area, "Nothing picked yet",
             has_fault ? state.pick->fault : "The subset is picked once the space above is exact.");
     }
     return false;
@@ -298,37 +305,41 @@ void coloured_note(ImU32 colour, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
-void draw_pick_view(App& app) {
-    draw_count(app);
-    draw_objective(app);
-    draw_source(app);
-    if (!draw_pick_state(app)) return;
-    const std::shared_ptr<const Pick> pick = app.subset->pick;  // kept while it is drawn
-    draw_headline(app, *pick, *shown_subset(app));
+void draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                    PlayState& play, SubsetState& picking) {
+    draw_count(ui, picking);
+    draw_objective(ui, picking);
+    draw_source(ui, work, picking);
+    if (!draw_pick_state(ui, work, shown_map, picking)) return;
+    const std::shared_ptr<const Pick> pick = picking.pick;  // kept while it is drawn
+    draw_headline(ui, work, timeline, shown_map, play, picking, *pick,
+                  *shown_subset(shown_map, picking));
     const Rect area = rest_or_lines(5.0F);
-    const bool wide = area.width() > 320.0F * app.theme.scale;
-    const float left = wide && has_curve(app) ? 0.48F * area.width() : area.width();
+    const bool wide = area.width() > 320.0F * ui.theme.scale;
+    const float left = wide && has_curve(picking) ? 0.48F * area.width() : area.width();
     ImGui::BeginChild("members", {left, area.height()});
-    for (const std::size_t member : shown_subset(app)->members) draw_member(app, *pick, member);
-    draw_alternatives(app, *pick);
+    for (const std::size_t member : shown_subset(shown_map, picking)->members)
+        draw_member(ui, work, *pick, member);
+    draw_alternatives(ui, picking, *pick);
     ImGui::EndChild();
     if (left == area.width()) return;
-    draw_curve(app, {{area.min.x + left + app.theme.gap_px, area.min.y}, area.max});
+    draw_curve(ui, picking, {{area.min.x + left + ui.theme.gap_px, area.min.y}, area.max});
 }
 
-void draw_subset_panel(App& app) {
-    draw_views(app);
+void draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                       PlayState& play, SubsetState& picking) {
+    draw_views(ui, work, shown_map, picking);
     ImGui::Dummy({1.0F, 1.0F});
     ImGui::BeginChild("view");  // scrolls where the pane is low
-    switch (app.subset->view) {
+    switch (picking.view) {
         case SubsetView::pick:
-            draw_pick_view(app);
+            draw_pick_view(ui, work, timeline, shown_map, play, picking);
             break;
         case SubsetView::confusable:
-            draw_too_close_view(app);
+            draw_too_close_view(ui, work, shown_map, picking);
             break;
         case SubsetView::stability:
-            draw_stability_view(app);
+            draw_stability_view(ui, work, shown_map, picking);
             break;
     }
     ImGui::EndChild();

@@ -1,10 +1,16 @@
 // The most distinct patterns, those that are too close, and how sure that is.
 #pragma once
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
+#include "app/play/play_state.h"
+#include "app/subset/subset_state.h"
+#include "app/timeline/timeline.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
-void draw_subset_panel(App& app);
+void draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                       PlayState& play, SubsetState& picking);
 
 }  // namespace tact

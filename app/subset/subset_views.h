@@ -1,18 +1,25 @@
 // The views of the Subset tab.
 #pragma once
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
+#include "app/play/play_state.h"
+#include "app/subset/subset_state.h"
+#include "app/timeline/timeline.h"
+#include "app/ui/ui.h"
 #include "viz/drawing/geometry.h"
 
 namespace tact {
 
-void draw_pick_view(App& app);
-void draw_too_close_view(App& app);
-void draw_stability_view(App& app);
+void draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                    PlayState& play, SubsetState& picking);
+void draw_too_close_view(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetState& picking);
+void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                         SubsetState& picking);
 
 // How far apart the weakest pair is for each count; a click chooses one.
-bool has_curve(const App& app);  // or will have
-void draw_curve(App& app, const Rect& area);
+bool has_curve(const SubsetState& picking);  // or will have
+void draw_curve(Ui& ui, SubsetState& picking, const Rect& area);
 
 // What is left of the pane, or where that is less so many lines, which scroll.
 Rect rest_or_lines(float lines);

@@ -23,53 +23,55 @@ std::string full_digits(double value) {
 
 }  // namespace
 
-float value_room_px(const App& app) { return kValueRoomPx * app.theme.scale; }
+float value_room_px(const Ui& ui) { return kValueRoomPx * ui.theme.scale; }
 
-float time_axis_height(const App& app) {
-    return app.theme.fonts.small->FontSize + app.theme.gap_px * 0.75F;
+float time_axis_height(const Ui& ui) {
+    return ui.theme.fonts.small->FontSize + ui.theme.gap_px * 0.75F;
 }
 
-void take_time_gesture(App& app, const Rect& area, const TimeGesture& gesture) {
-    if (gesture.scrubbed_s) app.playhead.at_s = *gesture.scrubbed_s;
+void take_time_gesture(const Workspace& work, Timeline& timeline, const Rect& area,
+                       const TimeGesture& gesture) {
+    if (gesture.scrubbed_s) timeline.playhead.at_s = *gesture.scrubbed_s;
     if (!gesture.hovered_s) return;
-    app.crosshair_s = gesture.hovered_s;
+    timeline.crosshair_s = gesture.hovered_s;
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel == 0.0F && io.MouseWheelH == 0.0F) return;
-    const double duration_s = shown_duration_s(app);
+    const double duration_s = shown_duration_s(work);
     if (io.KeyCtrl) {
         const double factor = std::pow(1.25, -static_cast<double>(io.MouseWheel));
-        app.time_range = zoomed(app.time_range, factor, *gesture.hovered_s, duration_s);
+        timeline.range = zoomed(timeline.range, factor, *gesture.hovered_s, duration_s);
         return;
     }
     const double per_px =
-        app.time_range.length_s() / std::max(1.0, static_cast<double>(area.width()));
+        timeline.range.length_s() / std::max(1.0, static_cast<double>(area.width()));
     const double by_px = 60.0 * static_cast<double>(io.MouseWheelH - io.MouseWheel);
-    app.time_range = panned(app.time_range, by_px * per_px, duration_s);
+    timeline.range = panned(timeline.range, by_px * per_px, duration_s);
 }
 
-void draw_time_row(App& app, const Rect& area, const TimeRow& row) {
+void draw_time_row(Ui& ui, const Workspace& work, Timeline& timeline, const Rect& area,
+                   const TimeRow& row) {
     const WaveTrace trace{row.samples, row.rate_hz, row.colour, row.style};
     WaveScene scene;
     scene.traces = {&trace, 1};
-    scene.start_s = app.time_range.start_s;
-    scene.end_s = app.time_range.end_s;
+    scene.start_s = timeline.range.start_s;
+    scene.end_s = timeline.range.end_s;
     scene.largest = row.largest;
     scene.signed_values = row.signed_values;
     scene.unit = row.unit;
     scene.time_axis = row.time_axis;
     scene.value_axis = row.large;
-    scene.left_room_px = row.large ? kValueRoomPx * app.theme.scale : 0.0F;
-    scene.playhead_s = app.playhead.at_s;
-    scene.crosshair_s = app.crosshair_last_s;
+    scene.left_room_px = row.large ? kValueRoomPx * ui.theme.scale : 0.0F;
+    scene.playhead_s = timeline.playhead.at_s;
+    scene.crosshair_s = timeline.crosshair_last_s;
     scene.stale = row.stale;
-    const WaveAction action = draw_wave(row.id.c_str(), app.theme, area, scene);
-    note_rect(app.rects, "plot:" + row.id, area.min, area.max);
+    const WaveAction action = draw_wave(row.id.c_str(), ui.theme, area, scene);
+    note_rect(ui.rects, "plot:" + row.id, area.min, area.max);
     if (action.hovered_sample) {
         const std::size_t sample = *action.hovered_sample;
-        note_rect(app.rects, "under the mouse:" + row.id, area.min, area.max,
+        note_rect(ui.rects, "under the mouse:" + row.id, area.min, area.max,
                   std::to_string(sample) + " " + full_digits(row.samples[sample]));
     }
-    take_time_gesture(app, area, {action.hovered_s, action.scrubbed_s});
+    take_time_gesture(work, timeline, area, {action.hovered_s, action.scrubbed_s});
 }
 
 }  // namespace tact

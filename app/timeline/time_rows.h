@@ -4,7 +4,9 @@
 #include <span>
 #include <string>
 
-#include "app/window/app.h"
+#include "app/document/workspace.h"
+#include "app/timeline/timeline.h"
+#include "app/ui/ui.h"
 #include "viz/charts/wave_view.h"
 #include "viz/drawing/geometry.h"
 
@@ -25,7 +27,8 @@ struct TimeRow {
     bool stale = false;
 };
 
-void draw_time_row(App& app, const Rect& area, const TimeRow& row);
+void draw_time_row(Ui& ui, const Workspace& work, Timeline& timeline, const Rect& area,
+                   const TimeRow& row);
 
 // What the mouse did on a time axis that spans `area`: moves the playhead, zooms (Ctrl and wheel),
 // pans (wheel), and points at a time in all views.
@@ -33,12 +36,13 @@ struct TimeGesture {
     std::optional<double> hovered_s;
     std::optional<double> scrubbed_s;
 };
-void take_time_gesture(App& app, const Rect& area, const TimeGesture& gesture);
+void take_time_gesture(const Workspace& work, Timeline& timeline, const Rect& area,
+                       const TimeGesture& gesture);
 
 // Ticks and "s" along the top of the area, for a group of rows without ticks of their own.
-float time_axis_height(const App& app);
+float time_axis_height(const Ui& ui);
 
 // Left of the curves in a large view, where values stand.
-float value_room_px(const App& app);
+float value_room_px(const Ui& ui);
 
 }  // namespace tact

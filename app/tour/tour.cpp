@@ -16,22 +16,24 @@ namespace {
 // A pattern with two carriers and a slow modulation shows most; any other one serves.
 constexpr const char* kShownPattern = "LH-4-full";
 
-void show_most(App& app) {
-    if (const auto place = place_named(app.document.set, kShownPattern)) select_only(app, *place);
-    app.layout.left = 0.18F;
-    app.layout.right = 0.26F;
-    app.layout.maximised.reset();
+void show_most(Workspace& work, Layout& layout) {
+    if (const auto place = place_named(work.document.set, kShownPattern)) select_only(work, *place);
+    layout.left = 0.18F;
+    layout.right = 0.26F;
+    layout.maximised.reset();
 }
 
 // The pattern that PM puts farthest away, where that is known; else the next one.
-std::string farthest(const App& app) {
-    const auto& all = app.document.set.vibrations;
+std::string farthest(const Workspace& work, const ShownMap& shown_map) {
+    const auto& all = work.document.set.vibrations;
     if (all.size() < 2) return {};
-    const std::size_t current = app.selection.current;
+    const std::size_t current = work.selection.current;
     std::size_t best = (current + 1) % all.size();
-    const bool known = map_state(app) == MapState::exact || map_state(app) == MapState::preview;
-    if (!known || app.map.shown->prediction.pm.size != all.size()) return all[best].name;
-    const Dissimilarity& pm = app.map.shown->prediction.pm;
+    const bool known = map_state(work, shown_map) == MapState::exact ||
+                       map_state(work, shown_map) == MapState::preview;
+    if (!known || shown_map.transition.shown->prediction.pm.size != all.size())
+        return all[best].name;
+    const Dissimilarity& pm = shown_map.transition.shown->prediction.pm;
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (k != current && pm(current, k) > pm(current, best)) best = k;
     }
@@ -93,51 +95,57 @@ constexpr std::array<TourStep, 11> kSteps{{
 
 std::span<const TourStep> tour_steps() { return kSteps; }
 
-void go_to_step(App& app, std::size_t step) {
-    app.tour.step = std::min(step, kSteps.size() - 1);
-    const TourScene& scene = kSteps[*app.tour.step].scene;
-    if (scene.begins) show_most(app);
-    app.physiology.open = scene.stage;
-    app.physiology.explained.reset();
-    app.time_range = scene.range;
+void go_to_step(Workspace& work, Layout& layout, Timeline& timeline, const ShownMap& shown_map,
+                Physiology& physiology, TourState& tour, std::size_t step) {
+    tour.step = std::min(step, kSteps.size() - 1);
+    const TourScene& scene = kSteps[*tour.step].scene;
+    if (scene.begins) show_most(work, layout);
+    physiology.view.open = scene.stage;
+    physiology.view.explained.reset();
+    timeline.range = scene.range;
     const bool moves = scene.speed > 0.0;
-    app.playhead = {
+    timeline.playhead = {
         .at_s = 0.0, .speed = moves ? scene.speed : 0.1, .playing = moves, .loop = true};
-    app.pinned = scene.compares ? farthest(app) : std::string();
+    work.selection.pinned = scene.compares ? farthest(work, shown_map) : std::string();
 }
 
-void start_tour(App& app) {
-    if (current_vibration(app) == nullptr) {
-        return complain(app, "The tour needs a pattern: add one, or open the example set.");
+void start_tour(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
+                const ShownMap& shown_map, Physiology& physiology, TourState& tour) {
+    if (current_vibration(work) == nullptr) {
+        return complain(ui, "The tour needs a pattern: add one, or open the example set.");
     }
-    if (!app.tour.step) {
-        app.tour.before = {app.layout,   app.selection.current, app.pinned,
-                           app.playhead, app.time_range,        app.physiology.open};
+    if (!tour.step) {
+        tour.before = {
+            layout,         work.selection.current, work.selection.pinned, timeline.playhead,
+            timeline.range, physiology.view.open};
     }
-    const std::size_t from = app.tour.left_at;
-    go_to_step(app, 0);
-    if (from > 0) go_to_step(app, from);
+    const std::size_t from = tour.left_at;
+    go_to_step(work, layout, timeline, shown_map, physiology, tour, 0);
+    if (from > 0) go_to_step(work, layout, timeline, shown_map, physiology, tour, from);
 }
 
-void leave_tour(App& app) {
-    if (!app.tour.step) return;
-    const bool finished = *app.tour.step + 1 == kSteps.size();
-    app.tour.left_at = finished ? 0 : *app.tour.step;
-    app.tour.step.reset();
-    const ViewBeforeTour& before = app.tour.before;
-    app.layout = before.layout;
-    if (before.current < app.document.set.vibrations.size()) select_only(app, before.current);
-    app.pinned = before.pinned;
-    app.playhead = before.playhead;
-    app.time_range = before.time_range;
-    app.physiology.open = before.open;
+void leave_tour(Workspace& work, Layout& layout, Timeline& timeline, Physiology& physiology,
+                TourState& tour) {
+    if (!tour.step) return;
+    const bool finished = *tour.step + 1 == kSteps.size();
+    tour.left_at = finished ? 0 : *tour.step;
+    tour.step.reset();
+    const ViewBeforeTour& before = tour.before;
+    layout = before.layout;
+    if (before.current < work.document.set.vibrations.size()) select_only(work, before.current);
+    work.selection.pinned = before.pinned;
+    timeline.playhead = before.playhead;
+    timeline.range = before.time_range;
+    physiology.view.open = before.open;
 }
 
-void draw_tour(App& app, const Rect& window) {
-    if (!app.tour.step) return;
-    const std::size_t at = *app.tour.step;
+void draw_tour(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
+               const ShownMap& shown_map, Physiology& physiology, TourState& tour,
+               const Rect& window) {
+    if (!tour.step) return;
+    const std::size_t at = *tour.step;
     const TourStep& step = kSteps[at];
-    const Theme& theme = app.theme;
+    const Theme& theme = ui.theme;
     const float width = std::min(380.0F * theme.scale, window.width() * 0.9F);
     const float margin = 2.0F * theme.padding_px;
     ImGui::SetNextWindowPos({window.max.x - margin, window.max.y - margin}, ImGuiCond_Always,
@@ -157,26 +165,28 @@ void draw_tour(App& app, const Rect& window) {
         const float count_px = ImGui::CalcTextSize(count).x;
         if (ImGui::GetItemRectSize().x + count_px + 3.0F * theme.padding_px < width) {
             ImGui::SameLine(width - count_px - theme.padding_px);
-            dim_text(app, count);
+            dim_text(ui, count);
         }
         ImGui::PushTextWrapPos(width - theme.padding_px);
         ImGui::TextUnformatted(step.text);
         ImGui::PopTextWrapPos();
         ImGui::BeginDisabled(at == 0);
-        if (ImGui::Button("Back")) go_to_step(app, at - 1);
-        note_item(app.rects, "tour:back");
+        if (ImGui::Button("Back"))
+            go_to_step(work, layout, timeline, shown_map, physiology, tour, at - 1);
+        note_item(ui.rects, "tour:back");
         ImGui::EndDisabled();
         const bool last = at + 1 == kSteps.size();
         if (!last) flow_on(button_width("Next"), theme.gap_px);
-        if (!last && ImGui::Button("Next")) go_to_step(app, at + 1);
+        if (!last && ImGui::Button("Next"))
+            go_to_step(work, layout, timeline, shown_map, physiology, tour, at + 1);
         if (!last) {
-            note_item(app.rects, "tour:next");
+            note_item(ui.rects, "tour:next");
         }
         const char* leave = last ? "Finish" : "Leave the tour";
         flow_on(button_width(leave), theme.gap_px);
-        if (ImGui::Button(leave)) leave_tour(app);
-        note_item(app.rects, last ? "tour:finish" : "tour:leave");
-        note_rect(app.rects, "tour", ImGui::GetWindowPos(),
+        if (ImGui::Button(leave)) leave_tour(work, layout, timeline, physiology, tour);
+        note_item(ui.rects, last ? "tour:finish" : "tour:leave");
+        note_rect(ui.rects, "tour", ImGui::GetWindowPos(),
                   ImGui::GetWindowPos() + ImGui::GetWindowSize(), count);
     }
     ImGui::End();

@@ -9,13 +9,18 @@
 #include <optional>
 #include <span>
 
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
+#include "app/physiology/physiology_state.h"
 #include "app/physiology/stages.h"
 #include "app/timeline/playhead.h"
+#include "app/timeline/timeline.h"
+#include "app/tour/tour_state.h"
+#include "app/ui/layout.h"
+#include "app/ui/ui.h"
 #include "viz/drawing/geometry.h"
 
 namespace tact {
-
-struct App;
 
 // Where a step happens.
 struct TourScene {
@@ -35,13 +40,18 @@ struct TourStep {
 std::span<const TourStep> tour_steps();
 
 // From the first step, or from where it was left.
-void start_tour(App& app);
-void go_to_step(App& app, std::size_t step);
+void start_tour(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
+                const ShownMap& shown_map, Physiology& physiology, TourState& tour);
+void go_to_step(Workspace& work, Layout& layout, Timeline& timeline, const ShownMap& shown_map,
+                Physiology& physiology, TourState& tour, std::size_t step);
 
 // The view is again what it was before; a tour that was not at its end can be taken up again.
-void leave_tour(App& app);
+void leave_tour(Workspace& work, Layout& layout, Timeline& timeline, Physiology& physiology,
+                TourState& tour);
 
 // The card, above everything else in the window.
-void draw_tour(App& app, const Rect& window);
+void draw_tour(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
+               const ShownMap& shown_map, Physiology& physiology, TourState& tour,
+               const Rect& window);
 
 }  // namespace tact

@@ -7,11 +7,11 @@
 
 namespace tact {
 
-bool begin_dialog(App& app, const char* title, float width_px) {
+bool begin_dialog(const Ui& ui, const char* title, float width_px) {
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(screen * 0.5F, ImGuiCond_Always, {0.5F, 0.5F});
-    const float width = std::min(width_px * app.theme.scale, screen.x * 0.9F);
+    const float width = std::min(width_px * ui.theme.scale, screen.x * 0.9F);
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y * 0.9F});
     ImGui::SetNextWindowSize({width, 0.0F});
     return ImGui::BeginPopupModal(
@@ -21,40 +21,40 @@ bool begin_dialog(App& app, const char* title, float width_px) {
 
 ImU32 dialog_field(const Theme& theme) { return theme.is_dark ? theme.pane : theme.field; }
 
-void end_dialog(App& app) {
+void end_dialog(Ui& ui) {
     ImGui::Spacing();
-    const bool typing = is_number_typed(app);  // whose keys these are then
+    const bool typing = is_number_typed(ui);  // whose keys these are then
     const bool escape =
-        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !app.escape_taken && !typing;
+        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !ui.escape_taken && !typing;
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !typing;
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
     if (ImGui::Button("Close") || escape || enter) {
-        app.dialog = Dialog::none;
+        ui.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();
     }
     ImGui::PopStyleColor();
-    note_item(app.rects, "button:close");
+    note_item(ui.rects, "button:close");
     ImGui::EndPopup();
 }
 
-bool draw_ends(App& app, const char* action, bool enabled) {
+bool draw_ends(Ui& ui, const char* action, bool enabled) {
     ImGui::Spacing();
-    const auto pressed = [&app](ImGuiKey which) {
-        return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false) && !is_number_typed(app);
+    const auto pressed = [&](ImGuiKey which) {
+        return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false) && !is_number_typed(ui);
     };
     const bool enter = pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter);
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.theme));
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
     ImGui::BeginDisabled(!enabled);
     const bool go = ImGui::Button(action) || (enabled && enter);
     ImGui::EndDisabled();
-    note_item(app.rects, "button:choose");
+    note_item(ui.rects, "button:choose");
     ImGui::SameLine();
-    const bool escape = pressed(ImGuiKey_Escape) && !app.escape_taken;
+    const bool escape = pressed(ImGuiKey_Escape) && !ui.escape_taken;
     const bool leave = ImGui::Button("Cancel") || escape;
-    note_item(app.rects, "button:cancel");
+    note_item(ui.rects, "button:cancel");
     ImGui::PopStyleColor();
     if (go || leave) {
-        app.dialog = Dialog::none;
+        ui.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

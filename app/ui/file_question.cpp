@@ -2,15 +2,15 @@
 
 namespace tact {
 
-void ask_for_file(App& app, const FileQuestion& question, const std::filesystem::path& folder,
+void ask_for_file(Ui& ui, const FileQuestion& question, const std::filesystem::path& folder,
                   const std::string& name) {
-    app.chooser_purpose = question.purpose;
-    app.chooser.use = question.use;
-    app.chooser.title = question.title;
-    app.chooser.extensions = question.extensions;
-    app.chooser.folders_too = question.folders_too;
-    app.chooser.file_names = question.file_names;
-    show(app.chooser, folder, name);
+    ui.chooser_purpose = question.purpose;
+    ui.chooser.use = question.use;
+    ui.chooser.title = question.title;
+    ui.chooser.extensions = question.extensions;
+    ui.chooser.folders_too = question.folders_too;
+    ui.chooser.file_names = question.file_names;
+    show(ui.chooser, folder, name);
 }
 
 }  // namespace tact

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/window/app.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
@@ -19,7 +19,7 @@ struct FileQuestion {
 };
 
 // Opens the dialog in a folder (one that is not there: the home folder), with a name offered.
-void ask_for_file(App& app, const FileQuestion& question, const std::filesystem::path& folder,
+void ask_for_file(Ui& ui, const FileQuestion& question, const std::filesystem::path& folder,
                   const std::string& name = {});
 
 }  // namespace tact

@@ -25,6 +25,7 @@ struct Layout {
     float left_split = 0.45F;  // share of the column's height above the splitter
     float right_split = 0.58F;
     std::optional<Pane> maximised;
+    BenchTab bench = BenchTab::matrix;
 };
 
 }  // namespace tact

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/document/editing.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -53,41 +52,41 @@ int on_step(ImGuiInputTextCallbackData* field) {
     return 0;
 }
 
-void complain_of(App& app, const NumberEntry& entry, const std::string& sentence) {
-    complain(app, entry.label.empty() ? sentence : entry.label + ": " + sentence);
+void complain_of(Ui& ui, const NumberEntry& entry, const std::string& sentence) {
+    complain(ui, entry.label.empty() ? sentence : entry.label + ": " + sentence);
 }
 
-void frame_in_red(const App& app) {
+void frame_in_red(const Ui& ui) {
     ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-                                        app.theme.error, app.theme.rounding_px, 0,
-                                        1.5F * app.theme.hairline_px);
+                                        ui.theme.error, ui.theme.rounding_px, 0,
+                                        1.5F * ui.theme.hairline_px);
 }
 
 // What is wrong with the text, beneath the entry, while it is typed.
-void show_fault(const App& app, const NumberEntry& entry, const NumberTyping& typing) {
+void show_fault(const Ui& ui, const NumberEntry& entry, const NumberTyping& typing) {
     if (typing.text == typing.first || typing.text.empty()) return;
     const auto typed = typed_number(typing.text, typing.before, entry.rules);
     if (typed && typed->remark.empty()) return;
-    frame_in_red(app);
+    frame_in_red(ui);
     const ImVec2 below{ImGui::GetItemRectMin().x,
-                       ImGui::GetItemRectMax().y + 2.0F * app.theme.scale};
+                       ImGui::GetItemRectMax().y + 2.0F * ui.theme.scale};
     draw_text_halo(
-        *ImGui::GetForegroundDrawList(), app.theme.fonts.small, below, app.theme.error,
-        app.theme.pane, app.theme.scale,
+        *ImGui::GetForegroundDrawList(), ui.theme.fonts.small, below, ui.theme.error, ui.theme.pane,
+        ui.theme.scale,
         typed ? typed->remark.substr(0, typed->remark.find(':')) : typed.error().message);
 }
 
 // The number that the text stands for; where it stands for none, the one that was.
-double taken_number(App& app, const NumberEntry& entry, NumberTyping& typing, double value) {
+double taken_number(Ui& ui, const NumberEntry& entry, NumberTyping& typing, double value) {
     if (typing.text == typing.first) return typing.before;
     if (typing.text == typing.taken || typing.text.empty()) return value;
     const auto typed = typed_number(typing.text, value, entry.rules);
     if (!typed) {
-        complain_of(app, entry, typed.error().message);
+        complain_of(ui, entry, typed.error().message);
         typing.refused = typing.entry;
         return value;
     }
-    if (!typed->remark.empty()) complain_of(app, entry, typed->remark);
+    if (!typed->remark.empty()) complain_of(ui, entry, typed->remark);
     return typed->value;
 }
 
@@ -100,20 +99,20 @@ double live_number(const NumberEntry& entry, const NumberTyping& typing) {
 
 }  // namespace
 
-bool is_number_typed(const App& app) {
-    return app.editor.typing.frame > 0 && app.editor.typing.frame >= ImGui::GetFrameCount() - 1;
+bool is_number_typed(const Ui& ui) {
+    return ui.field.typing.frame > 0 && ui.field.typing.frame >= ImGui::GetFrameCount() - 1;
 }
 
-void join_steps(App& app, const std::string& field) {
+void join_steps(Ui& ui, const std::string& field) {
     constexpr double kPauseS = 0.7;
-    const bool is_more = app.editor.nudged_field == field;
-    app.editor.nudges_on = is_more && app.time_s - app.editor.nudged_s < kPauseS;
-    app.editor.nudged_field = field;
-    app.editor.nudged_s = app.time_s;
+    const bool is_more = ui.field.nudged == field;
+    ui.field.nudges_on = is_more && ui.time_s - ui.field.nudged_s < kPauseS;
+    ui.field.nudged = field;
+    ui.field.nudged_s = ui.time_s;
 }
 
-bool enter_number(App& app, const NumberEntry& entry, double& value) {
-    NumberTyping& typing = app.editor.typing;
+bool enter_number(Ui& ui, const NumberEntry& entry, double& value) {
+    NumberTyping& typing = ui.field.typing;
     const std::string name = "##" + entry.id;
     const ImGuiID id = ImGui::GetID(name.c_str());
     const int frame = ImGui::GetFrameCount();
@@ -126,44 +125,44 @@ bool enter_number(App& app, const NumberEntry& entry, double& value) {
     ImGui::InputText(name.c_str(), &text,
                      ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackHistory,
                      on_step, &stepping);
-    if (typing.refused == id && !was_typed) frame_in_red(app);
+    if (typing.refused == id && !was_typed) frame_in_red(ui);
     if (ImGui::IsItemActive()) {
         if (!was_typed) typing = {id, frame, shown, shown, value, shown, 0};
         typing.frame = frame;
         typing.text = text;
         const double before = value;
         if (!stepping.stepped) {
-            show_fault(app, entry, typing);
+            show_fault(ui, entry, typing);
             if (entry.live) value = live_number(entry, typing);
             return value != before;
         }
-        value = taken_number(app, entry, typing, value);
+        value = taken_number(ui, entry, typing, value);
         typing.taken = text;
-        join_steps(app, entry.label);
+        join_steps(ui, entry.label);
         return value != before;
     }
     if (!was_typed) return false;
     typing.text = text;
     const double before = value;
     if (entry.live) value = typing.before;
-    const double taken = taken_number(app, entry, typing, value);
+    const double taken = taken_number(ui, entry, typing, value);
     typing.entry = 0;
     value = taken;
     // Esc takes the steps of arrows back with it.
-    app.editor.nudges_on = text == typing.first && app.editor.nudged_field == entry.label;
+    ui.field.nudges_on = text == typing.first && ui.field.nudged == entry.label;
     return value != before;
 }
 
-bool enter_whole(App& app, const NumberEntry& entry, int& value) {
+bool enter_whole(Ui& ui, const NumberEntry& entry, int& value) {
     double number = value;
     NumberEntry whole = entry;
     whole.rules.whole = true;
-    if (!enter_number(app, whole, number)) return false;
+    if (!enter_number(ui, whole, number)) return false;
     value = static_cast<int>(number);
     return true;
 }
 
-bool enter_whole_with_buttons(App& app, const NumberEntry& entry, int& value) {
+bool enter_whole_with_buttons(Ui& ui, const NumberEntry& entry, int& value) {
     const float button = ImGui::GetFrameHeight();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const auto [low, high] = entry.rules.allowed;
@@ -172,7 +171,7 @@ bool enter_whole_with_buttons(App& app, const NumberEntry& entry, int& value) {
     const int before = value;
     ImGui::BeginGroup();
     ImGui::PushID(entry.id.c_str());
-    enter_whole(app, narrow, value);
+    enter_whole(ui, narrow, value);
     ImGui::PushButtonRepeat(true);
     for (const int step : {-1, 1}) {
         ImGui::SameLine(0.0F, gap);

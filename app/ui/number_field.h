@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/ui/number_entry.h"
-#include "app/window/app.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
@@ -27,18 +27,18 @@ struct NumberEntry {
 };
 
 // True when another number was taken. It is the last ImGui item then.
-bool enter_number(App& app, const NumberEntry& entry, double& value);
+bool enter_number(Ui& ui, const NumberEntry& entry, double& value);
 
 // In this frame or in the last one a number was typed: Enter and Esc are its own.
-bool is_number_typed(const App& app);
+bool is_number_typed(const Ui& ui);
 
 // The undo step of this frame is one with the last, if that was a moment ago and by the same keys.
-void join_steps(App& app, const std::string& field);
+void join_steps(Ui& ui, const std::string& field);
 
 // A whole one.
-bool enter_whole(App& app, const NumberEntry& entry, int& value);
+bool enter_whole(Ui& ui, const NumberEntry& entry, int& value);
 
 // With a button for one less and one for one more, within the width.
-bool enter_whole_with_buttons(App& app, const NumberEntry& entry, int& value);
+bool enter_whole_with_buttons(Ui& ui, const NumberEntry& entry, int& value);
 
 }  // namespace tact

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/ui/dialog.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
-#include "app/window/app.h"
 
 namespace tact {
 
@@ -27,60 +27,60 @@ void move_mark(Question& question) {
 }
 
 // The buttons; the one that was chosen.
-std::optional<std::size_t> draw_answers(App& app, const Question& question) {
+std::optional<std::size_t> draw_answers(Ui& ui, const Question& question) {
     std::optional<std::size_t> chosen;
     ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);  // Enter is for the marked one alone
     for (std::size_t k = 0; k < question.answers.size(); ++k) {
         const std::string& label = question.answers[k].label;
         const bool is_marked = k == question.marked;
         if (k > 0) ImGui::SameLine();
-        const ImU32 lit = (app.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110);
-        ImGui::PushStyleColor(ImGuiCol_Button, is_marked ? lit : dialog_field(app.theme));
+        const ImU32 lit = (ui.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110);
+        ImGui::PushStyleColor(ImGuiCol_Button, is_marked ? lit : dialog_field(ui.theme));
         if (ImGui::Button(label.c_str())) chosen = k;
         ImGui::PopStyleColor();
-        note_item(app.rects, "answer:" + label, is_marked ? "marked" : "");
+        note_item(ui.rects, "answer:" + label, is_marked ? "marked" : "");
     }
     ImGui::PopItemFlag();
     return chosen;
 }
 
-std::optional<std::size_t> chosen_by_key(const App& app, const Question& question) {
+std::optional<std::size_t> chosen_by_key(const Ui& ui, const Question& question) {
     if (is_struck(ImGuiKey_Enter) || is_struck(ImGuiKey_KeyPadEnter)) return question.marked;
-    if (is_struck(ImGuiKey_Escape) && !app.escape_taken) return question.answers.size() - 1;
+    if (is_struck(ImGuiKey_Escape) && !ui.escape_taken) return question.answers.size() - 1;
     return {};
 }
 
 }  // namespace
 
-void ask(App& app, Question question) {
-    app.dialog = Dialog::none;
-    app.chooser.is_open = false;
-    app.question = std::move(question);
+void ask(Ui& ui, Question question) {
+    ui.dialog = Dialog::none;
+    ui.chooser.is_open = false;
+    ui.question = std::move(question);
 }
 
-void tell(App& app, const std::string& title, const std::string& text) {
-    ask(app, {.title = title, .text = text, .answers = {{"Go on"}}});
+void tell(Ui& ui, const std::string& title, const std::string& text) {
+    ask(ui, {.title = title, .text = text, .answers = {{"Go on"}}});
 }
 
-void draw_question(App& app) {
-    if (!app.question) return;
-    Question& question = *app.question;
-    if (!begin_dialog(app, (question.title + "###question").c_str())) return;
+void draw_question(Ui& ui) {
+    if (!ui.question) return;
+    Question& question = *ui.question;
+    if (!begin_dialog(ui, (question.title + "###question").c_str())) return;
     ImGui::TextWrapped("%s", question.text.c_str());
-    note_item(app.rects, "question", question.text);
+    note_item(ui.rects, "question", question.text);
     ImGui::Spacing();
     // The key that asked has not answered yet.
     std::optional<std::size_t> chosen;
     if (!ImGui::IsWindowAppearing()) {
         move_mark(question);
-        chosen = chosen_by_key(app, question);
+        chosen = chosen_by_key(ui, question);
     }
-    if (const auto pressed = draw_answers(app, question)) chosen = pressed;
+    if (const auto pressed = draw_answers(ui, question)) chosen = pressed;
     if (chosen) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     if (!chosen) return;
     // An answer may ask anew.
-    const Question answered = *std::exchange(app.question, std::nullopt);
+    const Question answered = *std::exchange(ui.question, std::nullopt);
     if (const auto& run = answered.answers[*chosen].run) run();
 }
 

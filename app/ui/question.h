@@ -15,7 +15,7 @@
 
 namespace tact {
 
-struct App;
+struct Ui;
 
 struct Answer {
     std::string label;            // a verb: what is then done
@@ -31,11 +31,11 @@ struct Question {
 };
 
 // In the place of any dialog that is open.
-void ask(App& app, Question question);
+void ask(Ui& ui, Question question);
 
 // What is to be known and has no other place; it stays until it is read.
-void tell(App& app, const std::string& title, const std::string& text);
+void tell(Ui& ui, const std::string& title, const std::string& text);
 
-void draw_question(App& app);
+void draw_question(Ui& ui);
 
 }  // namespace tact

@@ -17,17 +17,17 @@ namespace {
 
 constexpr float kNumberPx = 90.0F;
 
-bool draw_unit(App& app, AccelerationOptions& options) {
+bool draw_unit(Ui& ui, AccelerationOptions& options) {
     bool changed = false;
-    draw_chips_label(app, "Unit");
+    draw_chips_label(ui, "Unit");
     const auto choice = [&](const char* id, const char* text,
                             std::optional<AccelerationUnit> unit) {
-        if (draw_chip(app, id, text, options.unit == unit) && options.unit != unit) {
+        if (draw_chip(ui, id, text, options.unit == unit) && options.unit != unit) {
             options.unit = unit;
             changed = true;
         }
-        note_item(app.rects, std::string("import:unit ") + id);
-        ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
+        note_item(ui.rects, std::string("import:unit ") + id);
+        ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     };
     choice("file", "as the file says", std::nullopt);
     choice("g", "g", AccelerationUnit::g);
@@ -36,30 +36,30 @@ bool draw_unit(App& app, AccelerationOptions& options) {
     ImGui::NewLine();
     if (options.unit == AccelerationUnit::volt) {
         changed |=
-            draw_number_entry(app, "import:sensitivity", "Sensitivity", options.sensitivity_v_per_g,
+            draw_number_entry(ui, "import:sensitivity", "Sensitivity", options.sensitivity_v_per_g,
                               limits::kSensitivityVPerG, "V/g, of the sensor");
-        changed |= draw_number_entry(app, "import:offset", "Offset", options.offset_v,
+        changed |= draw_number_entry(ui, "import:offset", "Offset", options.offset_v,
                                      limits::kOffsetV, "V, of the sensor at 0 g");
     }
     return changed;
 }
 
-bool draw_axis(App& app, AccelerationOptions& options) {
+bool draw_axis(const Ui& ui, AccelerationOptions& options) {
     bool changed = false;
-    draw_chips_label(app, "Axis");
+    draw_chips_label(ui, "Axis");
     constexpr std::array<const char*, 4> kNames{"all as one", "1", "2", "3"};
     for (std::size_t axis = 0; axis < kNames.size(); ++axis) {
-        if (draw_chip(app, kNames[axis], kNames[axis], options.axis == axis) &&
+        if (draw_chip(ui, kNames[axis], kNames[axis], options.axis == axis) &&
             options.axis != axis) {
             options.axis = axis;
             changed = true;
         }
         if (axis == 0) {
-            draw_tooltip(app,
+            draw_tooltip(ui,
                          "Three axes are made one of the same energy (DFT321): the skin "
                          "hardly tells directions of vibration apart.");
         }
-        ImGui::SameLine(0.0F, 2.0F * app.theme.scale);
+        ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     }
     ImGui::NewLine();
     return changed;
@@ -74,38 +74,38 @@ AccelerationOptions options_of(const RecordingFields& fields) {
     return options;
 }
 
-bool draw_recording_fields(App& app, RecordingFields& fields, bool has_wave) {
-    bool changed = draw_unit(app, fields.options);
-    changed |= draw_axis(app, fields.options);
-    changed |= draw_number_entry(app, "import:rate", "Rate", fields.rate_hz, {0.0, 1e7},
+bool draw_recording_fields(Ui& ui, RecordingFields& fields, bool has_wave) {
+    bool changed = draw_unit(ui, fields.options);
+    changed |= draw_axis(ui, fields.options);
+    changed |= draw_number_entry(ui, "import:rate", "Rate", fields.rate_hz, {0.0, 1e7},
                                  "Hz; 0: from the time column");
     if (has_wave) {
-        changed |= draw_number_entry(app, "import:full scale", "Full scale", fields.full_scale,
+        changed |= draw_number_entry(ui, "import:full scale", "Full scale", fields.full_scale,
                                      {0.0, limits::kScaleG.high},
                                      "of .wav files, in the unit; 0: as their sidecar says");
     }
     return changed;
 }
 
-void draw_chips_label(App& app, const char* label) {
-    draw_label(app, label);
-    const float chip = text_size(app.theme.fonts.small, label).y + 6.0F * app.theme.scale;
+void draw_chips_label(const Ui& ui, const char* label) {
+    draw_label(ui, label);
+    const float chip = text_size(ui.theme.fonts.small, label).y + 6.0F * ui.theme.scale;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5F * (ImGui::GetFrameHeight() - chip));
 }
 
-bool draw_number_entry(App& app, const char* id, const char* label, double& value, Range range,
+bool draw_number_entry(Ui& ui, const char* id, const char* label, double& value, Range range,
                        const char* unit) {
-    draw_label(app, label);
-    const bool entered = enter_number(app,
+    draw_label(ui, label);
+    const bool entered = enter_number(ui,
                                       {.id = id,
                                        .label = label,
                                        .format = "%.6g",
                                        .rules = {range, leading_unit(unit)},
-                                       .width_px = kNumberPx * app.theme.scale},
+                                       .width_px = kNumberPx * ui.theme.scale},
                                       value);
-    note_item(app.rects, id, shortest_digits(value));
+    note_item(ui.rects, id, shortest_digits(value));
     ImGui::SameLine();
-    dim_text(app, unit);
+    dim_text(ui, unit);
     return entered;
 }
 

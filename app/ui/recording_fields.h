@@ -1,7 +1,7 @@
 // How a recording of accelerations is to be read: the fields that every dialog on one shows.
 #pragma once
 
-#include "app/window/app.h"
+#include "app/ui/ui.h"
 #include "model/common/range.h"
 #include "model/io/recordings/acceleration_file.h"
 
@@ -17,14 +17,14 @@ struct RecordingFields {
 AccelerationOptions options_of(const RecordingFields& fields);
 
 // True when one of them was changed. `has_wave`: full scale is asked for as well.
-bool draw_recording_fields(App& app, RecordingFields& fields, bool has_wave);
+bool draw_recording_fields(Ui& ui, RecordingFields& fields, bool has_wave);
 
 // A row's label, and the cursor where chips beside it stand level with it.
-void draw_chips_label(App& app, const char* label);
+void draw_chips_label(const Ui& ui, const char* label);
 
 // A number with its label and unit: true when another one was taken. `id` is also its name for
 // tests.
-bool draw_number_entry(App& app, const char* id, const char* label, double& value, Range range,
+bool draw_number_entry(Ui& ui, const char* id, const char* label, double& value, Range range,
                        const char* unit);
 
 }  // namespace tact

@@ -36,46 +36,46 @@ std::string cut(const std::string& name, const ImFont* font, float room_px) {
     return room_px < 4.0F * font_or_current(font).FontSize ? "" : shortened(font, name, room_px);
 }
 
-void draw_title_part(App& app, const ImFont* font, ImVec2 corner, ImU32 colour,
+void draw_title_part(Ui& ui, const ImFont* font, ImVec2 corner, ImU32 colour,
                      const std::string& text, const std::string& noted) {
     if (text.empty()) return;
     draw_text(*ImGui::GetWindowDrawList(), font, corner, colour, text);
-    note_rect(app.rects, noted, corner, corner + text_size(font, text), text);
+    note_rect(ui.rects, noted, corner, corner + text_size(font, text), text);
 }
 
 // The title goes first; the detail has what it leaves, the right end what both leave.
-void draw_pane_title(App& app, Pane pane, const PaneTitle& title) {
-    const Theme& theme = app.theme;
+void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) {
+    const Theme& theme = ui.theme;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight()};
     const Fonts& fonts = theme.fonts;
     const std::string head = shortened(fonts.semibold, title.title, size.x);
     float used = text_size(fonts.semibold, head).x + theme.gap_px;
-    draw_title_part(app, fonts.semibold, corner, theme.text, head, "title text:" + title.title);
+    draw_title_part(ui, fonts.semibold, corner, theme.text, head, "title text:" + title.title);
     const std::string detail = cut(title.detail, fonts.regular, size.x - used);
-    draw_title_part(app, fonts.regular, corner + ImVec2{used, 0.0F}, theme.dim_text, detail,
+    draw_title_part(ui, fonts.regular, corner + ImVec2{used, 0.0F}, theme.dim_text, detail,
                     "title detail:" + title.title);
     if (!detail.empty()) used += text_size(fonts.regular, detail).x + 2.0F * theme.gap_px;
     const std::string right = fitting(title.right, fonts.regular, size.x - used);
     const float right_px = text_size(fonts.regular, right).x;
-    draw_title_part(app, fonts.regular, corner + ImVec2{size.x - right_px, 0.0F}, theme.dim_text,
+    draw_title_part(ui, fonts.regular, corner + ImVec2{size.x - right_px, 0.0F}, theme.dim_text,
                     right, "title right:" + title.title);
     ImGui::Dummy(size);
     const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, corner + size);
     if (over && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive()) {
-        app.layout.maximised = app.layout.maximised ? std::nullopt : std::optional(pane);
+        layout.maximised = layout.maximised ? std::nullopt : std::optional(pane);
     }
-    note_rect(app.rects, "title:" + title.title, corner, corner + size,
+    note_rect(ui.rects, "title:" + title.title, corner, corner + size,
               title.right.empty() ? "" : title.right.front());
 }
 
 // The part of the slider up to its value, drawn over the frame.
-void draw_fill(const App& app, float share) {
+void draw_fill(const Ui& ui, float share) {
     const ImVec2 min = ImGui::GetItemRectMin();
     const ImVec2 max = ImGui::GetItemRectMax();
     const float x = min.x + (max.x - min.x) * std::clamp(share, 0.0F, 1.0F);
-    const ImU32 fill = (app.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90);
-    ImGui::GetWindowDrawList()->AddRectFilled(min, {x, max.y}, fill, app.theme.rounding_px);
+    const ImU32 fill = (ui.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90);
+    ImGui::GetWindowDrawList()->AddRectFilled(min, {x, max.y}, fill, ui.theme.rounding_px);
 }
 
 float share_of(const Field& field, double value) {
@@ -105,9 +105,9 @@ double nudged(const Field& field, double value, double step) {
 }
 
 // Left and right nudge the field that was touched last, unless text is being typed.
-bool nudge(App& app, const Field& field, double& value) {
-    if (app.editor.active_field != field.id || ImGui::GetIO().WantTextInput) return false;
-    if (ImGui::IsAnyItemActive() || app.keyboard_mode || !field.enabled) return false;
+bool nudge(Ui& ui, const Field& field, double& value) {
+    if (ui.field.active != field.id || ImGui::GetIO().WantTextInput) return false;
+    if (ImGui::IsAnyItemActive() || ui.keyboard_mode || !field.enabled) return false;
     const bool right = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow));
     const bool left = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow));
     if (right == left) return false;
@@ -115,11 +115,11 @@ bool nudge(App& app, const Field& field, double& value) {
     const double times = io.KeyShift ? kCoarse : io.KeyAlt ? kFine : 1.0;
     const double step = times * std::max(field.step, field.snap);
     const double before = std::exchange(value, nudged(field, value, right ? step : -step));
-    join_steps(app, field.id);
+    join_steps(ui, field.id);
     return value != before;
 }
 
-bool draw_bar(App& app, const Field& field, double& value) {
+bool draw_bar(Ui& ui, const Field& field, double& value) {
     // No input: there is an entry for that, and Tab would turn the bar into another one.
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
                                    ImGuiSliderFlags_NoInput |
@@ -128,13 +128,13 @@ bool draw_bar(App& app, const Field& field, double& value) {
     const bool changed = ImGui::SliderScalar("##bar", ImGuiDataType_Double, &moved,
                                              &field.slider.low, &field.slider.high, "", flags);
     if (changed) value = snapped(field, moved);
-    draw_fill(app, share_of(field, value));
-    note_item(app.rects, std::string("slider:") + field.id, std::to_string(value));
+    draw_fill(ui, share_of(field, value));
+    note_item(ui.rects, std::string("slider:") + field.id, std::to_string(value));
     return changed;
 }
 
-bool draw_entry(App& app, const Field& field, double& value, float width_px) {
-    const bool entered = enter_number(app,
+bool draw_entry(Ui& ui, const Field& field, double& value, float width_px) {
+    const bool entered = enter_number(ui,
                                       {.id = "entry",
                                        .label = field.label,
                                        .format = field.format,
@@ -142,30 +142,30 @@ bool draw_entry(App& app, const Field& field, double& value, float width_px) {
                                        .width_px = width_px,
                                        .step = std::max(field.step, field.snap)},
                                       value);
-    note_item(app.rects, std::string("entry:") + field.id, std::to_string(value));
+    note_item(ui.rects, std::string("entry:") + field.id, std::to_string(value));
     return entered;
 }
 
 // A ring on the field that arrow keys nudge.
-void draw_nudge_ring(App& app, const Field& field) {
-    if (app.editor.active_field != field.id || !field.enabled || app.as_picture) return;
-    const float s = app.theme.scale;
+void draw_nudge_ring(Ui& ui, const Field& field) {
+    if (ui.field.active != field.id || !field.enabled || ui.as_picture) return;
+    const float s = ui.theme.scale;
     ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin() - ImVec2{s, s},
-                                        ImGui::GetItemRectMax() + ImVec2{s, s}, app.theme.accent,
-                                        app.theme.rounding_px, 0, 1.5F * app.theme.hairline_px);
-    note_item(app.rects, "nudged by arrows", field.id);
+                                        ImGui::GetItemRectMax() + ImVec2{s, s}, ui.theme.accent,
+                                        ui.theme.rounding_px, 0, 1.5F * ui.theme.hairline_px);
+    note_item(ui.rects, "nudged by arrows", field.id);
 }
 
 // A locked field takes nothing, but what is typed at it is not meant for the window either.
-void follow_locked(App& app, const Field& field, const Rect& row) {
+void follow_locked(Ui& ui, const Field& field, const Rect& row) {
     const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(row.min, row.max);
     const bool locked = (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) != 0;
     if (!over || !locked || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
-    app.editor.locked_field = field.id;
-    app.editor.active_field.clear();
+    ui.field.locked = field.id;
+    ui.field.active.clear();
 }
 
-float label_column(const App& app) { return kLabelColumnPx * app.theme.scale; }
+float label_column(const Ui& ui) { return kLabelColumnPx * ui.theme.scale; }
 
 struct FieldRow {
     bool stacked = false;  // the label above the rest
@@ -173,13 +173,13 @@ struct FieldRow {
     float entry_px = 0.0F;
 };
 
-FieldRow field_row(const App& app, const Field& field) {
-    const float s = app.theme.scale;
+FieldRow field_row(const Ui& ui, const Field& field) {
+    const float s = ui.theme.scale;
     const float width = ImGui::GetContentRegionAvail().x - field.right_room_px;
     const float entry = kEntryWidthPx * s;
     const float column =
-        std::max(label_column(app), ImGui::CalcTextSize(field.label).x + app.theme.gap_px);
-    const float bar = width - entry - app.theme.gap_px;
+        std::max(label_column(ui), ImGui::CalcTextSize(field.label).x + ui.theme.gap_px);
+    const float bar = width - entry - ui.theme.gap_px;
     if (bar - column >= kLeastBarPx * s) return {false, bar - column, entry};
     if (bar >= kLeastBarPx * s) return {true, bar, entry};
     return {true, 0.0F, std::max(width, 1.0F)};
@@ -187,77 +187,76 @@ FieldRow field_row(const App& app, const Field& field) {
 
 }  // namespace
 
-void draw_pane(App& app, Pane pane, const Rect& area, const PaneTitle& title,
+void draw_pane(Ui& ui, Layout& layout, Pane pane, const Rect& area, const PaneTitle& title,
                const std::function<void()>& content) {
     ImGui::SetNextWindowPos(area.min);
     ImGui::SetNextWindowSize(area.size());
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, app.theme.pane_rounding_px);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.theme.pane_rounding_px);
     constexpr ImGuiWindowFlags kFlags =
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
     const std::string id = "pane " + std::to_string(static_cast<int>(pane));
     if (ImGui::Begin(id.c_str(), nullptr, kFlags)) {
-        note_rect(app.rects, "pane:" + title.title, area.min, area.max);
-        draw_pane_title(app, pane, title);
+        note_rect(ui.rects, "pane:" + title.title, area.min, area.max);
+        draw_pane_title(ui, layout, pane, title);
         content();
     }
     ImGui::End();
     ImGui::PopStyleVar();
 }
 
-void draw_label(const App& app, const char* label, float room_px) {
-    const float column =
-        std::max(label_column(app), ImGui::CalcTextSize(label).x + app.theme.gap_px);
+void draw_label(const Ui& ui, const char* label, float room_px) {
+    const float column = std::max(label_column(ui), ImGui::CalcTextSize(label).x + ui.theme.gap_px);
     const bool beside = ImGui::GetContentRegionAvail().x - column >= room_px;
     if (*label == '\0') {
         if (beside) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + column);
         return;
     }
     if (beside) ImGui::AlignTextToFramePadding();
-    dim_text(app, label);
+    dim_text(ui, label);
     if (beside) ImGui::SameLine(0.0F, column - ImGui::GetItemRectSize().x);
 }
 
-FieldEdit draw_field(App& app, const Field& field, double& value) {
+FieldEdit draw_field(Ui& ui, const Field& field, double& value) {
     FieldEdit edit;
     ImGui::PushID(field.id);
     ImGui::BeginDisabled(!field.enabled);
-    const FieldRow row = field_row(app, field);
-    draw_label(app, field.label, row.stacked ? ImGui::GetContentRegionAvail().x : 0.0F);
-    note_item(app.rects, std::string("field label:") + field.id);
-    if (field.help != nullptr) draw_tooltip(app, field.help);
+    const FieldRow row = field_row(ui, field);
+    draw_label(ui, field.label, row.stacked ? ImGui::GetContentRegionAvail().x : 0.0F);
+    note_item(ui.rects, std::string("field label:") + field.id);
+    if (field.help != nullptr) draw_tooltip(ui, field.help);
 
     bool touched = false;
     const ImVec2 begin = ImGui::GetCursorScreenPos();
     if (row.bar_px > 0.0F) {
         ImGui::SetNextItemWidth(row.bar_px);
-        edit.changed = draw_bar(app, field, value);
+        edit.changed = draw_bar(ui, field, value);
         edit.finished = ImGui::IsItemDeactivatedAfterEdit();
         touched = ImGui::IsItemActivated();
-        ImGui::SameLine(0.0F, app.theme.gap_px);
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
     }
-    if (draw_entry(app, field, value, row.entry_px)) edit.changed = edit.finished = true;
+    if (draw_entry(ui, field, value, row.entry_px)) edit.changed = edit.finished = true;
     touched |= ImGui::IsItemActivated();
-    if (touched) app.editor.active_field = field.id;
-    draw_nudge_ring(app, field);
-    follow_locked(app, field, {begin, ImGui::GetItemRectMax()});
-    if (nudge(app, field, value)) edit.changed = edit.finished = true;
+    if (touched) ui.field.active = field.id;
+    draw_nudge_ring(ui, field);
+    follow_locked(ui, field, {begin, ImGui::GetItemRectMax()});
+    if (nudge(ui, field, value)) edit.changed = edit.finished = true;
     ImGui::EndDisabled();
     ImGui::PopID();
     return edit;
 }
 
-float radio_width(const App& app, const char* label) {
-    return 18.0F * app.theme.scale + ImGui::CalcTextSize(label).x;
+float radio_width(const Ui& ui, const char* label) {
+    return 18.0F * ui.theme.scale + ImGui::CalcTextSize(label).x;
 }
 
-bool draw_radio(const App& app, const char* label, bool chosen) {
-    const Theme& theme = app.theme;
+bool draw_radio(const Ui& ui, const char* label, bool chosen) {
+    const Theme& theme = ui.theme;
     const float s = theme.scale;
-    const ImVec2 size{radio_width(app, label), ImGui::GetFrameHeight()};
+    const ImVec2 size{radio_width(ui, label), ImGui::GetFrameHeight()};
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(label, size);
-    const bool lit = ImGui::IsItemHovered() || (app.keyboard_mode && ImGui::IsItemFocused());
+    const bool lit = ImGui::IsItemHovered() || (ui.keyboard_mode && ImGui::IsItemFocused());
     // GetColorU32 fades what is disabled.
     const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -281,7 +280,7 @@ float button_width(const char* label) {
     return ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
-void draw_splitter(App& app, const Splitter& splitter, float& share) {
+void draw_splitter(Ui& ui, const Splitter& splitter, float& share) {
     const Rect& bar = splitter.bar;
     ImGui::SetNextWindowPos(bar.min);
     ImGui::SetNextWindowSize(bar.size());
@@ -295,8 +294,8 @@ void draw_splitter(App& app, const Splitter& splitter, float& share) {
         if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
             ImGui::SetMouseCursor(splitter.upright ? ImGuiMouseCursor_ResizeEW
                                                    : ImGuiMouseCursor_ResizeNS);
-            ImGui::GetWindowDrawList()->AddRectFilled(bar.min, bar.max, app.theme.accent,
-                                                      app.theme.rounding_px);
+            ImGui::GetWindowDrawList()->AddRectFilled(bar.min, bar.max, ui.theme.accent,
+                                                      ui.theme.rounding_px);
         }
         if (ImGui::IsItemActive()) {
             const ImVec2 delta = ImGui::GetIO().MouseDelta;
@@ -304,38 +303,38 @@ void draw_splitter(App& app, const Splitter& splitter, float& share) {
             share = std::clamp(share + moved, static_cast<float>(splitter.share.low),
                                static_cast<float>(splitter.share.high));
         }
-        note_item(app.rects, std::string("splitter:") + splitter.id);
+        note_item(ui.rects, std::string("splitter:") + splitter.id);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
 }
 
-void draw_hint(App& app, const char* id, const char* text) {
-    if (app.session.dismissed_hints.contains(id)) return;
+void draw_hint(Ui& ui, const char* id, const char* text) {
+    if (ui.dismissed_hints.contains(id)) return;
     ImGui::PushID(id);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour4(app.theme.dim_text));
+    ImGui::PushStyleColor(ImGuiCol_Text, colour4(ui.theme.dim_text));
     const float button = ImGui::GetContentRegionMax().x - button_width("\u00d7");
-    ImGui::PushTextWrapPos(button - app.theme.gap_px);
-    ImGui::PushFont(app.theme.fonts.small);
+    ImGui::PushTextWrapPos(button - ui.theme.gap_px);
+    ImGui::PushFont(ui.theme.fonts.small);
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::SameLine(button);
-    if (ImGui::SmallButton("\u00d7")) app.session.dismissed_hints.insert(id);
-    note_item(app.rects, std::string("hint:") + id);
-    draw_tooltip(app, "Dismiss this hint");
+    if (ImGui::SmallButton("\u00d7")) ui.dismissed_hints.insert(id);
+    note_item(ui.rects, std::string("hint:") + id);
+    draw_tooltip(ui, "Dismiss this hint");
     ImGui::PopID();
 }
 
-void draw_tooltip(const App& app, const char* text) {
+void draw_tooltip(const Ui& ui, const char* text) {
     constexpr float kRestS = 0.4F;
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     if (ImGui::GetCurrentContext() == nullptr || ImGui::GetIO().MouseDown[0]) return;
     if (ImGui::IsItemActive()) return;  // who types there knows, and has to see what is beside
-    if (app.time_s - app.hover_since_s < static_cast<double>(kRestS)) return;
+    if (ui.time_s - ui.hover_since_s < static_cast<double>(kRestS)) return;
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(320.0F * app.theme.scale);
+    ImGui::PushTextWrapPos(320.0F * ui.theme.scale);
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
@@ -348,18 +347,18 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-void dim_text(const App& app, const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour4(app.theme.dim_text));
+void dim_text(const Ui& ui, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour4(ui.theme.dim_text));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
 }
 
-float chip_width(const App& app, const char* text) {
-    return text_size(app.theme.fonts.small, text).x + 2.0F * kChipPadPx * app.theme.scale;
+float chip_width(const Ui& ui, const char* text) {
+    return text_size(ui.theme.fonts.small, text).x + 2.0F * kChipPadPx * ui.theme.scale;
 }
 
-bool draw_chip(App& app, const char* id, const char* text, bool lit) {
-    const Theme& theme = app.theme;
+bool draw_chip(const Ui& ui, const char* id, const char* text, bool lit) {
+    const Theme& theme = ui.theme;
     const ImVec2 pad{kChipPadPx * theme.scale, 3.0F * theme.scale};
     const ImVec2 size = text_size(theme.fonts.small, text) + pad * 2.0F;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -384,27 +383,26 @@ void coloured_text(ImU32 colour, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
-void draw_info_mark(const App& app, ImVec2 centre, bool lit) {
+void draw_info_mark(const Ui& ui, ImVec2 centre, bool lit) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float radius = 6.5F * app.theme.scale;
-    const ImU32 colour = lit ? app.theme.accent : app.theme.dim_text;
-    list.AddCircle(centre, radius, colour, 0, app.theme.hairline_px);
-    const ImVec2 size = text_size(app.theme.fonts.small, "i");
-    draw_text(list, app.theme.fonts.small, {centre.x - size.x / 2.0F, centre.y - size.y / 2.0F},
+    const float radius = 6.5F * ui.theme.scale;
+    const ImU32 colour = lit ? ui.theme.accent : ui.theme.dim_text;
+    list.AddCircle(centre, radius, colour, 0, ui.theme.hairline_px);
+    const ImVec2 size = text_size(ui.theme.fonts.small, "i");
+    draw_text(list, ui.theme.fonts.small, {centre.x - size.x / 2.0F, centre.y - size.y / 2.0F},
               colour, "i");
 }
 
-bool link(const App& app, const char* id, const std::string& text) {
+bool link(const Ui& ui, const char* id, const std::string& text) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(id, size);
     const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
-    ImGui::GetWindowDrawList()->AddText(corner, app.theme.accent, text.c_str());
+    ImGui::GetWindowDrawList()->AddText(corner, ui.theme.accent, text.c_str());
     if (lit) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-        ImGui::GetWindowDrawList()->AddLine({corner.x, corner.y + size.y},
-                                            {corner.x + size.x, corner.y + size.y},
-                                            app.theme.accent);
+        ImGui::GetWindowDrawList()->AddLine(
+            {corner.x, corner.y + size.y}, {corner.x + size.x, corner.y + size.y}, ui.theme.accent);
     }
     return pressed;
 }

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/window/app.h"
+#include "app/ui/layout.h"
+#include "app/ui/ui.h"
 #include "model/pattern/pattern.h"
 #include "viz/drawing/geometry.h"
 
@@ -18,7 +19,7 @@ struct PaneTitle {
     std::string detail;              // dim, after the title
     std::vector<std::string> right;  // dim, at the right end: the longest form that has room
 };
-void draw_pane(App& app, Pane pane, const Rect& area, const PaneTitle& title,
+void draw_pane(Ui& ui, Layout& layout, Pane pane, const Rect& area, const PaneTitle& title,
                const std::function<void()>& content);
 
 // A number with a slider and typed entry. Typing reaches further than the slider and is exact; the
@@ -43,15 +44,15 @@ struct FieldEdit {
     bool finished = false;  // the gesture ended: an undo step
 };
 
-FieldEdit draw_field(App& app, const Field& field, double& value);
+FieldEdit draw_field(Ui& ui, const Field& field, double& value);
 
 // A row's label column, for rows that are no Field. The label stands above where less than
 // `room_px` would be left beside it. An empty one only moves the cursor to what follows.
-void draw_label(const App& app, const char* label, float room_px = 0.0F);
+void draw_label(const Ui& ui, const char* label, float room_px = 0.0F);
 
 // One of a few: a ring and its word. True when pressed.
-bool draw_radio(const App& app, const char* label, bool chosen);
-float radio_width(const App& app, const char* label);
+bool draw_radio(const Ui& ui, const char* label, bool chosen);
+float radio_width(const Ui& ui, const char* label);
 
 // The next item comes beside the last one where its width has room, else below: false.
 bool flow_on(float width_px, float gap_px);
@@ -66,32 +67,32 @@ struct Splitter {
     float total_px;
     Range share;
 };
-void draw_splitter(App& app, const Splitter& splitter, float& share);
+void draw_splitter(Ui& ui, const Splitter& splitter, float& share);
 
 // One line of advice that stays away once dismissed.
-void draw_hint(App& app, const char* id, const char* text);
+void draw_hint(Ui& ui, const char* id, const char* text);
 
 // A tooltip on the last item after a moment's rest.
-void draw_tooltip(const App& app, const char* text);
+void draw_tooltip(const Ui& ui, const char* text);
 
 // ASCII letters in lower case: for searches.
 std::string lower_case(std::string text);
 
 // A word to choose a view by: tabs and strips are made of them. True when pressed.
-bool draw_chip(App& app, const char* id, const char* text, bool lit);
-float chip_width(const App& app, const char* text);
+bool draw_chip(const Ui& ui, const char* id, const char* text, bool lit);
+float chip_width(const Ui& ui, const char* text);
 
 // Text in the theme's dim colour.
-void dim_text(const App& app, const std::string& text);
+void dim_text(const Ui& ui, const std::string& text);
 
 // Text in a colour, wrapped at the pane's edge.
 void coloured_text(ImU32 colour, const std::string& text);
 
 // The "i" in a circle.
-void draw_info_mark(const App& app, ImVec2 centre, bool lit);
+void draw_info_mark(const Ui& ui, ImVec2 centre, bool lit);
 
 // Clickable text in the accent colour.
-bool link(const App& app, const char* id, const std::string& text);
+bool link(const Ui& ui, const char* id, const std::string& text);
 
 // What is left of the pane below the cursor.
 Rect rest_of_pane();

@@ -12,7 +12,7 @@ namespace {
 // What a column or a row of panes needs for its content at this size of text, as a share of the
 // window; in a small window the others need room, too.
 double least_share(const App& app, float wanted_px, float total_px, float most) {
-    return static_cast<double>(std::min(wanted_px * app.theme.scale / total_px, most));
+    return static_cast<double>(std::min(wanted_px * app.ui.theme.scale / total_px, most));
 }
 
 struct LayoutLimits {
@@ -46,12 +46,12 @@ Layout within(const LayoutLimits& limits, Layout layout) {
 // A bar that starts from the share on screen.
 void move_splitter(App& app, const Splitter& splitter, float shown, float& share) {
     const float before = shown;
-    draw_splitter(app, splitter, shown);
+    draw_splitter(app.ui, splitter, shown);
     if (shown != before) share = shown;
 }
 
 void draw_splitters(App& app, const Rect& area, const LayoutLimits& limits, const Layout& shown) {
-    const float bar = app.theme.splitter_px;
+    const float bar = app.ui.theme.splitter_px;
     const float width = area.width();
     const float height = area.height();
     const float x1 = area.min.x + std::round(shown.left * width);
@@ -91,7 +91,7 @@ Rect physiology_area(const App& app, const Rect& columns) {
 
 void draw_columns(App& app, const Rect& area) {
     if (app.layout.maximised) return draw_pane_of(app, *app.layout.maximised, area);
-    const float bar = app.theme.splitter_px;
+    const float bar = app.ui.theme.splitter_px;
     const LayoutLimits limits = layout_limits(app, area);
     const Layout layout = within(limits, app.layout);
     const float x1 = area.min.x + std::round(layout.left * area.width());
@@ -112,7 +112,7 @@ void draw_study_columns(App& app, const Rect& area) {
     if (app.layout.maximised) return draw_pane_of(app, *app.layout.maximised, area);
     constexpr float kDesign = 0.36F;
     constexpr float kPeople = 0.42F;
-    const float bar = app.theme.splitter_px;
+    const float bar = app.ui.theme.splitter_px;
     const float x = area.min.x + std::round(kDesign * area.width());
     const float y = area.min.y + std::round(kPeople * area.height());
     draw_pane_of(app, Pane::study_design, {area.min, {x, area.max.y}});

@@ -1,6 +1,7 @@
 // Where the panes are: three columns, two of them split, with bars between that move the shares.
 #pragma once
 
+#include "app/map/map_look.h"
 #include "app/window/app.h"
 #include "viz/drawing/geometry.h"
 
@@ -17,5 +18,8 @@ Rect physiology_area(const App& app, const Rect& columns);
 
 // One pane with its title and content.
 void draw_pane_of(App& app, Pane pane, const Rect& area);
+
+// What all rooms lay over the map.
+MapMarks map_marks(App& app);
 
 }  // namespace tact

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/compare/bench_follow.h"
+#include "app/compare/compare_follow.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/document/rating_files.h"
@@ -12,6 +12,7 @@
 #include "app/export/exports.h"
 #include "app/generate/generating.h"
 #include "app/measured/import_follow.h"
+#include "app/patterns/set_panel.h"
 #include "app/play/playing.h"
 #include "app/study/study_follow.h"
 #include "app/subset/subset_export.h"
@@ -24,112 +25,110 @@ namespace tact {
 namespace {
 
 bool always(const App&) { return true; }
-bool has_selection(const App& app) { return current_vibration(app) != nullptr; }
+bool has_selection(const App& app) { return current_vibration(app.work) != nullptr; }
 
 bool has_answers(const App& app) {
-    const auto& answers = app.study->answers;
+    const auto& answers = app.studying.answers;
     return answers && answers->results;
 }
 
-bool has_subset(const App& app) { return shown_pick(app) != nullptr; }
+bool has_subset(const App& app) { return shown_pick(app.shown_map, app.picking) != nullptr; }
 
 void step_selection(App& app, int step) {
-    const std::vector<std::size_t> listed = listed_indices(app);
+    const std::vector<std::size_t> listed = listed_indices(app.work);
     if (listed.empty()) return;
     const auto last = static_cast<int>(listed.size()) - 1;
     // From a pattern that the search hides, on to the next one in the list.
-    const auto from = std::ranges::lower_bound(listed, app.selection.current);
-    const bool hidden = from == listed.end() || *from != app.selection.current;
+    const auto from = std::ranges::lower_bound(listed, app.work.selection.current);
+    const bool hidden = from == listed.end() || *from != app.work.selection.current;
     const int place = static_cast<int>(from - listed.begin()) - (hidden && step > 0 ? 1 : 0);
     const int next = std::clamp(place + step, 0, last);
-    select_only(app, listed[static_cast<std::size_t>(next)]);
-    app.selection.scroll_to_current = true;
+    select_only(app.work, listed[static_cast<std::size_t>(next)]);
+    app.work.selection.scroll_to_current = true;
 }
 
 void start_rename(App& app) {
-    app.set_panel.renaming = app.selection.current;
-    app.set_panel.rename_begun = false;
-    app.set_panel.rename_text = current_vibration(app)->name;
-    app.selection.scroll_to_current = true;
+    begin_rename(app.work, app.pattern_panes, app.work.selection.current);
+    app.work.selection.scroll_to_current = true;
 }
 
 template <int kSteps>
 void step_playhead(App& app) {
-    app.playhead = stepped(app.playhead, kSteps, shown_duration_s(app));
+    app.timeline.playhead = stepped(app.timeline.playhead, kSteps, shown_duration_s(app.work));
 }
 
 template <int kSlower>
 void set_speed_to(App& app) {
-    set_speed(app, 1.0 / kSlower);
+    set_speed(app.ui, app.work, app.timeline, app.shown_map, app.play, 1.0 / kSlower);
 }
 
 template <int kSlower>
 bool has_speed(const App& app) {
-    return app.playhead.speed == 1.0 / kSlower;
+    return app.timeline.playhead.speed == 1.0 / kSlower;
 }
 
 void rewind(App& app) {
-    app.playhead.at_s = 0.0;
-    app.playhead.playing = false;
+    app.timeline.playhead.at_s = 0.0;
+    app.timeline.playhead.playing = false;
 }
 
 void escape(App& app) {
-    if (app.escape_taken) return;
+    if (app.ui.escape_taken) return;
     if (app.palette.open) {
         app.palette.open = false;
     } else if (app.exports.animation) {
         cancel_animation(app);
     } else if (app.tour.step) {
-        leave_tour(app);
-    } else if (app.playhead.playing) {
-        app.playhead.playing = false;
-    } else if (app.physiology.explained) {
-        app.physiology.explained.reset();
-    } else if (app.physiology.open) {
-        app.physiology.open.reset();
+        leave_tour(app.work, app.layout, app.timeline, app.physiology, app.tour);
+    } else if (app.timeline.playhead.playing) {
+        app.timeline.playhead.playing = false;
+    } else if (app.physiology.view.explained) {
+        app.physiology.view.explained.reset();
+    } else if (app.physiology.view.open) {
+        app.physiology.view.open.reset();
     } else if (app.layout.maximised) {
         app.layout.maximised.reset();
-    } else if (app.study->is_open) {
-        close_study(app);
+    } else if (app.studying.is_open) {
+        close_study(app.studying);
     } else {
-        app.selection.others.clear();
-        app.status = {};
+        app.work.selection.others.clear();
+        app.ui.status = {};
     }
 }
 
 template <Side kSide>
 void show_the_side(App& app) {
-    show_side(app, kSide);
+    show_side(app.work, kSide);
 }
 
 template <Side kSide>
 bool shows_side(const App& app) {
-    return shown_side(app) == kSide;
+    return shown_side(app.work) == kSide;
 }
 
 template <int kPercent>
 void set_text_scale(App& app) {
-    app.text_scale = static_cast<float>(kPercent) / 100.0F;
-    app.fonts_outdated = true;
+    app.ui.text_scale = static_cast<float>(kPercent) / 100.0F;
+    app.ui.fonts_outdated = true;
 }
 
 void step_text_scale(App& app, float factor) {
-    app.text_scale = std::clamp(app.text_scale * factor, 0.75F, 2.0F);
-    app.fonts_outdated = true;
+    app.ui.text_scale = std::clamp(app.ui.text_scale * factor, 0.75F, 2.0F);
+    app.ui.fonts_outdated = true;
 }
 
 void set_theme(App& app, bool dark) {
-    app.dark = dark;
-    app.fonts_outdated = true;  // the theme is made anew with them
+    app.ui.dark = dark;
+    app.ui.fonts_outdated = true;  // the theme is made anew with them
 }
 
 void design_layout(App& app) {
-    close_study(app);
+    close_study(app.studying);
     app.layout = Layout{};
 }
 
 void physiology_layout(App& app) {
-    close_study(app);
+    close_study(app.studying);
     app.layout = Layout{};
     app.layout.left = 0.18F;
     app.layout.right = 0.24F;
@@ -137,17 +136,17 @@ void physiology_layout(App& app) {
 
 template <BenchTab kTab>
 void show_bench(App& app) {
-    close_study(app);
-    app.bench = kTab;
+    close_study(app.studying);
+    app.layout.bench = kTab;
 }
 
 void show_training(App& app) {
     show_bench<BenchTab::model>(app);
-    app.model_panel.view = ModelView::training;
+    app.model_bench.panel.view = ModelView::training;
 }
 
 void space_layout(App& app) {
-    close_study(app);
+    close_study(app.studying);
     app.layout = Layout{};
     app.layout.right = 0.52F;
     app.layout.right_split = 0.72F;
@@ -160,41 +159,41 @@ constexpr Shortcut plain(char32_t sign) { return {sign, key::kUnknown, false, fa
 constexpr Shortcut special(int code) { return {0, code, false, false}; }
 
 const auto kCommands = std::to_array<Command>({
-    {"File", "New set", {}, always, new_document},
-    {"File", "Open...", ctrl('o'), always, open_dialog, nullptr, "load import folder wav txt"},
-    {"File", "Open the example set", {}, always, open_example, nullptr, "twelve patterns PM 2023"},
-    {"File", "Save", ctrl('s'), always, save},
-    {"File", "Save as...", ctrl('s', true), always, save_dialog},
-    {"File", "Load ratings...", {}, has_selection, load_ratings_dialog, nullptr,
+    {"File", "New set", {}, always, [](App& app) { new_document(app.ui, app.work); }},
+    {"File", "Open...", ctrl('o'), always, [](App& app) { open_dialog(app.ui, app.work); }, nullptr, "load import folder wav txt"},
+    {"File", "Open the example set", {}, always, [](App& app) { open_example(app.ui, app.work); }, nullptr, "twelve patterns PM 2023"},
+    {"File", "Save", ctrl('s'), always, [](App& app) { save(app.ui, app.work); }},
+    {"File", "Save as...", ctrl('s', true), always, [](App& app) { save_dialog(app.ui, app.work); }},
+    {"File", "Load ratings...", {}, has_selection, [](App& app) { load_ratings_dialog(app.ui, app.work); }, nullptr,
      "people study participants compare csv"},
-    {"File", "Import recordings...", {}, has_selection, import_recordings_dialog, nullptr,
+    {"File", "Import recordings...", {}, has_selection, [](App& app) { import_recordings_dialog(app.ui, app.work); }, nullptr,
      "measured accelerometer csv wav acceleration"},
-    {"File", "Export view...", ctrl('e'), always, export_view_dialog, nullptr,
+    {"File", "Export view...", ctrl('e'), always, [](App& app) { export_view_dialog(app.ui); }, nullptr,
      "picture image png svg save"},
-    {"File", "Export subset...", {}, has_subset, export_subset_dialog, nullptr,
+    {"File", "Export subset...", {}, has_subset, [](App& app) { export_subset_dialog(app.ui, app.work, app.shown_map, app.picking); }, nullptr,
      "report picked distinct set table map"},
-    {"File", "Export stage as CSV...", {}, has_selection, export_stages_dialog, nullptr,
+    {"File", "Export stage as CSV...", {}, has_selection, [](App& app) { export_stages_dialog(app.ui, app.work, app.rendered, app.physiology); }, nullptr,
      "stages table numbers save"},
-    {"File", "Export animation...", {}, has_selection, export_animation_dialog, nullptr,
+    {"File", "Export animation...", {}, has_selection, [](App& app) { export_animation_dialog(app.ui, app.work, app.exports); }, nullptr,
      "film video frames png save"},
     {"File", "Quit", ctrl('q'), always, quit},
 
-    {"Edit", "Undo", ctrl('z'), [](const App& app) { return app.history.undo_label() != nullptr; },
-     undo},
+    {"Edit", "Undo", ctrl('z'), [](const App& app) { return app.work.history.undo_label() != nullptr; },
+     [](App& app) { undo(app.ui, app.work); }},
     {"Edit", "Redo", ctrl('z', true),
-     [](const App& app) { return app.history.redo_label() != nullptr; }, redo},
-    {"Edit", "New pattern", ctrl('n'), always, add_pattern, nullptr, "add vibration"},
-    {"Edit", "Duplicate", ctrl('d'), has_selection, duplicate_selected},
-    {"Edit", "Generate candidates...", ctrl('g'), always, open_generate, nullptr,
+     [](const App& app) { return app.work.history.redo_label() != nullptr; }, [](App& app) { redo(app.ui, app.work); }},
+    {"Edit", "New pattern", ctrl('n'), always, [](App& app) { add_pattern(app.ui, app.work); }, nullptr, "add vibration"},
+    {"Edit", "Duplicate", ctrl('d'), has_selection, [](App& app) { duplicate_selected(app.ui, app.work); }},
+    {"Edit", "Generate candidates...", ctrl('g'), always, [](App& app) { open_generate(app.ui, app.work, app.generating); }, nullptr,
      "design space factorial sample sobol latin hypercube levels"},
     {"Edit", "Rename", special(key::kF1 + 1), has_selection, start_rename},
-    {"Edit", "Lock or unlock", ctrl('l'), has_selection, toggle_locked},
-    {"Edit", "Drop from subsets or not", ctrl('l', true), has_selection, toggle_dropped, nullptr,
+    {"Edit", "Lock or unlock", ctrl('l'), has_selection, [](App& app) { toggle_locked(app.ui, app.work); }},
+    {"Edit", "Drop from subsets or not", ctrl('l', true), has_selection, [](App& app) { toggle_dropped(app.ui, app.work); }, nullptr,
      "exclude must not pick"},
-    {"Edit", "Copy", ctrl('c'), has_selection, copy_selected},
-    {"Edit", "Paste", ctrl('v'), always, paste},
-    {"Edit", "Select all", ctrl('a'), has_selection, select_all},
-    {"Edit", "Delete", special(key::kDelete), has_selection, remove_selected, nullptr, "remove"},
+    {"Edit", "Copy", ctrl('c'), has_selection, [](App& app) { copy_selected(app.ui, app.work); }},
+    {"Edit", "Paste", ctrl('v'), always, [](App& app) { paste(app.ui, app.work); }},
+    {"Edit", "Select all", ctrl('a'), has_selection, [](App& app) { select_all(app.work); }},
+    {"Edit", "Delete", special(key::kDelete), has_selection, [](App& app) { remove_selected(app.ui, app.work); }, nullptr, "remove"},
 
     {"View", "Design", plain('1'), always, design_layout, nullptr, "layout columns"},
     {"View", "Physiology", plain('2'), always, physiology_layout, nullptr, "layout waveform"},
@@ -203,7 +202,7 @@ const auto kCommands = std::to_array<Command>({
      "Reset view of the space",
      {},
      always,
-     [](App& app) { app.camera = SpaceCamera{}; },
+     [](App& app) { app.shown_map.camera = SpaceCamera{}; },
      nullptr,
      "camera"},
     {"View",
@@ -211,14 +210,14 @@ const auto kCommands = std::to_array<Command>({
      {},
      always,
      [](App& app) { set_theme(app, true); },
-     [](const App& app) { return app.dark; },
+     [](const App& app) { return app.ui.dark; },
      "theme"},
     {"View",
      "Light",
      {},
      always,
      [](App& app) { set_theme(app, false); },
-     [](const App& app) { return !app.dark; },
+     [](const App& app) { return !app.ui.dark; },
      "theme"},
     {"View",
      "Matrix",
@@ -231,7 +230,7 @@ const auto kCommands = std::to_array<Command>({
      "Subset",
      {},
      always,
-     [](App& app) { app.bench = BenchTab::subset; },
+     [](App& app) { app.layout.bench = BenchTab::subset; },
      nullptr,
      "pick most distinct confusable separate stable"},
     {"View", "Compare with people", {}, always,
@@ -250,7 +249,7 @@ const auto kCommands = std::to_array<Command>({
     {"View", "Train on ratings", {}, always, show_training, nullptr,
      "fit parameters people optimum search model"},
     {"View", "What a device makes of it", {}, always,
-     [](App& app) { app.bench = BenchTab::device; }, nullptr,
+     [](App& app) { app.layout.bench = BenchTab::device; }, nullptr,
      "rendering actuator controller joy-con energy lost"},
     {"View", "Intended and measured", {}, always, show_the_side<Side::both>,
      shows_side<Side::both>, "both recordings twins"},
@@ -267,15 +266,15 @@ const auto kCommands = std::to_array<Command>({
      "Motion",
      {},
      always,
-     [](App& app) { app.motion = !app.motion; },
-     [](const App& app) { return app.motion; },
+     [](App& app) { app.ui.motion = !app.ui.motion; },
+     [](const App& app) { return app.ui.motion; },
      "animation"},
-    {"View", "Bring hints back", {}, always, [](App& app) { app.session.dismissed_hints.clear(); }},
+    {"View", "Bring hints back", {}, always, [](App& app) { app.ui.dismissed_hints.clear(); }},
 
-    {"Play", "Play or stop", special(key::kSpace), has_selection, toggle_playing, nullptr,
+    {"Play", "Play or stop", special(key::kSpace), has_selection, [](App& app) { toggle_playing(app.ui, app.work, app.timeline, app.shown_map, app.play); }, nullptr,
      "feel animate silently pause"},
-    {"Play", "Play all in sequence", {}, can_sound, play_all, nullptr, "feel every pattern gap"},
-    {"Play", "Test buzz", {}, can_sound, play_test_buzz, nullptr, "try actuator device 150 Hz"},
+    {"Play", "Play all in sequence", {}, [](const App& app) { return can_sound(app.play); }, [](App& app) { play_all(app.ui, app.work, app.timeline, app.play); }, nullptr, "feel every pattern gap"},
+    {"Play", "Test buzz", {}, [](const App& app) { return can_sound(app.play); }, [](App& app) { play_test_buzz(app.ui, app.timeline, app.play); }, nullptr, "try actuator device 150 Hz"},
     {"Play", "Back to the start", special(key::kHome), has_selection, rewind, nullptr, "rewind"},
     {"Play", "5 ms on", plain('.'), has_selection, step_playhead<1>, nullptr, "step forward"},
     {"Play", "5 ms back", plain(','), has_selection, step_playhead<-1>, nullptr, "step back"},
@@ -292,11 +291,11 @@ const auto kCommands = std::to_array<Command>({
      "Loop",
      {},
      always,
-     [](App& app) { app.playhead.loop = !app.playhead.loop; },
-     [](const App& app) { return app.playhead.loop; },
+     [](App& app) { app.timeline.playhead.loop = !app.timeline.playhead.loop; },
+     [](const App& app) { return app.timeline.playhead.loop; },
      "repeat"},
-    {"Play", "A|B: alternate with the partner", {}, has_selection, toggle_alternating,
-     is_alternating, "compare feel pair"},
+    {"Play", "A|B: alternate with the partner", {}, has_selection, [](App& app) { toggle_alternating(app.play); },
+     [](const App& app) { return is_alternating(app.play); }, "compare feel pair"},
     {"Play",
      "Play on hover in the map",
      {},
@@ -304,58 +303,58 @@ const auto kCommands = std::to_array<Command>({
      [](App& app) { app.play.on_hover = !app.play.on_hover; },
      [](const App& app) { return app.play.on_hover; },
      "feel point space mouse"},
-    {"Play", "Devices...", {}, always, [](App& app) { app.dialog = Dialog::devices; }, nullptr,
+    {"Play", "Devices...", {}, always, [](App& app) { app.ui.dialog = Dialog::devices; }, nullptr,
      "actuator sound card channel latency full scale output"},
-    {"Play", "Refresh devices", {}, always, refresh_devices, nullptr, "plugged in actuator"},
+    {"Play", "Refresh devices", {}, always, [](App& app) { refresh_devices(app.play); }, nullptr, "plugged in actuator"},
     {"Play",
      "Show the whole pattern",
      {},
      always,
-     [](App& app) { app.time_range = {}; },
+     [](App& app) { app.timeline.range = {}; },
      nullptr,
      "zoom out time"},
-    {"Play", "Simulate measurement...", {}, has_selection, simulate_measurement_dialog, nullptr,
+    {"Play", "Simulate measurement...", {}, has_selection, [](App& app) { simulate_measurement_dialog(app.ui, app.work, app.importing); }, nullptr,
      "synthetic measured actuator resonance"},
 
-    {"Study", "Design and participants", plain('5'), always, open_study,
-     [](const App& app) { return app.study->is_open; }, "ratings people experiment"},
-    {"Study", "Run a participant...", {}, has_selection, begin_participant, nullptr,
+    {"Study", "Design and participants", plain('5'), always, [](App& app) { open_study(app.layout, app.studying); },
+     [](const App& app) { return app.studying.is_open; }, "ratings people experiment"},
+    {"Study", "Run a participant...", {}, has_selection, [](App& app) { begin_participant(app.ui, app.work, app.timeline, app.play, app.studying); }, nullptr,
      "ratings people experiment trial"},
-    {"Study", "Simulate a participant", {}, has_selection, simulate_participant, nullptr,
+    {"Study", "Simulate a participant", {}, has_selection, [](App& app) { simulate_participant(app.ui, app.work, app.shown_map, app.play, app.studying); }, nullptr,
      "synthetic ratings"},
-    {"Study", "Use answers as the set's ratings", {}, has_answers, use_as_ratings, nullptr,
+    {"Study", "Use answers as the set's ratings", {}, has_answers, [](App& app) { use_as_ratings(app.ui, app.work, app.layout, app.comparing, app.studying); }, nullptr,
      "compare people collect"},
-    {"Study", "Export answers as CSV...", {}, has_answers, export_study_dialog, nullptr,
+    {"Study", "Export answers as CSV...", {}, has_answers, [](App& app) { export_study_dialog(app.ui, app.work, app.studying); }, nullptr,
      "ratings table R Python save"},
-    {"Study", "Folder for participants...", {}, always, choose_study_folder, nullptr, "files"},
+    {"Study", "Folder for participants...", {}, always, [](App& app) { choose_study_folder(app.ui, app.work, app.studying); }, nullptr, "files"},
 
-    {"Help", "Guided tour", {}, has_selection, start_tour, nullptr, "learn teach explain"},
+    {"Help", "Guided tour", {}, has_selection, [](App& app) { start_tour(app.ui, app.work, app.layout, app.timeline, app.shown_map, app.physiology, app.tour); }, nullptr, "learn teach explain"},
     {"Help", "Guided tour from the start", {}, has_selection,
      [](App& app) {
          app.tour.left_at = 0;
-         start_tour(app);
+         start_tour(app.ui, app.work, app.layout, app.timeline, app.shown_map, app.physiology, app.tour);
      },
      nullptr, "learn teach explain"},
     {"Help", "Findings of the paper", {}, always,
      [](App& app) {
          show_bench<BenchTab::compare>(app);
-         app.compare.view = CompareView::findings;
+         app.comparing.panel.view = CompareView::findings;
      },
      nullptr, "publication checks holds fails"},
     {"Help", "Keys and mouse", special(key::kF1), always,
-     [](App& app) { app.dialog = Dialog::keys; }, nullptr, "shortcuts help"},
+     [](App& app) { app.ui.dialog = Dialog::keys; }, nullptr, "shortcuts help"},
     {"Help", "Command palette", ctrl('p'), always, [](App& app) { app.palette = {true, {}, 0}; }},
     {"Help",
      "About tactspace",
      {},
      always,
-     [](App& app) { app.dialog = Dialog::about; },
+     [](App& app) { app.ui.dialog = Dialog::about; },
      nullptr,
      "licence model source left out"},
 
     // Not in a menu.
-    {"", "Redo", ctrl('y'), [](const App& app) { return app.history.redo_label() != nullptr; },
-     redo},
+    {"", "Redo", ctrl('y'), [](const App& app) { return app.work.history.redo_label() != nullptr; },
+     [](App& app) { redo(app.ui, app.work); }},
     {"", "Larger text", ctrl('='), always, [](App& app) { step_text_scale(app, 1.1F); }},
     {"", "Stop", special(key::kEscape), always, escape},
     {"", "Previous pattern", special(key::kUp), always, [](App& app) { step_selection(app, -1); }},

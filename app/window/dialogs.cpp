@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "app/calibrate/calibrate_dialog.h"
 #include "app/calibrate/measuring_response.h"
-#include "app/compare/bench_follow.h"
+#include "app/compare/compare_follow.h"
+#include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/document/rating_files.h"
 #include "app/export/exports.h"
@@ -21,6 +24,9 @@
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "app/window/animation.h"
+#include "model/io/people/ratings_file.h"
+#include "model/io/recordings/recording.h"
+#include "model/text/atomic_file.h"
 
 namespace tact {
 
@@ -66,60 +72,60 @@ constexpr auto kKeys = std::to_array<Key>({
 });
 
 void draw_about(App& app) {
-    if (!begin_dialog(app, "About tactspace")) return;
+    if (!begin_dialog(app.ui, "About tactspace")) return;
     ImGui::TextWrapped("%s", kAboutText);
-    end_dialog(app);
+    end_dialog(app.ui);
 }
 
 void draw_keys(App& app) {
-    if (!begin_dialog(app, "Keys and mouse")) return;
+    if (!begin_dialog(app.ui, "Keys and mouse")) return;
     for (const Key& line : kKeys) {
         ImGui::TextUnformatted(line.keys);
-        const float column = 290.0F * app.theme.scale;
+        const float column = 290.0F * app.ui.theme.scale;
         if (ImGui::GetItemRectSize().x < column) ImGui::SameLine(column);
         ImGui::PushTextWrapPos(0.0F);
-        dim_text(app, line.what);
+        dim_text(app.ui, line.what);
         ImGui::PopTextWrapPos();
     }
-    end_dialog(app);
+    end_dialog(app.ui);
 }
 
 void draw_chooser(App& app) {
-    const auto chosen = draw(app.chooser);
+    const auto chosen = draw(app.ui.chooser);
     if (!chosen) return;
-    switch (app.chooser_purpose) {
+    switch (app.ui.chooser_purpose) {
         case ChooserPurpose::open_document:
-            return open_paths(app, {*chosen});
+            return open_paths(app.ui, app.work, {*chosen});
         case ChooserPurpose::save_document:
-            return save_as(app, *chosen);
+            return save_as(app.ui, app.work, *chosen);
         case ChooserPurpose::load_tables:
-            return load_tables(app, *chosen);
+            return load_tables(app.ui, app.work, *chosen);
         case ChooserPurpose::load_ratings:
-            return load_ratings(app, {*chosen});
+            return load_ratings(app.ui, app.work, app.layout, {*chosen});
         case ChooserPurpose::load_calibration:
-            return use_calibration(app, *chosen);
+            return use_calibration(app.ui, app.work, app.timeline, app.rendered, app.play, *chosen);
         case ChooserPurpose::load_model:
-            return load_model(app, *chosen);
+            return load_model(app.ui, app.work, app.model_bench, *chosen);
         case ChooserPurpose::save_model:
-            return save_trained(app, *chosen);
+            return save_trained(app.ui, app.model_bench, *chosen);
         case ChooserPurpose::add_training_set:
-            return add_training_set(app, *chosen);
+            return add_training_set(app.ui, app.work, app.model_bench, *chosen);
         case ChooserPurpose::save_calibration_signal:
-            return save_calibration_signal(app, *chosen);
+            return save_calibration_signal(app.ui, app.calibrating, *chosen);
         case ChooserPurpose::open_calibration_recording:
-            return read_calibration_recording(app, *chosen);
+            return read_calibration_recording(app.ui, app.calibrating, *chosen);
         case ChooserPurpose::import_recordings:
-            return import_recordings(app, {*chosen});
+            return import_recordings(app.ui, app.work, app.importing, {*chosen});
         case ChooserPurpose::study_folder:
-            return set_study_folder(app, *chosen);
+            return set_study_folder(app.work, app.studying, *chosen);
         case ChooserPurpose::export_study:
-            return export_study(app, *chosen);
+            return export_study(app.ui, app.studying, *chosen);
         case ChooserPurpose::export_view:
-            return export_view(app, *chosen);
+            return export_view(app.exports, *chosen);
         case ChooserPurpose::export_subset:
-            return export_subset(app, *chosen);
+            return export_subset(app.shown_map, app.picking, *chosen);
         case ChooserPurpose::export_stages:
-            return export_stages(app, *chosen);
+            return export_stages(app.ui, app.work, app.rendered, app.physiology, *chosen);
         case ChooserPurpose::export_animation:
             return export_animation(app, *chosen);
     }
@@ -128,16 +134,45 @@ void draw_chooser(App& app) {
 }  // namespace
 
 void draw_dialogs(App& app) {
-    if (app.question) return draw_question(app);
+    if (app.ui.question) return draw_question(app.ui);
     draw_chooser(app);
-    draw_exports(app);
+    draw_exports(app.ui, app.work, app.exports);
     if (std::exchange(app.exports.cancel_asked, false)) cancel_animation(app);
-    draw_import_dialogs(app);
-    if (app.dialog == Dialog::about) draw_about(app);
-    if (app.dialog == Dialog::keys) draw_keys(app);
-    if (app.dialog == Dialog::generate) draw_generate_dialog(app);
-    if (app.dialog == Dialog::devices) draw_devices(app);
-    if (app.dialog == Dialog::calibrate) draw_calibrate(app);
+    draw_import_dialogs(app.ui, app.work, app.importing);
+    if (app.ui.dialog == Dialog::about) draw_about(app);
+    if (app.ui.dialog == Dialog::keys) draw_keys(app);
+    if (app.ui.dialog == Dialog::generate) draw_generate_dialog(app.ui, app.work, app.generating);
+    if (app.ui.dialog == Dialog::devices)
+        draw_devices(app.ui, app.work, app.timeline, app.rendered, app.play);
+    if (app.ui.dialog == Dialog::calibrate)
+        draw_calibrate(app.ui, app.work, app.timeline, app.rendered, app.play, app.calibrating);
+}
+
+namespace {
+
+// A question or a participant comes first: what is dropped would change the set beneath them.
+bool is_in_the_middle(const App& app) {
+    const bool is_popup_open =
+        ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    return is_study_running(app.studying) || app.ui.dialog != Dialog::none ||
+           app.ui.chooser.is_open || app.palette.open || app.ui.question || is_popup_open;
+}
+
+}  // namespace
+
+void drop_paths(App& app, const std::vector<std::filesystem::path>& paths) {
+    if (is_in_the_middle(app)) {
+        return complain(app.ui,
+                        "Nothing was opened: finish what is on the screen, then drop again.");
+    }
+    const bool tables = !paths.empty() && std::ranges::all_of(paths, [](const auto& path) {
+        return extension_of(path) == ".csv";
+    });
+    if (tables && !read_ratings(paths, RatingScale::guess) && are_accelerations(paths)) {
+        return import_recordings(app.ui, app.work, app.importing, paths);
+    }
+    if (tables) return load_ratings(app.ui, app.work, app.layout, paths);
+    open_paths(app.ui, app.work, paths);
 }
 
 }  // namespace tact

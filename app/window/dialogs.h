@@ -1,10 +1,16 @@
 // Dialogs over the window: files, keys, about, and those of every room.
 #pragma once
 
+#include <filesystem>
+#include <vector>
 #include "app/window/app.h"
 
 namespace tact {
 
 void draw_dialogs(App& app);
+
+// What was dropped on the window: tables of ratings or of accelerations go to the open set, all
+// else is opened.
+void drop_paths(App& app, const std::vector<std::filesystem::path>& paths);
 
 }  // namespace tact

@@ -27,13 +27,13 @@ double next_wake_s(const App& app);
 bool is_computing(const App& app);
 
 // So is a comparison with people, or a check of findings.
-bool is_bench_computing(const App& app);
+bool is_comparing(const App& app);
 
 // An App with theme and layout, ready for start_session(); fonts are made by make_theme().
 App make_app();
 
-// Theme, fonts and style for the current ImGui context, at app.content_scale x app.text_scale.
-// The atlas must be empty.
+// Theme, fonts and style for the current ImGui context, at app.ui.content_scale x
+// app.ui.text_scale. The atlas must be empty.
 void make_theme(App& app);
 
 }  // namespace tact

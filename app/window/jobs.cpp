@@ -1,6 +1,6 @@
 #include "app/window/jobs.h"
 
-#include "app/compare/bench_follow.h"
+#include "app/compare/compare_follow.h"
 #include "app/map/map_follow.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/training_follow.h"
@@ -11,33 +11,33 @@
 namespace tact {
 
 void make_jobs(App& app) {
-    make_map_jobs(app);
-    make_stages_jobs(app);
-    make_bench_jobs(app);
-    make_subset_jobs(app);
-    make_training_job(app);
+    make_map_jobs(app.ui, app.work, app.shown_map);
+    make_stages_jobs(app.ui, app.physiology);
+    make_compare_jobs(app.ui, app.rendered, app.comparing);
+    make_subset_jobs(app.ui, app.picking);
+    make_training_job(app.ui, app.model_bench);
 }
 
 void stop_jobs(App& app) {
-    stop_study(app);
-    app.generate.job.reset();
-    stop_import(app);
-    stop_subset_jobs(app);
-    stop_training(app);
-    app.findings_job.reset();
-    app.rendering.job.reset();
-    app.difference_job.reset();
-    app.comparison_job.reset();
-    app.full_job.reset();
-    app.preview_job.reset();
-    app.stages_job.reset();
-    app.pinned_job.reset();
+    stop_study(app.studying);
+    app.generating.job.reset();
+    stop_import(app.importing);
+    stop_subset_jobs(app.picking);
+    stop_training(app.model_bench);
+    app.comparing.findings_job.reset();
+    app.rendered.job.reset();
+    app.comparing.difference_job.reset();
+    app.comparing.comparison_job.reset();
+    app.shown_map.full_job.reset();
+    app.shown_map.preview_job.reset();
+    app.physiology.stages_job.reset();
+    app.physiology.pinned_job.reset();
 }
 
 void take_answers(App& app) {
-    take_maps(app);
-    take_stages(app);
-    take_bench_answers(app);
+    take_maps(app.ui, app.shown_map);
+    take_stages(app.physiology);
+    take_compare_answers(app.rendered, app.comparing);
 }
 
 }  // namespace tact

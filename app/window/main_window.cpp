@@ -1,6 +1,6 @@
 #include "app/window/main_window.h"
 
-#include "app/compare/bench_follow.h"
+#include "app/compare/compare_follow.h"
 #include "app/document/files.h"
 #include "app/export/exports.h"
 #include "app/map/map_follow.h"
@@ -9,7 +9,7 @@
 #include "app/screen/window.h"
 #include "app/study/study_follow.h"
 #include "app/window/animation.h"
-#include "app/window/drop.h"
+#include "app/window/dialogs.h"
 #include "app/window/frame.h"
 #include "app/window/jobs.h"
 #include "app/window/session_layout.h"
@@ -20,33 +20,33 @@ namespace {
 
 WindowOptions options_of(const App& app) {
     WindowOptions options;
-    options.width = app.session.window_width;
-    options.height = app.session.window_height;
-    options.maximised = app.session.window_maximised;
+    options.width = app.work.session.window_width;
+    options.height = app.work.session.window_height;
+    options.maximised = app.work.session.window_maximised;
     return options;
 }
 
 FrameRequest draw_window_frame(App& app, EmergencyStop& stop, const FrameContext& context) {
     app.play.halted |= stop.take();
-    app.content_scale = context.content_scale;
-    if (!is_study_running(app)) {  // which fills the screen
-        app.session.window_width = context.width;
-        app.session.window_height = context.height;
-        app.session.window_maximised = context.maximised;
+    app.ui.content_scale = context.content_scale;
+    if (!is_study_running(app.studying)) {  // which fills the screen
+        app.work.session.window_width = context.width;
+        app.work.session.window_height = context.height;
+        app.work.session.window_maximised = context.maximised;
     }
-    follow_focus(app, context.focused);
+    follow_focus(app.ui, app.timeline, app.play, context.focused);
     draw_frame(app, context.pressed, context.time_s);
-    stop.watch(is_study_running(app) ? app.study->device
-               : is_sounding(app)    ? app.play.device
-                                     : nullptr);
+    stop.watch(is_study_running(app.studying) ? app.studying.device
+               : is_sounding(app.play)        ? app.play.device
+                                              : nullptr);
     FrameRequest request;
     request.animate = wants_another_frame(app);
     request.wake_after_s = next_wake_s(app);
-    request.rebuild_fonts = app.fonts_outdated;
-    request.close = app.quit;
-    request.full_screen = is_study_running(app);
-    request.title = document_title(app) + " - tactspace";
-    request.background = app.theme.background;
+    request.rebuild_fonts = app.ui.fonts_outdated;
+    request.close = app.ui.quit;
+    request.full_screen = is_study_running(app.studying);
+    request.title = document_title(app.work) + " - tactspace";
+    request.background = app.ui.theme.background;
     return request;
 }
 
@@ -65,12 +65,12 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
             "SET\" work without one (see tactspace --help)"};
     }
     App app = make_app();
-    app.wake = wake_window;
+    app.ui.wake = wake_window;
     const Expected<Done> started = start_session(app, sets);
     if (!started) return started.error();
     make_jobs(app);
-    make_sound(app);
-    request_maps(app);
+    make_sound(app.ui, app.timeline, app.play);
+    request_maps(app.work, app.shown_map, app.rendered);
 
     EmergencyStop stop;
     WindowClient client;
@@ -83,15 +83,15 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     };
     client.close = [&app] { return may_close(app); };
     client.build_fonts = [&app](float content_scale) {
-        app.content_scale = content_scale;
+        app.ui.content_scale = content_scale;
         make_theme(app);
     };
     client.after_frame = [&app] { continue_exports(app); };
     const Expected<Done> answer = run_window(options_of(app), client);
     stop.watch(nullptr);
     // The jobs end before what they wake does.
-    release_device(*app.study);
-    stop_sound(app);
+    release_device(app.studying);
+    stop_sound(app.timeline, app.play);
     stop_jobs(app);
     end_session(app);
     return answer;

@@ -23,17 +23,17 @@ void draw_item(App& app, const Command& command) {
                         command.enabled(app))) {
         command.run(app);
     }
-    note_item(app.rects, std::string("menu:") + command.name);
+    note_item(app.ui.rects, std::string("menu:") + command.name);
 }
 
 void draw_recent(App& app) {
-    if (!ImGui::BeginMenu("Open recent", !app.session.recent_files.empty())) return;
+    if (!ImGui::BeginMenu("Open recent", !app.work.session.recent_files.empty())) return;
     // A copy: opening a file changes the list.
-    const std::vector<RecentFile> recent = recent_files(app.session);
+    const std::vector<RecentFile> recent = recent_files(app.work.session);
     for (const RecentFile& file : recent) {
         const std::string text = file.path.string() + (file.missing ? "  (not found)" : "");
         if (ImGui::MenuItem(text.c_str(), nullptr, false, !file.missing)) {
-            open_paths(app, {file.path});
+            open_paths(app.ui, app.work, {file.path});
         }
     }
     ImGui::EndMenu();
@@ -42,11 +42,11 @@ void draw_recent(App& app) {
 }  // namespace
 
 std::string item_text(const App& app, const Command& command) {
-    if (command.run == static_cast<void (*)(App&)>(undo)) {
-        return menu_text("Undo", app.history.undo_label());
+    if (std::string_view(command.name) == "Undo") {
+        return menu_text("Undo", app.work.history.undo_label());
     }
-    if (command.run == static_cast<void (*)(App&)>(redo)) {
-        return menu_text("Redo", app.history.redo_label());
+    if (std::string_view(command.name) == "Redo") {
+        return menu_text("Redo", app.work.history.redo_label());
     }
     return command.name;
 }
@@ -55,7 +55,7 @@ void draw_menus(App& app) {
     if (!ImGui::BeginMainMenuBar()) return;
     for (const char* menu : {"File", "Edit", "View", "Play", "Study", "Help"}) {
         const bool open = ImGui::BeginMenu(menu);
-        note_item(app.rects, std::string("menu:") + menu);
+        note_item(app.ui.rects, std::string("menu:") + menu);
         if (!open) continue;
         for (const Command& command : commands()) {
             if (std::string_view(command.menu) != menu) continue;
@@ -64,13 +64,13 @@ void draw_menus(App& app) {
         }
         ImGui::EndMenu();
     }
-    const std::string title = document_title(app);
-    const float right = ImGui::GetWindowWidth() - 2.0F * app.theme.padding_px;
-    const float room = right - ImGui::GetCursorPosX() - app.theme.padding_px;
-    const std::string shown = shortened(app.theme.fonts.regular, title, std::max(0.0F, room));
+    const std::string title = document_title(app.work);
+    const float right = ImGui::GetWindowWidth() - 2.0F * app.ui.theme.padding_px;
+    const float room = right - ImGui::GetCursorPosX() - app.ui.theme.padding_px;
+    const std::string shown = shortened(app.ui.theme.fonts.regular, title, std::max(0.0F, room));
     ImGui::SameLine(right - ImGui::CalcTextSize(shown.c_str()).x);
-    dim_text(app, shown);
-    note_item(app.rects, "document", title);
+    dim_text(app.ui, shown);
+    note_item(app.ui.rects, "document", title);
     ImGui::EndMainMenuBar();
 }
 

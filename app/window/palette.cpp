@@ -28,14 +28,15 @@ std::vector<const Command*> palette_matches(const App& app) {
 
 // As in a menu: the name, its menu dim after it, the shortcut at the right end.
 bool draw_palette_row(App& app, const Command& command, bool lit) {
-    const Theme& theme = app.theme;
+    const Theme& theme = app.ui.theme;
     const std::string name = item_text(app, command);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::PushID(&command);
     const bool pressed = ImGui::Selectable("##row", lit);
     ImGui::PopID();
-    note_item(app.rects, std::string("palette:") + command.name, shortcut_text(command.shortcut));
+    note_item(app.ui.rects, std::string("palette:") + command.name,
+              shortcut_text(command.shortcut));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::string keys = shortcut_text(command.shortcut);
     const float keys_px = text_size(theme.fonts.regular, keys).x;
@@ -55,15 +56,15 @@ bool draw_palette_row(App& app, const Command& command, bool lit) {
 
 void draw_palette(App& app, std::span<const KeyPress> pressed) {
     PaletteState& state = app.palette;
-    if (app.question) state.open = false;
+    if (app.ui.question) state.open = false;
     if (!state.open) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x / 2.0F, screen.y * 0.18F}, ImGuiCond_Always, {0.5F, 0.0F});
-    ImGui::SetNextWindowSize({std::min(560.0F * app.theme.scale, screen.x * 0.9F), 0.0F});
+    ImGui::SetNextWindowSize({std::min(560.0F * app.ui.theme.scale, screen.x * 0.9F), 0.0F});
     ImGui::SetNextWindowFocus();
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, app.theme.hairline_px);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, app.ui.theme.hairline_px);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(app.theme));
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(app.ui.theme));
     if (ImGui::Begin("Command palette", &state.open,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoNav)) {
@@ -85,7 +86,7 @@ void draw_palette(App& app, std::span<const KeyPress> pressed) {
             const Command& command = *found[static_cast<std::size_t>(k)];
             if (draw_palette_row(app, command, k == state.choice)) chosen = &command;
         }
-        if (found.empty()) dim_text(app, "No command has this in its name.");
+        if (found.empty()) dim_text(app.ui, "No command has this in its name.");
         if (was_pressed(pressed, key::kEnter) && !found.empty()) {
             chosen = found[static_cast<std::size_t>(state.choice)];
         }

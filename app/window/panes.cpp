@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
 #include "app/document/editing.h"
 #include "app/document/shown_side.h"
@@ -20,12 +21,12 @@
 #include "app/play/playing.h"
 #include "app/study/study_panels.h"
 #include "app/study/study_state.h"
+#include "app/subset/subset_marks.h"
 #include "app/subset/subset_panel.h"
 #include "app/tour/tour.h"
 #include "app/ui/widgets.h"
 #include "app/window/columns.h"
 #include "app/window/frame.h"
-#include "app/window/map_marks.h"
 #include "model/map/mds.h"
 
 namespace tact {
@@ -45,8 +46,8 @@ std::string time_taken(double seconds) {
 std::string map_state_text(const App& app) {
     char text[96];
     const bool busy = is_computing(app);
-    const int percent = busy ? static_cast<int>(100.0F * app.full_job->progress()) : 0;
-    switch (map_state(app)) {
+    const int percent = busy ? static_cast<int>(100.0F * app.shown_map.full_job->progress()) : 0;
+    switch (map_state(app.work, app.shown_map)) {
         case MapState::none:
             if (!busy) return {};
             std::snprintf(text, sizeof text, "computing, %d %%", percent);
@@ -54,8 +55,8 @@ std::string map_state_text(const App& app) {
         case MapState::too_large:
             return "map waits";
         case MapState::exact:
-            if (app.map.shown->seconds <= 0.0) return "exact";
-            return "exact, " + time_taken(app.map.shown->seconds);
+            if (app.shown_map.transition.shown->seconds <= 0.0) return "exact";
+            return "exact, " + time_taken(app.shown_map.transition.shown->seconds);
         case MapState::preview:
             std::snprintf(text, sizeof text, "preview; exact %d %%", percent);
             return text;
@@ -73,8 +74,9 @@ std::vector<std::string> map_state_forms(const App& app) {
 }
 
 std::vector<std::string> space_title_right(const App& app) {
-    if (!app.map.shown || app.map.to.rows() < 2) return map_state_forms(app);
-    const PerceptualSpace& space = app.map.shown->space;
+    if (!app.shown_map.transition.shown || app.shown_map.transition.to.rows() < 2)
+        return map_state_forms(app);
+    const PerceptualSpace& space = app.shown_map.transition.shown->space;
     if (space.verdict == MdsVerdict::constant) return map_state_forms(app);
     char stress[32];
     std::snprintf(stress, sizeof stress, "stress-1 %.3f", space.stress1);
@@ -85,23 +87,23 @@ std::vector<std::string> space_title_right(const App& app) {
 }
 
 std::vector<std::string> together_forms(const App& app) {
-    if (app.selection.others.empty()) return {};
-    const std::string count = std::to_string(app.selection.others.size() + 1);
+    if (app.work.selection.others.empty()) return {};
+    const std::string count = std::to_string(app.work.selection.others.size() + 1);
     return {count + " edited together", count + " together", count};
 }
 
 // What the map leaves out is said over it.
 std::string side_detail(const App& app) {
-    return shown_side(app) == Side::both ? "" : shown_patterns_text(app);
+    return shown_side(app.work) == Side::both ? "" : shown_patterns_text(app.work);
 }
 
 PaneTitle bench_title(const App& app) {
-    switch (app.bench) {
+    switch (app.layout.bench) {
         case BenchTab::matrix:
-            return {
-                "Matrix",
-                shown_side(app) == Side::both ? "dissimilarity of every pair" : side_detail(app),
-                map_state_forms(app)};
+            return {"Matrix",
+                    shown_side(app.work) == Side::both ? "dissimilarity of every pair"
+                                                       : side_detail(app),
+                    map_state_forms(app)};
         case BenchTab::subset:
             return {"Subset", "the most distinct patterns", map_state_forms(app)};
         case BenchTab::compare:
@@ -119,34 +121,34 @@ PaneTitle bench_title(const App& app) {
 }
 
 std::vector<std::string> people_forms(const App& app) {
-    const auto& answers = app.study->answers;
+    const auto& answers = app.studying.answers;
     if (!answers || answers->records.empty()) return {};
     return {std::to_string(answers->records.size())};
 }
 
 // Whose answers are shown.
 std::string shown_voice(const App& app) {
-    const auto& answers = app.study->answers;
+    const auto& answers = app.studying.answers;
     if (!answers || !answers->results) return {};
-    const auto& shown = app.study->shown;
+    const auto& shown = app.studying.shown;
     if (!shown || *shown >= answers->records.size()) return "mean of those who count";
     return answers->records[*shown].header.participant.code;
 }
 
 // Results that are not of the patterns as they were meant say so in their title.
 PaneTitle with_origin(const App& app, PaneTitle title) {
-    const std::string origin = rendered_words(app.rendering);
+    const std::string origin = rendered_words(app.rendered);
     if (origin.empty()) return title;
     title.detail += (title.detail.empty() ? "" : "   ") + origin;
     return title;
 }
 
 PaneTitle title_of(const App& app, Pane pane) {
-    const Vibration* current = current_vibration(app);
+    const Vibration* current = current_vibration(app.work);
     const std::string name = current == nullptr ? "" : current->name;
     switch (pane) {
         case Pane::patterns:
-            return {"Patterns", "", {shown_patterns_text(app)}};
+            return {"Patterns", "", {shown_patterns_text(app.work)}};
         case Pane::editor:
             return {"Editor", name, together_forms(app)};
         case Pane::physiology:
@@ -154,7 +156,7 @@ PaneTitle title_of(const App& app, Pane pane) {
         case Pane::space:
             return with_origin(app, {"Perceptual space", side_detail(app), space_title_right(app)});
         case Pane::matrix:
-            return app.bench == BenchTab::model || app.bench == BenchTab::device
+            return app.layout.bench == BenchTab::model || app.layout.bench == BenchTab::device
                        ? bench_title(app)
                        : with_origin(app, bench_title(app));
         case Pane::study_design:
@@ -169,8 +171,8 @@ PaneTitle title_of(const App& app, Pane pane) {
 
 void draw_bench(App& app) {
     const auto tab = [&app](BenchTab which, const char* name) {
-        if (draw_chip(app, name, name, app.bench == which)) app.bench = which;
-        note_item(app.rects, std::string("tab:") + name);
+        if (draw_chip(app.ui, name, name, app.layout.bench == which)) app.layout.bench = which;
+        note_item(app.ui.rects, std::string("tab:") + name);
     };
     tab(BenchTab::matrix, "Matrix");
     for (const auto& [which, name] : {std::pair{BenchTab::subset, "Subset"},
@@ -179,59 +181,73 @@ void draw_bench(App& app) {
                                       {BenchTab::why, "Why"},
                                       {BenchTab::model, "Model"},
                                       {BenchTab::device, "Device"}}) {
-        flow_on(chip_width(app, name), 2.0F * app.theme.scale);
+        flow_on(chip_width(app.ui, name), 2.0F * app.ui.theme.scale);
         tab(which, name);
     }
-    switch (app.bench) {
+    switch (app.layout.bench) {
         case BenchTab::matrix:
-            return draw_matrix_panel(app);
+            return draw_matrix_panel(app.ui, app.work, app.shown_map);
         case BenchTab::subset:
-            return draw_subset_panel(app);
+            return draw_subset_panel(app.ui, app.work, app.timeline, app.shown_map, app.play,
+                                     app.picking);
         case BenchTab::compare:
-            return draw_compare_panel(app);
+            return draw_compare_panel(app.ui, app.work, app.layout, app.shown_map, app.comparing);
         case BenchTab::shepard:
-            return draw_shepard_panel(app);
+            return draw_shepard_panel(app.ui, app.work, app.shown_map, app.comparing);
         case BenchTab::why:
-            return draw_why_panel(app);
+            return draw_why_panel(app.ui, app.work, app.layout, app.timeline, app.shown_map,
+                                  app.comparing);
         case BenchTab::model:
-            return draw_model_panel(app);
+            return draw_model_panel(app.ui, app.work, app.model_bench);
         case BenchTab::device:
-            return draw_device_panel(app);
+            return draw_device_panel(app.ui, app.work, app.timeline, app.rendered, app.play);
     }
 }
 
 void draw_space(App& app) {
-    const SpacePaneAction done = draw_space_panel(app, map_marks(app));
+    const SpacePaneAction done = draw_space_panel(app.ui, app.work, app.shown_map, map_marks(app));
     app.play.hovered_in_map = done.hovered ? done.hovered : app.play.hovered_in_map;
-    if (done.double_clicked) play_once(app, *done.double_clicked);
+    if (done.double_clicked)
+        play_once(app.ui, app.work, app.timeline, app.play, *done.double_clicked);
 }
 
 void draw_content(App& app, Pane pane) {
     switch (pane) {
         case Pane::patterns:
-            return draw_set_panel(app);
+            return draw_set_panel(app.ui, app.work, app.pattern_panes);
         case Pane::editor:
-            return draw_editor_panel(app);
+            return draw_editor_panel(app.ui, app.work, app.pattern_panes);
         case Pane::physiology:
-            if (draw_physiology_panel(app, app.tour.left_at > 0)) start_tour(app);
+            if (draw_physiology_panel(app.ui, app.work, app.timeline, app.physiology,
+                                      app.tour.left_at > 0))
+                start_tour(app.ui, app.work, app.layout, app.timeline, app.shown_map,
+                           app.physiology, app.tour);
             return;
         case Pane::space:
             return draw_space(app);
         case Pane::matrix:
             return draw_bench(app);
         case Pane::study_design:
-            return draw_study_design(app);
+            return draw_study_design(app.ui, app.work, app.play, app.studying);
         case Pane::study_people:
-            return draw_study_people(app);
+            return draw_study_people(app.ui, app.work, app.layout, app.timeline, app.shown_map,
+                                     app.comparing, app.play, app.studying);
         case Pane::study_answers:
-            return draw_study_answers(app);
+            return draw_study_answers(app.ui, app.work, app.shown_map, app.studying);
     }
 }
 
 }  // namespace
 
+MapMarks map_marks(App& app) {
+    MapMarks marks = subset_marks(app.layout, app.shown_map, app.picking);
+    if (app.shown_map.show_people) marks.people = people_over_map(app.shown_map, app.comparing);
+    return marks;
+}
+
 void draw_pane_of(App& app, Pane pane, const Rect& area) {
-    draw_pane(app, pane, area, title_of(app, pane), [&app, pane] { draw_content(app, pane); });
+    draw_pane(app.ui, app.layout, pane, area, title_of(app, pane),
+              [&app, pane] { draw_content(app, pane); });
 }
 
 }  // namespace tact

@@ -16,39 +16,40 @@ namespace {
 
 void leave_study(App& app) {
     using What = StudyEvent::What;
-    for (const What what : {What::ask, What::leave}) act(app, {what, 0, 0.0, {}, {}});
+    for (const What what : {What::ask, What::leave})
+        act(app.ui, app.work, app.play, app.studying, {what, 0, 0.0, {}, {}});
 }
 
 void discard_and_quit(App& app) {
-    app.document.set = app.document.saved;  // or the end would try to keep it once more
-    app.quit = true;
+    app.work.document.set = app.work.document.saved;  // or the end would try to keep it once more
+    app.ui.quit = true;
 }
 
 // As the last session was left, or the example.
 void take_up_session(App& app) {
-    Restored restored = restore(app.session);
+    Restored restored = restore(app.work.session);
     if (restored.document) {
         Document document = *std::move(restored.document);
-        app.document.set = app.document.saved = {};
-        show_document(app, std::move(document), restored.remark);
+        app.work.document.set = app.work.document.saved = {};
+        show_document(app.ui, app.work, std::move(document), restored.remark);
     } else {
-        open_example(app);
+        open_example(app.ui, app.work);
     }
-    if (restored.is_error) complain(app, restored.remark);
+    if (restored.is_error) complain(app.ui, restored.remark);
 }
 
 // The paths in its place, once what was unsaved in it is safe.
 Expected<Done> open_instead(App& app, const std::vector<std::filesystem::path>& paths) {
-    const Expected<std::filesystem::path> aside = set_autosave_aside(app.session);
+    const Expected<std::filesystem::path> aside = set_autosave_aside(app.work.session);
     if (!aside) {
         take_up_session(app);
-        refuse_to_replace(app, aside.error().message);
+        refuse_to_replace(app.ui, aside.error().message);
         return Done{};
     }
-    open_paths(app, paths);
-    if (app.status.is_error) return Error{app.status.text};
+    open_paths(app.ui, app.work, paths);
+    if (app.ui.status.is_error) return Error{app.ui.status.text};
     if (!aside->empty()) {
-        say(app, "Unsaved changes of the last session are kept in " + aside->string());
+        say(app.ui, "Unsaved changes of the last session are kept in " + aside->string());
     }
     return Done{};
 }
@@ -57,29 +58,32 @@ Expected<Done> open_instead(App& app, const std::vector<std::filesystem::path>& 
 
 void tell_of_start(App& app) {
     std::string text;
-    for (const std::string& remark : app.session.remarks) {
+    for (const std::string& remark : app.work.session.remarks) {
         text += (text.empty() ? "" : " ") + with_stop(remark);
     }
-    const std::vector<fs::path>& recovered = app.session.recovered;
+    const std::vector<fs::path>& recovered = app.work.session.recovered;
     for (const fs::path& file : recovered) {
         text += std::string(text.empty() ? "" : " ") +
                 "Unsaved changes of a window that did not end as it should are kept in " +
                 file.string() + ".";
     }
     if (text.empty()) return;
-    if (recovered.size() != 1) return tell(app, "Before you begin", text);
-    ask(app, {.title = "Before you begin",
-              .text = text,
-              .answers = {{"Open them", [&app, file = recovered[0]] { open_paths(app, {file}); }},
-                          {"Not now"}}});
+    if (recovered.size() != 1) return tell(app.ui, "Before you begin", text);
+    ask(app.ui,
+        {.title = "Before you begin",
+         .text = text,
+         .answers = {
+             {"Open them", [&app, file = recovered[0]] { open_paths(app.ui, app.work, {file}); }},
+             {"Not now"}}});
 }
 
 Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>& paths) {
-    app.session = open_session(state_folder());
-    app.dark = app.session.theme != "light";
-    app.text_scale = std::clamp(static_cast<float>(app.session.text_scale), 0.75F, 2.0F);
+    app.work.session = open_session(state_folder());
+    app.ui.dismissed_hints = app.ui.dismissed_hints;
+    app.ui.dark = app.work.session.theme != "light";
+    app.ui.text_scale = std::clamp(static_cast<float>(app.work.session.text_scale), 0.75F, 2.0F);
     restore_layout(app);
-    restore_devices(app);
+    restore_devices(app.work, app.play);
     if (paths.empty()) {
         take_up_session(app);
     } else if (const Expected<Done> opened = open_instead(app, paths); !opened) {
@@ -90,21 +94,21 @@ Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>&
 }
 
 void keep_layout(App& app) {
-    auto& kept = app.session.layout;
+    auto& kept = app.work.session.layout;
     kept["left"] = static_cast<double>(app.layout.left);
     kept["right"] = static_cast<double>(app.layout.right);
     kept["left_split"] = static_cast<double>(app.layout.left_split);
     kept["right_split"] = static_cast<double>(app.layout.right_split);
-    kept["yaw_rad"] = app.camera.yaw_rad;
-    kept["pitch_rad"] = app.camera.pitch_rad;
-    kept["zoom"] = app.camera.zoom;
-    kept["dimensions"] = app.dimensions;
+    kept["yaw_rad"] = app.shown_map.camera.yaw_rad;
+    kept["pitch_rad"] = app.shown_map.camera.pitch_rad;
+    kept["zoom"] = app.shown_map.camera.zoom;
+    kept["dimensions"] = app.shown_map.dimensions;
     kept["tour_step"] = static_cast<double>(app.tour.step.value_or(app.tour.left_at));
-    kept["motion"] = app.motion ? 1.0 : 0.0;
+    kept["motion"] = app.ui.motion ? 1.0 : 0.0;
 }
 
 void restore_layout(App& app) {
-    const auto& kept = app.session.layout;
+    const auto& kept = app.work.session.layout;
     const auto value = [&kept](const char* name, double low, double high, double otherwise) {
         const auto found = kept.find(name);
         return found == kept.end() ? otherwise : std::clamp(found->second, low, high);
@@ -117,41 +121,42 @@ void restore_layout(App& app) {
     share("right", 0.18F, 0.58F, app.layout.right);
     share("left_split", 0.15F, 0.80F, app.layout.left_split);
     share("right_split", 0.20F, 0.85F, app.layout.right_split);
-    app.camera.yaw_rad = value("yaw_rad", -10.0, 10.0, app.camera.yaw_rad);
-    app.camera.pitch_rad = value("pitch_rad", -1.6, 1.6, app.camera.pitch_rad);
-    app.camera.zoom = value("zoom", kLeastZoom, kMostZoom, app.camera.zoom);
-    app.dimensions = value("dimensions", 2.0, 3.0, 3.0) < 2.5 ? 2 : 3;
+    app.shown_map.camera.yaw_rad = value("yaw_rad", -10.0, 10.0, app.shown_map.camera.yaw_rad);
+    app.shown_map.camera.pitch_rad = value("pitch_rad", -1.6, 1.6, app.shown_map.camera.pitch_rad);
+    app.shown_map.camera.zoom = value("zoom", kLeastZoom, kMostZoom, app.shown_map.camera.zoom);
+    app.shown_map.dimensions = value("dimensions", 2.0, 3.0, 3.0) < 2.5 ? 2 : 3;
     app.tour.left_at = static_cast<std::size_t>(value("tour_step", 0.0, 10.0, 0.0));
-    app.motion = value("motion", 0.0, 1.0, 1.0) > 0.5;
+    app.ui.motion = value("motion", 0.0, 1.0, 1.0) > 0.5;
 }
 
 bool may_close(App& app) {
-    if (is_study_running(app)) leave_study(app);
-    const Expected<Done> kept = autosave(app.session, app.document);
+    if (is_study_running(app.studying)) leave_study(app);
+    const Expected<Done> kept = autosave(app.work.session, app.work.document);
     if (kept) return true;
-    ask(app, {.title = "Unsaved changes",
-              .text = "The unsaved changes of " + document_name(app) +
-                      " cannot be kept for the next start, and would be lost. " +
-                      with_stop(kept.error().message),
-              .answers = {{"Save as...", [&app] { save_dialog(app); }},
-                          {"Discard and quit", [&app] { discard_and_quit(app); }},
-                          {"Cancel"}}});
+    ask(app.ui, {.title = "Unsaved changes",
+                 .text = "The unsaved changes of " + document_name(app.work) +
+                         " cannot be kept for the next start, and would be lost. " +
+                         with_stop(kept.error().message),
+                 .answers = {{"Save as...", [&app] { save_dialog(app.ui, app.work); }},
+                             {"Discard and quit", [&app] { discard_and_quit(app); }},
+                             {"Cancel"}}});
     return false;
 }
 
 void quit(App& app) {
-    if (may_close(app)) app.quit = true;
+    if (may_close(app)) app.ui.quit = true;
 }
 
 void end_session(App& app) {
-    app.session.theme = app.dark ? "dark" : "light";
-    app.session.text_scale = static_cast<double>(app.text_scale);
-    app.session.document = app.document.path;
+    app.work.session.theme = app.ui.dark ? "dark" : "light";
+    app.ui.dismissed_hints = app.ui.dismissed_hints;
+    app.work.session.text_scale = static_cast<double>(app.ui.text_scale);
+    app.work.session.document = app.work.document.path;
     keep_layout(app);
-    keep_devices(app);
+    keep_devices(app.work, app.play);
     // Nobody is left to read a status line; the next start says what could not be kept.
-    (void)autosave(app.session, app.document);
-    (void)close_session(app.session);
+    (void)autosave(app.work.session, app.work.document);
+    (void)close_session(app.work.session);
 }
 
 }  // namespace tact

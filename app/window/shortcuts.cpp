@@ -32,7 +32,7 @@ bool is_text_active() { return ImGui::GetIO().WantTextInput; }
 
 // What is typed at a field that is locked would have been a number.
 bool is_meant_for_locked(const App& app, const Shortcut& shortcut) {
-    return !app.editor.locked_field.empty() && !shortcut.ctrl && shortcut.sign >= '0' &&
+    return !app.ui.field.locked.empty() && !shortcut.ctrl && shortcut.sign >= '0' &&
            shortcut.sign <= '9';
 }
 
@@ -52,7 +52,7 @@ bool touches_document(const Command& command) {
 void run(App& app, const Command& command) {
     if (!ImGui::IsAnyItemActive() || !touches_document(command)) return command.run(app);
     ImGui::ClearActiveID();
-    app.waiting.emplace_back([&app, then = command.run] { then(app); });
+    app.ui.waiting.emplace_back([&app, then = command.run] { then(app); });
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ std::string shortcut_text(const Shortcut& shortcut) {
 }
 
 void run_shortcuts(App& app, std::span<const KeyPress> pressed) {
-    const bool dialog = app.dialog != Dialog::none || app.chooser.is_open || app.question;
+    const bool dialog = app.ui.dialog != Dialog::none || app.ui.chooser.is_open || app.ui.question;
     if (dialog || app.palette.open) return;
     if (is_popup_open()) {
         if (was_pressed(pressed, key::kEscape)) ImGui::ClosePopupToLevel(0, true);
@@ -87,7 +87,7 @@ void run_shortcuts(App& app, std::span<const KeyPress> pressed) {
             if (is_text_active() && belongs_to_text(command.shortcut)) continue;
             if (is_meant_for_locked(app, command.shortcut)) continue;
             const bool arrow = press.code == key::kUp || press.code == key::kDown;
-            if (arrow && app.keyboard_mode) continue;
+            if (arrow && app.ui.keyboard_mode) continue;
             if (command.enabled(app)) run(app, command);
             break;
         }

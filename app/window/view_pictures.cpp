@@ -17,9 +17,8 @@
 #include "app/subset/subset_follow.h"
 #include "app/ui/widgets.h"
 #include "app/window/app.h"
+#include "app/window/columns.h"
 #include "app/window/frame.h"
-#include "app/window/map_marks.h"
-#include "app/window/still_view.h"
 
 namespace tact {
 
@@ -32,23 +31,25 @@ std::shared_ptr<const LiveStages> stages_of(const LiveStagesRequest& request) {
 
 // Edits may be ahead of the jobs; stages take no time worth waiting for.
 void bring_up_to_date(App& app) {
-    const PatternSet& set = app.document.set;
+    const PatternSet& set = app.work.document.set;
     const auto follow = [&](std::shared_ptr<const LiveStages>& shown, std::size_t index) {
-        const LiveStagesRequest request = stages_request(set, index, rendered_by(app.rendering));
+        const LiveStagesRequest request = stages_request(set, index, rendered_by(app.rendered));
         if (!shown || shown->request != request) shown = stages_of(request);
     };
-    if (app.selection.current < set.vibrations.size()) follow(app.stages, app.selection.current);
-    if (const auto pinned = place_named(set, app.pinned)) follow(app.pinned_stages, *pinned);
+    if (app.work.selection.current < set.vibrations.size())
+        follow(app.physiology.stages, app.work.selection.current);
+    if (const auto pinned = place_named(set, app.work.selection.pinned))
+        follow(app.physiology.pinned_stages, *pinned);
 }
 
 void compute_map(App& app, const PatternSet& set, int threads) {
-    const LiveMapRequest request{app.revision, std::make_shared<const PatternSet>(set), 3, false,
-                                 rendered_by(app.rendering)};
+    const LiveMapRequest request{app.work.revision, std::make_shared<const PatternSet>(set), 3,
+                                 false, rendered_by(app.rendered)};
     std::atomic<float> progress = 0.0F;
     LiveMapWork work(threads);
     if (auto map = work(request, {}, progress)) {
         map->seconds = 0.0;  // never the same twice
-        show_map(app, std::make_shared<const LiveMap>(*std::move(map)));
+        show_map(app.ui, app.shown_map, std::make_shared<const LiveMap>(*std::move(map)));
     }
 }
 
@@ -66,23 +67,28 @@ const char* quantity_name(MatrixQuantity quantity) {
 
 PaneTitle physiology_title(const App& app) {
     PaneTitle title{"Physiology", "", {}};
-    if (const Vibration* current = current_vibration(app)) title.detail = current->name;
-    if (!app.pinned.empty()) title.detail += "   compared with   " + app.pinned;
-    if (app.rendering.on) title.detail += "   " + rendered_words(app.rendering);
+    if (const Vibration* current = current_vibration(app.work)) title.detail = current->name;
+    if (!app.work.selection.pinned.empty())
+        title.detail += "   compared with   " + app.work.selection.pinned;
+    if (app.rendered.on) title.detail += "   " + rendered_words(app.rendered);
     char at[64];
-    std::snprintf(at, sizeof at, "at %.3f s of %.3f s", app.playhead.at_s, shown_duration_s(app));
+    std::snprintf(at, sizeof at, "at %.3f s of %.3f s", app.timeline.playhead.at_s,
+                  shown_duration_s(app.work));
     title.right = {at};
     return title;
 }
 
 PaneTitle space_title(const App& app) {
-    PaneTitle title{"Perceptual space", app.document.set.name, {}};
-    if (app.rendering.on) title.detail += "   " + rendered_words(app.rendering);
-    if (shown_side(app) != Side::both) title.detail += "   " + shown_patterns_text(app);
-    if (map_state(app) == MapState::stale) title.detail += "   before the last change";
-    if (map_state(app) == MapState::preview) title.detail += "   preview";
-    if (!app.map.shown || app.map.shown->space.verdict == MdsVerdict::constant) return title;
-    const double stress1 = app.map.shown->space.stress1;
+    PaneTitle title{"Perceptual space", app.work.document.set.name, {}};
+    if (app.rendered.on) title.detail += "   " + rendered_words(app.rendered);
+    if (shown_side(app.work) != Side::both) title.detail += "   " + shown_patterns_text(app.work);
+    if (map_state(app.work, app.shown_map) == MapState::stale)
+        title.detail += "   before the last change";
+    if (map_state(app.work, app.shown_map) == MapState::preview) title.detail += "   preview";
+    if (!app.shown_map.transition.shown ||
+        app.shown_map.transition.shown->space.verdict == MdsVerdict::constant)
+        return title;
+    const double stress1 = app.shown_map.transition.shown->space.stress1;
     char text[96];
     std::snprintf(text, sizeof text, "predicted by PM, stress-1 %.3f, %s", stress1,
                   stress_label(stress1).c_str());
@@ -96,16 +102,19 @@ void draw_view(App& app, PictureView view) {
         case PictureView::window:
             return draw_frame(app, {}, 1.0);
         case PictureView::physiology:
-            return draw_pane(app, Pane::physiology, area, physiology_title(app),
-                             [&app] { draw_physiology_panel(app, false); });
+            return draw_pane(
+                app.ui, app.layout, Pane::physiology, area, physiology_title(app), [&app] {
+                    draw_physiology_panel(app.ui, app.work, app.timeline, app.physiology, false);
+                });
         case PictureView::space:
-            return draw_pane(app, Pane::space, area, space_title(app),
-                             [&app] { draw_space_panel(app, map_marks(app)); });
+            return draw_pane(app.ui, app.layout, Pane::space, area, space_title(app), [&app] {
+                draw_space_panel(app.ui, app.work, app.shown_map, map_marks(app));
+            });
         case PictureView::matrix:
             return draw_pane(
-                app, Pane::matrix, area,
-                {"Matrix", quantity_name(app.matrix_quantity), {rendered_words(app.rendering)}},
-                [&app] { draw_matrix_panel(app); });
+                app.ui, app.layout, Pane::matrix, area,
+                {"Matrix", quantity_name(app.shown_map.quantity), {rendered_words(app.rendered)}},
+                [&app] { draw_matrix_panel(app.ui, app.work, app.shown_map); });
     }
 }
 
@@ -114,86 +123,87 @@ void draw_view(App& app, PictureView view) {
 std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& choice) {
     auto view = std::make_shared<StillView>(make_app());
     App& app = view->app;
-    app.rects = {};
-    app.motion = false;
-    app.document = {set, {}, set};
-    app.unsaved_revision = app.revision;  // nothing to keep
-    app.rendering.on = choice.rendered_by.has_value();
-    app.rendering.by = choice.rendered_by.value_or(RenderedBy{});
-    if (const auto& calibration = app.rendering.by.calibration) {
+    app.ui.rects = {};
+    app.ui.motion = false;
+    app.work.document = {set, {}, set};
+    app.work.unsaved_revision = app.work.revision;  // nothing to keep
+    app.rendered.on = choice.rendered_by.has_value();
+    app.rendered.by = choice.rendered_by.value_or(RenderedBy{});
+    if (const auto& calibration = app.rendered.by.calibration) {
         app.play.calibration = std::make_shared<const Calibration>(*calibration);
     }
     if (choice.view != PictureView::physiology) compute_map(app, set, choice.threads);
     if (choice.pattern >= set.vibrations.size()) return view;
-    app.selection.current = choice.pattern;
-    app.stages = stages_of(stages_request(set, choice.pattern, choice.rendered_by));
-    app.physiology.open = choice.stage;
-    app.physiology.tilted = choice.tilted;
+    app.work.selection.current = choice.pattern;
+    app.physiology.stages = stages_of(stages_request(set, choice.pattern, choice.rendered_by));
+    app.physiology.view.open = choice.stage;
+    app.physiology.view.tilted = choice.tilted;
     if (!choice.pinned) return view;
-    app.pinned = set.vibrations[*choice.pinned].name;
-    app.pinned_stages = stages_of(stages_request(set, *choice.pinned, choice.rendered_by));
+    app.work.selection.pinned = set.vibrations[*choice.pinned].name;
+    app.physiology.pinned_stages =
+        stages_of(stages_request(set, *choice.pinned, choice.rendered_by));
     return view;
 }
 
 std::shared_ptr<StillView> still_view(const App& app) {
     auto view = std::make_shared<StillView>(make_app());
     App& still = view->app;
-    still.rects = {};
-    still.motion = false;
-    still.document = app.document;
-    still.revision = app.revision;
-    still.unsaved_revision = app.revision;
-    still.unsaved = app.unsaved;
-    still.selection = app.selection;
-    still.selection.hovered.reset();
+    still.ui.rects = {};
+    still.ui.motion = false;
+    still.work.document = app.work.document;
+    still.work.revision = app.work.revision;
+    still.work.unsaved_revision = app.work.revision;
+    still.work.unsaved = app.work.unsaved;
+    still.work.selection = app.work.selection;
+    still.work.selection.hovered.reset();
     still.layout = app.layout;
-    still.dark = app.dark;
-    still.stages = app.stages;
-    still.pinned = app.pinned;
-    still.pinned_stages = app.pinned_stages;
-    still.playhead = app.playhead;
-    still.playhead.playing = false;
-    still.time_range = app.time_range;
-    still.physiology = app.physiology;
-    still.crosshair_s.reset();
-    still.physiology.hovered.reset();
-    still.physiology.explained.reset();
-    still.map_cancelled = app.map_cancelled;
-    still.document_number = app.document_number;
-    still.compute_large_of = app.compute_large_of;
-    still.side = app.side;
-    still.subset = still_subset(*app.subset);
-    still.training = still_training(*app.training);
-    still.map = app.map;
-    still.map_look = app.map_look;
-    still.camera = app.camera;
-    still.dimensions = app.dimensions;
-    still.matrix_quantity = app.matrix_quantity;
-    still.bench = app.bench;
-    still.model_panel = app.model_panel;
-    still.rendering.on = app.rendering.on;
-    still.rendering.by = app.rendering.by;
-    still.rendering.shown = app.rendering.shown;
-    still.selection.search = app.selection.search;
-    still.session.dismissed_hints = app.session.dismissed_hints;
+    still.ui.dark = app.ui.dark;
+    still.physiology.stages = app.physiology.stages;
+    still.work.selection.pinned = app.work.selection.pinned;
+    still.physiology.pinned_stages = app.physiology.pinned_stages;
+    still.timeline.playhead = app.timeline.playhead;
+    still.timeline.playhead.playing = false;
+    still.timeline.range = app.timeline.range;
+    still.physiology.view = app.physiology.view;
+    still.timeline.crosshair_s.reset();
+    still.physiology.view.hovered.reset();
+    still.physiology.view.explained.reset();
+    still.shown_map.cancelled = app.shown_map.cancelled;
+    still.work.document_number = app.work.document_number;
+    still.shown_map.compute_large_of = app.shown_map.compute_large_of;
+    still.work.side = app.work.side;
+    still.picking = still_subset(app.picking);
+    still.model_bench.training = still_training(app.model_bench.training);
+    still.shown_map.transition = app.shown_map.transition;
+    still.shown_map.look = app.shown_map.look;
+    still.shown_map.camera = app.shown_map.camera;
+    still.shown_map.dimensions = app.shown_map.dimensions;
+    still.shown_map.quantity = app.shown_map.quantity;
+    still.layout.bench = app.layout.bench;
+    still.model_bench.panel = app.model_bench.panel;
+    still.rendered.on = app.rendered.on;
+    still.rendered.by = app.rendered.by;
+    still.rendered.shown = app.rendered.shown;
+    still.work.selection.search = app.work.selection.search;
+    still.ui.dismissed_hints = app.ui.dismissed_hints;
     bring_up_to_date(still);
     return view;
 }
 
 Picture view_picture(StillView& of, PictureView view, double at_s, const PictureSize& size) {
     App& still = of.app;
-    still.dark = size.dark;
-    still.as_picture = view != PictureView::window;
-    still.playhead.at_s = at_s;
-    const double duration_s = shown_duration_s(still);
-    still.time_range = followed(fitted(still.time_range, duration_s), at_s, duration_s);
+    still.ui.dark = size.dark;
+    still.ui.as_picture = view != PictureView::window;
+    still.timeline.playhead.at_s = at_s;
+    const double duration_s = shown_duration_s(still.work);
+    still.timeline.range = followed(fitted(still.timeline.range, duration_s), at_s, duration_s);
     PictureOptions options;
     options.dark = size.dark;
     options.scale = size.scale;
-    options.extra_text = drawn_text(still.document.set);
+    options.extra_text = drawn_text(still.work.document.set);
     options.has_panes = view == PictureView::window;
     return drawn(size, options, [&still, view](const Theme& theme) {
-        still.theme = theme;
+        still.ui.theme = theme;
         draw_view(still, view);
     });
 }

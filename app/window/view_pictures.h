@@ -9,12 +9,15 @@
 #include "app/export/export_state.h"
 #include "app/physiology/stages.h"
 #include "app/pictures/pictures.h"
+#include "app/window/app.h"
 #include "devices/calibration/rendering.h"
 
 namespace tact {
 
-struct App;
-struct StillView;  // a program that stands still
+// A program that stands still while pictures of it are drawn.
+struct StillView {
+    App app;
+};
 
 // What a fresh view is to show of its set; places in set.vibrations.
 struct ViewChoice {

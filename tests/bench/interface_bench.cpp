@@ -46,20 +46,20 @@ PatternSet twelve() {
 
 void start_jobs(App& app) {
     make_jobs(app);
-    request_maps(app);
+    request_maps(app.work, app.shown_map, app.rendered);
 }
 
 // The points set out again, and keep moving.
-void move_points(App& app) { app.map.since_s = app.time_s; }
+void move_points(App& app) { app.shown_map.transition.since_s = app.ui.time_s; }
 
 void change_every_pattern(App& app, int turn) {
-    for (Vibration& vibration : app.document.set.vibrations) {
+    for (Vibration& vibration : app.work.document.set.vibrations) {
         if (auto* pattern = std::get_if<Pattern>(&vibration.source)) {
             pattern->modulation.frequency_hz = 1.0 + turn % 50;
         }
     }
-    ++app.revision;
-    request_maps(app);
+    ++app.work.revision;
+    request_maps(app.work, app.shown_map, app.rendered);
 }
 
 // The time all threads of this program have computed.
@@ -141,10 +141,11 @@ void slider_to_space(benchmark::State& state) {
         const double begin_s = clock_s();
         const double computed_before_s = process_s();
         bool previewed = false;
-        while (map_state(program.app) != MapState::exact) {
+        while (map_state(program.app.work, program.app.shown_map) != MapState::exact) {
             const double frame_begin_s = clock_s();
             program.frame();
-            if (!previewed && map_state(program.app) != MapState::stale) {
+            if (!previewed &&
+                map_state(program.app.work, program.app.shown_map) != MapState::stale) {
                 preview_s.push_back(clock_s() - begin_s);
                 previewed = true;
             }
@@ -201,18 +202,19 @@ void show_made_up_map(App& app) {
     make_jobs(app);
     RandomStream random{5};
     LiveMap map;
-    map.request = {app.revision, std::make_shared<const PatternSet>(app.document.set), 3, false};
+    map.request = {app.work.revision, std::make_shared<const PatternSet>(app.work.document.set), 3,
+                   false};
     map.prediction.pm.size = kManyPoints;
     map.prediction.pm.condensed.resize(pair_count(kManyPoints));
     for (double& value : map.prediction.pm.condensed) value = 2.0 + next_even(random);
     map.space.points.resize(kManyPoints, 3);
     for (double& value : map.space.points.reshaped()) value = next_normal(random);
-    show_map(app, std::make_shared<const LiveMap>(std::move(map)));
-    app.bench = BenchTab::subset;
-    app.subset->view = SubsetView::confusable;
-    app.subset->share = 0.0005;
-    app.subset->look.colour = PatternParameter::carrier;
-    app.subset->look.path = PatternParameter::modulation;
+    show_map(app.ui, app.shown_map, std::make_shared<const LiveMap>(std::move(map)));
+    app.layout.bench = BenchTab::subset;
+    app.picking.view = SubsetView::confusable;
+    app.picking.share = 0.0005;
+    app.picking.look.colour = PatternParameter::carrier;
+    app.picking.look.path = PatternParameter::modulation;
 }
 
 // In a real window, from the start of a frame until it is on the screen, while the playhead runs a
@@ -224,9 +226,9 @@ void frame_on_display(benchmark::State& state, const PatternSet& set) {
         return;
     }
     App app = make_app();
-    app.document = {set, {}, set};
-    app.committed = std::make_shared<const PatternSet>(set);
-    app.playhead = {.at_s = 0.0, .speed = 0.01, .playing = true, .loop = true};
+    app.work.document = {set, {}, set};
+    app.work.committed = std::make_shared<const PatternSet>(set);
+    app.timeline.playhead = {.at_s = 0.0, .speed = 0.01, .playing = true, .loop = true};
     if (set.vibrations.size() == kManyPoints) {
         show_made_up_map(app);
     } else {
@@ -241,24 +243,27 @@ void frame_on_display(benchmark::State& state, const PatternSet& set) {
     client.frame = [&](const FrameContext& context) {
         begin_s = clock_s();
         computed_before_s = process_s();
-        app.content_scale = context.content_scale;
-        if (map_state(app) == MapState::exact) move_points(app);
+        app.ui.content_scale = context.content_scale;
+        if (map_state(app.work, app.shown_map) == MapState::exact) move_points(app);
         draw_frame(app, context.pressed, context.time_s);
         FrameRequest request;
         request.animate = true;
-        request.background = app.theme.background;
+        request.background = app.ui.theme.background;
         request.close = !state.KeepRunning();
         return request;
     };
     client.build_fonts = [&](float content_scale) {
-        app.content_scale = content_scale;
+        app.ui.content_scale = content_scale;
         make_theme(app);
     };
     client.after_frame = [&] {
-        const bool ready = app.stages && app.stages->request == app.stages_asked;
-        if (!ready || (set.vibrations.size() > 1 && map_state(app) != MapState::exact)) return;
+        const bool ready =
+            app.physiology.stages && app.physiology.stages->request == app.physiology.stages_asked;
+        if (!ready ||
+            (set.vibrations.size() > 1 && map_state(app.work, app.shown_map) != MapState::exact))
+            return;
         receptors = 0;
-        for (const auto& channel : app.stages->neural.channel) {
+        for (const auto& channel : app.physiology.stages->neural.channel) {
             receptors += channel.grid.receptors.size();
         }
         frames_s.push_back(clock_s() - begin_s);

@@ -51,10 +51,10 @@ struct Program {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {1600.0F, 1000.0F};
         io.Fonts->Clear();
-        app.document = {set, {}, set};
-        app.committed = std::make_shared<const PatternSet>(set);
+        app.work.document = {set, {}, set};
+        app.work.committed = std::make_shared<const PatternSet>(set);
         // Any name but none: the frame then notes where things are, and nothing is written.
-        app.rects.file = "/dev/null/no such file";
+        app.ui.rects.file = "/dev/null/no such file";
         make_theme(app);
         settle();
     }
@@ -116,7 +116,7 @@ struct Program {
     // Frames until the map on screen is the exact one of the document.
     void wait_for_exact_map() {
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-        while (map_state(app) != MapState::exact) {
+        while (map_state(app.work, app.shown_map) != MapState::exact) {
             REQUIRE(std::chrono::steady_clock::now() < until);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
             frame();
@@ -125,12 +125,15 @@ struct Program {
 
     // Frames until the stages on screen are those of the patterns as they are; starts the jobs.
     void wait_for_stages() {
-        if (!app.full_job) make_jobs(app);
+        if (!app.shown_map.full_job) make_jobs(app);
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
         const auto arrived = [this] {
-            if (!app.stages || app.stages->request != app.stages_asked) return false;
-            if (app.pinned.empty()) return true;
-            return app.pinned_stages && app.pinned_stages->request == app.pinned_asked;
+            if (!app.physiology.stages ||
+                app.physiology.stages->request != app.physiology.stages_asked)
+                return false;
+            if (app.work.selection.pinned.empty()) return true;
+            return app.physiology.pinned_stages &&
+                   app.physiology.pinned_stages->request == app.physiology.pinned_asked;
         };
         do {
             REQUIRE(std::chrono::steady_clock::now() < until);
@@ -146,13 +149,13 @@ struct Program {
     }
 
     const Pattern& pattern(std::size_t index) const {
-        return std::get<Pattern>(app.document.set.vibrations[index].source);
+        return std::get<Pattern>(app.work.document.set.vibrations[index].source);
     }
 
   private:
     void read_places() {
         places.clear();
-        std::istringstream lines(app.rects.written);
+        std::istringstream lines(app.ui.rects.written);
         for (std::string line; std::getline(lines, line);) {
             std::istringstream cells(line);
             std::string name;

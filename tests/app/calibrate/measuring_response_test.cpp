@@ -23,7 +23,7 @@ struct Measuring : Program {
     MemoryDevice* device = nullptr;
 
     Measuring() : Program(short_patterns(2)) {
-        app.session.folder = folder.path / "state";
+        app.work.session.folder = folder.path / "state";
         DeviceInfo info;
         info.id = "audio/test/coil";
         info.name = "coil";
@@ -35,14 +35,14 @@ struct Measuring : Program {
         app.play.choice.channel = 2;
         app.play.opened = app.play.choice;
         app.play.device = std::move(owned);
-        app.playhead.speed = 1.0;
-        app.dialog = Dialog::devices;
+        app.timeline.playhead.speed = 1.0;
+        app.ui.dialog = Dialog::devices;
         settle();
         click("link:calibrate");
         // A short one.
-        app.calibrate->params.low_hz = 50.0;
-        app.calibrate->params.high_hz = 200.0;
-        app.calibrate->params.per_octave = 2;
+        app.calibrating.params.low_hz = 50.0;
+        app.calibrating.params.high_hz = 200.0;
+        app.calibrating.params.per_octave = 2;
         settle();
     }
 
@@ -58,11 +58,11 @@ struct Measuring : Program {
         REQUIRE(write_wave_file(file, heard));
         return file;
     }
-    Drive signal() const { return calibration_plan(app.calibrate->params).drive; }
+    Drive signal() const { return calibration_plan(app.calibrating.params).drive; }
 
     void wait_for_answer() {
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-        while (current_answer(*app.calibrate) == nullptr) {
+        while (current_answer(app.calibrating) == nullptr) {
             REQUIRE(std::chrono::steady_clock::now() < until);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
             frame();
@@ -81,7 +81,7 @@ TEST_CASE("measuring a response: the signal is played at full level, whatever th
     CHECK(program.device->level() == 1.0);
     program.click("button:stop signal");
     CHECK_FALSE(program.device->playing());
-    play_test_buzz(program.app);
+    play_test_buzz(program.app.ui, program.app.timeline, program.app.play);
     CHECK(program.device->level() == kFirstLevel);
 }
 
@@ -90,9 +90,9 @@ TEST_CASE("measuring a response: the first Esc ends the signal, the second one l
     program.click("button:play signal");
     program.press_key(key::kEscape);
     CHECK_FALSE(program.device->playing());
-    CHECK(program.app.dialog == Dialog::calibrate);
+    CHECK(program.app.ui.dialog == Dialog::calibrate);
     program.press_key(key::kEscape);
-    CHECK(program.app.dialog == Dialog::none);
+    CHECK(program.app.ui.dialog == Dialog::none);
 }
 
 TEST_CASE("measuring a response: leaving the dialog ends the signal") {
@@ -105,10 +105,10 @@ TEST_CASE("measuring a response: leaving the dialog ends the signal") {
 TEST_CASE("measuring a response: a recording becomes the file of this device, used at once") {
     Measuring program;
     CHECK(program.shows("calibrate:waits"));
-    read_calibration_recording(program.app, program.recorded(0.5));
+    read_calibration_recording(program.app.ui, program.app.calibrating, program.recorded(0.5));
     program.wait_for_answer();
     CHECK(program.shows("calibrate:response"));
-    program.app.calibrate->about.actuator = "left coil";
+    program.app.calibrating.about.actuator = "left coil";
     program.click("button:choose");
     REQUIRE(program.app.play.calibration);
     const Calibration& made = *program.app.play.calibration;
@@ -121,25 +121,27 @@ TEST_CASE("measuring a response: a recording becomes the file of this device, us
         CHECK(std::abs(point.g_per_full_scale / 0.5 - 1.0) < 1e-3);
     }
     const std::filesystem::path file = program.app.play.choice.calibration;
-    CHECK(file.parent_path() == program.app.session.folder / "calibrations");
+    CHECK(file.parent_path() == program.app.work.session.folder / "calibrations");
     CHECK(*read_calibration(file) == made);
-    CHECK(program.app.status.text.find("Calibrated: left coil") == 0);
+    CHECK(program.app.ui.status.text.find("Calibrated: left coil") == 0);
 }
 
 TEST_CASE("measuring a response: a second calibration leaves the first one's file as it is") {
     Measuring program;
-    read_calibration_recording(program.app, program.recorded(0.5));
+    read_calibration_recording(program.app.ui, program.app.calibrating, program.recorded(0.5));
     program.wait_for_answer();
-    save_and_use_calibration(program.app);
+    save_and_use_calibration(program.app.ui, program.app.work, program.app.timeline,
+                             program.app.rendered, program.app.play, program.app.calibrating);
     const std::filesystem::path first = program.app.play.choice.calibration;
-    save_and_use_calibration(program.app);
+    save_and_use_calibration(program.app.ui, program.app.work, program.app.timeline,
+                             program.app.rendered, program.app.play, program.app.calibrating);
     CHECK(program.app.play.choice.calibration != first.string());
     CHECK(std::filesystem::exists(first));
 }
 
 TEST_CASE("measuring a response: what is no recording of the signal is said, and not saved") {
     Measuring program;
-    read_calibration_recording(program.app,
+    read_calibration_recording(program.app.ui, program.app.calibrating,
                                program.folder.write("heard.csv", "time_s,x_g\n0,0\n1,2\n"));
     program.wait_for_answer();
     CHECK_FALSE(program.at("calibrate:waits").value.empty());
@@ -149,26 +151,27 @@ TEST_CASE("measuring a response: what is no recording of the signal is said, and
 
 TEST_CASE("measuring a response: a change of the signal asks anew, what was said is no answer") {
     Measuring program;
-    read_calibration_recording(program.app, program.recorded(0.5));
+    read_calibration_recording(program.app.ui, program.app.calibrating, program.recorded(0.5));
     program.wait_for_answer();
     program.click("calibrate:sweep");
-    CHECK(program.app.calibrate->params.is_sweep);
+    CHECK(program.app.calibrating.params.is_sweep);
     program.wait_for_answer();
     CHECK_FALSE(program.at("calibrate:waits").value.empty());
 }
 
 TEST_CASE("measuring a response: what a calibrated coil renders follows the calibration") {
     Measuring program;
-    program.app.rendering.by.kind = ActuatorKind::voice_coil;
+    program.app.rendered.by.kind = ActuatorKind::voice_coil;
     program.settle();
-    CHECK_FALSE(is_calibrated(program.app.rendering.by));
-    read_calibration_recording(program.app, program.recorded(0.5));
+    CHECK_FALSE(is_calibrated(program.app.rendered.by));
+    read_calibration_recording(program.app.ui, program.app.calibrating, program.recorded(0.5));
     program.wait_for_answer();
     program.click("button:choose");
-    CHECK(is_calibrated(program.app.rendering.by));
-    use_calibration(program.app, {});
+    CHECK(is_calibrated(program.app.rendered.by));
+    use_calibration(program.app.ui, program.app.work, program.app.timeline, program.app.rendered,
+                    program.app.play, {});
     program.settle();
-    CHECK_FALSE(is_calibrated(program.app.rendering.by));
+    CHECK_FALSE(is_calibrated(program.app.rendered.by));
 }
 
 }  // namespace measuring_response_test

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/compare/bench_follow.h"
+#include "app/compare/compare_follow.h"
 #include "app/document/rating_files.h"
 #include "app/document/shown_side.h"
 #include "app/map/pair.h"
@@ -44,28 +44,33 @@ struct Bench {
 
     explicit Bench(const PatternSet& set = short_patterns(kCount)) : program(set) {
         make_jobs(program.app);
-        request_maps(program.app);
+        request_maps(program.app.work, program.app.shown_map, program.app.rendered);
         if (set.vibrations.size() >= 2) program.wait_for_exact_map();
     }
 
     void load(const std::string& text, const std::string& name = "people.csv") {
-        load_ratings(program.app, {folder.write(name, text)});
+        load_ratings(program.app.ui, program.app.work, program.app.layout,
+                     {folder.write(name, text)});
         program.settle();
     }
 
     // Frames until the comparison on screen is that of the map on screen.
     void wait_for_comparison() {
         program.wait_for_exact_map();
-        wait_until([this] { return !shown_comparison(program.app).is_stale; });
+        wait_until([this] {
+            return !shown_comparison(program.app.work, program.app.shown_map, program.app.comparing)
+                        .is_stale;
+        });
     }
 
     void wait_for_difference() {
         wait_until([this] {
             const App& app = program.app;
-            const auto pair = chosen_pair(app);
-            return app.difference && pair && app.difference->request.map == app.map.shown &&
-                   app.difference->request.a == pair->current &&
-                   app.difference->request.b == pair->partner;
+            const auto pair = chosen_pair(app.work, app.shown_map);
+            return app.comparing.difference && pair &&
+                   app.comparing.difference->request.map == app.shown_map.transition.shown &&
+                   app.comparing.difference->request.a == pair->current &&
+                   app.comparing.difference->request.b == pair->partner;
         });
     }
 
@@ -105,17 +110,17 @@ TEST_CASE("compare tab: without ratings it says what to load, and compares with 
     CHECK(pm == 1.0);
     CHECK(bench.program.shows("metric:no-physiology"));
     bench.program.click("button:load ratings");
-    CHECK(bench.program.app.chooser.is_open);
-    CHECK(bench.program.app.chooser_purpose == ChooserPurpose::load_ratings);
+    CHECK(bench.program.app.ui.chooser.is_open);
+    CHECK(bench.program.app.ui.chooser_purpose == ChooserPurpose::load_ratings);
 }
 
 TEST_CASE("compare tab: its numbers are those of the command line, to the last bit") {
     Bench bench;
     bench.load(square_csv());
-    CHECK(bench.program.app.bench == BenchTab::compare);
+    CHECK(bench.program.app.layout.bench == BenchTab::compare);
     bench.wait_for_comparison();
     const auto set = (bench.folder.path / "set.tactspace.json").string();
-    REQUIRE(write_set_file(set, bench.program.app.document.set));
+    REQUIRE(write_set_file(set, bench.program.app.work.document.set));
     const auto rows = nlohmann::json::parse(output_of({"compare", set, "--json"}));
     REQUIRE(rows.size() >= 3);
     for (const auto& row : rows) {
@@ -139,35 +144,35 @@ TEST_CASE("compare tab: loading ratings is one step, kept with the set and renam
     Bench bench;
     bench.load(square_csv());
     App& app = bench.program.app;
-    REQUIRE(app.document.set.ratings.size() == 1);
-    CHECK_FALSE(app.status.is_error);
-    rename_vibration(app, 0, "tap");
-    CHECK(app.document.set.ratings[0].labels[0] == "tap");
+    REQUIRE(app.work.document.set.ratings.size() == 1);
+    CHECK_FALSE(app.ui.status.is_error);
+    rename_vibration(app.ui, app.work, 0, "tap");
+    CHECK(app.work.document.set.ratings[0].labels[0] == "tap");
     bench.wait_for_comparison();
     CHECK(bench.program.shows("compare:people"));
-    undo(app);
-    undo(app);
-    CHECK(app.document.set.ratings.empty());
+    undo(app.ui, app.work);
+    undo(app.ui, app.work);
+    CHECK(app.work.document.set.ratings.empty());
     bench.wait_for_comparison();
     CHECK(bench.program.shows("button:load ratings"));
-    redo(app);
-    CHECK(app.document.set.ratings.size() == 1);
+    redo(app.ui, app.work);
+    CHECK(app.work.document.set.ratings.size() == 1);
 }
 
 TEST_CASE("compare tab: a file that does not fit is refused in words and changes nothing") {
     Bench bench;
     App& app = bench.program.app;
     bench.load(",p1,x\np1,0,1\nx,1,0\n");
-    CHECK(app.status.is_error);
-    CHECK(
-        contains(app.status.text, "people.csv: expected names of patterns of the set, got \"x\""));
+    CHECK(app.ui.status.is_error);
+    CHECK(contains(app.ui.status.text,
+                   "people.csv: expected names of patterns of the set, got \"x\""));
     bench.load("a,b\n1,two,3\n", "odd.csv");
-    CHECK(app.status.is_error);
-    CHECK(contains(app.status.text, "odd.csv"));
-    load_ratings(app, {bench.folder.path / "none.csv"});
-    CHECK(app.status.is_error);
-    CHECK(app.document.set.ratings.empty());
-    CHECK(app.history.undo_label() == nullptr);
+    CHECK(app.ui.status.is_error);
+    CHECK(contains(app.ui.status.text, "odd.csv"));
+    load_ratings(app.ui, app.work, app.layout, {bench.folder.path / "none.csv"});
+    CHECK(app.ui.status.is_error);
+    CHECK(app.work.document.set.ratings.empty());
+    CHECK(app.work.history.undo_label() == nullptr);
 }
 
 TEST_CASE("compare tab: ratings of a pattern that is gone no longer fit, and it says so") {
@@ -176,7 +181,7 @@ TEST_CASE("compare tab: ratings of a pattern that is gone no longer fit, and it 
     bench.program.press_key(key::kDelete);
     bench.wait_for_comparison();
     CHECK(contains(bench.program.at("compare:fault").value, "got \"p1\""));
-    undo(bench.program.app);
+    undo(bench.program.app.ui, bench.program.app.work);
     bench.wait_for_comparison();
     CHECK(bench.program.shows("compare:people"));
 }
@@ -208,7 +213,7 @@ TEST_CASE("compare tab: a row chooses the metric of the pairs and of the Shepard
     bench.load(square_csv());
     bench.wait_for_comparison();
     bench.program.click("metric:mtm");
-    CHECK(bench.program.app.compare.metric == Metric::mtm);
+    CHECK(bench.program.app.comparing.panel.metric == Metric::mtm);
     bench.program.click("compare:Pairs");
     CHECK(bench.program.at("combo:metric").value == "Mtm");
     bench.program.click("tab:Shepard");
@@ -221,7 +226,7 @@ TEST_CASE("compare tab: a row chooses the metric of the pairs and of the Shepard
     bench.program.click("choose:pm");
     char stress[32];
     std::snprintf(stress, sizeof stress, "stress-1 %.3f,",
-                  bench.program.app.map.shown->space.stress1);
+                  bench.program.app.shown_map.transition.shown->space.stress1);
     CHECK(contains(bench.program.at("view:Shepard").value, stress));
 }
 
@@ -232,18 +237,18 @@ TEST_CASE("compare tab: a point of the scatter selects its pair, a listed pair o
     bench.program.click("compare:Pairs");
     const App& app = bench.program.app;
     bench.program.click("pair point:" + std::to_string(pair_index(kCount, 2, 4)));
-    auto pair = chosen_pair(app);
+    auto pair = chosen_pair(app.work, app.shown_map);
     REQUIRE(pair);
     // Another pair may be in the same place; then it is that one.
     CHECK(pair->kind == PartnerKind::chosen);
-    const auto& people = app.comparison->people->said.rated.people.dissimilarity;
+    const auto& people = app.comparing.comparison->people->said.rated.people.dissimilarity;
     CHECK(people(pair->current, pair->partner) == people(2, 4));
 
-    const auto worst = disagreements(app.comparison->metrics[0].matrix, people).front();
+    const auto worst = disagreements(app.comparing.comparison->metrics[0].matrix, people).front();
     const auto [i, j] = pair_at(kCount, worst.pair);
     const std::string names = "p" + std::to_string(i + 1) + "|p" + std::to_string(j + 1);
     bench.program.click("disagreement:" + names);
-    CHECK(app.bench == BenchTab::why);
+    CHECK(app.layout.bench == BenchTab::why);
     CHECK(bench.program.at("why:pair").value == names);
 }
 
@@ -262,13 +267,13 @@ TEST_CASE("compare tab: disagreement is the difference of ranks among the rated 
 
 TEST_CASE("compare tab: cancelled, it waits for a word or the next edit") {
     Bench bench;
-    bench.program.app.bench = BenchTab::compare;
+    bench.program.app.layout.bench = BenchTab::compare;
     bench.program.frame();
-    cancel_comparison(bench.program.app);
-    bench.wait_until([&] { return !bench.program.app.comparison_job->busy(); });
-    CHECK(bench.program.app.comparison == nullptr);
+    cancel_comparison(bench.program.app.work, bench.program.app.comparing);
+    bench.wait_until([&] { return !bench.program.app.comparing.comparison_job->busy(); });
+    CHECK(bench.program.app.comparing.comparison == nullptr);
     for (int k = 0; k < 5; ++k) bench.program.frame();
-    CHECK_FALSE(bench.program.app.comparison_job->busy());
+    CHECK_FALSE(bench.program.app.comparing.comparison_job->busy());
     bench.program.click("button:compare metrics");
     bench.wait_for_comparison();
     CHECK(bench.program.shows("metric:pm"));
@@ -289,7 +294,7 @@ TEST_CASE("compare tab: silence and equal patterns have words, not numbers") {
     bench.program.click("tab:Shepard");
     bench.program.click("tab:Why");
     bench.wait_for_difference();
-    CHECK(bench.program.app.difference->path.distance == 0.0);
+    CHECK(bench.program.app.comparing.difference->path.distance == 0.0);
     CHECK_FALSE(bench.program.shows("why:channel Pacinian"));
 }
 
@@ -314,17 +319,17 @@ TEST_CASE("overlay: the map of the ratings lies over the predicted one, and foll
     bench.wait_for_comparison();
     bench.program.click("check:overlay ratings");
     CHECK(bench.program.shows("overlay"));
-    const auto over = people_over_map(app);
+    const auto over = people_over_map(app.shown_map, app.comparing);
     REQUIRE(over);
     CHECK(over->cols() == 3);
     // Aligned: no shift is left, and no turn or size would bring it closer.
-    CHECK((over->colwise().mean() - app.map.to.colwise().mean()).norm() <= 1e-9);
-    const double apart = (*over - app.map.to).norm();
-    CHECK((*over * 1.02 - app.map.to).norm() >= apart);
-    CHECK((*over * 0.98 - app.map.to).norm() >= apart);
+    CHECK((over->colwise().mean() - app.shown_map.transition.to.colwise().mean()).norm() <= 1e-9);
+    const double apart = (*over - app.shown_map.transition.to).norm();
+    CHECK((*over * 1.02 - app.shown_map.transition.to).norm() >= apart);
+    CHECK((*over * 0.98 - app.shown_map.transition.to).norm() >= apart);
     bench.program.click("radio:2-D");
     bench.wait_for_comparison();
-    CHECK(people_over_map(app)->cols() == 2);
+    CHECK(people_over_map(app.shown_map, app.comparing)->cols() == 2);
     CHECK(bench.program.shows("overlay"));
 }
 
@@ -333,26 +338,26 @@ TEST_CASE("why tab: it explains the current pattern and its closest one, or the 
     App& app = bench.program.app;
     bench.program.click("tab:Why");
     bench.wait_for_difference();
-    auto pair = chosen_pair(app);
+    auto pair = chosen_pair(app.work, app.shown_map);
     CHECK(pair->kind == PartnerKind::closest);
-    const Dissimilarity& pm = app.map.shown->prediction.pm;
+    const Dissimilarity& pm = app.shown_map.transition.shown->prediction.pm;
     for (std::size_t k = 1; k < kCount; ++k) CHECK(pm(0, pair->partner) <= pm(0, k));
-    choose_pair(app, 1, 3);
+    choose_pair(app.work, 1, 3);
     bench.wait_for_difference();
     CHECK(bench.program.at("why:pair").value == "p2|p4");
     const std::size_t k = pair_index(kCount, 1, 3);
-    const Prediction& prediction = app.map.shown->prediction;
+    const Prediction& prediction = app.shown_map.transition.shown->prediction;
     const double share = prediction.nc_rank[k] / (prediction.nc_rank[k] + prediction.oc_rank[k]);
     CHECK(contains(bench.program.at("why:parts").value,
                    "neural coding " + std::to_string(std::lround(100.0 * share)) + " %"));
     // The steps' mean is NC squared.
     double mean = 0.0;
-    for (const double step : app.difference->apart) mean += step;
-    mean /= static_cast<double>(app.difference->apart.size());
+    for (const double step : app.comparing.difference->apart) mean += step;
+    mean /= static_cast<double>(app.comparing.difference->apart.size());
     const double nc = prediction.nc.condensed[k];
     CHECK(std::abs(mean - nc * nc) <= 1e-12);
     bench.program.click("link:both pipelines");
-    CHECK(app.pinned == "p4");
+    CHECK(app.work.selection.pinned == "p4");
 }
 
 TEST_CASE("why tab: a cell of the matrix makes the pair") {
@@ -375,11 +380,11 @@ TEST_CASE("findings: they are checked on request, and can be cancelled") {
     Bench bench;
     bench.program.click("tab:Compare");
     bench.program.click("compare:Findings");
-    CHECK(bench.program.app.findings == nullptr);
+    CHECK(bench.program.app.comparing.findings == nullptr);
     bench.program.click("button:check findings");
     bench.program.click("link:cancel findings");
-    bench.wait_until([&] { return !bench.program.app.findings_job->busy(); });
-    CHECK(bench.program.app.findings == nullptr);
+    bench.wait_until([&] { return !bench.program.app.comparing.findings_job->busy(); });
+    CHECK(bench.program.app.comparing.findings == nullptr);
     CHECK(bench.program.shows("button:check findings"));
 }
 
@@ -387,18 +392,18 @@ TEST_CASE("compare: ratings of the patterns alone can be held against either sid
     Bench bench(with_synthetic_twins(short_patterns(4), {}));
     bench.load(",p1,p2,p3,p4\np1,0,1,2,3\np2,1,0,4,5\np3,2,4,0,6\np4,3,5,6,0\n");
     bench.wait_for_comparison();
-    REQUIRE(bench.program.app.comparison->people);
-    CHECK(bench.program.app.comparison->people->said.unrated.size() == 4);  // the twins
+    REQUIRE(bench.program.app.comparing.comparison->people);
+    CHECK(bench.program.app.comparing.comparison->people->said.unrated.size() == 4);  // the twins
     bench.program.click("button:measured only");
-    CHECK(shown_side(bench.program.app) == Side::measured);
+    CHECK(shown_side(bench.program.app.work) == Side::measured);
     bench.wait_for_comparison();
-    REQUIRE(bench.program.app.comparison->people);
+    REQUIRE(bench.program.app.comparing.comparison->people);
     CHECK_FALSE(bench.program.shows("compare:fault"));
-    show_side(bench.program.app, Side::both);
+    show_side(bench.program.app.work, Side::both);
     bench.wait_for_comparison();
     bench.program.click("button:intended only");
     bench.wait_for_comparison();
-    CHECK(bench.program.app.comparison->people);
+    CHECK(bench.program.app.comparing.comparison->people);
 }
 
 }  // namespace compare_panel_test

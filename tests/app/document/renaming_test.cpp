@@ -18,14 +18,10 @@ namespace {
 
 // Everything in the program that keeps "p2" by its name.
 std::vector<std::string> names_kept(App& app) {
-    const SubsetState& subset = *app.subset;
-    return {app.partner,
-            app.pinned,
-            app.tour.before.pinned,
-            subset.reference_a,
-            subset.opened->first,
-            app.play.sounding->names.at(0),
-            app.import->patterns.at(0)};
+    const SubsetState& subset = app.picking;
+    return {app.work.selection.partner,  app.work.selection.pinned, app.tour.before.pinned,
+            subset.reference_a,          subset.opened->first,      app.play.sounding->names.at(0),
+            app.importing.patterns.at(0)};
 }
 
 }  // namespace
@@ -33,25 +29,25 @@ std::vector<std::string> names_kept(App& app) {
 TEST_CASE("rename: a pattern stays in the study, in pairs, pinned, and among what sounds") {
     Program program(short_patterns(4));
     App& app = program.app;
-    app.document.set.study.patterns = {"p1", "p2", "p4"};
-    app.document.set.ratings = {{"P", {"p1", "p2", "p3", "p4"}, {1, 2, 3, 4, 5, 6}, {}}};
-    commit_step(app, "study");
-    app.partner = app.pinned = app.tour.before.pinned = "p2";
-    app.subset->reference_a = "p2";
-    app.subset->opened = {"p2", "p3"};
+    app.work.document.set.study.patterns = {"p1", "p2", "p4"};
+    app.work.document.set.ratings = {{"P", {"p1", "p2", "p3", "p4"}, {1, 2, 3, 4, 5, 6}, {}}};
+    commit_step(app.ui, app.work, "study");
+    app.work.selection.partner = app.work.selection.pinned = app.tour.before.pinned = "p2";
+    app.picking.reference_a = "p2";
+    app.picking.opened = {"p2", "p3"};
     app.play.sounding = Sounding{.names = {"p2", "p1"}};
-    app.import->patterns = {"p2"};
+    app.importing.patterns = {"p2"};
     const auto all = [](const char* name) { return std::vector<std::string>(7, name); };
-    rename_vibration(app, 1, "tap");
+    rename_vibration(app.ui, app.work, 1, "tap");
     follow_changes(app);
-    CHECK(study_names(app) == std::vector<std::string>{"p1", "tap", "p4"});
-    CHECK(app.document.set.ratings[0].labels[1] == "tap");
+    CHECK(study_names(app.work) == std::vector<std::string>{"p1", "tap", "p4"});
+    CHECK(app.work.document.set.ratings[0].labels[1] == "tap");
     CHECK(names_kept(app) == all("tap"));
-    undo(app);
+    undo(app.ui, app.work);
     follow_changes(app);
-    CHECK(study_names(app) == std::vector<std::string>{"p1", "p2", "p4"});
+    CHECK(study_names(app.work) == std::vector<std::string>{"p1", "p2", "p4"});
     CHECK(names_kept(app) == all("p2"));
-    redo(app);
+    redo(app.ui, app.work);
     follow_changes(app);
     CHECK(names_kept(app) == all("tap"));
     app.play.sounding.reset();
@@ -60,14 +56,14 @@ TEST_CASE("rename: a pattern stays in the study, in pairs, pinned, and among wha
 TEST_CASE("rename: a copied measurement measures its pattern under the new name") {
     Program program(with_synthetic_twins(short_patterns(2), {}));
     App& app = program.app;
-    app.selection.current = 1;
+    app.work.selection.current = 1;
     const auto twin = [&app](std::size_t k) {
-        return std::get<Measurement>(app.document.set.vibrations[k].source).measures;
+        return std::get<Measurement>(app.work.document.set.vibrations[k].source).measures;
     };
     REQUIRE(twin(1) == "p1");
-    copy_selected(app);
-    rename_vibration(app, 0, "tap");
-    paste(app);
+    copy_selected(app.ui, app.work);
+    rename_vibration(app.ui, app.work, 0, "tap");
+    paste(app.ui, app.work);
     CHECK(twin(1) == "tap");
     CHECK(twin(2) == "tap");
 }
@@ -75,10 +71,10 @@ TEST_CASE("rename: a copied measurement measures its pattern under the new name"
 TEST_CASE("rename: patterns that change places by an undo are no renames") {
     Program program(short_patterns(3));
     App& app = program.app;
-    app.pinned = "p1";
-    move_vibration(app, 0, 2);
-    undo(app);
-    CHECK(app.pinned == "p1");
+    app.work.selection.pinned = "p1";
+    move_vibration(app.ui, app.work, 0, 2);
+    undo(app.ui, app.work);
+    CHECK(app.work.selection.pinned == "p1");
 }
 
 }  // namespace renaming_test

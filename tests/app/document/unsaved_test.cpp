@@ -55,35 +55,36 @@ struct Edited : Program {
     TemporaryFolder folder;
 
     Edited() : Program(short_patterns(3)) {
-        app.session = open_session(folder.path / "state");
+        app.work.session = open_session(folder.path / "state");
         edit();
     }
-    ~Edited() { (void)close_session(app.session); }
+    ~Edited() { (void)close_session(app.work.session); }
     void edit() {
-        app.selection.current = 0;
-        edit_patterns(app, [](Pattern& pattern) { pattern.amplitude_g += 0.1; });
-        commit_step(app, "amplitude");
+        app.work.selection.current = 0;
+        edit_patterns(app.work, [](Pattern& pattern) { pattern.amplitude_g += 0.1; });
+        commit_step(app.ui, app.work, "amplitude");
     }
     // No room for a byte more, wherever it looks.
     void fill_disk() {
-        app.session.autosave = app.session.folder / "full";
-        fs::create_symlink("/dev/full", app.session.autosave);
+        app.work.session.autosave = app.work.session.folder / "full";
+        fs::create_symlink("/dev/full", app.work.session.autosave);
     }
     // It is there, but nothing can be written into it, by root either.
     void lock_folder() {
-        app.session.folder = "/proc/self";
-        app.session.autosave = "/proc/self/autosave.json";
+        app.work.session.folder = "/proc/self";
+        app.work.session.autosave = "/proc/self/autosave.json";
     }
 };
 
 bool refuses_others(Program& program) {
     App& app = program.app;
-    const PatternSet edited = app.document.set;
+    const PatternSet edited = app.work.document.set;
     for (const auto replace : {new_document, open_example}) {
-        app.status = {};
-        replace(app);
-        if (!app.status.is_error || !contains(app.status.text, "Save as...")) return false;
-        if (app.document.set != edited || app.history.undo_label() == nullptr) return false;
+        app.ui.status = {};
+        replace(app.ui, app.work);
+        if (!app.ui.status.is_error || !contains(app.ui.status.text, "Save as...")) return false;
+        if (app.work.document.set != edited || app.work.history.undo_label() == nullptr)
+            return false;
     }
     return true;
 }
@@ -101,14 +102,14 @@ TEST_CASE("unsaved: with a file where the state folder should be, no document ta
     CHECK(contains(program.at("question").value, "Nothing will be kept after this run"));
     program.press_key(key::kEnter);
     CHECK_FALSE(program.shows("question"));
-    new_document(app);
-    CHECK(app.document.set.vibrations.empty());  // nothing was unsaved
-    add_pattern(app);
+    new_document(app.ui, app.work);
+    CHECK(app.work.document.set.vibrations.empty());  // nothing was unsaved
+    add_pattern(app.ui, app.work);
     CHECK(refuses_others(program));
     // Saved, it may go.
-    save_as(app, folder.path / "mine.tactspace.json");
-    new_document(app);
-    CHECK(app.document.set.vibrations.empty());
+    save_as(app.ui, app.work, folder.path / "mine.tactspace.json");
+    new_document(app.ui, app.work);
+    CHECK(app.work.document.set.vibrations.empty());
 }
 
 TEST_CASE("unsaved: in a folder that cannot be written, and on a full disk, it stays as well") {
@@ -118,20 +119,20 @@ TEST_CASE("unsaved: in a folder that cannot be written, and on a full disk, it s
         CHECK(refuses_others(program));
         const fs::path other = program.folder.path / "other.tactspace.json";
         REQUIRE(write_set_file(other, short_patterns(2)));
-        open_paths(program.app, {other});
-        CHECK(program.app.document.set.vibrations.size() == 3);
-        CHECK(program.app.session.recent_files.empty());
+        open_paths(program.app.ui, program.app.work, {other});
+        CHECK(program.app.work.document.set.vibrations.size() == 3);
+        CHECK(program.app.work.session.recent_files.empty());
     }
 }
 
 TEST_CASE("unsaved: it is kept aside where it can be, and the other document opens") {
     Edited program;
     App& app = program.app;
-    const PatternSet edited = app.document.set;
-    open_example(app);
-    CHECK(app.document.set.vibrations.size() == 12);
-    REQUIRE(app.session.recent_files.size() == 1);
-    const auto kept = load_set(app.session.recent_files[0]);
+    const PatternSet edited = app.work.document.set;
+    open_example(app.ui, app.work);
+    CHECK(app.work.document.set.vibrations.size() == 12);
+    REQUIRE(app.work.session.recent_files.size() == 1);
+    const auto kept = load_set(app.work.session.recent_files[0]);
     REQUIRE(kept);
     CHECK(kept->set == edited);
 }
@@ -148,16 +149,16 @@ TEST_CASE("unsaved: a window with the only copy stays open and asks") {
     // Esc changes nothing, and the next try asks again.
     program.press_key(key::kEscape);
     CHECK_FALSE(program.shows("question"));
-    CHECK_FALSE(app.quit);
+    CHECK_FALSE(app.ui.quit);
     program.press('q', true);
     CHECK(program.shows("question"));
-    CHECK_FALSE(app.quit);
+    CHECK_FALSE(app.ui.quit);
     // Enter takes the marked answer: where to?
     program.press_key(key::kEnter);
-    CHECK(app.chooser.is_open);
-    CHECK(app.chooser_purpose == ChooserPurpose::save_document);
+    CHECK(app.ui.chooser.is_open);
+    CHECK(app.ui.chooser_purpose == ChooserPurpose::save_document);
     program.press_key(key::kEscape);
-    save_as(app, program.folder.path / "mine.tactspace.json");
+    save_as(app.ui, app.work, program.folder.path / "mine.tactspace.json");
     CHECK(may_close(app));
 }
 
@@ -167,9 +168,9 @@ TEST_CASE("unsaved: only the word to discard discards, by keyboard too") {
     program.press('q', true);
     program.press_key(key::kRight);
     CHECK(program.at("answer:Discard and quit").value == "marked");
-    CHECK_FALSE(program.app.quit);
+    CHECK_FALSE(program.app.ui.quit);
     program.press_key(key::kEnter);
-    CHECK(program.app.quit);
+    CHECK(program.app.ui.quit);
 }
 
 TEST_CASE("unsaved: while a question is open, no command and no drop reaches the document") {
@@ -177,14 +178,14 @@ TEST_CASE("unsaved: while a question is open, no command and no drop reaches the
     App& app = program.app;
     program.fill_disk();
     program.press('q', true);
-    const PatternSet edited = app.document.set;
+    const PatternSet edited = app.work.document.set;
     program.press('n', true);
     program.press_key(key::kDelete);
-    CHECK(app.document.set == edited);
+    CHECK(app.work.document.set == edited);
     program.click("answer:Cancel");
     CHECK_FALSE(program.shows("question"));
     program.press('n', true);
-    CHECK(app.document.set.vibrations.size() == 4);
+    CHECK(app.work.document.set.vibrations.size() == 4);
 }
 
 TEST_CASE("unsaved: a full disk does not cost what the last session left, when a file is opened") {
@@ -203,24 +204,24 @@ TEST_CASE("unsaved: a full disk does not cost what the last session left, when a
         const FullDisk full;
         REQUIRE(start_session(app, {other}));
     }
-    CHECK(app.document.set.vibrations.size() == 5);
-    CHECK(contains(app.status.text, "This document stays open"));
-    open_paths(app, {other});  // there is room again
-    CHECK(app.document.set.vibrations.size() == 2);
-    CHECK(contains(app.status.text, "Unsaved changes before it are kept in"));
-    (void)close_session(app.session);
+    CHECK(app.work.document.set.vibrations.size() == 5);
+    CHECK(contains(app.ui.status.text, "This document stays open"));
+    open_paths(app.ui, app.work, {other});  // there is room again
+    CHECK(app.work.document.set.vibrations.size() == 2);
+    CHECK(contains(app.ui.status.text, "Unsaved changes before it are kept in"));
+    (void)close_session(app.work.session);
 }
 
 TEST_CASE("save: what another program wrote since is not written over without a word") {
     Edited program;
     App& app = program.app;
     const fs::path file = program.folder.path / "mine.tactspace.json";
-    save_as(app, file);
+    save_as(app.ui, app.work, file);
     program.edit();
-    save(app);
+    save(app.ui, app.work);
     program.settle();
     CHECK_FALSE(program.shows("question"));  // what was written here is known here
-    PatternSet outside = app.document.set;
+    PatternSet outside = app.work.document.set;
     outside.name = "by another";
     REQUIRE(write_set_file(file, outside));
     program.edit();
@@ -230,7 +231,7 @@ TEST_CASE("save: what another program wrote since is not written over without a 
     program.press_key(key::kEscape);
     CHECK(load_set(file)->set.name == "by another");
     // Elsewhere it never asks.
-    save_as(app, program.folder.path / "elsewhere.tactspace.json");
+    save_as(app.ui, app.work, program.folder.path / "elsewhere.tactspace.json");
     program.settle();
     CHECK_FALSE(program.shows("question"));
 }
@@ -240,30 +241,30 @@ TEST_CASE("save: who says so writes over it, and is not asked again") {
     App& app = program.app;
     const fs::path file = program.folder.path / "mine.tactspace.json";
     REQUIRE(write_set_file(file, short_patterns(3)));
-    new_document(app);
-    open_paths(app, {file});
+    new_document(app.ui, app.work);
+    open_paths(app.ui, app.work, {file});
     REQUIRE(write_set_file(file, short_patterns(2)));
     program.edit();
     program.press('s', true);
     program.click("answer:Overwrite");
-    CHECK(load_set(file)->set == app.document.set);
-    CHECK_FALSE(is_changed_outside(app.document, file));
+    CHECK(load_set(file)->set == app.work.document.set);
+    CHECK_FALSE(is_changed_outside(app.work.document, file));
     // Not there any more: nothing is lost by writing it.
     fs::remove(file);
     program.edit();
     program.press('s', true);
-    CHECK(load_set(file)->set == app.document.set);
+    CHECK(load_set(file)->set == app.work.document.set);
 }
 
 TEST_CASE("save: a change from outside is noticed after a recovery, too") {
     Edited program;
     App& app = program.app;
     const fs::path file = program.folder.path / "mine.tactspace.json";
-    save_as(app, file);
+    save_as(app.ui, app.work, file);
     program.edit();
-    REQUIRE(autosave(app.session, app.document));
+    REQUIRE(autosave(app.work.session, app.work.document));
     REQUIRE(write_set_file(file, short_patterns(2)));
-    const Restored restored = restore(app.session);
+    const Restored restored = restore(app.work.session);
     REQUIRE(restored.document);
     CHECK(is_changed_outside(*restored.document, file));
 }
@@ -271,21 +272,21 @@ TEST_CASE("save: a change from outside is noticed after a recovery, too") {
 TEST_CASE("open: that another window has the document open is said, until that one lets go") {
     Edited first;
     Program second(short_patterns(1));
-    second.app.session = open_session(first.folder.path / "state");
+    second.app.work.session = open_session(first.folder.path / "state");
     const fs::path file = first.folder.path / "mine.tactspace.json";
-    save_as(first.app, file);
-    open_paths(second.app, {file});
-    CHECK(contains(second.app.status.text, "open in another window"));
-    open_paths(second.app, {file});  // itself is no other
-    CHECK(contains(second.app.status.text, "open in another window"));
-    new_document(first.app);
-    open_paths(second.app, {file});
-    CHECK_FALSE(contains(second.app.status.text, "another window"));
-    open_paths(first.app, {file});
-    CHECK(contains(first.app.status.text, "open in another window"));
-    (void)close_session(second.app.session);
-    open_paths(first.app, {file});
-    CHECK_FALSE(contains(first.app.status.text, "another window"));
+    save_as(first.app.ui, first.app.work, file);
+    open_paths(second.app.ui, second.app.work, {file});
+    CHECK(contains(second.app.ui.status.text, "open in another window"));
+    open_paths(second.app.ui, second.app.work, {file});  // itself is no other
+    CHECK(contains(second.app.ui.status.text, "open in another window"));
+    new_document(first.app.ui, first.app.work);
+    open_paths(second.app.ui, second.app.work, {file});
+    CHECK_FALSE(contains(second.app.ui.status.text, "another window"));
+    open_paths(first.app.ui, first.app.work, {file});
+    CHECK(contains(first.app.ui.status.text, "open in another window"));
+    (void)close_session(second.app.work.session);
+    open_paths(first.app.ui, first.app.work, {file});
+    CHECK_FALSE(contains(first.app.ui.status.text, "another window"));
 }
 
 TEST_CASE("start: what was wrong with the settings, and what was recovered, reaches the person") {
@@ -306,8 +307,8 @@ TEST_CASE("start: what was wrong with the settings, and what was recovered, reac
     CHECK(contains(said, "did not end as it should are kept in"));
     CHECK(contains(said, "recovered-"));
     program.click("answer:Open them");
-    CHECK(program.app.document.set.vibrations.size() == 5);
-    (void)close_session(program.app.session);
+    CHECK(program.app.work.document.set.vibrations.size() == 5);
+    (void)close_session(program.app.work.session);
 }
 
 }  // namespace unsaved_test

@@ -7,7 +7,6 @@
 #include "app/document/files.h"
 #include "app/window/animation.h"
 #include "app/window/commands.h"
-#include "app/window/still_view.h"
 #include "app/window/view_pictures.h"
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"
@@ -27,13 +26,13 @@ struct Exporting {
     Program program{short_patterns(3)};
 
     Exporting() {
-        program.app.motion = false;
+        program.app.ui.motion = false;
         ExportState& exports = program.app.exports;
         exports.picture_size.width = exports.frame_size.width = 300;
         exports.picture_size.height = exports.frame_size.height = 400;
         App& app = program.app;
-        app.document.path = set_file;
-        app.stages = still_view(app)->app.stages;
+        app.work.document.path = set_file;
+        app.physiology.stages = still_view(app)->app.physiology.stages;
         program.settle();
     }
 
@@ -54,13 +53,13 @@ struct Exporting {
 
     // Over the name that is offered.
     void answer(const fs::path& path) {
-        REQUIRE(program.app.chooser.is_open);
+        REQUIRE(program.app.ui.chooser.is_open);
         program.window.type(path.string());
         program.settle();
         program.press_key(key::kEnter);
     }
 
-    const std::string& status() const { return program.app.status.text; }
+    const std::string& status() const { return program.app.ui.status.text; }
 };
 
 std::set<std::string> names_in(const fs::path& folder) {
@@ -98,7 +97,7 @@ TEST_CASE("exports: a view goes to the file chosen, PNG or SVG by its ending") {
             program.app.exports.picture_size.height = 400;
             program.app.exports.view = view;
             program.click("button:choose");
-            CHECK(program.app.chooser.name == std::string("test ") + name_of(view) + ".png");
+            CHECK(program.app.ui.chooser.name == std::string("test ") + name_of(view) + ".png");
             const fs::path file = exporting.folder.path / (name_of(view) + ending);
             exporting.answer(file);
             CHECK(is_exporting(program.app));
@@ -117,30 +116,30 @@ TEST_CASE("exports: a picture is of the program as it is, and leaves it so") {
     App& app = exporting.program.app;
     const auto draw = [&app] {
         const auto still = still_view(app);
-        PictureSize size{300, 400, 1.0F, app.dark, PictureFormat::png};
+        PictureSize size{300, 400, 1.0F, app.ui.dark, PictureFormat::png};
         return std::get<Image>(view_picture(*still, PictureView::physiology, 0.02, size));
     };
     const Image first = draw();
     CHECK((draw() == first));
-    app.physiology.open = Stage::brain;
+    app.physiology.view.open = Stage::brain;
     CHECK_FALSE((draw() == first));
-    app.physiology.open.reset();
-    app.pinned = "p2";
+    app.physiology.view.open.reset();
+    app.work.selection.pinned = "p2";
     CHECK_FALSE((draw() == first));
-    app.pinned.clear();
-    app.playhead = {0.07, 0.1, true, true};
-    app.selection.hovered = 2;
+    app.work.selection.pinned.clear();
+    app.timeline.playhead = {0.07, 0.1, true, true};
+    app.work.selection.hovered = 2;
     CHECK((draw() == first));
-    CHECK(app.playhead.at_s == 0.07);
-    CHECK(app.playhead.playing);
-    CHECK(app.selection.hovered == 2);
+    CHECK(app.timeline.playhead.at_s == 0.07);
+    CHECK(app.timeline.playhead.playing);
+    CHECK(app.work.selection.hovered == 2);
 }
 
 TEST_CASE("exports: a picture that cannot be written says so and stops nothing") {
     Exporting exporting;
-    export_view(exporting.program.app, "/proc/no folder/a.png");
+    export_view(exporting.program.app.exports, "/proc/no folder/a.png");
     exporting.frame();
-    CHECK(exporting.program.app.status.is_error);
+    CHECK(exporting.program.app.ui.status.is_error);
     CHECK(contains(exporting.status(), "Not exported: /proc/no folder/a.png: cannot be written"));
     CHECK_FALSE(is_exporting(exporting.program.app));
 }
@@ -148,10 +147,10 @@ TEST_CASE("exports: a picture that cannot be written says so and stops nothing")
 TEST_CASE("exports: stages from the window are the files of tactspace stages, byte by byte") {
     Exporting exporting;
     Program& program = exporting.program;
-    save_as(program.app, exporting.set_file);
-    select_only(program.app, 1);
+    save_as(program.app.ui, program.app.work, exporting.set_file);
+    select_only(program.app.work, 1);
     exporting.run("Export stage as CSV...");
-    CHECK(program.app.chooser.name == "p2 stages");
+    CHECK(program.app.ui.chooser.name == "p2 stages");
     const fs::path from_window = exporting.folder.path / "p2 stages";
     exporting.answer("p2 stages");
     CHECK(exporting.status() == "Exported 11 files into " + from_window.string());
@@ -167,12 +166,12 @@ TEST_CASE("exports: stages from the window are the files of tactspace stages, by
 TEST_CASE("exports: stages of what a device plays are of that, and their folder says so") {
     Exporting exporting;
     Program& program = exporting.program;
-    save_as(program.app, exporting.set_file);
-    program.app.rendering.by = {ActuatorKind::dualshock_4, 1.0};
-    program.app.rendering.on = true;
+    save_as(program.app.ui, program.app.work, exporting.set_file);
+    program.app.rendered.by = {ActuatorKind::dualshock_4, 1.0};
+    program.app.rendered.on = true;
     exporting.run("Export stage as CSV...");
     const std::string name = "p1 stages, as a DualShock 4 plays them, uncalibrated";
-    CHECK(program.app.chooser.name == name);
+    CHECK(program.app.ui.chooser.name == name);
     exporting.answer(name);
     CHECK(contains(exporting.status(), "as a DualShock 4 plays them, uncalibrated"));
     const fs::path from_command = exporting.folder.path / "command";
@@ -185,7 +184,7 @@ TEST_CASE("exports: stages of what a device plays are of that, and their folder 
 TEST_CASE("exports: of an open stage only its own files, and none replaced unasked") {
     Exporting exporting;
     Program& program = exporting.program;
-    program.app.physiology.open = Stage::filtered;
+    program.app.physiology.view.open = Stage::filtered;
     exporting.run("Export stage as CSV...");
     const fs::path out = exporting.folder.path / "p1 stages";
     program.press_key(key::kEnter);  // as offered
@@ -194,15 +193,15 @@ TEST_CASE("exports: of an open stage only its own files, and none replaced unask
     exporting.folder.write("p1 stages/perceived.csv", "mine");
     exporting.run("Export stage as CSV...");
     program.press_key(key::kEnter);  // there is such a folder now: its content is shown
-    CHECK(program.app.chooser.listing.folder == out);
+    CHECK(program.app.ui.chooser.listing.folder == out);
     program.press_key(key::kEnter);
-    REQUIRE(program.app.chooser.is_open);
-    CHECK(program.app.chooser.replacing == out / "filtered.csv");
+    REQUIRE(program.app.ui.chooser.is_open);
+    CHECK(program.app.ui.chooser.replacing == out / "filtered.csv");
     program.press_key(key::kEscape);  // keep it
     CHECK(bytes_of(out / "perceived.csv") == "mine");
     program.press_key(key::kEnter);
     program.press_key(key::kEnter);  // replace it
-    CHECK_FALSE(program.app.chooser.is_open);
+    CHECK_FALSE(program.app.ui.chooser.is_open);
     CHECK(bytes_of(out / "perceived.csv").starts_with("time_s,FA1,"));
 }
 
@@ -216,7 +215,7 @@ TEST_CASE("exports: an animation is drawn a frame at a time while the window goe
     program.app.exports.frame_size.height = 400;
     program.settle();
     program.click("button:choose");
-    CHECK(program.app.chooser.name == "p1 frames");
+    CHECK(program.app.ui.chooser.name == "p1 frames");
     exporting.answer("p1 frames");
     const fs::path out = exporting.folder.path / "p1 frames";
     for (int k = 0; k < 4; ++k) {
@@ -246,7 +245,7 @@ TEST_CASE("exports: an animation is of the moment it began, whatever is edited m
     export_animation(app, exporting.folder.path / "still");
     while (is_exporting(app)) exporting.frame();
     export_animation(app, exporting.folder.path / "edited");
-    edit_patterns(app, [](Pattern& pattern) { pattern.carriers[0].frequency_hz = 300.0; });
+    edit_patterns(app.work, [](Pattern& pattern) { pattern.carriers[0].frequency_hz = 300.0; });
     while (is_exporting(app)) exporting.frame();
     for (const std::string name : {"frame_0001.png", "frame_0002.png"}) {
         CHECK((bytes_of(exporting.folder.path / "still" / name) ==

@@ -17,13 +17,13 @@ namespace {
 std::shared_ptr<const GeneratePlan> wait_for_plan(Program& program) {
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     program.settle();
-    while (!current_plan(program.app)) {
+    while (!current_plan(program.app.work, program.app.generating)) {
         REQUIRE(std::chrono::steady_clock::now() < until);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         program.frame();
     }
     program.settle();
-    return current_plan(program.app);
+    return current_plan(program.app.work, program.app.generating);
 }
 
 void type_into(Program& program, const std::string& entry, const std::string& text) {
@@ -44,7 +44,9 @@ void open_dialog(Program& program) {
     wait_for_plan(program);
 }
 
-std::size_t size_of(const Program& program) { return program.app.document.set.vibrations.size(); }
+std::size_t size_of(const Program& program) {
+    return program.app.work.document.set.vibrations.size();
+}
 
 }  // namespace
 
@@ -56,8 +58,8 @@ TEST_CASE("generate dialog: it opens on the current pattern varied, counted befo
           "6 combinations, 1 in the set already");  // 60 Hz without modulation
     CHECK(program.shows("generate:preview 4"));
     CHECK_FALSE(program.shows("generate:preview 5"));
-    CHECK(program.app.document.set == short_patterns(3));
-    CHECK(program.app.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.set == short_patterns(3));
+    CHECK(program.app.work.history.undo_label() == nullptr);
 }
 
 TEST_CASE("generate dialog: adding is one step with its generator; undo and redo take it whole") {
@@ -66,14 +68,14 @@ TEST_CASE("generate dialog: adding is one step with its generator; undo and redo
     program.click("button:add candidates");
     CHECK_FALSE(program.shows("generate:count"));
     CHECK(size_of(program) == 8);
-    CHECK(program.app.selection.current == 3);
-    const PatternSet after = program.app.document.set;
+    CHECK(program.app.work.selection.current == 3);
+    const PatternSet after = program.app.work.document.set;
     REQUIRE(after.generator);
     CHECK(after.vibrations[3].generated);
     program.press('z', true);
-    CHECK(program.app.document.set == short_patterns(3));
+    CHECK(program.app.work.document.set == short_patterns(3));
     program.press('z', true, true);
-    CHECK(program.app.document.set == after);
+    CHECK(program.app.work.document.set == after);
 }
 
 TEST_CASE("generate dialog: it opens again on the same generator, and replaces what it made") {
@@ -82,7 +84,7 @@ TEST_CASE("generate dialog: it opens again on the same generator, and replaces w
     program.click("button:add candidates");
     const std::size_t added = size_of(program) - 1;
     open_dialog(program);
-    CHECK(program.app.generate.draft == program.app.document.set.generator);
+    CHECK(program.app.generating.draft == program.app.work.document.set.generator);
     CHECK(program.at("generate:count").value == "0 patterns");
     type_into(program, "generate:modulation", "4, 16");
     const auto plan = wait_for_plan(program);
@@ -90,8 +92,8 @@ TEST_CASE("generate dialog: it opens again on the same generator, and replaces w
     CHECK(plan->replace.fresh.size() == 6);
     program.click("button:replace generated");
     CHECK(size_of(program) == 7);
-    CHECK(program.app.document.set.vibrations[0].name == "p1");
-    CHECK(program.app.document.set.generator->modulation_hz ==
+    CHECK(program.app.work.document.set.vibrations[0].name == "p1");
+    CHECK(program.app.work.document.set.generator->modulation_hz ==
           Values(std::vector<double>{4.0, 16.0}));
 }
 
@@ -100,12 +102,12 @@ TEST_CASE("generate dialog: a generated pattern that is edited, renamed or locke
     open_dialog(program);
     program.click("button:add candidates");
     const std::size_t size = size_of(program);
-    select_only(program.app, 1);
-    edit_patterns(program.app, [](Pattern& p) { p.amplitude_g = 3.0; });
-    commit_step(program.app, "Change amplitude");
-    rename_vibration(program.app, 2, "mine");
-    select_only(program.app, 3);
-    toggle_locked(program.app);
+    select_only(program.app.work, 1);
+    edit_patterns(program.app.work, [](Pattern& p) { p.amplitude_g = 3.0; });
+    commit_step(program.app.ui, program.app.work, "Change amplitude");
+    rename_vibration(program.app.ui, program.app.work, 2, "mine");
+    select_only(program.app.work, 3);
+    toggle_locked(program.app.ui, program.app.work);
     open_dialog(program);
     const auto plan = wait_for_plan(program);
     CHECK(plan->generated_before == size - 4);
@@ -114,10 +116,10 @@ TEST_CASE("generate dialog: a generated pattern that is edited, renamed or locke
 TEST_CASE("generate dialog: what is typed wrong is said and changes nothing") {
     Program program(short_patterns(1));
     open_dialog(program);
-    const DesignSpace before = program.app.generate.draft;
+    const DesignSpace before = program.app.generating.draft;
     type_into(program, "generate:amplitude", "1, 99");
     CHECK(program.at("generate:fault").value == "0 to 50 g");
-    CHECK(program.app.generate.draft == before);
+    CHECK(program.app.generating.draft == before);
     type_into(program, "generate:amplitude", "loud");
     CHECK(program.at("generate:fault").value == "\"loud\" is no number");
     program.window.press(key::kEscape);
@@ -149,9 +151,9 @@ TEST_CASE("generate dialog: levels, ranges and designs are counted as they chang
 
 TEST_CASE("generate dialog: a design that is too large says so and adds nothing") {
     Program program(short_patterns(1));
-    program.app.generate.begun = true;
-    program.app.generate.draft.amplitude_g = Span{0.0, 1.0, 1000, false, 0.0};
-    program.app.generate.draft.depth = Span{0.0, 1.0, 1000, false, 0.0};
+    program.app.generating.begun = true;
+    program.app.generating.draft.amplitude_g = Span{0.0, 1.0, 1000, false, 0.0};
+    program.app.generating.draft.depth = Span{0.0, 1.0, 1000, false, 0.0};
     open_dialog(program);
     CHECK(program.at("generate:count").value == "No patterns");
     CHECK(contains(program.at("generate:design fault").value, "1,000,000 combinations"));
@@ -161,9 +163,9 @@ TEST_CASE("generate dialog: a design that is too large says so and adds nothing"
 
 TEST_CASE("generate dialog: more than two hundred patterns are asked about first") {
     Program program(short_patterns(1));
-    program.app.generate.begun = true;
-    program.app.generate.draft.amplitude_g = Span{0.1, 1.0, 250, false, 0.0};
-    program.app.generate.draft.duration_s = fixed(0.1);
+    program.app.generating.begun = true;
+    program.app.generating.draft.amplitude_g = Span{0.1, 1.0, 250, false, 0.0};
+    program.app.generating.draft.duration_s = fixed(0.1);
     open_dialog(program);
     program.click("button:add candidates");
     CHECK(program.shows("generate:question"));
@@ -183,10 +185,10 @@ TEST_CASE("generate dialog: candidates and their generator survive saving and op
     wait_for_plan(program);
     program.click("button:add candidates");
     const std::filesystem::path path = folder.path / "made.tactspace.json";
-    save_as(program.app, path);
+    save_as(program.app.ui, program.app.work, path);
     const auto read = read_set_file(path);
     REQUIRE(read);
-    CHECK(read->set == program.app.document.set);
+    CHECK(read->set == program.app.work.document.set);
 }
 
 TEST_CASE("generate dialog: two carriers are mixed, and rhythms come from the list") {
@@ -198,9 +200,9 @@ TEST_CASE("generate dialog: two carriers are mixed, and rhythms come from the li
     program.click("generate:choose rhythms");
     CHECK(program.at("rhythm list:count").value == "7");
     program.click("link:all rhythms");
-    CHECK(program.app.generate.draft.rhythms.size() == 8);
+    CHECK(program.app.generating.draft.rhythms.size() == 8);
     program.click("rhythm:x--x--x-");
-    CHECK(program.app.generate.draft.rhythms.size() == 7);
+    CHECK(program.app.generating.draft.rhythms.size() == 7);
 }
 
 TEST_CASE("rhythm list: a rhythm is previewed under the mouse and taken by a click, one step") {
@@ -222,7 +224,7 @@ TEST_CASE("rhythm list: a rhythm is previewed under the mouse and taken by a cli
     program.settle();
     program.press('z', true);
     program.press('z', true);
-    CHECK(program.app.document.set == short_patterns(1));
+    CHECK(program.app.work.document.set == short_patterns(1));
 }
 
 TEST_CASE("rhythm grid: dragging to the right draws a note as long as the drag, one step") {

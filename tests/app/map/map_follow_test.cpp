@@ -10,7 +10,7 @@ using namespace tact;
 namespace {
 
 void set_modulation(Program& program, double frequency_hz) {
-    edit_patterns(program.app,
+    edit_patterns(program.app.work,
                   [frequency_hz](Pattern& p) { p.modulation.frequency_hz = frequency_hz; });
 }
 
@@ -18,15 +18,15 @@ void set_modulation(Program& program, double frequency_hz) {
 
 TEST_CASE("map: it follows the document, exact in the end") {
     Program program(short_patterns(6));
-    CHECK(map_state(program.app) == MapState::none);
+    CHECK(map_state(program.app.work, program.app.shown_map) == MapState::none);
     make_jobs(program.app);
-    request_maps(program.app);
+    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
     program.wait_for_exact_map();
-    CHECK(program.app.map.to.rows() == 6);
+    CHECK(program.app.shown_map.transition.to.rows() == 6);
     set_modulation(program, 40.0);
-    CHECK(map_state(program.app) == MapState::stale);
+    CHECK(map_state(program.app.work, program.app.shown_map) == MapState::stale);
     program.wait_for_exact_map();
-    CHECK(program.app.map.shown->request.revision == program.app.revision);
+    CHECK(program.app.shown_map.transition.shown->request.revision == program.app.work.revision);
 }
 
 TEST_CASE("map: its numbers are those of a run on the set alone, whatever was shown before") {
@@ -36,56 +36,57 @@ TEST_CASE("map: its numbers are those of a run on the set alone, whatever was sh
         set_modulation(program, hz);
         program.wait_for_exact_map();
     }
-    const PatternSet& set = program.app.document.set;
+    const PatternSet& set = program.app.work.document.set;
     const auto alone = predict(model_waveforms(set), set.model);
-    CHECK(program.app.map.shown->prediction.pm == alone->pm);
+    CHECK(program.app.shown_map.transition.shown->prediction.pm == alone->pm);
     const auto space = nonmetric_mds(alone->pm, standard_mds_params(7, 3));
-    CHECK(program.app.map.shown->space.stress1 == space.stress1);
-    CHECK(program.app.map.shown->space.points == space.points);
+    CHECK(program.app.shown_map.transition.shown->space.stress1 == space.stress1);
+    CHECK(program.app.shown_map.transition.shown->space.points == space.points);
 }
 
 TEST_CASE("map: undo puts every point back where it was") {
     Program program(short_patterns(6));
     make_jobs(program.app);
-    request_maps(program.app);
+    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
     program.wait_for_exact_map();
-    const Eigen::MatrixXd before = program.app.map.to;
+    const Eigen::MatrixXd before = program.app.shown_map.transition.to;
     set_modulation(program, 60.0);
-    commit_step(program.app, "Change modulation");
+    commit_step(program.app.ui, program.app.work, "Change modulation");
     program.wait_for_exact_map();
-    undo(program.app);
+    undo(program.app.ui, program.app.work);
     program.wait_for_exact_map();
     // Two alignments, there and back, may leave a turn where the shapes differ.
-    const double moved = (program.app.map.to - before).norm() / before.norm();
+    const double moved = (program.app.shown_map.transition.to - before).norm() / before.norm();
     CHECK(moved <= 0.05);
 }
 
 TEST_CASE("map: points ease from where they were to where they are") {
     Program program(short_patterns(5));
     make_jobs(program.app);
-    request_maps(program.app);
+    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
     program.wait_for_exact_map();
     App& app = program.app;
-    app.map.since_s = app.time_s;
-    app.map.from = Eigen::MatrixXd::Zero(app.map.to.rows(), app.map.to.cols());
-    CHECK(eased_points(app) == app.map.from);
-    app.time_s += 0.09;
-    const double half = eased_points(app).norm();
-    CHECK(half > 0.3 * app.map.to.norm());
-    CHECK(half < 0.7 * app.map.to.norm());
-    app.time_s += 1.0;
-    CHECK(eased_points(app) == app.map.to);
-    app.motion = false;
-    app.map.since_s = app.time_s;
-    CHECK(eased_points(app) == app.map.to);
+    app.shown_map.transition.since_s = app.ui.time_s;
+    app.shown_map.transition.from = Eigen::MatrixXd::Zero(app.shown_map.transition.to.rows(),
+                                                          app.shown_map.transition.to.cols());
+    CHECK(eased_points(app.ui, app.shown_map) == app.shown_map.transition.from);
+    app.ui.time_s += 0.09;
+    const double half = eased_points(app.ui, app.shown_map).norm();
+    CHECK(half > 0.3 * app.shown_map.transition.to.norm());
+    CHECK(half < 0.7 * app.shown_map.transition.to.norm());
+    app.ui.time_s += 1.0;
+    CHECK(eased_points(app.ui, app.shown_map) == app.shown_map.transition.to);
+    app.ui.motion = false;
+    app.shown_map.transition.since_s = app.ui.time_s;
+    CHECK(eased_points(app.ui, app.shown_map) == app.shown_map.transition.to);
 }
 
 TEST_CASE("map: a very large set waits for a word") {
     Program program(short_patterns(kMostLivePatterns + 1));
     make_jobs(program.app);
-    request_maps(program.app);
-    CHECK_FALSE(program.app.full_job->busy());
-    CHECK(map_state(program.app) == MapState::too_large);
+    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
+    CHECK_FALSE(program.app.shown_map.full_job->busy());
+    CHECK(map_state(program.app.work, program.app.shown_map) == MapState::too_large);
     program.settle();
     CHECK(program.shows("button:compute anyway"));
 }
@@ -93,11 +94,11 @@ TEST_CASE("map: a very large set waits for a word") {
 TEST_CASE("map: 2-D is asked for and shown") {
     Program program(short_patterns(6));
     make_jobs(program.app);
-    request_maps(program.app);
+    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
     program.wait_for_exact_map();
     program.click("radio:2-D");
     program.wait_for_exact_map();
-    CHECK(program.app.map.to.cols() == 2);
+    CHECK(program.app.shown_map.transition.to.cols() == 2);
 }
 
 }  // namespace map_follow_test

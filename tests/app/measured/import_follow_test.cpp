@@ -5,13 +5,13 @@
 #include <functional>
 #include <thread>
 
-#include "app/compare/bench_follow.h"
+#include "app/compare/compare_follow.h"
 #include "app/document/files.h"
 #include "app/document/shown_side.h"
 #include "app/map/map_follow.h"
 #include "app/map/pair.h"
 #include "app/study/study_follow.h"
-#include "app/window/drop.h"
+#include "app/window/dialogs.h"
 #include "app/window/jobs.h"
 #include "model/io/set/set_file.h"
 #include "model/text/numbers.h"
@@ -28,7 +28,7 @@ namespace {
 std::vector<std::filesystem::path> recorded(const Program& program, const TemporaryFolder& folder) {
     std::vector<std::filesystem::path> files;
     for (std::size_t k = 0; k < 2; ++k) {
-        const Vibration& vibration = program.app.document.set.vibrations[k];
+        const Vibration& vibration = program.app.work.document.set.vibrations[k];
         std::string text = "t,x (g)\n";
         const Waveform waveform = waveform_of(vibration);
         for (std::size_t n = 0; n < waveform.samples_g.size() + 100; ++n) {
@@ -44,12 +44,14 @@ std::vector<std::filesystem::path> recorded(const Program& program, const Tempor
 void wait_until(Program& program, const std::function<bool()>& done) {
     for (int k = 0; k < 2000 && !done(); ++k) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        follow_import(program.app);
+        follow_import(program.app.ui, program.app.work, program.app.importing);
     }
     REQUIRE(done());
 }
 
-std::size_t count(const Program& program) { return program.app.document.set.vibrations.size(); }
+std::size_t count(const Program& program) {
+    return program.app.work.document.set.vibrations.size();
+}
 
 }  // namespace
 
@@ -57,21 +59,21 @@ TEST_CASE("import: recordings find their patterns, and come in as one step that 
     const TemporaryFolder folder;
     Program program(short_patterns(4));
     App& app = program.app;
-    app.session.folder = folder.path / "state";
-    import_recordings(app, recorded(program, folder));
-    CHECK(app.dialog == Dialog::import_recordings);
-    CHECK(app.import->patterns[1] == app.document.set.vibrations[1].name);
-    wait_until(program, [&] { return app.import->answer != nullptr; });
-    REQUIRE(app.import->answer->files[0].twin);
-    CHECK(app.import->answer->files[0].twin->alignment.lag == 100);
+    app.work.session.folder = folder.path / "state";
+    import_recordings(app.ui, app.work, app.importing, recorded(program, folder));
+    CHECK(app.ui.dialog == Dialog::import_recordings);
+    CHECK(app.importing.patterns[1] == app.work.document.set.vibrations[1].name);
+    wait_until(program, [&] { return app.importing.answer != nullptr; });
+    REQUIRE(app.importing.answer->files[0].twin);
+    CHECK(app.importing.answer->files[0].twin->alignment.lag == 100);
     CHECK(count(program) == 4);  // so far it is only looked at
-    take_recordings(app);
-    wait_until(program, [&] { return !is_taking(app); });
+    take_recordings(app.ui, app.work, app.importing);
+    wait_until(program, [&] { return !is_taking(app.importing); });
     CHECK(count(program) == 6);
-    CHECK(measures_another(app.document.set.vibrations[1]));
-    undo(app);
+    CHECK(measures_another(app.work.document.set.vibrations[1]));
+    undo(app.ui, app.work);
     CHECK(count(program) == 4);
-    redo(app);
+    redo(app.ui, app.work);
     CHECK(count(program) == 6);
 }
 
@@ -79,39 +81,39 @@ TEST_CASE("import: saved, the waveforms lie beside the set and the set reads aga
     const TemporaryFolder folder;
     Program program(short_patterns(4));
     App& app = program.app;
-    app.session.folder = folder.path / "state";
-    simulate_measurement_dialog(app);
-    wait_until(program, [&] { return app.import->simulated != nullptr; });
-    CHECK(app.import->simulated->twins.size() == 1);  // of the current pattern, to look at
-    take_simulation(app);
-    wait_until(program, [&] { return !is_taking(app); });
+    app.work.session.folder = folder.path / "state";
+    simulate_measurement_dialog(app.ui, app.work, app.importing);
+    wait_until(program, [&] { return app.importing.simulated != nullptr; });
+    CHECK(app.importing.simulated->twins.size() == 1);  // of the current pattern, to look at
+    take_simulation(app.ui, app.work, app.importing);
+    wait_until(program, [&] { return !is_taking(app.importing); });
     REQUIRE(count(program) == 8);
     CHECK(file_count(folder.path / "state" / "measured") == 4);
-    save_as(app, folder.path / "saved.tactspace.json");
-    CHECK_FALSE(app.status.is_error);
+    save_as(app.ui, app.work, folder.path / "saved.tactspace.json");
+    CHECK_FALSE(app.ui.status.is_error);
     CHECK(file_count(folder.path / "measured") == 4);
     std::filesystem::remove_all(folder.path / "state");
     const auto again = read_set_file(folder.path / "saved.tactspace.json");
     REQUIRE(again);
-    CHECK(again->set.vibrations == app.document.set.vibrations);
+    CHECK(again->set.vibrations == app.work.document.set.vibrations);
 }
 
 TEST_CASE("import: the map is of the side that is shown, and its pairs are found by name") {
     Program program(with_synthetic_twins(short_patterns(4), {}));
     App& app = program.app;
     make_jobs(app);
-    show_side(app, Side::measured);
+    show_side(app.work, Side::measured);
     program.wait_for_exact_map();
-    CHECK(names_of(*app.map.shown->request.set) ==
-          names_of(one_side(app.document.set, Side::measured)));
-    CHECK(shown_patterns_text(app) == "4 measured of 8");
-    const auto rows = rows_in_map(app, {1, 5, PartnerKind::chosen});
+    CHECK(names_of(*app.shown_map.transition.shown->request.set) ==
+          names_of(one_side(app.work.document.set, Side::measured)));
+    CHECK(shown_patterns_text(app.work) == "4 measured of 8");
+    const auto rows = rows_in_map(app.work, app.shown_map, {1, 5, PartnerKind::chosen});
     REQUIRE(rows);
     CHECK(*rows == std::pair<std::size_t, std::size_t>{0, 2});
-    CHECK_FALSE(rows_in_map(app, {0, 1, PartnerKind::chosen}));
-    show_side(app, Side::both);
+    CHECK_FALSE(rows_in_map(app.work, app.shown_map, {0, 1, PartnerKind::chosen}));
+    show_side(app.work, Side::both);
     program.wait_for_exact_map();
-    CHECK(app.map.to.rows() == 8);
+    CHECK(app.shown_map.transition.to.rows() == 8);
 }
 
 TEST_CASE("import: tables of accelerations are told from tables of ratings") {
@@ -126,24 +128,26 @@ TEST_CASE("import: what was asked for comes, though the dialog is opened again b
     const TemporaryFolder folder;
     Program program(short_patterns(4));
     App& app = program.app;
-    app.session.folder = folder.path / "state";
+    app.work.session.folder = folder.path / "state";
     const auto files = recorded(program, folder);
-    import_recordings(app, {files[0]});
-    take_recordings(app);
-    import_recordings(app, {files[1]});  // a look, which supersedes looks alone
-    take_recordings(app);
-    look_at_recordings(app);
-    simulate_measurement_dialog(app);
-    app.import->simulate_all = false;
-    take_simulation(app);
-    look_at_simulation(app);
-    CHECK(is_taking(app));
-    wait_until(program, [&] { return !is_taking(app); });
+    import_recordings(app.ui, app.work, app.importing, {files[0]});
+    take_recordings(app.ui, app.work, app.importing);
+    import_recordings(app.ui, app.work, app.importing,
+                      {files[1]});  // a look, which supersedes looks alone
+    take_recordings(app.ui, app.work, app.importing);
+    look_at_recordings(app.ui, app.work, app.importing);
+    simulate_measurement_dialog(app.ui, app.work, app.importing);
+    app.importing.simulate_all = false;
+    take_simulation(app.ui, app.work, app.importing);
+    look_at_simulation(app.ui, app.work, app.importing);
+    CHECK(is_taking(app.importing));
+    wait_until(program, [&] { return !is_taking(app.importing); });
     const auto twins_of = [&app](const std::string& name) {
-        return std::ranges::count_if(app.document.set.vibrations, [&](const Vibration& vibration) {
-            const auto* twin = std::get_if<Measurement>(&vibration.source);
-            return twin != nullptr && twin->measures == name;
-        });
+        return std::ranges::count_if(
+            app.work.document.set.vibrations, [&](const Vibration& vibration) {
+                const auto* twin = std::get_if<Measurement>(&vibration.source);
+                return twin != nullptr && twin->measures == name;
+            });
     };
     CHECK(twins_of("p2") == 1);
     CHECK(twins_of("p1") >= 1);
@@ -154,19 +158,19 @@ TEST_CASE("import: twins of one document do not go into another one with equal n
     const TemporaryFolder folder;
     Program program(short_patterns(4));
     App& app = program.app;
-    app.session.folder = folder.path / "state";
+    app.work.session.folder = folder.path / "state";
     const auto files = recorded(program, folder);
     const auto other = folder.path / "other.tactspace.json";
     REQUIRE(write_set_file(other, short_patterns(4)));
-    import_recordings(app, files);
-    take_recordings(app);
-    simulate_measurement_dialog(app);
-    take_simulation(app);
-    open_paths(app, {other});
-    wait_until(program, [&] { return !is_taking(app); });
+    import_recordings(app.ui, app.work, app.importing, files);
+    take_recordings(app.ui, app.work, app.importing);
+    simulate_measurement_dialog(app.ui, app.work, app.importing);
+    take_simulation(app.ui, app.work, app.importing);
+    open_paths(app.ui, app.work, {other});
+    wait_until(program, [&] { return !is_taking(app.importing); });
     CHECK(count(program) == 4);
-    CHECK(contains(app.status.text, "the set it was for is not open any more"));
-    CHECK(app.status.is_error);
+    CHECK(contains(app.ui.status.text, "the set it was for is not open any more"));
+    CHECK(app.ui.status.is_error);
 }
 
 TEST_CASE("import: nothing is dropped onto the window while something is being asked") {
@@ -178,21 +182,21 @@ TEST_CASE("import: nothing is dropped onto the window while something is being a
     const auto stays = [&] {
         program.settle();
         drop_paths(app, {other});
-        return count(program) == 4 && app.status.is_error;
+        return count(program) == 4 && app.ui.status.is_error;
     };
-    app.dialog = Dialog::generate;
+    app.ui.dialog = Dialog::generate;
     CHECK(stays());
     program.press_key(key::kEscape);
-    app.status = {};
-    tell(app, "A question", "Is it?");
+    app.ui.status = {};
+    tell(app.ui, "A question", "Is it?");
     CHECK(stays());
     program.press_key(key::kEnter);
-    app.status = {};
-    begin_participant(app);
-    REQUIRE(is_study_running(app));
+    app.ui.status = {};
+    begin_participant(app.ui, app.work, app.timeline, app.play, app.studying);
+    REQUIRE(is_study_running(app.studying));
     CHECK(stays());
-    stop_study(app);
-    app.study->run.reset();
+    stop_study(app.studying);
+    app.studying.run.reset();
     program.settle();
     drop_paths(app, {other});
     CHECK(count(program) == 2);

@@ -14,19 +14,19 @@ TEST_CASE("model bench: a weight is changed, marked, undone, and brought back by
     program.click("tab:Model");
     const Place bar = program.at("slider:weight_FA1");
     program.drag({bar.middle().x, bar.middle().y}, {bar.max.x - 3.0F, bar.middle().y}, 3);
-    CHECK(program.app.document.set.model.channel_weight[0] == 1.0);
+    CHECK(program.app.work.document.set.model.channel_weight[0] == 1.0);
     CHECK(program.at("model:changed").value == "1");
     program.wait_for_stages();
-    CHECK(program.app.stages->request.model.channel_weight[0] == 1.0);
+    CHECK(program.app.physiology.stages->request.model.channel_weight[0] == 1.0);
     program.press('z', true);
-    CHECK(program.app.document.set.model == PerceptualModelParams{});
+    CHECK(program.app.work.document.set.model == PerceptualModelParams{});
     program.press('z', true, true);
     program.click("reset:weight_FA1");
-    CHECK(program.app.document.set.model == PerceptualModelParams{});
+    CHECK(program.app.work.document.set.model == PerceptualModelParams{});
     program.click("choice:skin_input acceleration");
-    CHECK(program.app.document.set.model.coding.skin_input == SkinInput::acceleration);
+    CHECK(program.app.work.document.set.model.coding.skin_input == SkinInput::acceleration);
     program.click("reset:model");
-    CHECK(program.app.document.set.model == PerceptualModelParams{});
+    CHECK(program.app.work.document.set.model == PerceptualModelParams{});
     CHECK_FALSE(program.shows("model:changed"));
 }
 

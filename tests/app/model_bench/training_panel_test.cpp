@@ -48,12 +48,12 @@ struct TrainingBench {
     App& app = program.app;
 
     explicit TrainingBench(const PatternSet& set = planted_set(6, "planted")) : program(set) {
-        app.session.folder = folder.path / "state";
+        app.work.session.folder = folder.path / "state";
         make_jobs(app);
-        app.bench = BenchTab::model;
-        app.model_panel.view = ModelView::training;
+        app.layout.bench = BenchTab::model;
+        app.model_bench.panel.view = ModelView::training;
         app.layout.maximised = Pane::matrix;  // all of it in view
-        app.training->units = 2;              // coarse: quick
+        app.model_bench.training.units = 2;   // coarse: quick
         program.settle();
     }
     ~TrainingBench() { stop_jobs(app); }
@@ -64,15 +64,15 @@ struct TrainingBench {
             REQUIRE(std::chrono::steady_clock::now() < until);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
             program.frame();
-        } while (is_training(app));
+        } while (is_training(app.model_bench));
         program.settle();
     }
 
     void train() {
         program.click("button:train");
         wait_for_training();
-        REQUIRE(app.training->found);
-        REQUIRE(app.training->found->fault.empty());
+        REQUIRE(app.model_bench.training.found);
+        REQUIRE(app.model_bench.training.found->fault.empty());
     }
 
     // What the model does on a set by itself.
@@ -82,9 +82,9 @@ struct TrainingBench {
             all.push_back({set->name, model_waveforms(*set), *study_of(*set)});
         }
         TrainingParams params;
-        params.model = app.document.set.model;
-        params.units = app.training->units;
-        params.leave_out_participants = app.training->leave_out_participants;
+        params.model = app.work.document.set.model;
+        params.units = app.model_bench.training.units;
+        params.leave_out_participants = app.model_bench.training.leave_out_participants;
         return *tact::train(all, params);
     }
 };
@@ -95,10 +95,10 @@ TEST_CASE(
     "training panel: finds what the search finds; using it is one step that undo takes back") {
     TrainingBench bench;
     App& app = bench.app;
-    const PerceptualModelParams before = app.document.set.model;
-    const Training expected = bench.by_hand({&app.document.set});
+    const PerceptualModelParams before = app.work.document.set.model;
+    const Training expected = bench.by_hand({&app.work.document.set});
     bench.train();
-    const Training& found = app.training->found->training;
+    const Training& found = app.model_bench.training.found->training;
     CHECK(found.best.value == expected.best.value);
     CHECK(found.model == expected.model);
     CHECK(found.best.points == expected.best.points);
@@ -110,12 +110,12 @@ TEST_CASE(
         CHECK(bench.program.shows(std::string("profile:") + name));
 
     bench.program.click("button:use trained");
-    CHECK(app.document.set.model == expected.model);
+    CHECK(app.work.document.set.model == expected.model);
     CHECK(bench.program.at("button:use trained").value == "in use");
     CHECK_FALSE(bench.program.shows("train:stale"));  // the trained numbers alone have changed
-    undo(app);
-    CHECK(app.document.set.model == before);
-    CHECK(app.history.undo_label() == nullptr);
+    undo(app.ui, app.work);
+    CHECK(app.work.document.set.model == before);
+    CHECK(app.work.history.undo_label() == nullptr);
 }
 
 TEST_CASE("training panel: used parameters are kept for choosing, and say where they come from") {
@@ -123,35 +123,36 @@ TEST_CASE("training panel: used parameters are kept for choosing, and say where 
     App& app = bench.app;
     bench.train();
     bench.program.click("button:use trained");
-    const PerceptualModelParams trained = app.document.set.model;
-    app.model_panel.view = ModelView::parameters;
+    const PerceptualModelParams trained = app.work.document.set.model;
+    app.model_bench.panel.view = ModelView::parameters;
     bench.program.settle();
-    REQUIRE(kept_models(app).size() == 1);
-    CHECK(bench.program.at("model:choice").value == kept_models(app)[0].name);
+    REQUIRE(kept_models(app.ui, app.work, app.model_bench).size() == 1);
+    CHECK(bench.program.at("model:choice").value ==
+          kept_models(app.ui, app.work, app.model_bench)[0].name);
     CHECK(bench.program.at("model:provenance")
               .value.starts_with("Trained on planted (6 patterns, 15 pairs, 2 people), "));
     bench.program.click("model:choice");
     bench.program.click("model option:As published");
-    CHECK(app.document.set.model == PerceptualModelParams{});
+    CHECK(app.work.document.set.model == PerceptualModelParams{});
     CHECK(bench.program.at("model:choice").value == "As published");
     CHECK_FALSE(bench.program.shows("model:provenance"));
     bench.program.click("model:choice");
-    bench.program.click("model option:" + kept_models(app)[0].name);
-    CHECK(app.document.set.model == trained);
-    app.document.set.model.nc_weight = 0.123;
-    document_changed(app);
+    bench.program.click("model option:" + kept_models(app.ui, app.work, app.model_bench)[0].name);
+    CHECK(app.work.document.set.model == trained);
+    app.work.document.set.model.nc_weight = 0.123;
+    document_changed(app.work);
     bench.program.settle();
     CHECK(bench.program.at("model:choice").value == "Changed by hand");
 
     // Another run of the program finds them again; the same training is not kept twice.
-    Program later(app.document.saved);
-    later.app.session.folder = app.session.folder;
-    CHECK(kept_models(later.app).size() == 1);
-    bench.app.model_panel.view = ModelView::training;
-    undo(app);
+    Program later(app.work.document.saved);
+    later.app.work.session.folder = app.work.session.folder;
+    CHECK(kept_models(later.app.ui, later.app.work, later.app.model_bench).size() == 1);
+    bench.app.model_bench.panel.view = ModelView::training;
+    undo(app.ui, app.work);
     bench.program.settle();
-    use_trained(app);
-    CHECK(kept_models(app).size() == 1);
+    use_trained(app.ui, app.work, app.model_bench);
+    CHECK(kept_models(app.ui, app.work, app.model_bench).size() == 1);
 }
 
 TEST_CASE("training panel: saved parameters are those of --model, and load as one step") {
@@ -159,20 +160,21 @@ TEST_CASE("training panel: saved parameters are those of --model, and load as on
     App& app = bench.app;
     bench.train();
     const auto file = bench.folder.path / "mine.model.json";
-    save_trained(app, file);
+    save_trained(app.ui, app.model_bench, file);
     const auto read = read_model_file(file);
     REQUIRE(read);
-    CHECK(read->model == app.training->found->training.model);
+    CHECK(read->model == app.model_bench.training.found->training.model);
     REQUIRE(read->training);
-    CHECK(*read->training == app.training->found->record);
-    CHECK(app.history.undo_label() == nullptr);
-    load_model(app, file);
-    CHECK(app.document.set.model == read->model);
-    CHECK(*app.history.undo_label() == "Use the parameters mine");
-    const PerceptualModelParams loaded = app.document.set.model;
-    load_model(app, bench.folder.write("odd.json", "{\"tactspace\": 1}"));
-    CHECK(app.status.is_error);
-    CHECK(app.document.set.model == loaded);
+    CHECK(*read->training == app.model_bench.training.found->record);
+    CHECK(app.work.history.undo_label() == nullptr);
+    load_model(app.ui, app.work, app.model_bench, file);
+    CHECK(app.work.document.set.model == read->model);
+    CHECK(*app.work.history.undo_label() == "Use the parameters mine");
+    const PerceptualModelParams loaded = app.work.document.set.model;
+    load_model(app.ui, app.work, app.model_bench,
+               bench.folder.write("odd.json", "{\"tactspace\": 1}"));
+    CHECK(app.ui.status.is_error);
+    CHECK(app.work.document.set.model == loaded);
 }
 
 TEST_CASE("training panel: what was found is stale once the ratings or the patterns change") {
@@ -180,18 +182,18 @@ TEST_CASE("training panel: what was found is stale once the ratings or the patte
     App& app = bench.app;
     bench.train();
     CHECK_FALSE(bench.program.shows("train:stale"));
-    const PatternSet before = app.document.set;
-    app.document.set.ratings[0].condensed[3] += 1.0;
-    document_changed(app);
+    const PatternSet before = app.work.document.set;
+    app.work.document.set.ratings[0].condensed[3] += 1.0;
+    document_changed(app.work);
     bench.program.settle();
     CHECK(bench.program.shows("train:stale"));
     CHECK(bench.program.at("button:use trained").value == "stale");
-    app.document.set = before;
-    document_changed(app);
+    app.work.document.set = before;
+    document_changed(app.work);
     bench.program.settle();
     CHECK_FALSE(bench.program.shows("train:stale"));
-    app.document.set.model.coding.spike_cap = 40;  // a choice that training does not make
-    document_changed(app);
+    app.work.document.set.model.coding.spike_cap = 40;  // a choice that training does not make
+    document_changed(app.work);
     bench.program.settle();
     CHECK(bench.program.shows("train:stale"));
 }
@@ -202,16 +204,16 @@ TEST_CASE("training panel: several sets, each of which may be left aside") {
     const PatternSet other = planted_set(5, "other");
     const auto file = bench.folder.path / "other.tactspace.json";
     REQUIRE(write_set_file(file, other));
-    add_training_set(app, file);
+    add_training_set(app.ui, app.work, app.model_bench, file);
     bench.program.settle();
     CHECK(bench.program.at("train on:other").value == "on");
-    add_training_set(app, file);
-    CHECK(app.status.is_error);
-    CHECK(app.training->others.size() == 1);
-    const Training expected = bench.by_hand({&app.document.set, &other});
+    add_training_set(app.ui, app.work, app.model_bench, file);
+    CHECK(app.ui.status.is_error);
+    CHECK(app.model_bench.training.others.size() == 1);
+    const Training expected = bench.by_hand({&app.work.document.set, &other});
     bench.train();
-    CHECK(app.training->found->training.model == expected.model);
-    CHECK(app.training->found->training.without_set.size() == 2);
+    CHECK(app.model_bench.training.found->training.model == expected.model);
+    CHECK(app.model_bench.training.found->training.without_set.size() == 2);
     CHECK(bench.program.shows("trained set:other"));
     bench.program.click("train on:other");
     CHECK(bench.program.shows("train:stale"));
@@ -226,9 +228,9 @@ TEST_CASE("training panel: several sets, each of which may be left aside") {
     silent.ratings.clear();
     const auto unrated = bench.folder.path / "unrated.tactspace.json";
     REQUIRE(write_set_file(unrated, silent));
-    add_training_set(app, unrated);
-    CHECK(app.status.is_error);
-    CHECK(app.training->others.empty());
+    add_training_set(app.ui, app.work, app.model_bench, unrated);
+    CHECK(app.ui.status.is_error);
+    CHECK(app.model_bench.training.others.empty());
 }
 
 TEST_CASE("training panel: it says what is missing, and what cannot be fitted to") {
@@ -236,17 +238,17 @@ TEST_CASE("training panel: it says what is missing, and what cannot be fitted to
     App& app = bench.app;
     CHECK(bench.program.shows("button:load ratings"));
     CHECK(bench.program.at("button:train").value == "disabled");
-    RatingStudy study{names_of(app.document.set), true, {{"P1", {1, 1, 1, 1, 1, 1}}}};
-    app.document.set.ratings = kept_ratings(study, "flat.csv");
-    document_changed(app);
+    RatingStudy study{names_of(app.work.document.set), true, {{"P1", {1, 1, 1, 1, 1, 1}}}};
+    app.work.document.set.ratings = kept_ratings(study, "flat.csv");
+    document_changed(app.work);
     bench.program.settle();
     bench.program.click("button:train");
     bench.wait_for_training();
-    CHECK(app.status.is_error);
-    CHECK(app.status.text.ends_with("got the same for every pair"));
+    CHECK(app.ui.status.is_error);
+    CHECK(app.ui.status.text.ends_with("got the same for every pair"));
     CHECK_FALSE(bench.program.shows("train:result"));
-    app.document.set.ratings[0].labels[0] = "nobody";
-    document_changed(app);
+    app.work.document.set.ratings[0].labels[0] = "nobody";
+    document_changed(app.work);
     bench.program.settle();
     CHECK(bench.program.shows("train:fault"));
 }
@@ -255,16 +257,16 @@ TEST_CASE("training panel: a search is cancelled at once, and what was found bef
     TrainingBench bench;
     App& app = bench.app;
     bench.train();
-    const auto found = app.training->found;
-    app.training->units = 20;
+    const auto found = app.model_bench.training.found;
+    app.model_bench.training.units = 20;
     bench.program.settle();
     bench.program.click("button:train");
-    REQUIRE(is_training(app));
+    REQUIRE(is_training(app.model_bench));
     bench.program.click("link:cancel training");
     const auto asked = std::chrono::steady_clock::now();
     bench.wait_for_training();
     CHECK(std::chrono::steady_clock::now() - asked < std::chrono::seconds(5));
-    CHECK(app.training->found == found);
+    CHECK(app.model_bench.training.found == found);
     CHECK(bench.program.shows("train:result"));
 }
 
@@ -274,14 +276,15 @@ TEST_CASE("training panel: ratings nobody gave are called synthetic") {
     TrainingBench bench(set);
     CHECK(bench.program.shows("train on:drawn, synthetic ratings"));
     bench.train();
-    CHECK(bench.app.training->found->record.sets.front().name == "drawn, synthetic ratings");
+    CHECK(bench.app.model_bench.training.found->record.sets.front().name ==
+          "drawn, synthetic ratings");
 }
 
 TEST_CASE("training panel: each person in turn is left out, on request") {
     TrainingBench bench;
     bench.program.click("train:leave out");
     bench.train();
-    const Training expected = bench.by_hand({&bench.app.document.set});
+    const Training expected = bench.by_hand({&bench.app.work.document.set});
     REQUIRE(expected.without_participant.size() == 2);
     for (const LeftOut& one : expected.without_participant) {
         const double shown = std::stod(bench.program.at("left out:" + one.name).value);

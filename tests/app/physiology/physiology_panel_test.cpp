@@ -161,7 +161,7 @@ TEST_CASE(
 
     program.click("stage:networks");
     const Place network = program.at("network FA2");
-    program.app.playhead.at_s = 0.0301;
+    program.app.timeline.playhead.at_s = 0.0301;
     program.settle();
     std::vector<std::string> cell;
     for (float x = network.min.x; x < network.max.x; x += 4.0F) {
@@ -203,26 +203,26 @@ TEST_CASE("physiology: all time axes begin and end at the same pixels, small and
 TEST_CASE("physiology: a press in any plot moves the one playhead, dragging scrubs") {
     Physiology program;
     program.drag(program.in_row("brain", 0.2F), program.in_row("brain", 0.7F), 3);
-    CHECK(std::abs(program.app.playhead.at_s - 0.07) < 0.002);
+    CHECK(std::abs(program.app.timeline.playhead.at_s - 0.07) < 0.002);
     program.drag(program.in_row("vibration", 0.5F), program.in_row("vibration", 0.3F), 3);
-    CHECK(std::abs(program.app.playhead.at_s - 0.03) < 0.002);
-    CHECK(program.app.history.undo_label() == nullptr);
+    CHECK(std::abs(program.app.timeline.playhead.at_s - 0.03) < 0.002);
+    CHECK(program.app.work.history.undo_label() == nullptr);
 }
 
 TEST_CASE(
     "physiology: Ctrl and wheel zoom where the mouse is, the wheel moves on, all views follow") {
     Physiology program;
     for (int k = 0; k < 5; ++k) program.wheel(program.in_row("envelope", 0.5F), 1.0F, true);
-    const TimeRange zoomed_in = program.app.time_range;
+    const TimeRange zoomed_in = program.app.timeline.range;
     CHECK(zoomed_in.length_s() < 0.05);
     CHECK(std::abs(0.5 * (zoomed_in.start_s + zoomed_in.end_s) - 0.05) < 0.002);
     program.wheel(program.in_row("raster", 0.5F), -1.0F, false);
-    CHECK(program.app.time_range.start_s > zoomed_in.start_s);
-    CHECK(std::abs(program.app.time_range.length_s() - zoomed_in.length_s()) < 1e-12);
+    CHECK(program.app.timeline.range.start_s > zoomed_in.start_s);
+    CHECK(std::abs(program.app.timeline.range.length_s() - zoomed_in.length_s()) < 1e-12);
     for (int k = 0; k < 40; ++k) program.wheel(program.in_row("brain", 0.5F), 1.0F, true);
-    CHECK(std::abs(program.app.time_range.length_s() - 0.005) < 1e-9);
+    CHECK(std::abs(program.app.timeline.range.length_s() - 0.005) < 1e-9);
     program.click("show all");
-    CHECK(std::abs(program.app.time_range.length_s() - 0.1) < 1e-12);
+    CHECK(std::abs(program.app.timeline.range.length_s() - 0.1) < 1e-12);
 }
 
 TEST_CASE("physiology: Space plays and halts, at the chosen speed, and Esc stops") {
@@ -230,30 +230,30 @@ TEST_CASE("physiology: Space plays and halts, at the chosen speed, and Esc stops
     program.click("speed:1/100");
     program.window.press(key::kSpace, U' ');
     program.settle();
-    CHECK(program.app.playhead.playing);
-    const double from_s = program.app.playhead.at_s;
+    CHECK(program.app.timeline.playhead.playing);
+    const double from_s = program.app.timeline.playhead.at_s;
     for (int k = 0; k < 50; ++k) program.frame();
-    const double moved_s = program.app.playhead.at_s - from_s;
+    const double moved_s = program.app.timeline.playhead.at_s - from_s;
     CHECK(std::abs(moved_s - 50 * 0.01 * program.window.frame_s) < 1e-9);
     program.press_key(key::kEscape);
-    CHECK_FALSE(program.app.playhead.playing);
-    const double stopped_s = program.app.playhead.at_s;
+    CHECK_FALSE(program.app.timeline.playhead.playing);
+    const double stopped_s = program.app.timeline.playhead.at_s;
     for (int k = 0; k < 5; ++k) program.frame();
-    CHECK(program.app.playhead.at_s == stopped_s);
+    CHECK(program.app.timeline.playhead.at_s == stopped_s);
     program.press('.');
-    CHECK(std::abs(program.app.playhead.at_s - (std::floor(stopped_s / 0.005) + 1) * 0.005) <
-          1e-12);
+    CHECK(std::abs(program.app.timeline.playhead.at_s -
+                   (std::floor(stopped_s / 0.005) + 1) * 0.005) < 1e-12);
 }
 
 TEST_CASE("physiology: a stage opens large from the strip or by its name, Esc goes back") {
     Physiology program;
     program.click("stage:spikes");
-    CHECK(program.app.physiology.open == Stage::spikes);
+    CHECK(program.app.physiology.view.open == Stage::spikes);
     CHECK_FALSE(program.shows("plot:brain"));
     program.press_key(key::kEscape);
-    CHECK_FALSE(program.app.physiology.open);
+    CHECK_FALSE(program.app.physiology.view.open);
     program.click("label:brain");
-    CHECK(program.app.physiology.open == Stage::brain);
+    CHECK(program.app.physiology.view.open == Stage::brain);
     program.click("stage:all");
     CHECK(program.shows("plot:brain"));
 }
@@ -285,17 +285,17 @@ TEST_CASE("physiology: a receptor selected in its grid stands out in the raster,
     Physiology program;
     program.click("stage:receptors");
     const Place grid = program.at("grid FA1");
-    for (float y = grid.min.y; y < grid.max.y && !program.app.physiology.selected; y += 3.0F) {
+    for (float y = grid.min.y; y < grid.max.y && !program.app.physiology.view.selected; y += 3.0F) {
         program.window.click({grid.middle().x, y});
         program.settle();
     }
-    REQUIRE(program.app.physiology.selected);
-    CHECK(program.app.physiology.selected->type == Receptor::meissner);
+    REQUIRE(program.app.physiology.view.selected);
+    CHECK(program.app.physiology.view.selected->type == Receptor::meissner);
     program.click("stage:spikes");
     const Place raster = program.at("plot:raster");
     program.window.click({raster.middle().x, raster.min.y + 0.6F * (raster.max.y - raster.min.y)});
     program.settle();
-    CHECK(program.app.physiology.selected);
+    CHECK(program.app.physiology.view.selected);
 }
 
 TEST_CASE("physiology: a pinned pattern runs below, with the difference between them") {
@@ -307,11 +307,11 @@ TEST_CASE("physiology: a pinned pattern runs below, with the difference between 
     const Place between = program.at("plot:brain difference");
     CHECK(between.min.y >= above - 1.0F);
     CHECK(program.at("plot:brain pinned").min.y >= between.max.y - 1.0F);
-    const auto& difference = program.app.physiology.difference;
+    const auto& difference = program.app.physiology.view.difference;
     REQUIRE(difference.stages[index_of(Stage::brain)]);
     CHECK(*difference.stages[index_of(Stage::brain)] > 0.0);
-    const auto& a = program.app.stages->brain_waveform;
-    const auto& b = program.app.pinned_stages->brain_waveform;
+    const auto& a = program.app.physiology.stages->brain_waveform;
+    const auto& b = program.app.physiology.pinned_stages->brain_waveform;
     const auto& apart = difference.signals[index_of(Stage::brain)][0];
     REQUIRE(apart.size() == a.size());
     for (std::size_t n = 0; n < a.size(); n += 37) CHECK(apart[n] == a[n] - b[n]);
@@ -323,11 +323,11 @@ TEST_CASE("physiology: a twin of the pattern differs from it nowhere") {
     PatternSet set = rich_patterns();
     set.vibrations[1].source = set.vibrations[0].source;
     Physiology program(set);
-    program.app.pinned = "p2";
+    program.app.work.selection.pinned = "p2";
     program.frame();
     program.wait_for_stages();
     for (const Stage stage : kStages) {
-        const auto& difference = program.app.physiology.difference.stages[index_of(stage)];
+        const auto& difference = program.app.physiology.view.difference.stages[index_of(stage)];
         if (difference) CHECK(*difference == 0.0);
     }
 }
@@ -338,18 +338,18 @@ TEST_CASE("physiology: silence, saturation, nothing at all and an edit under way
     std::get<Pattern>(set.vibrations[1].source).amplitude_g = 50.0;
     Physiology program(set);
     for (std::size_t k = 0; k < 3; ++k) {
-        select_only(program.app, k);
+        select_only(program.app.work, k);
         program.frame();
         program.wait_for_stages();
         for (const Stage stage : kStages) {
             program.click(std::string("stage:") + text_of(stage).key);
-            program.app.physiology.tilted = k == 1;
+            program.app.physiology.view.tilted = k == 1;
             program.frame();
         }
         program.click("stage:all");
     }
     // An edit that the job has not answered yet: what is shown is known to be stale.
-    std::get<Pattern>(program.app.document.set.vibrations[2].source).amplitude_g = 0.3;
+    std::get<Pattern>(program.app.work.document.set.vibrations[2].source).amplitude_g = 0.3;
     program.frame();
     CHECK(program.shows("plot:brain"));
     Program empty((PatternSet()));

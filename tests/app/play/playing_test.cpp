@@ -29,10 +29,10 @@ struct Felt : Program {
         app.play.listed = std::make_shared<const Listing>(Listing{info});
         auto owned = std::make_unique<MemoryDevice>(true);
         device = owned.get();
-        app.play.choice = app.play.opened = remembered_choice(app, info.id);
+        app.play.choice = app.play.opened = remembered_choice(app.play, info.id);
         app.play.device = std::move(owned);
-        app.playhead.speed = 1.0;
-        app.playhead.loop = false;
+        app.timeline.playhead.speed = 1.0;
+        app.timeline.playhead.loop = false;
         settle();
     }
 
@@ -42,7 +42,7 @@ struct Felt : Program {
     }
 
     Drive drive_of_pattern(std::size_t index) const {
-        return drive_of(waveform_of(app.document.set.vibrations[index]), 1.0);
+        return drive_of(waveform_of(app.work.document.set.vibrations[index]), 1.0);
     }
 
     bool plays(std::size_t index) const {
@@ -64,10 +64,10 @@ TEST_CASE("playing: Space sends the current pattern to the device, at a low leve
     REQUIRE(program.plays(0));
     CHECK(program.device->level() == 0.1);
     CHECK_FALSE(program.device->looping());
-    CHECK(program.app.playhead.playing);
+    CHECK(program.app.timeline.playhead.playing);
     program.space();
     CHECK_FALSE(program.device->playing());
-    CHECK_FALSE(program.app.playhead.playing);
+    CHECK_FALSE(program.app.timeline.playhead.playing);
 }
 
 TEST_CASE("playing: the playhead is where the device says that it is felt, and ends with it") {
@@ -75,11 +75,11 @@ TEST_CASE("playing: the playhead is where the device says that it is felt, and e
     program.space();
     program.device->pretend(0.042, 0.0, false);
     program.frame();
-    CHECK(program.app.playhead.at_s == 0.042);
+    CHECK(program.app.timeline.playhead.at_s == 0.042);
     program.device->end();
     program.frame();
-    CHECK_FALSE(program.app.playhead.playing);
-    CHECK_FALSE(is_sounding(program.app));
+    CHECK_FALSE(program.app.timeline.playhead.playing);
+    CHECK_FALSE(is_sounding(program.app.play));
 }
 
 TEST_CASE("playing: slow motion is silent, and slowing down silences") {
@@ -87,12 +87,12 @@ TEST_CASE("playing: slow motion is silent, and slowing down silences") {
     program.click("speed:1/10");
     program.space();
     CHECK_FALSE(program.device->playing());
-    CHECK(program.app.playhead.playing);
+    CHECK(program.app.timeline.playhead.playing);
     program.click("speed:1\u00d7");  // under way: from now on it is felt
     CHECK(program.plays(0));
     program.click("speed:1/100");
     CHECK_FALSE(program.device->playing());
-    CHECK(program.app.playhead.playing);
+    CHECK(program.app.timeline.playhead.playing);
 }
 
 TEST_CASE("playing: Esc silences in the frame it is pressed in, and does nothing else there") {
@@ -111,7 +111,7 @@ TEST_CASE("playing: Esc silences in the frame it is pressed in, and does nothing
 
 TEST_CASE("playing: Esc silences also in a dialog") {
     Felt program;
-    program.app.dialog = Dialog::devices;
+    program.app.ui.dialog = Dialog::devices;
     program.settle();
     program.click("button:test buzz");
     REQUIRE(program.device->playing());
@@ -123,13 +123,13 @@ TEST_CASE("playing: Esc silences also in a dialog") {
 
 TEST_CASE("playing: a loop takes up an edit at its next round, not in the middle") {
     Felt program;
-    program.app.playhead.loop = true;
+    program.app.timeline.playhead.loop = true;
     program.space();
     REQUIRE(program.device->looping());
     const Drive before = *program.device->playing();
     program.device->pretend(0.05, 0.1, false);
     program.frame();
-    edit_patterns(program.app, [](Pattern& pattern) { pattern.amplitude_g = 0.3; });
+    edit_patterns(program.app.work, [](Pattern& pattern) { pattern.amplitude_g = 0.3; });
     program.device->pretend(0.08, 0.1, false);
     program.frame();
     CHECK(*program.device->playing() == before);
@@ -142,8 +142,8 @@ TEST_CASE("playing: a loop takes up an edit at its next round, not in the middle
 
 TEST_CASE("playing: A|B plays the pattern and its partner in turn, with a gap") {
     Felt program;
-    program.app.pinned = "p3";
-    program.app.playhead.loop = true;
+    program.app.work.selection.pinned = "p3";
+    program.app.timeline.playhead.loop = true;
     program.click("transport:A|B");
     program.space();
     REQUIRE(program.plays(0));
@@ -164,15 +164,15 @@ TEST_CASE("playing: A|B plays the pattern and its partner in turn, with a gap") 
 
 TEST_CASE("playing: all in sequence, each once, each shown while it is felt") {
     Felt program;
-    play_all(program.app);
+    play_all(program.app.ui, program.app.work, program.app.timeline, program.app.play);
     for (const std::size_t index : {0U, 1U, 2U}) {
         program.frame();
         REQUIRE(program.plays(index));
-        CHECK(program.app.selection.current == index);
+        CHECK(program.app.work.selection.current == index);
         program.device->end();
         program.wait(0.6);
     }
-    CHECK_FALSE(is_sounding(program.app));
+    CHECK_FALSE(is_sounding(program.app.play));
     CHECK_FALSE(program.device->playing());
 }
 
@@ -181,14 +181,14 @@ TEST_CASE("playing: a lost device says so once, and nothing plays") {
     program.space();
     program.device->pretend(0.0, 0.0, false, "memory is gone: nothing plays until it is back");
     program.settle();
-    CHECK_FALSE(program.app.playhead.playing);
-    CHECK_FALSE(is_sounding(program.app));
-    CHECK(program.app.status.is_error);
-    CHECK(program.app.status.text == "memory is gone: nothing plays until it is back");
-    program.app.status = {};
+    CHECK_FALSE(program.app.timeline.playhead.playing);
+    CHECK_FALSE(is_sounding(program.app.play));
+    CHECK(program.app.ui.status.is_error);
+    CHECK(program.app.ui.status.text == "memory is gone: nothing plays until it is back");
+    program.app.ui.status = {};
     program.settle();
-    CHECK(program.app.status.text.empty());
-    CHECK(device_trouble(program.app) == "memory is gone: nothing plays until it is back");
+    CHECK(program.app.ui.status.text.empty());
+    CHECK(device_trouble(program.app.play) == "memory is gone: nothing plays until it is back");
 }
 
 TEST_CASE("playing: the clip light stays on until it is clicked, the meter falls by itself") {
@@ -223,15 +223,15 @@ TEST_CASE("playing: the level is felt while it plays") {
 TEST_CASE("playing: without a device all is calm: silent playing, and one word of advice") {
     Program program(short_patterns(2));
     program.app.play.listed = std::make_shared<const Listing>();
-    program.app.playhead.speed = 1.0;
+    program.app.timeline.playhead.speed = 1.0;
     program.settle();
     CHECK(program.at("device").value == "No device");
     CHECK_FALSE(program.shows("level"));
     CHECK_FALSE(program.shows("clip"));
     program.window.press(key::kSpace, U' ');
     program.settle();
-    CHECK(program.app.playhead.playing);
-    CHECK(program.app.status.text.empty());
+    CHECK(program.app.timeline.playhead.playing);
+    CHECK(program.app.ui.status.text.empty());
     program.click("device");
     CHECK(program.at("device advice").value.find("Plug in") == 0);
 }
@@ -241,31 +241,32 @@ TEST_CASE("playing: a device that was chosen and is not there is not replaced by
     DeviceInfo other;
     other.id = "audio/test/other";
     other.name = "other";
-    choose_device(program.app, remembered_choice(program.app, "audio/test/gone"));
+    choose_device(program.app.ui, program.app.timeline, program.app.play,
+                  remembered_choice(program.app.play, "audio/test/gone"));
     program.app.play.listed = std::make_shared<const Listing>(Listing{other});
     program.settle();
     program.space();
-    CHECK_FALSE(is_sounding(program.app));
-    CHECK(program.app.playhead.playing);  // silently
+    CHECK_FALSE(is_sounding(program.app.play));
+    CHECK(program.app.timeline.playhead.playing);  // silently
     CHECK(program.app.play.choice.id == "audio/test/gone");
     CHECK(program.at("device").value.find("gone") == 0);
-    CHECK(program.app.status.text.find("not there") != std::string::npos);
+    CHECK(program.app.ui.status.text.find("not there") != std::string::npos);
 }
 
 TEST_CASE("playing: how each device was used is remembered, in the session too") {
     App app = make_app();
     DeviceChoice pulse{"audio/ALSA/pulse", 2, 4, 0.02};
-    choose_device(app, pulse);
-    choose_device(app, {"audio/JACK/system", 3, 0, 0.0});
-    CHECK(remembered_choice(app, "audio/ALSA/pulse") == pulse);
+    choose_device(app.ui, app.timeline, app.play, pulse);
+    choose_device(app.ui, app.timeline, app.play, {"audio/JACK/system", 3, 0, 0.0});
+    CHECK(remembered_choice(app.play, "audio/ALSA/pulse") == pulse);
     app.play.full_scale_g = 2.5;
-    keep_devices(app);
+    keep_devices(app.work, app.play);
     App next = make_app();
-    next.session = app.session;
-    restore_devices(next);
+    next.work.session = app.work.session;
+    restore_devices(next.work, next.play);
     CHECK(next.play.choice.id == "audio/JACK/system");
     CHECK(next.play.choice.channel == 3);
-    CHECK(remembered_choice(next, "audio/ALSA/pulse") == pulse);
+    CHECK(remembered_choice(next.play, "audio/ALSA/pulse") == pulse);
     CHECK(next.play.full_scale_g == 2.5);
     CHECK(next.play.level == kFirstLevel);  // every start is a quiet one
 }
@@ -273,7 +274,7 @@ TEST_CASE("playing: how each device was used is remembered, in the session too")
 TEST_CASE("playing: in the map a double click plays, and so does resting on a point, if wanted") {
     Felt program;
     make_jobs(program.app);
-    request_maps(program.app);
+    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
     program.wait_for_exact_map();
     program.wait(1.0);
     const ImVec2 point = program.at("point:p2").middle();
@@ -296,7 +297,7 @@ TEST_CASE("playing: in the map a double click plays, and so does resting on a po
 TEST_CASE("playing: Esc that comes before its frame stops the device, and no sequence goes on") {
     Felt program;
     program.app.play.gap_s = 0.0;
-    play_all(program.app);
+    play_all(program.app.ui, program.app.work, program.app.timeline, program.app.play);
     program.frame();
     REQUIRE(program.plays(0));
     EmergencyStop stop;
@@ -308,10 +309,10 @@ TEST_CASE("playing: Esc that comes before its frame stops the device, and no seq
     CHECK_FALSE(stop.take());
     for (int k = 0; k < 5; ++k) program.frame();
     CHECK_FALSE(program.device->playing());
-    program.app.selection.others = {1};
+    program.app.work.selection.others = {1};
     program.press_key(key::kEscape);
-    CHECK_FALSE(is_sounding(program.app));
-    CHECK(program.app.selection.others.size() == 1);  // it has done enough
+    CHECK_FALSE(is_sounding(program.app.play));
+    CHECK(program.app.work.selection.others.size() == 1);  // it has done enough
     program.space();
     CHECK(program.device->playing());
 }
@@ -321,7 +322,7 @@ TEST_CASE("playing: a calibrated drive is computed beside the frames, and then p
     Calibration flat;
     flat.points = {{20.0, 2.0}, {500.0, 2.0}};
     program.app.play.calibration = std::make_shared<const Calibration>(flat);
-    const Vibration& first = program.app.document.set.vibrations[0];
+    const Vibration& first = program.app.work.document.set.vibrations[0];
     const Drive wanted = calibrated_drive(waveform_of(first), flat).drive;
     program.window.press(key::kSpace, U' ');
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
@@ -331,11 +332,11 @@ TEST_CASE("playing: a calibrated drive is computed beside the frames, and then p
         program.frame();
     }
     CHECK(*program.device->playing() == wanted);
-    CHECK(is_sounding(program.app));
+    CHECK(is_sounding(program.app.play));
     program.settle();
     program.space();
     CHECK_FALSE(program.device->playing());
-    CHECK_FALSE(is_sounding(program.app));
+    CHECK_FALSE(is_sounding(program.app.play));
 }
 
 TEST_CASE("playing: what was being computed when it was silenced is not played") {
@@ -343,8 +344,8 @@ TEST_CASE("playing: what was being computed when it was silenced is not played")
     Calibration flat;
     flat.points = {{20.0, 2.0}, {500.0, 2.0}};
     program.app.play.calibration = std::make_shared<const Calibration>(flat);
-    play_once(program.app, 0);
-    silence(program.app);
+    play_once(program.app.ui, program.app.work, program.app.timeline, program.app.play, 0);
+    silence(program.app.timeline, program.app.play);
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
     while (!program.app.play.drive_job->latest()) {
         REQUIRE(std::chrono::steady_clock::now() < until);
@@ -357,18 +358,19 @@ TEST_CASE("playing: what was being computed when it was silenced is not played")
 TEST_CASE("playing: a controller is still when another window has the keys, sound plays on") {
     Felt program;
     program.space();
-    follow_focus(program.app, true);
-    follow_focus(program.app, false);
+    follow_focus(program.app.ui, program.app.timeline, program.app.play, true);
+    follow_focus(program.app.ui, program.app.timeline, program.app.play, false);
     CHECK(program.device->playing());
     Listing listed = *program.app.play.listed;
     listed[0].kind = DeviceKind::hid;
     program.app.play.listed = std::make_shared<const Listing>(listed);
-    follow_focus(program.app, false);  // it was lost before
+    follow_focus(program.app.ui, program.app.timeline, program.app.play,
+                 false);  // it was lost before
     CHECK(program.device->playing());
-    follow_focus(program.app, true);
-    follow_focus(program.app, false);
+    follow_focus(program.app.ui, program.app.timeline, program.app.play, true);
+    follow_focus(program.app.ui, program.app.timeline, program.app.play, false);
     CHECK_FALSE(program.device->playing());
-    CHECK_FALSE(is_sounding(program.app));
+    CHECK_FALSE(is_sounding(program.app.play));
 }
 
 TEST_CASE("playing: another device, or another of its channels, begins at a low level again") {
@@ -377,19 +379,19 @@ TEST_CASE("playing: another device, or another of its channels, begins at a low 
     play.level = 1.0;
     DeviceChoice choice = play.choice;
     choice.latency_offset_s = 0.01;  // it is the same actuator
-    choose_device(program.app, choice);
+    choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
     CHECK(play.level == 1.0);
     choice.channel = 2;
-    choose_device(program.app, choice);
+    choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
     CHECK(play.level == kFirstLevel);
     play.level = 1.0;
     choice.id = "audio/test/another";
-    choose_device(program.app, choice);
+    choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
     CHECK(play.level == kFirstLevel);
     // Who had it lower keeps it.
     play.level = 0.05;
     choice.id = "audio/test/a third";
-    choose_device(program.app, choice);
+    choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
     CHECK(play.level == 0.05);
 }
 

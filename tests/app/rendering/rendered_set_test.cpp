@@ -88,9 +88,9 @@ TEST_CASE("device tab: the report stands there, and the switch makes the map tha
     Program program(short_patterns(4));
     App& app = program.app;
     make_jobs(app);
-    document_changed(app);
+    document_changed(app.work);
     program.wait_for_exact_map();
-    const Dissimilarity meant = app.map.shown->prediction.nc;
+    const Dissimilarity meant = app.shown_map.transition.shown->prediction.nc;
     program.click("tab:Device");
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (!program.shows("rendering:summary")) {
@@ -102,20 +102,21 @@ TEST_CASE("device tab: the report stands there, and the switch makes the map tha
     CHECK(program.shows("plot:rendered"));
     CHECK(program.shows("band:41\u201375 Hz"));
 
-    const PatternSet before = app.document.set;
+    const PatternSet before = app.work.document.set;
     program.click("rendered");
-    CHECK(app.rendering.on);
-    CHECK(map_state(app) != MapState::exact);  // until it is computed the old map looks old
+    CHECK(app.rendered.on);
+    CHECK(map_state(app.work, app.shown_map) !=
+          MapState::exact);  // until it is computed the old map looks old
     program.wait_for_exact_map();
-    CHECK(app.map.shown->prediction.nc != meant);
-    CHECK(app.map.shown->request.rendered_by == std::optional(app.rendering.by));
-    CHECK(rendered_words(app.rendering) == "as a Joy-Con plays them, uncalibrated");
-    CHECK(app.document.set == before);
-    CHECK_FALSE(app.unsaved);
+    CHECK(app.shown_map.transition.shown->prediction.nc != meant);
+    CHECK(app.shown_map.transition.shown->request.rendered_by == std::optional(app.rendered.by));
+    CHECK(rendered_words(app.rendered) == "as a Joy-Con plays them, uncalibrated");
+    CHECK(app.work.document.set == before);
+    CHECK_FALSE(app.work.unsaved);
 
     program.click("rendered");
     program.wait_for_exact_map();
-    CHECK(app.map.shown->prediction.nc == meant);
+    CHECK(app.shown_map.transition.shown->prediction.nc == meant);
     stop_jobs(app);
 }
 

@@ -30,14 +30,14 @@ struct Felt : Program {
     std::shared_ptr<MemoryDevice> device = std::make_shared<MemoryDevice>(true);
 
     explicit Felt(const PatternSet& set = four_patterns()) : Program(set) {
-        set_study_folder(app, folder.path / "people");
-        app.study->device = device;
-        open_study(app);
+        set_study_folder(app.work, app.studying, folder.path / "people");
+        app.studying.device = device;
+        open_study(app.layout, app.studying);
         settle();
     }
-    ~Felt() { stop_study(app); }
+    ~Felt() { stop_study(app.studying); }
 
-    const StudyRun& run() const { return *app.study->run; }
+    const StudyRun& run() const { return *app.studying.run; }
     std::string page() const { return at("study page").value; }
     StudyRecord record() const { return *read_study_file(folder.path / "people" / "P1.jsonl"); }
     void wait(double seconds) {
@@ -72,7 +72,7 @@ struct Felt : Program {
     void leave() {
         press_key(key::kEscape);
         press('q');
-        REQUIRE_FALSE(is_study_running(app));
+        REQUIRE_FALSE(is_study_running(app.studying));
     }
     void wait_for(const std::string& name) {
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
@@ -123,7 +123,7 @@ TEST_CASE("actuator: one that goes pauses the study, says so, and the play does 
     program.wait(0.2);
     CHECK_FALSE(program.shows("study:warning"));
     program.feel('b');
-    CHECK_FALSE(may_rate(program.run(), program.app.time_s));
+    CHECK_FALSE(may_rate(program.run(), program.app.ui.time_s));
     program.feel('a');
     program.answer();
     REQUIRE(program.page() == "trial 1");
@@ -138,7 +138,7 @@ TEST_CASE("actuator: what the device breaks off early does not count, without a 
     program.begin();
     program.press('b');
     program.device->end();  // after a few frames, of a tenth of a second
-    program.app.study->run->playing_until_s = program.app.time_s + 1.0;
+    program.app.studying.run->playing_until_s = program.app.ui.time_s + 1.0;
     program.wait(0.3);
     CHECK(program.page() == "trial 0");
     CHECK(program.run().given.plays_right == 0);
@@ -174,12 +174,13 @@ TEST_CASE("actuator: where one pattern is too strong, all are turned down alike,
     std::get<Pattern>(set.vibrations[1].source).amplitude_g = 0.5;
     Felt program(set);
     App& app = program.app;
-    const std::vector<std::string> names = names_of(app.document.set);
+    const std::vector<std::string> names = names_of(app.work.document.set);
     app.play.level = 0.1;
-    const StudyActuator weak = study_actuator(app, app.document.set, names);
+    const StudyActuator weak = study_actuator(app.play, app.studying, app.work.document.set, names);
     CHECK(weak.turned_down_db == 0.0);
     app.play.level = 1.0;
-    const StudyActuator strong = study_actuator(app, app.document.set, names);
+    const StudyActuator strong =
+        study_actuator(app.play, app.studying, app.work.document.set, names);
     CHECK(std::ranges::max(strong.peaks) <= kCeiling);
     CHECK(std::ranges::max(strong.peaks) > 0.98 * kCeiling);
     const double factor = std::pow(10.0, -strong.turned_down_db / 20.0);
@@ -206,10 +207,10 @@ TEST_CASE("actuator: going on with another device asks, and the file says what i
     program.wait_for("link:go on P1");
     // As it was: no question.
     program.click("link:go on P1");
-    CHECK(is_study_running(program.app));
+    CHECK(is_study_running(program.app.studying));
     program.leave();
     CHECK(program.record().devices.empty());
-    program.app.study->device = std::make_shared<MemoryDevice>(false);
+    program.app.studying.device = std::make_shared<MemoryDevice>(false);
     program.wait_for("link:go on P1");
     program.click("link:go on P1");
     const std::string question = program.at("question").value;
@@ -217,11 +218,11 @@ TEST_CASE("actuator: going on with another device asks, and the file says what i
     CHECK(contains(question, "no device: nothing would be felt"));
     CHECK(program.at("answer:Not yet").value == "marked");
     program.press_key(key::kEnter);
-    CHECK_FALSE(is_study_running(program.app));
+    CHECK_FALSE(is_study_running(program.app.studying));
     CHECK(program.record().devices.empty());
     program.click("link:go on P1");
     program.click("answer:Go on as it is now");
-    REQUIRE(is_study_running(program.app));
+    REQUIRE(is_study_running(program.app.studying));
     const StudyRecord record = program.record();
     CHECK(record.header.device.name == "memory");
     REQUIRE(record.devices.size() == 1);
@@ -241,20 +242,20 @@ TEST_CASE("actuator: another level or full scale is another strength, and asks a
         program.wait_for("link:go on P1");
         program.click("link:go on P1");
         CHECK(program.shows("question"));
-        CHECK_FALSE(is_study_running(program.app));
+        CHECK_FALSE(is_study_running(program.app.studying));
         program.press_key(key::kEscape);
         std::tie(play.level, play.full_scale_g) = before;
     }
     program.click("link:go on P1");
-    CHECK(is_study_running(program.app));
+    CHECK(is_study_running(program.app.studying));
 }
 
 TEST_CASE("actuator: nobody is asked at a level at which nothing is felt") {
     Felt program;
     program.app.play.level = 0.0;
     program.click("button:run participant");
-    CHECK_FALSE(is_study_running(program.app));
-    CHECK(contains(program.app.status.text, "The level is 0"));
+    CHECK_FALSE(is_study_running(program.app.studying));
+    CHECK(contains(program.app.ui.status.text, "The level is 0"));
 }
 
 TEST_CASE("actuator: one that is listed but cannot play makes a rehearsal, and the file says so") {

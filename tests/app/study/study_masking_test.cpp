@@ -46,13 +46,13 @@ struct Masked : Program {
         return set;
     }
     Masked() : Program(set()) {
-        set_study_folder(app, folder.path / "people");
-        app.study->masking = noise;
-        open_study(app);
+        set_study_folder(app.work, app.studying, folder.path / "people");
+        app.studying.masking = noise;
+        open_study(app.layout, app.studying);
         settle();
         click("button:run participant");
     }
-    ~Masked() { stop_study(app); }
+    ~Masked() { stop_study(app.studying); }
 
     void to_instructions() {
         press_key(key::kEnter);
@@ -111,15 +111,16 @@ TEST_CASE("masking: where it stops by itself the study pauses, says so, and trie
     program.noise->pretend(0.0, 0.0, false, "ears are gone");
     program.noise->end();
     program.frame();
-    CHECK(program.app.study->run->is_asking);
+    CHECK(program.app.studying.run->is_asking);
     program.settle();
     const std::string said = "The masking noise stopped: ears are gone.";
     CHECK(program.at("study:warning").value.find(said) != std::string::npos);
     program.noise->pretend(0.0, 0.0, false);
-    act(program.app, {StudyEvent::What::stay, 0, 0.0, {}, {}});
+    act(program.app.ui, program.app.work, program.app.play, program.app.studying,
+        {StudyEvent::What::stay, 0, 0.0, {}, {}});
     program.settle();
     CHECK(program.noise->playing());
-    CHECK_FALSE(program.app.study->run->is_asking);
+    CHECK_FALSE(program.app.studying.run->is_asking);
     if (program.shows("study:warning")) {
         CHECK(program.at("study:warning").value.find("masking") == std::string::npos);
     }
@@ -127,9 +128,11 @@ TEST_CASE("masking: where it stops by itself the study pauses, says so, and trie
 
 TEST_CASE("masking: without an output the file says why there was none") {
     Masked program;
-    act(program.app, {StudyEvent::What::ask, 0, 0.0, {}, {}});
-    act(program.app, {StudyEvent::What::leave, 0, 0.0, {}, {}});
-    program.app.study->masking.reset();
+    act(program.app.ui, program.app.work, program.app.play, program.app.studying,
+        {StudyEvent::What::ask, 0, 0.0, {}, {}});
+    act(program.app.ui, program.app.work, program.app.play, program.app.studying,
+        {StudyEvent::What::leave, 0, 0.0, {}, {}});
+    program.app.studying.masking.reset();
     program.settle();
     program.click("button:run participant");
     CHECK(program.at("study:warning").value.find("Rehearsal") != std::string::npos);

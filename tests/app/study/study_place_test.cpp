@@ -18,14 +18,14 @@ struct Rated : Program {
     TemporaryFolder folder;
 
     Rated() : Program(short_patterns(4)) {
-        app.session = open_session(folder.path / "state");
-        std::filesystem::create_directories(study_folder(app));
+        app.work.session = open_session(folder.path / "state");
+        std::filesystem::create_directories(study_folder(app.work, app.studying));
         StudyRecord record;
-        record.header = study_header(app, "P1");
-        REQUIRE(write_study_file(study_folder(app) / "P1.jsonl", record));
+        record.header = study_header(app.work, app.play, app.studying, "P1");
+        REQUIRE(write_study_file(study_folder(app.work, app.studying) / "P1.jsonl", record));
     }
-    ~Rated() { (void)close_session(app.session); }
-    bool sees_participant() const { return contains_study(study_folder(app)); }
+    ~Rated() { (void)close_session(app.work.session); }
+    bool sees_participant() const { return contains_study(study_folder(app.work, app.studying)); }
 };
 
 }  // namespace
@@ -33,55 +33,55 @@ struct Rated : Program {
 TEST_CASE("participants: saving a set that had no file takes them along, and says so") {
     Rated program;
     App& app = program.app;
-    const auto before = study_folder(app);
-    save_as(app, program.folder.path / "mine.tactspace.json");
+    const auto before = study_folder(app.work, app.studying);
+    save_as(app.ui, app.work, program.folder.path / "mine.tactspace.json");
     follow_changes(app);
-    CHECK(study_folder(app) == program.folder.path / "mine study");
+    CHECK(study_folder(app.work, app.studying) == program.folder.path / "mine study");
     CHECK(program.sees_participant());
     CHECK_FALSE(std::filesystem::exists(before));
-    CHECK(contains(app.status.text, "Its participants are now in"));
+    CHECK(contains(app.ui.status.text, "Its participants are now in"));
     // As the next start finds them.
-    open_paths(app, {program.folder.path / "mine.tactspace.json"});
+    open_paths(app.ui, app.work, {program.folder.path / "mine.tactspace.json"});
     CHECK(program.sees_participant());
 }
 
 TEST_CASE("participants: where others are in the way, nobody is mixed up and all stay in sight") {
     Rated program;
     App& app = program.app;
-    const auto before = study_folder(app);
+    const auto before = study_folder(app.work, app.studying);
     const auto others = program.folder.path / "mine study";
     std::filesystem::create_directories(others);
-    save_as(app, program.folder.path / "mine.tactspace.json");
+    save_as(app.ui, app.work, program.folder.path / "mine.tactspace.json");
     follow_changes(app);
-    CHECK(study_folder(app) == before);
+    CHECK(study_folder(app.work, app.studying) == before);
     CHECK(program.sees_participant());
     CHECK(std::filesystem::is_empty(others));
-    CHECK(contains(app.status.text, "Its participants stay in"));
+    CHECK(contains(app.ui.status.text, "Its participants stay in"));
 }
 
 TEST_CASE("participants: of a saved set, they stay with its file and in sight of the copy") {
     Rated program;
     App& app = program.app;
-    save_as(app, program.folder.path / "mine.tactspace.json");
+    save_as(app.ui, app.work, program.folder.path / "mine.tactspace.json");
     follow_changes(app);
-    save_as(app, program.folder.path / "copy.tactspace.json");
+    save_as(app.ui, app.work, program.folder.path / "copy.tactspace.json");
     follow_changes(app);
     CHECK(contains_study(program.folder.path / "mine study"));
     CHECK(program.sees_participant());
-    CHECK(contains(app.status.text, "Its participants stay in"));
+    CHECK(contains(app.ui.status.text, "Its participants stay in"));
     // Of a document that is opened next, they are none.
-    new_document(app);
+    new_document(app.ui, app.work);
     CHECK_FALSE(program.sees_participant());
 }
 
 TEST_CASE("participants: a set that was put aside and opened again still has its own") {
     Rated program;
     App& app = program.app;
-    app.document.set.duration_s = 0.2;
-    new_document(app);
-    REQUIRE_FALSE(app.session.recent_files.empty());
-    open_paths(app, {app.session.recent_files[0]});
-    CHECK(app.document.set.vibrations.size() == 4);
+    app.work.document.set.duration_s = 0.2;
+    new_document(app.ui, app.work);
+    REQUIRE_FALSE(app.work.session.recent_files.empty());
+    open_paths(app.ui, app.work, {app.work.session.recent_files[0]});
+    CHECK(app.work.document.set.vibrations.size() == 4);
     CHECK(program.sees_participant());
 }
 

@@ -26,15 +26,15 @@ struct StudyProgram : Program {
     TemporaryFolder folder;
 
     explicit StudyProgram(const PatternSet& set = study_set()) : Program(set) {
-        set_study_folder(app, folder.path / "people");
-        app.study->device = std::make_shared<MemoryDevice>(true);  // else it is a rehearsal
+        set_study_folder(app.work, app.studying, folder.path / "people");
+        app.studying.device = std::make_shared<MemoryDevice>(true);  // else it is a rehearsal
     }
-    ~StudyProgram() { stop_study(app); }
+    ~StudyProgram() { stop_study(app.studying); }
 
     // The device ends what it plays half-way, which is after the patterns of these sets.
     void wait(double seconds) {
         for (double t = 0.0; t < 0.5 * seconds; t += window.frame_s) frame();
-        if (auto* device = dynamic_cast<MemoryDevice*>(app.study->device.get())) device->end();
+        if (auto* device = dynamic_cast<MemoryDevice*>(app.studying.device.get())) device->end();
         for (double t = 0.0; t < 0.5 * seconds; t += window.frame_s) frame();
     }
     void wait_for(const std::string& name) {
@@ -97,11 +97,11 @@ TEST_CASE("study window: a whole study by keyboard becomes the ratings of the se
     CHECK(program.at("participant:P1").value == "7 of 7, counts");
     CHECK(program.shows("study matrix"));
     program.click("button:use as ratings");
-    CHECK(program.app.document.set.ratings.size() == 1);
-    CHECK(program.app.document.set.ratings[0].name == "P1");
-    CHECK_FALSE(program.app.study->is_open);
+    CHECK(program.app.work.document.set.ratings.size() == 1);
+    CHECK(program.app.work.document.set.ratings[0].name == "P1");
+    CHECK_FALSE(program.app.studying.is_open);
     program.press('z', true);
-    CHECK(program.app.document.set.ratings.empty());
+    CHECK(program.app.work.document.set.ratings.empty());
 }
 
 TEST_CASE("study window: every answer is in the file before the next trial is on the screen") {
@@ -131,7 +131,7 @@ TEST_CASE("study window: buttons and slider by mouse, only when it is their turn
     StudyProgram program;
     program.press('5');
     program.begin();
-    const auto& run = *program.app.study->run;
+    const auto& run = *program.app.studying.run;
     program.click("study:slider");
     CHECK_FALSE(run.similarity);
     program.click("study:A");
@@ -152,14 +152,15 @@ TEST_CASE("study window: the design is part of the document, a change one undo s
     program.press('5');
     const ImVec2 at = program.at("slider:study_repetitions").middle();
     program.drag(at, at + ImVec2{60.0F, 0.0F}, 6);
-    CHECK(program.app.document.set.study.repetitions > 1);
+    CHECK(program.app.work.document.set.study.repetitions > 1);
     program.press('z', true);
-    CHECK(program.app.document.set == study_set());
+    CHECK(program.app.work.document.set == study_set());
     program.click("study:patterns");
     program.click("study pattern:p2");
-    CHECK(program.app.document.set.study.patterns == std::vector<std::string>{"p1", "p3", "p4"});
+    CHECK(program.app.work.document.set.study.patterns ==
+          std::vector<std::string>{"p1", "p3", "p4"});
     program.click("study pattern:p2");
-    CHECK(program.app.document.set.study.patterns.empty());
+    CHECK(program.app.work.document.set.study.patterns.empty());
     program.press('1');
     CHECK(program.shows("pane:Patterns"));
 }
@@ -181,7 +182,7 @@ TEST_CASE("study window: sorting by keyboard and by mouse") {
         program.key(key::kRight);
         program.press(k == 0 ? U'2' : U'1');
     }
-    CHECK(unsorted_count(*program.app.study->run) == 0);
+    CHECK(unsorted_count(*program.app.studying.run) == 0);
     program.key(key::kEnter);
     CHECK(program.page() == "finished 1");
     program.key(key::kEnter);
@@ -206,7 +207,7 @@ TEST_CASE("study window: everything keeps within its pane, in small windows with
             CAPTURE(size.x);
             ImGui::GetIO().DisplaySize = size;
             ImGui::GetIO().Fonts->Clear();
-            program.app.text_scale = scale;
+            program.app.ui.text_scale = scale;
             make_theme(program.app);
             program.settle();
             check_inside("pane:Study", {"entry:study_repetitions", "study:prediction",
@@ -236,7 +237,7 @@ TEST_CASE("study window: a trial fits into any window, at any size of text") {
             CAPTURE(size.x);
             ImGui::GetIO().DisplaySize = size;
             ImGui::GetIO().Fonts->Clear();
-            program.app.text_scale = scale;
+            program.app.ui.text_scale = scale;
             make_theme(program.app);
             program.settle();
             CHECK(program.at("study:A").max.x <= program.at("study:B").min.x);
@@ -250,7 +251,7 @@ TEST_CASE("study window: a trial fits into any window, at any size of text") {
 TEST_CASE("study window: a simulated participant says everywhere that it is none") {
     StudyProgram program;
     make_jobs(program.app);
-    request_maps(program.app);
+    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
     program.wait_for_exact_map();
     program.press('5');
     program.click("button:simulate");

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/compare/bench_follow.h"
+#include "app/compare/compare_follow.h"
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_marks.h"
@@ -23,10 +23,10 @@ struct SubsetBench {
 
     SubsetBench() {
         make_jobs(app);
-        request_maps(app);
+        request_maps(app.work, app.shown_map, app.rendered);
         program.wait_for_exact_map();
-        app.bench = BenchTab::subset;
-        app.subset->count = 4;
+        app.layout.bench = BenchTab::subset;
+        app.picking.count = 4;
         wait_for_pick();
     }
     ~SubsetBench() { stop_jobs(app); }
@@ -46,8 +46,8 @@ struct SubsetBench {
     void wait_for_pick() {
         program.wait_for_exact_map();
         wait([this] {
-            const SubsetState& state = *app.subset;
-            return state.asked.map == app.map.shown && state.pick &&
+            const SubsetState& state = app.picking;
+            return state.asked.map == app.shown_map.transition.shown && state.pick &&
                    state.pick->request == state.asked && state.curve &&
                    state.curve->request == state.curve_asked;
         });
@@ -64,51 +64,53 @@ struct SubsetBench {
 TEST_CASE("subset panel: it shows the model's answer, and a lock changes it as one step") {
     SubsetBench bench;
     App& app = bench.app;
-    const Dissimilarity& pm = app.map.shown->prediction.pm;
+    const Dissimilarity& pm = app.shown_map.transition.shown->prediction.pm;
     const auto best = [&] {
         const SubsetProblem problem =
-            subset_problem(app.document.set, static_cast<std::size_t>(app.subset->count),
+            subset_problem(app.work.document.set, static_cast<std::size_t>(app.picking.count),
                            SubsetObjective::max_min);
-        return most_distinct_subset(app.map.shown->prediction.pm, problem)->best;
+        return most_distinct_subset(app.shown_map.transition.shown->prediction.pm, problem)->best;
     };
     CHECK(bench.members() == 4);
-    REQUIRE(shown_subset(app) != nullptr);
-    CHECK(*shown_subset(app) == best());
+    REQUIRE(shown_subset(app.shown_map, app.picking) != nullptr);
+    CHECK(*shown_subset(app.shown_map, app.picking) == best());
     CHECK(std::stod(bench.program.at("subset:weakest").value) == best().weakest_dissimilarity);
     CHECK(bench.program.at("subset:proof").value == "Proven: no other subset is better.");
 
     std::size_t outsider = 0;
     while (std::ranges::binary_search(best().members, outsider)) ++outsider;
     const std::vector<double> before = pm.condensed;
-    select_only(app, outsider);
-    toggle_locked(app);
+    select_only(app.work, outsider);
+    toggle_locked(app.ui, app.work);
     bench.wait_for_pick();
-    CHECK(app.map.shown->prediction.pm.condensed == before);  // the model does not see locks
-    CHECK(std::ranges::binary_search(shown_subset(app)->members, outsider));
-    CHECK(*shown_subset(app) == best());
-    toggle_dropped(app);
+    CHECK(app.shown_map.transition.shown->prediction.pm.condensed ==
+          before);  // the model does not see locks
+    CHECK(std::ranges::binary_search(shown_subset(app.shown_map, app.picking)->members, outsider));
+    CHECK(*shown_subset(app.shown_map, app.picking) == best());
+    toggle_dropped(app.ui, app.work);
     bench.wait_for_pick();
-    CHECK_FALSE(app.document.set.vibrations[outsider].locked);
-    CHECK_FALSE(std::ranges::binary_search(shown_subset(app)->members, outsider));
-    undo(app);
-    CHECK(app.document.set.vibrations[outsider].locked);
-    CHECK_FALSE(app.document.set.vibrations[outsider].dropped);
-    undo(app);
-    CHECK_FALSE(app.document.set.vibrations[outsider].locked);
-    CHECK(app.history.undo_label() == nullptr);
+    CHECK_FALSE(app.work.document.set.vibrations[outsider].locked);
+    CHECK_FALSE(
+        std::ranges::binary_search(shown_subset(app.shown_map, app.picking)->members, outsider));
+    undo(app.ui, app.work);
+    CHECK(app.work.document.set.vibrations[outsider].locked);
+    CHECK_FALSE(app.work.document.set.vibrations[outsider].dropped);
+    undo(app.ui, app.work);
+    CHECK_FALSE(app.work.document.set.vibrations[outsider].locked);
+    CHECK(app.work.history.undo_label() == nullptr);
 }
 
 TEST_CASE("subset panel: a click into the curve chooses k, a click on an alternative shows it") {
     SubsetBench bench;
     bench.program.click("curve point:6");
     bench.wait_for_pick();
-    CHECK(bench.app.subset->count == 6);
+    CHECK(bench.app.picking.count == 6);
     CHECK(bench.members() == 6);
-    const auto& alternatives = bench.app.subset->pick->answer.alternatives;
+    const auto& alternatives = bench.app.picking.pick->answer.alternatives;
     REQUIRE_FALSE(alternatives.empty());
-    bench.app.subset->alternative = 0;
+    bench.app.picking.alternative = 0;
     bench.program.settle();
-    CHECK(*shown_subset(bench.app) == alternatives[0]);
+    CHECK(*shown_subset(bench.app.shown_map, bench.app.picking) == alternatives[0]);
     CHECK(std::stod(bench.program.at("subset:weakest").value) ==
           alternatives[0].weakest_dissimilarity);
 }
@@ -117,51 +119,51 @@ TEST_CASE("subset panel: too close pairs are listed, and a separation is one ste
     SubsetBench bench;
     App& app = bench.app;
     bench.program.click("subset:Too close");
-    app.subset->share = 0.005;  // the closest pair: there is room for it elsewhere
+    app.picking.share = 0.005;  // the closest pair: there is room for it elsewhere
     bench.program.settle();
-    const auto& pairs = too_close_pairs(app);
+    const auto& pairs = too_close_pairs(app.shown_map, app.picking);
     REQUIRE_FALSE(pairs.pairs.empty());
     CHECK(pairs.pairs.front().dissimilarity <= pairs.threshold);
-    const auto& all = app.document.set.vibrations;
+    const auto& all = app.work.document.set.vibrations;
     const ConfusablePair pair = pairs.pairs.front();
-    CHECK(too_close_names(app).contains(all[pair.a].name));
+    CHECK(too_close_names(app.layout, app.picking).contains(all[pair.a].name));
     bench.program.click("too close:" + all[pair.a].name + "|" + all[pair.b].name);
     bench.program.click("button:separate");
-    bench.wait([&] { return !app.subset->separation_job->busy(); });
-    const auto found = app.subset->separations;
+    bench.wait([&] { return !app.picking.separation_job->busy(); });
+    const auto found = app.picking.separations;
     REQUIRE(found);
     REQUIRE_FALSE(found->all.empty());
-    const PatternSet before = app.document.set;
+    const PatternSet before = app.work.document.set;
     const std::size_t changed = found->request.changed;
     bench.program.click("apply:0");
-    CHECK(app.document.set != before);
-    const auto& pattern = std::get<Pattern>(app.document.set.vibrations[changed].source);
+    CHECK(app.work.document.set != before);
+    const auto& pattern = std::get<Pattern>(app.work.document.set.vibrations[changed].source);
     CHECK(value_of(pattern, found->all[0].parameter) == found->all[0].to);
     bench.program.wait_for_exact_map();
-    const Dissimilarity& pm = app.map.shown->prediction.pm;
+    const Dissimilarity& pm = app.shown_map.transition.shown->prediction.pm;
     double nearest = 1e300;
     for (std::size_t k = 0; k < pm.size; ++k) {
         if (k != changed) nearest = std::min(nearest, pm(changed, k));
     }
     CHECK(nearest == found->all[0].nearest);
     CHECK(nearest > found->request.threshold);
-    undo(app);
-    CHECK(app.document.set == before);
+    undo(app.ui, app.work);
+    CHECK(app.work.document.set == before);
 }
 
 TEST_CASE("subset panel: what would separate the weakest pair is asked in one click") {
     SubsetBench bench;
     App& app = bench.app;
-    const Subset before = *shown_subset(app);
-    const auto name = [&](std::size_t row) { return app.document.set.vibrations[row].name; };
+    const Subset before = *shown_subset(app.shown_map, app.picking);
+    const auto name = [&](std::size_t row) { return app.work.document.set.vibrations[row].name; };
     bench.program.click("link:separate pair");
-    CHECK(app.subset->view == SubsetView::confusable);
-    CHECK(app.subset->too_close == TooClose::picked);
-    CHECK(opened_rows(app) == before.weakest);
+    CHECK(app.picking.view == SubsetView::confusable);
+    CHECK(app.picking.too_close == TooClose::picked);
+    CHECK(opened_rows(app.shown_map, app.picking) == before.weakest);
     CHECK(bench.program.shows("too close:" + name(before.weakest.first) + "|" +
                               name(before.weakest.second)));
-    bench.wait([&] { return !app.subset->separation_job->busy(); });
-    const auto found = app.subset->separations;
+    bench.wait([&] { return !app.picking.separation_job->busy(); });
+    const auto found = app.picking.separations;
     REQUIRE(found);
     CHECK(found->request.from == before.members);
     CHECK(found->request.threshold >= before.weakest_dissimilarity);
@@ -171,43 +173,43 @@ TEST_CASE("subset panel: what would separate the weakest pair is asked in one cl
     }
     bench.program.click("apply:0");
     bench.wait_for_pick();
-    CHECK_FALSE(opened_rows(app) == std::nullopt);
-    undo(app);
-    CHECK(app.history.undo_label() == nullptr);
+    CHECK_FALSE(opened_rows(app.shown_map, app.picking) == std::nullopt);
+    undo(app.ui, app.work);
+    CHECK(app.work.history.undo_label() == nullptr);
 }
 
 TEST_CASE("subset panel: whatever cannot be asked says why") {
     SubsetBench bench;
     App& app = bench.app;
     bench.program.click("subset:Too close");
-    const auto& all = app.document.set.vibrations;
-    const ConfusablePair pair = too_close_pairs(app).pairs.front();
+    const auto& all = app.work.document.set.vibrations;
+    const ConfusablePair pair = too_close_pairs(app.shown_map, app.picking).pairs.front();
     bench.program.click("too close:" + all[pair.a].name + "|" + all[pair.b].name);
     CHECK_FALSE(bench.program.shows("separation obstacle"));
-    app.maps_asked = ++app.revision;  // as in the middle of a drag
+    app.shown_map.maps_asked = ++app.work.revision;  // as in the middle of a drag
     bench.program.settle();
     CHECK(bench.program.at("separation obstacle").value ==
           "It can be asked once the map is exact.");
     bench.program.click("button:separate");
-    CHECK_FALSE(app.subset->separation_job->busy());
+    CHECK_FALSE(app.picking.separation_job->busy());
     bench.program.click("subset:Pick");
     CHECK(bench.program.at("subset:proof").value.starts_with("From before the last change"));
     bench.program.click("subset:Too close");
-    app.maps_asked = --app.revision;
+    app.shown_map.maps_asked = --app.work.revision;
 
-    app.document.set.vibrations[pair.a].locked = true;
+    app.work.document.set.vibrations[pair.a].locked = true;
     bench.program.settle();
     CHECK(bench.program.at("radio:change first").value == all[pair.a].name + "  (locked)");
     CHECK_FALSE(bench.program.shows("separation obstacle"));
-    CHECK(row_to_change(app, {pair.a, pair.b}) == pair.b);
-    app.document.set.vibrations[pair.b].locked = true;
+    CHECK(row_to_change(app.work, app.shown_map, app.picking, {pair.a, pair.b}) == pair.b);
+    app.work.document.set.vibrations[pair.b].locked = true;
     bench.program.settle();
     CHECK(bench.program.at("separation obstacle").value ==
           "Neither may be changed: unlock one of them (Ctrl+L).");
 
     bench.program.click("subset:How sure");
     CHECK_FALSE(bench.program.shows("stability obstacle"));
-    app.subset->metric = Metric::nc;
+    app.picking.metric = Metric::nc;
     bench.wait_for_pick();
     CHECK(bench.program.at("stability obstacle").value ==
           "Only a subset picked by PM hangs on the model's numbers.");
@@ -217,24 +219,26 @@ TEST_CASE("subset panel: the weakest pair can be played from where it is named")
     SubsetBench bench;
     App& app = bench.app;
     bench.program.click("link:play pair");
-    CHECK(app.playhead.playing);
-    CHECK(app.selection.current == shown_subset(app)->weakest.first);
-    CHECK(app.partner == app.document.set.vibrations[shown_subset(app)->weakest.second].name);
+    CHECK(app.timeline.playhead.playing);
+    CHECK(app.work.selection.current == shown_subset(app.shown_map, app.picking)->weakest.first);
+    CHECK(app.work.selection.partner ==
+          app.work.document.set.vibrations[shown_subset(app.shown_map, app.picking)->weakest.second]
+              .name);
     CHECK(bench.program.at("link:play pair").value == "Stop");
     bench.program.click("link:play pair");
-    CHECK_FALSE(app.playhead.playing);
+    CHECK_FALSE(app.timeline.playhead.playing);
 }
 
 TEST_CASE("subset panel: models are drawn on request, and the map has an ellipse for each point") {
     SubsetBench bench;
     bench.program.click("subset:How sure");
-    bench.app.subset->stability_job->submit({bench.app.subset->pick, 4});
-    bench.wait([&] { return shown_stability(bench.app) != nullptr; });
-    const Stability& stability = *shown_stability(bench.app);
+    bench.app.picking.stability_job->submit({bench.app.picking.pick, 4});
+    bench.wait([&] { return shown_stability(bench.app.picking) != nullptr; });
+    const Stability& stability = *shown_stability(bench.app.picking);
     CHECK(stability.draws == 4);
     CHECK(stability.spread.size() == 9);
     CHECK(bench.program.shows("subset:stability"));
-    CHECK(bench.program.shows("stability:" + bench.app.document.set.vibrations[0].name) ==
+    CHECK(bench.program.shows("stability:" + bench.app.work.document.set.vibrations[0].name) ==
           (stability.share_picked[0] > 0.0 ||
            std::ranges::binary_search(stability.subset.members, std::size_t{0})));
 }

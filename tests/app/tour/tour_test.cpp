@@ -18,8 +18,8 @@ struct Tour : ProgramWithStages {
 
 TEST_CASE("tour: it goes from start to end, and leaves the document and the view as they were") {
     Tour program;
-    program.app.time_range = {0.0, 0.05};
-    program.app.physiology.open = Stage::envelope;
+    program.app.timeline.range = {0.0, 0.05};
+    program.app.physiology.view.open = Stage::envelope;
     program.frame();
     program.click("start tour");
     for (std::size_t step = 1; step < tour_steps().size(); ++step) {
@@ -31,10 +31,10 @@ TEST_CASE("tour: it goes from start to end, and leaves the document and the view
     CHECK(program.shows("plot:brain pinned"));
     program.click("tour:finish");
     CHECK_FALSE(program.shows("tour"));
-    CHECK(program.app.physiology.open == Stage::envelope);
-    CHECK(program.app.time_range == TimeRange{0.0, 0.05});
-    CHECK(program.app.document.set == short_patterns(3));
-    CHECK(program.app.history.undo_label() == nullptr);
+    CHECK(program.app.physiology.view.open == Stage::envelope);
+    CHECK(program.app.timeline.range == TimeRange{0.0, 0.05});
+    CHECK(program.app.work.document.set == short_patterns(3));
+    CHECK(program.app.work.history.undo_label() == nullptr);
     CHECK(program.app.tour.left_at == 0);
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("tour: left half way, it is taken up there") {
     CHECK_FALSE(program.shows("tour"));
     program.click("start tour");
     CHECK(program.app.tour.step == 4U);
-    CHECK(program.app.physiology.open == Stage::receptors);
+    CHECK(program.app.physiology.view.open == Stage::receptors);
 }
 
 }  // namespace tour_test

@@ -22,9 +22,9 @@ namespace {
 std::shared_ptr<const LiveMap> made_map(const App& app) {
     LiveMap map;
     map.request = {
-        app.revision, std::make_shared<const PatternSet>(app.document.set), 3, false, {}};
+        app.work.revision, std::make_shared<const PatternSet>(app.work.document.set), 3, false, {}};
     map.played = map.request.set;
-    const std::size_t n = app.document.set.vibrations.size();
+    const std::size_t n = app.work.document.set.vibrations.size();
     const std::size_t pairs = pair_count(n);
     map.space.points = random_start(static_cast<Eigen::Index>(n), 3, 1, 1);
     map.space.stress1 = 0.1;
@@ -54,10 +54,10 @@ PatternSet shorter_patterns(std::size_t count) {
 
 struct Large : Program {
     explicit Large(std::size_t count) : Program(shorter_patterns(count)) {
-        app.motion = false;
-        show_map(app, made_map(app));
+        app.ui.motion = false;
+        show_map(app.ui, app.shown_map, made_map(app));
         settle();
-        REQUIRE(map_state(app) == MapState::exact);
+        REQUIRE(map_state(app.work, app.shown_map) == MapState::exact);
     }
 
     // Draws it, and says whether what was drawn is as little as a screen can show.
@@ -72,29 +72,29 @@ struct Large : Program {
         for (const BenchTab tab :
              {BenchTab::matrix, BenchTab::subset, BenchTab::compare, BenchTab::shepard,
               BenchTab::why, BenchTab::model, BenchTab::device}) {
-            app.bench = tab;
+            app.layout.bench = tab;
             look("bench tab " + std::to_string(static_cast<int>(tab)));
         }
-        app.bench = BenchTab::subset;
+        app.layout.bench = BenchTab::subset;
         for (const SubsetView view :
              {SubsetView::pick, SubsetView::confusable, SubsetView::stability}) {
-            app.subset->view = view;
+            app.picking.view = view;
             look("subset view " + std::to_string(static_cast<int>(view)));
         }
-        app.bench = BenchTab::compare;
+        app.layout.bench = BenchTab::compare;
         for (const CompareView view :
              {CompareView::table, CompareView::scatter, CompareView::findings}) {
-            app.compare.view = view;
+            app.comparing.panel.view = view;
             look("compare view " + std::to_string(static_cast<int>(view)));
         }
-        app.bench = BenchTab::model;
-        app.model_panel.view = ModelView::training;
+        app.layout.bench = BenchTab::model;
+        app.model_bench.panel.view = ModelView::training;
         look("training");
-        app.bench = BenchTab::matrix;
+        app.layout.bench = BenchTab::matrix;
     }
 
     void look_at_map() {
-        MapLook& look_of_map = app.map_look;
+        MapLook& look_of_map = app.shown_map.look;
         look_of_map.clusters = 5;
         look("groups");
         look_of_map.clusters = 0;
@@ -112,20 +112,20 @@ struct Large : Program {
         }
         app.layout.maximised.reset();
         for (const Stage stage : kStages) {
-            app.physiology.open = stage;
+            app.physiology.view.open = stage;
             look("stage " + std::to_string(static_cast<int>(stage)));
         }
-        app.physiology.open.reset();
+        app.physiology.view.open.reset();
     }
 
     void look_at_dialogs() {
         for (const Dialog dialog :
              {Dialog::about, Dialog::keys, Dialog::devices, Dialog::export_view,
               Dialog::export_animation, Dialog::generate, Dialog::simulate_measurement}) {
-            app.dialog = dialog;
+            app.ui.dialog = dialog;
             look("dialog " + std::to_string(static_cast<int>(dialog)));
             press_key(key::kEscape);
-            app.dialog = Dialog::none;
+            app.ui.dialog = Dialog::none;
             settle();
         }
         app.palette.open = true;
@@ -134,21 +134,21 @@ struct Large : Program {
     }
 
     void look_at_studies() {
-        open_study(app);
+        open_study(app.layout, app.studying);
         for (const StudyKind kind : {StudyKind::pairwise, StudyKind::sorting}) {
-            app.study->kind = kind;
+            app.studying.kind = kind;
             look("study " + std::to_string(static_cast<int>(kind)));
         }
-        close_study(app);
-        stop_study(app);
+        close_study(app.studying);
+        stop_study(app.studying);
     }
 };
 
 // Of all pairs, how many the view says are too close.
 double share_too_close(Large& program) {
-    const TooClosePairs& pairs = too_close_pairs(program.app);
+    const TooClosePairs& pairs = too_close_pairs(program.app.shown_map, program.app.picking);
     return static_cast<double>(pairs.count) /
-           static_cast<double>(pair_count(program.app.document.set.vibrations.size()));
+           static_cast<double>(pair_count(program.app.work.document.set.vibrations.size()));
 }
 
 }  // namespace
@@ -169,12 +169,12 @@ TEST_CASE("every view: the same share of the pairs is too close in a set of any 
     for (const std::size_t count : {260U, 1000U}) {
         CAPTURE(count);
         Large program(count);
-        program.app.bench = BenchTab::subset;
-        program.app.subset->view = SubsetView::confusable;
+        program.app.layout.bench = BenchTab::subset;
+        program.app.picking.view = SubsetView::confusable;
         program.settle();
         // Values are spread evenly: the share asked for, to within a pair or two.
-        CHECK(std::abs(share_too_close(program) - program.app.subset->share) < 1e-4);
-        CHECK(program.app.subset->pairs.pairs.size() == 200);
+        CHECK(std::abs(share_too_close(program) - program.app.picking.share) < 1e-4);
+        CHECK(program.app.picking.pairs.pairs.size() == 200);
     }
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("every view: a cell of the matrix is the pair that the map joins, and 
         CAPTURE(reordered);
         Large program(6);
         // The map keeps its rows when the list is put in another order.
-        if (reordered) move_vibration(program.app, 5, 0);
+        if (reordered) move_vibration(program.app.ui, program.app.work, 5, 0);
         program.settle();
         const Place cells = program.at("view:Matrix");
         std::size_t read = 0;

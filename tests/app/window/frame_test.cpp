@@ -17,7 +17,7 @@ TEST_CASE("window: one drag of a slider is one undo step") {
 
     program.press('z', true);
     CHECK(program.pattern(0).amplitude_g == before_g);
-    CHECK(program.app.history.undo_label() == nullptr);
+    CHECK(program.app.work.history.undo_label() == nullptr);
     program.press('z', true, true);
     CHECK(program.pattern(0).amplitude_g == after_g);
     program.press('z', true);
@@ -28,9 +28,9 @@ TEST_CASE("window: one drag of a slider is one undo step") {
 TEST_CASE("window: a hundred steps and more can be undone") {
     Program program(short_patterns(1));
     for (int k = 0; k < 120; ++k) program.press('d', true);
-    CHECK(program.app.document.set.vibrations.size() == 121);
+    CHECK(program.app.work.document.set.vibrations.size() == 121);
     for (int k = 0; k < 120; ++k) program.press('z', true);
-    CHECK(program.app.document.set == short_patterns(1));
+    CHECK(program.app.work.document.set == short_patterns(1));
 }
 
 TEST_CASE("window: a typed number is taken exactly, beyond the slider too, and clamped to range") {
@@ -74,22 +74,22 @@ TEST_CASE("window: several selected patterns are edited together, locked ones st
     CHECK(program.pattern(2).amplitude_g == 1.0);
     CHECK(program.pattern(3).amplitude_g == 2.0);
     program.press('z', true);
-    CHECK(program.app.document.set == set);
+    CHECK(program.app.work.document.set == set);
 }
 
 TEST_CASE("window: new, duplicate, delete, copy and paste are one step each") {
     Program program(short_patterns(2));
     program.click("button:new");
-    CHECK(program.app.document.set.vibrations.size() == 3);
-    CHECK(program.app.selection.current == 1);
+    CHECK(program.app.work.document.set.vibrations.size() == 3);
+    CHECK(program.app.work.selection.current == 1);
     program.press('d', true);
     program.press('c', true);
     program.press('v', true);
-    CHECK(program.app.document.set.vibrations.size() == 5);
+    CHECK(program.app.work.document.set.vibrations.size() == 5);
     program.press_key(key::kDelete);
-    CHECK(program.app.document.set.vibrations.size() == 4);
+    CHECK(program.app.work.document.set.vibrations.size() == 4);
     for (int k = 0; k < 4; ++k) program.press('z', true);
-    CHECK(program.app.document.set == short_patterns(2));
+    CHECK(program.app.work.document.set == short_patterns(2));
 }
 
 TEST_CASE("window: a rhythm is typed, or clicked step by step") {
@@ -114,18 +114,18 @@ TEST_CASE("window: a rhythm that is none is refused in words and changes nothing
     program.window.press(key::kEnter);
     program.settle();
     CHECK(program.pattern(0).rhythm.text.empty());
-    CHECK(program.app.status.is_error);
-    CHECK(program.app.status.text.find("step 1") != std::string::npos);
+    CHECK(program.app.ui.status.is_error);
+    CHECK(program.app.ui.status.text.find("step 1") != std::string::npos);
 }
 
 TEST_CASE("window: a name twice or no name is refused, the old one stays") {
     Program program(short_patterns(2));
-    rename_vibration(program.app, 0, "p2");
-    CHECK(program.app.status.is_error);
-    rename_vibration(program.app, 0, "");
-    CHECK(program.app.document.set == short_patterns(2));
-    rename_vibration(program.app, 0, "tap");
-    CHECK(program.app.document.set.vibrations[0].name == "tap");
+    rename_vibration(program.app.ui, program.app.work, 0, "p2");
+    CHECK(program.app.ui.status.is_error);
+    rename_vibration(program.app.ui, program.app.work, 0, "");
+    CHECK(program.app.work.document.set == short_patterns(2));
+    rename_vibration(program.app.ui, program.app.work, 0, "tap");
+    CHECK(program.app.work.document.set.vibrations[0].name == "tap");
 }
 
 TEST_CASE("window: no set, one pattern, hundreds of patterns all have something to say") {
@@ -168,7 +168,7 @@ TEST_CASE("window: the command palette finds a command and runs it") {
     program.settle();
     program.press_key(key::kEnter);
     CHECK_FALSE(program.app.palette.open);
-    CHECK(program.app.document.set.vibrations.size() == 3);
+    CHECK(program.app.work.document.set.vibrations.size() == 3);
 }
 
 TEST_CASE("window: Ctrl+Z in a text field is the field's own") {
@@ -178,7 +178,7 @@ TEST_CASE("window: Ctrl+Z in a text field is the field's own") {
     program.window.type("ab");
     program.settle();
     program.press('z', true);
-    CHECK(program.app.document.set.vibrations.size() == 3);
+    CHECK(program.app.work.document.set.vibrations.size() == 3);
 }
 
 TEST_CASE("window: a number being typed is taken however its entry is left, for its own pattern") {
@@ -189,7 +189,7 @@ TEST_CASE("window: a number being typed is taken however its entry is left, for 
     program.click("row:p2");
     CHECK(program.pattern(0).amplitude_g == 3.3);
     CHECK(program.pattern(1).amplitude_g == 1.0);
-    CHECK(program.app.selection.current == 1);
+    CHECK(program.app.work.selection.current == 1);
     program.click("entry:amplitude_g");
     program.window.type("1,5");
     program.window.press(key::kTab);
@@ -201,12 +201,12 @@ TEST_CASE("window: locking is an edit, and what is locked is not deleted") {
     Program program(short_patterns(2));
     program.press('l', true);
     program.settle();
-    CHECK(program.app.unsaved);
+    CHECK(program.app.work.unsaved);
     program.press_key(key::kDelete);
-    CHECK(program.app.document.set.vibrations.size() == 2);
+    CHECK(program.app.work.document.set.vibrations.size() == 2);
     program.press('z', true);
     program.press_key(key::kDelete);
-    CHECK(program.app.document.set.vibrations.size() == 1);
+    CHECK(program.app.work.document.set.vibrations.size() == 1);
 }
 
 }  // namespace frame_test

@@ -29,17 +29,17 @@ TEST_CASE("gestures: a slider held while Down is pressed stays with the pattern 
     const double held_g = program.pattern(0).amplitude_g;
     CHECK(held_g != 1.0);
     program.press_key(key::kDown);
-    CHECK(program.app.selection.current == 1);
+    CHECK(program.app.work.selection.current == 1);
     program.window.move(program.at("slider:amplitude_g").max);
     program.settle();
     program.window.button(false);
     program.settle();
     CHECK(program.pattern(0).amplitude_g == held_g);
     CHECK(program.pattern(1).amplitude_g == 1.0);
-    REQUIRE(program.app.history.undo_label() != nullptr);
-    CHECK(*program.app.history.undo_label() == "Change amplitude of p1");
+    REQUIRE(program.app.work.history.undo_label() != nullptr);
+    CHECK(*program.app.work.history.undo_label() == "Change amplitude of p1");
     program.press('z', true);
-    CHECK(program.app.document.set == short_patterns(3));
+    CHECK(program.app.work.document.set == short_patterns(3));
 }
 
 TEST_CASE("gestures: a slider held while Delete is pressed is a step of its own") {
@@ -51,12 +51,12 @@ TEST_CASE("gestures: a slider held while Delete is pressed is a step of its own"
     program.settle();
     program.window.button(false);
     program.settle();
-    REQUIRE(program.app.document.set.vibrations.size() == 2);
+    REQUIRE(program.app.work.document.set.vibrations.size() == 2);
     CHECK(program.pattern(0).amplitude_g == 1.0);
     program.press('z', true);
     CHECK(program.pattern(0).amplitude_g == held_g);
     program.press('z', true);
-    CHECK(program.app.document.set == short_patterns(3));
+    CHECK(program.app.work.document.set == short_patterns(3));
 }
 
 TEST_CASE("gestures: Ctrl+D in the middle of a number finishes it first, on the original") {
@@ -65,14 +65,14 @@ TEST_CASE("gestures: Ctrl+D in the middle of a number finishes it first, on the 
     program.window.type("2.5");
     program.settle();
     program.press('d', true);
-    REQUIRE(program.app.document.set.vibrations.size() == 3);
+    REQUIRE(program.app.work.document.set.vibrations.size() == 3);
     CHECK(program.pattern(0).amplitude_g == 2.5);
     CHECK(program.pattern(1).amplitude_g == 2.5);  // the copy of it
     program.press('z', true);
-    CHECK(program.app.document.set.vibrations.size() == 2);
+    CHECK(program.app.work.document.set.vibrations.size() == 2);
     CHECK(program.pattern(0).amplitude_g == 2.5);
     program.press('z', true);
-    CHECK(program.app.document.set == short_patterns(2));
+    CHECK(program.app.work.document.set == short_patterns(2));
 }
 
 TEST_CASE("gestures: a rhythm left by a click on another row is a step of its own pattern") {
@@ -81,26 +81,26 @@ TEST_CASE("gestures: a rhythm left by a click on another row is a step of its ow
     program.window.type("x--");
     program.settle();
     program.click("row:p3");
-    CHECK(program.app.selection.current == 2);
-    REQUIRE(program.app.history.undo_label() != nullptr);
-    CHECK(*program.app.history.undo_label() == "Change rhythm of p1");
+    CHECK(program.app.work.selection.current == 2);
+    REQUIRE(program.app.work.history.undo_label() != nullptr);
+    CHECK(*program.app.work.history.undo_label() == "Change rhythm of p1");
     CHECK(program.pattern(0).rhythm.text == "x--");
     CHECK(program.pattern(2).rhythm.text.empty());
 }
 
 TEST_CASE("gestures: Delete leaves what the search hides, and says so") {
     Program program(short_patterns(3));
-    program.app.selection.search = "p2";
+    program.app.work.selection.search = "p2";
     program.press_key(key::kDelete);
-    CHECK(program.app.document.set == short_patterns(3));
-    CHECK(program.app.status.text.find("search") != std::string::npos);
+    CHECK(program.app.work.document.set == short_patterns(3));
+    CHECK(program.app.ui.status.text.find("search") != std::string::npos);
     program.press('a', true);
     program.press_key(key::kDelete);
-    CHECK(program.app.document.set.vibrations.size() == 2);
+    CHECK(program.app.work.document.set.vibrations.size() == 2);
     CHECK_FALSE(program.shows("row:p2"));
-    program.app.selection.search.clear();
+    program.app.work.selection.search.clear();
     program.press_key(key::kDelete);
-    CHECK(program.app.document.set.vibrations.size() == 1);
+    CHECK(program.app.work.document.set.vibrations.size() == 1);
 }
 
 TEST_CASE("gestures: Down goes to the next pattern in the list, over what the search hides") {
@@ -108,13 +108,13 @@ TEST_CASE("gestures: Down goes to the next pattern in the list, over what the se
     set.vibrations[1].name = "tap";
     set.vibrations[3].name = "tip";
     Program program(set);
-    program.app.selection.search = "t";
+    program.app.work.selection.search = "t";
     program.press_key(key::kDown);
-    CHECK(program.app.selection.current == 1);
+    CHECK(program.app.work.selection.current == 1);
     program.press_key(key::kDown);
-    CHECK(program.app.selection.current == 3);
+    CHECK(program.app.work.selection.current == 3);
     program.press_key(key::kUp);
-    CHECK(program.app.selection.current == 1);
+    CHECK(program.app.work.selection.current == 1);
 }
 
 TEST_CASE("gestures: Esc closes an open menu") {
@@ -124,17 +124,17 @@ TEST_CASE("gestures: Esc closes an open menu") {
     program.press_key(key::kEscape);
     CHECK_FALSE(program.shows("menu:Duplicate"));
     program.press_key(key::kDown);
-    CHECK(program.app.selection.current == 1);
+    CHECK(program.app.work.selection.current == 1);
 }
 
 TEST_CASE("gestures: a line at the foot asks for the frame it fades in, an error for none") {
     Program program(short_patterns(2));
     const auto wake_after_s = [&program] {
-        program.app.autosave_pending = false;  // asks for frames of its own
+        program.app.work.autosave_pending = false;  // asks for frames of its own
         return next_wake_s(program.app);
     };
     CHECK(std::isinf(wake_after_s()));
-    say(program.app, "Done.");
+    say(program.app.ui, "Done.");
     const double wake_s = wake_after_s();
     CHECK(wake_s > 1.0);
     program.settle();
@@ -143,7 +143,7 @@ TEST_CASE("gestures: a line at the foot asks for the frame it fades in, an error
     program.settle();
     CHECK_FALSE(program.shows("status"));
     CHECK(std::isinf(wake_after_s()));
-    complain(program.app, "Not done.");
+    complain(program.app.ui, "Not done.");
     CHECK(std::isinf(wake_after_s()));
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("gestures: the palette tells the shortcuts of what it finds") {
     program.settle();
     CHECK(program.at("palette:Duplicate").value == "Ctrl+D");
     program.click("palette:Duplicate");
-    CHECK(program.app.document.set.vibrations.size() == 3);
+    CHECK(program.app.work.document.set.vibrations.size() == 3);
 }
 
 TEST_CASE("gestures: an empty set's editor says where a pattern comes from") {

@@ -64,7 +64,7 @@ void check_inside(const std::vector<Named>& things, const Place& pane) {
 void resize(Program& program, ImVec2 size, float scale) {
     ImGui::GetIO().DisplaySize = size;
     ImGui::GetIO().Fonts->Clear();
-    program.app.text_scale = scale;
+    program.app.ui.text_scale = scale;
     make_theme(program.app);
     program.settle();
 }
@@ -101,19 +101,19 @@ void check_layout(Program& program, const char* lower_right) {
 TEST_CASE("legible: titles, names, sliders and entries keep apart and inside their panes") {
     Program program(long_names());
     make_jobs(program.app);
-    request_maps(program.app);
+    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
     program.wait_for_exact_map();
-    program.app.map_cancelled = true;      // the bar has most to say then
-    program.app.time_range = {0.0, 0.05};  // and here
+    program.app.shown_map.cancelled = true;    // the bar has most to say then
+    program.app.timeline.range = {0.0, 0.05};  // and here
     for (const ImVec2 size : {ImVec2{1280.0F, 800.0F}, ImVec2{1600.0F, 1000.0F}}) {
         for (const float scale : {0.75F, 1.0F, 1.5F, 2.0F}) {
             CAPTURE(size.x);
             CAPTURE(scale);
             resize(program, size, scale);
-            program.app.bench = BenchTab::matrix;
+            program.app.layout.bench = BenchTab::matrix;
             program.settle();
             check_layout(program, "Matrix");
-            program.app.bench = BenchTab::model;
+            program.app.layout.bench = BenchTab::model;
             program.settle();
             check_layout(program, "Model");
         }
@@ -123,7 +123,7 @@ TEST_CASE("legible: titles, names, sliders and entries keep apart and inside the
 TEST_CASE("legible: the title of a wide pane has all its parts, of a narrow one the name") {
     Program program(long_names());
     make_jobs(program.app);
-    request_maps(program.app);
+    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
     program.wait_for_exact_map();
     program.settle();
     CHECK(program.at("title right:Perceptual space").value ==
@@ -135,7 +135,7 @@ TEST_CASE("legible: the title of a wide pane has all its parts, of a narrow one 
 
 TEST_CASE("legible: a narrow transport bar keeps Play, the time and the map's button") {
     Program program(short_patterns(2));
-    program.app.map_cancelled = true;
+    program.app.shown_map.cancelled = true;
     program.settle();
     CHECK(program.shows("transport:back"));
     CHECK(program.at("bar:computing").value == "map not computed");

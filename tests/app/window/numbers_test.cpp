@@ -48,11 +48,11 @@ void hold(Program& program, int code, const std::function<void()>& then) {
 }
 
 bool says(const Program& program, const char* part) {
-    return program.app.status.text.find(part) != std::string::npos;
+    return program.app.ui.status.text.find(part) != std::string::npos;
 }
 
 std::string undo_label(const Program& program) {
-    const std::string* label = program.app.history.undo_label();
+    const std::string* label = program.app.work.history.undo_label();
     return label == nullptr ? "" : *label;
 }
 
@@ -65,18 +65,18 @@ std::size_t try_all(Program& program, const std::vector<std::string>& entries,
         CAPTURE(entry);
         CAPTURE(text);
         const std::string before = program.at(entry).value;
-        const PatternSet set = program.app.document.set;
+        const PatternSet set = program.app.work.document.set;
         // At its left: some have buttons within at their right.
         program.window.click({program.at(entry).min.x + 8.0F, program.at(entry).middle().y});
         program.settle();
-        if (program.app.editor.typing.entry == 0) continue;  // scrolled away, or disabled
+        if (program.app.ui.field.typing.entry == 0) continue;  // scrolled away, or disabled
         ++tried;
-        program.app.status = {};
+        program.app.ui.status = {};
         type(program, text);
         program.press_key(key::kEnter);
         CHECK(program.at(entry).value == before);
-        CHECK(program.app.document.set == set);
-        CHECK(program.app.status.is_error);
+        CHECK(program.app.work.document.set == set);
+        CHECK(program.app.ui.status.is_error);
         CHECK(says(program, "no number"));
     }
     return tried;
@@ -138,7 +138,7 @@ TEST_CASE("numbers: Esc brings back what was") {
     program.press_key(key::kEscape);
     CHECK(program.pattern(0).carriers[0].frequency_hz == 180.0);
     CHECK(undo_label(program).empty());
-    CHECK_FALSE(program.app.status.is_error);
+    CHECK_FALSE(program.app.ui.status.is_error);
 }
 
 TEST_CASE("numbers: Tab takes the number and goes to the next one, never into a slider") {
@@ -169,7 +169,7 @@ TEST_CASE("numbers: what is no number is refused in sight, and what is out of ra
     Program program(odd_numbers(1));
     enter(program, "entry:amplitude_g", "loud");
     CHECK(program.pattern(0).amplitude_g == 1.5);
-    CHECK(program.app.status.is_error);
+    CHECK(program.app.ui.status.is_error);
     CHECK(says(program, "Amplitude: \"loud\" is no number"));
     CHECK(program.shows("status"));
     enter(program, "entry:amplitude_g", "99");
@@ -197,35 +197,35 @@ TEST_CASE("numbers: no entry of the panes takes what is not finite") {
     CHECK(tried >= 4 * 11);
     tried = 0;
     program.app.layout.maximised = Pane::matrix;
-    program.app.bench = BenchTab::model;
+    program.app.layout.bench = BenchTab::model;
     program.settle();
     all("nan");
     all("1e999");
     CHECK(tried >= 20);
     tried = 0;
-    program.app.bench = BenchTab::subset;
+    program.app.layout.bench = BenchTab::subset;
     program.settle();
     for (const char* text : kNoNumbers) tried += try_all(program, {"subset:count"}, text);
     CHECK(tried == 4);
     tried = 0;
     program.app.layout.maximised.reset();
-    open_study(program.app);
+    open_study(program.app.layout, program.app.studying);
     program.settle();
     all("nan");
     all("inf");
     CHECK(tried >= 4);
-    program.app.study->is_open = false;
+    program.app.studying.is_open = false;
 }
 
 TEST_CASE("numbers: no entry of a dialog takes what is not finite") {
     Program program(odd_numbers(3));
     const auto refuses = [&](Dialog dialog, const std::vector<std::string>& entries,
                              std::size_t least) {
-        program.app.dialog = dialog;
+        program.app.ui.dialog = dialog;
         program.settle();
         for (const char* text : kNoNumbers) CHECK(try_all(program, entries, text) >= least);
         program.press_key(key::kEscape);
-        program.app.dialog = Dialog::none;
+        program.app.ui.dialog = Dialog::none;
         program.settle();
     };
     refuses(Dialog::export_view, {"export:width", "export:height", "export:scale"}, 3);
@@ -246,17 +246,17 @@ TEST_CASE("numbers: no entry of a dialog takes what is not finite") {
 
 TEST_CASE("numbers: Enter in an entry of a dialog takes the number and leaves the dialog open") {
     Program program(odd_numbers(2));
-    program.app.dialog = Dialog::export_view;
+    program.app.ui.dialog = Dialog::export_view;
     program.settle();
     enter(program, "export:width", "1234");
     CHECK(program.app.exports.picture_size.width == 1234);
-    CHECK(program.app.dialog == Dialog::export_view);
-    CHECK_FALSE(program.app.chooser.is_open);
+    CHECK(program.app.ui.dialog == Dialog::export_view);
+    CHECK_FALSE(program.app.ui.chooser.is_open);
     program.click("export:width");
     type(program, "99");
     program.press_key(key::kEscape);
     CHECK(program.app.exports.picture_size.width == 1234);
-    CHECK(program.app.dialog == Dialog::export_view);
+    CHECK(program.app.ui.dialog == Dialog::export_view);
 }
 
 TEST_CASE("numbers: Up and Down step at once, Shift coarsely, and Esc takes all of it back") {
@@ -273,7 +273,7 @@ TEST_CASE("numbers: Up and Down step at once, Shift coarsely, and Esc takes all 
     CHECK(program.pattern(0).amplitude_g == 1.5);
     program.press('z', true);
     CHECK(program.pattern(0).amplitude_g == 1.5);
-    CHECK(program.app.selection.current == 0);
+    CHECK(program.app.work.selection.current == 0);
 }
 
 TEST_CASE("numbers: a nudge goes on from a typed value, beyond the slider too") {
@@ -349,7 +349,7 @@ TEST_CASE("numbers: digits typed at a field, locked or not, do not change the la
     for (const char32_t digit : {U'1', U'2', U'3', U'5'}) program.press(digit);
     CHECK(program.app.layout.left == left);
     CHECK(program.app.layout.right == right);
-    CHECK_FALSE(program.app.study->is_open);
+    CHECK_FALSE(program.app.studying.is_open);
     program.click("row:p1");
     program.press(U'3');
     CHECK((program.app.layout.left != left || program.app.layout.right != right));

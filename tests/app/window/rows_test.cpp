@@ -23,10 +23,12 @@ void choose(Program& program, const std::string& row, const std::string& action)
     program.click("row menu:" + action);
 }
 
-std::size_t size_of(const Program& program) { return program.app.document.set.vibrations.size(); }
+std::size_t size_of(const Program& program) {
+    return program.app.work.document.set.vibrations.size();
+}
 
 const Vibration& last_of(const Program& program) {
-    return program.app.document.set.vibrations.back();
+    return program.app.work.document.set.vibrations.back();
 }
 
 void type(Program& program, const std::string& text) {
@@ -53,7 +55,7 @@ TEST_CASE("rows: every action in the menu of the last row does what it says, to 
         CHECK(size_of(program) == count - 1);
         CHECK_FALSE(program.shows("row:" + last));
         program.press('z', true);
-        CHECK(program.app.document.set == short_patterns(count));
+        CHECK(program.app.work.document.set == short_patterns(count));
         choose(program, last, "Duplicate");
         CHECK(size_of(program) == count + 1);
         program.press('z', true);
@@ -64,7 +66,7 @@ TEST_CASE("rows: every action in the menu of the last row does what it says, to 
         choose(program, last, "Drop");
         CHECK(last_of(program).dropped);
         choose(program, last, "Copy");
-        CHECK(program.app.clipboard.size() == 1);
+        CHECK(program.app.work.clipboard.size() == 1);
         choose(program, last, "Rename");
         CHECK(program.shows("rename"));
         type(program, "other");
@@ -85,7 +87,7 @@ TEST_CASE("rows: deleting several by the menu of the last leaves the others whol
 TEST_CASE("rows: the last row dragged to the top is the first one") {
     Program program(short_patterns(4));
     program.drag(program.at("row:p4").middle(), program.at("row:p1").middle(), 4);
-    CHECK(program.app.document.set.vibrations[0].name == "p4");
+    CHECK(program.app.work.document.set.vibrations[0].name == "p4");
     CHECK(size_of(program) == 4);
 }
 
@@ -96,18 +98,18 @@ TEST_CASE("rows: the box of a name lets go when something else is clicked, and k
     type(program, "first");
     program.click("search");
     CHECK_FALSE(program.shows("rename"));
-    CHECK(program.app.document.set.vibrations[0].name == "first");
+    CHECK(program.app.work.document.set.vibrations[0].name == "first");
     type(program, "p3");
-    CHECK(program.app.selection.search == "p3");
-    CHECK(program.app.document.set.vibrations[0].name == "first");
-    program.app.selection.search.clear();
+    CHECK(program.app.work.selection.search == "p3");
+    CHECK(program.app.work.document.set.vibrations[0].name == "first");
+    program.app.work.selection.search.clear();
     program.settle();
     program.press_key(key::kEscape);
     program.click("row:p2");
     program.press_key(key::kF1 + 1);
     type(program, "second");
     program.click("row:p3");
-    CHECK(program.app.document.set.vibrations[1].name == "second");
+    CHECK(program.app.work.document.set.vibrations[1].name == "second");
     program.press_key(key::kF1 + 1);
     type(program, "never");
     program.press_key(key::kEscape);
@@ -127,34 +129,34 @@ TEST_CASE("rows: nothing that a search hides is selected or changed with what it
     const std::vector<double> seen{2.0, 1.0, 2.0, 1.0, 2.0};
     {
         Program program(set);
-        program.app.selection.search = "tap";
+        program.app.work.selection.search = "tap";
         program.settle();
         program.click("row:tap 0");
         click_with(program, key::kLeftShift, "row:tap 4");
-        edit_patterns(program.app, double_it);
+        edit_patterns(program.app.work, double_it);
         CHECK(amplitudes(program) == seen);
-        CHECK(of_selection(program.app, "amplitude") == "amplitude of 3 patterns");
+        CHECK(of_selection(program.app.work, "amplitude") == "amplitude of 3 patterns");
     }
     {
         Program program(set);
         program.click("row:p2");
-        program.app.selection.search = "tap";
+        program.app.work.selection.search = "tap";
         program.settle();
         program.press('a', true);
-        edit_patterns(program.app, double_it);
+        edit_patterns(program.app.work, double_it);
         CHECK(amplitudes(program) == seen);
     }
     {
         // Selected before the search was typed.
         Program program(set);
         program.press('a', true);
-        program.app.selection.search = "tap";
+        program.app.work.selection.search = "tap";
         program.settle();
-        edit_patterns(program.app, double_it);
-        toggle_locked(program.app);
+        edit_patterns(program.app.work, double_it);
+        toggle_locked(program.app.ui, program.app.work);
         CHECK(amplitudes(program) == seen);
-        CHECK_FALSE(program.app.document.set.vibrations[1].locked);
-        CHECK(program.app.document.set.vibrations[2].locked);
+        CHECK_FALSE(program.app.work.document.set.vibrations[1].locked);
+        CHECK(program.app.work.document.set.vibrations[2].locked);
     }
 }
 
@@ -165,9 +167,9 @@ TEST_CASE("rows: a change that separates two makes a generated pattern one's own
     Separation separation;
     separation.parameter = PatternParameter::amplitude;
     separation.to = 3.0;
-    apply_separation(program.app, 1, separation);
-    CHECK_FALSE(program.app.document.set.vibrations[1].generated);
-    CHECK(program.app.document.set.vibrations[2].generated);
+    apply_separation(program.app.ui, program.app.work, 1, separation);
+    CHECK_FALSE(program.app.work.document.set.vibrations[1].generated);
+    CHECK(program.app.work.document.set.vibrations[2].generated);
     CHECK(program.pattern(1).amplitude_g == 3.0);
 }
 

@@ -66,14 +66,14 @@ TEST_CASE("frame damage: while things move, the kept picture is the whole one") 
     Screens screens;
     const auto check = [&] {
         program.frame();
-        CHECK(screens.same_as_whole(*ImGui::GetDrawData(), program.app.theme.background));
+        CHECK(screens.same_as_whole(*ImGui::GetDrawData(), program.app.ui.theme.background));
     };
     check();
     CHECK(screens.painted == 1.0);
-    program.app.playhead = {.at_s = 0.01, .speed = 0.1, .playing = true, .loop = true};
+    program.app.timeline.playhead = {.at_s = 0.01, .speed = 0.1, .playing = true, .loop = true};
     for (int k = 0; k < 5; ++k) check();
     CHECK(screens.painted < 0.5);
-    program.app.playhead.playing = false;
+    program.app.timeline.playhead.playing = false;
     program.hover(program.at("plot:brain").middle());
     for (int k = 0; k < 3; ++k) check();
     program.click("stage:receptors");
@@ -84,16 +84,16 @@ TEST_CASE("frame damage: while things move, the kept picture is the whole one") 
     check();
     program.press_key(key::kEscape);
     check();
-    program.app.stages_job.reset();
+    program.app.physiology.stages_job.reset();
 }
 
 TEST_CASE("frame damage: a frame like the last one needs no paint") {
     Program program(short_patterns(2));
     Screens screens;
     for (int k = 0; k < 60; ++k) program.frame();  // tooltips and eases end
-    screens.same_as_whole(*ImGui::GetDrawData(), program.app.theme.background);
+    screens.same_as_whole(*ImGui::GetDrawData(), program.app.ui.theme.background);
     program.frame();
-    CHECK(screens.same_as_whole(*ImGui::GetDrawData(), program.app.theme.background));
+    CHECK(screens.same_as_whole(*ImGui::GetDrawData(), program.app.ui.theme.background));
     CHECK(screens.painted == 0.0);
 }
 

@@ -1,0 +1,135 @@
+#include "app/compare/compare_follow.h"
+
+#include <algorithm>
+
+#include "app/compare/check_findings.h"
+#include "app/document/editing.h"
+#include "app/map/map_follow.h"
+#include "model/map/procrustes.h"
+#include "model/set/set_ratings.h"
+
+namespace tact {
+
+namespace {
+
+bool has_exact_map(const Workspace& work, const ShownMap& shown_map) {
+    return map_state(work, shown_map) == MapState::exact &&
+           shown_map.transition.shown->prediction.pm.size >= 2;
+}
+
+bool wants_comparison(const Layout& layout, const ShownMap& shown_map) {
+    return layout.bench == BenchTab::compare || layout.bench == BenchTab::shepard ||
+           shown_map.show_people;
+}
+
+std::optional<std::vector<Finding>> find(std::stop_token stop, std::atomic<float>& progress) {
+    CheckOptions options;
+    options.stop = stop;
+    int set = 0;
+    options.progress_of = [&progress, &set](const std::string&) {
+        const float before = static_cast<float>(set++) / 3.0F;
+        return [&progress, before](double share) {
+            progress = before + static_cast<float>(share) / 3.0F;
+        };
+    };
+    return check_findings(options);
+}
+
+void follow_comparison(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
+                       Comparing& comparing) {
+    const bool again =
+        !comparison_waits(work, comparing) && comparing.panel.of != shown_map.transition.shown;
+    if (!wants_comparison(layout, shown_map) || !has_exact_map(work, shown_map) || !again) return;
+    comparing.panel.of = shown_map.transition.shown;
+    comparing.comparison_job->submit({shown_map.transition.shown});
+}
+
+void follow_difference(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
+                       Comparing& comparing) {
+    const std::optional<ChosenPair> pair = chosen_pair(work, shown_map);
+    if (layout.bench != BenchTab::why || !pair || !has_exact_map(work, shown_map)) return;
+    const auto rows = rows_in_map(work, shown_map, *pair);
+    if (!rows) return;
+    const DifferenceRequest request{shown_map.transition.shown, rows->first, rows->second};
+    if (request == comparing.difference_asked) return;
+    comparing.difference_asked = request;
+    comparing.difference_job->submit(request);
+}
+
+}  // namespace
+
+void make_compare_jobs(const Ui& ui, RenderingState& rendered, Comparing& comparing) {
+    comparing.comparison_job = std::make_unique<LatestJob<ComparisonRequest, Comparison>>(
+        JobPolicy::supersede, ComparisonWork{}, ui.wake);
+    comparing.difference_job = std::make_unique<LatestJob<DifferenceRequest, LiveDifference>>(
+        JobPolicy::finish, compute_live_difference, ui.wake);
+    rendered.job = std::make_unique<LatestJob<RenderingRequest, LiveRendering>>(
+        JobPolicy::finish, compute_live_rendering, ui.wake);
+    comparing.findings_job = std::make_unique<LatestJob<int, std::vector<Finding>>>(
+        JobPolicy::finish,
+        [](int, std::stop_token stop, std::atomic<float>& progress) {
+            return find(stop, progress);
+        },
+        ui.wake);
+}
+
+void take_compare_answers(RenderingState& rendered, Comparing& comparing) {
+    if (!comparing.comparison_job) return;
+    if (auto answer = comparing.comparison_job->latest()) comparing.comparison = std::move(answer);
+    if (auto answer = comparing.difference_job->latest()) comparing.difference = std::move(answer);
+    if (auto answer = comparing.findings_job->latest()) comparing.findings = std::move(answer);
+    if (auto answer = rendered.job->latest()) rendered.shown = std::move(answer);
+}
+
+void follow_comparing(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
+                      RenderingState& rendered, Comparing& comparing) {
+    if (!comparing.comparison_job) return;
+    follow_comparison(work, layout, shown_map, comparing);
+    follow_difference(work, layout, shown_map, comparing);
+    if (layout.bench == BenchTab::device) follow_rendering(rendered, current_vibration(work));
+}
+
+ShownComparison shown_comparison(const Workspace& work, const ShownMap& shown_map,
+                                 const Comparing& comparing) {
+    ShownComparison shown{comparing.comparison, false, false};
+    shown.is_computing = comparing.comparison_job && comparing.comparison_job->busy();
+    shown.is_stale = !comparing.comparison ||
+                     comparing.comparison->request.map != shown_map.transition.shown ||
+                     map_state(work, shown_map) != MapState::exact;
+    return shown;
+}
+
+bool comparison_waits(const Workspace& work, const Comparing& comparing) {
+    const ComparePanelState& state = comparing.panel;
+    if (state.cancelled && state.cancelled_at == work.revision) return true;
+    return work.document.set.vibrations.size() > kMostUnaskedComparison &&
+           state.compute_large_of != work.document_number;
+}
+
+void ask_for_comparison(const Workspace& work, Comparing& comparing) {
+    comparing.panel.cancelled = false;
+    comparing.panel.compute_large_of = work.document_number;
+    comparing.panel.of.reset();
+}
+
+void cancel_comparison(const Workspace& work, Comparing& comparing) {
+    comparing.panel.cancelled = true;
+    comparing.panel.cancelled_at = work.revision;
+    comparing.panel.compute_large_of = 0;
+    if (comparing.comparison_job) comparing.comparison_job->cancel();
+}
+
+std::optional<Eigen::MatrixXd> people_over_map(const ShownMap& shown_map,
+                                               const Comparing& comparing) {
+    if (!comparing.comparison || comparing.comparison->request.map != shown_map.transition.shown)
+        return std::nullopt;
+    if (!comparing.comparison->people) return std::nullopt;
+    const Eigen::MatrixXd& people = comparing.comparison->people->shown.points;
+    if (people.rows() != shown_map.transition.to.rows() ||
+        people.cols() != shown_map.transition.to.cols()) {
+        return std::nullopt;
+    }
+    return procrustes(people, shown_map.transition.to).aligned;
+}
+
+}  // namespace tact

@@ -1,0 +1,38 @@
+// What a person works on: the document, its undo steps, what of it is looked at, and what is
+// unsaved.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "app/document/changes.h"
+#include "app/document/history.h"
+#include "app/document/selection.h"
+#include "app/document/vibration_cache.h"
+#include "app/session/document.h"
+#include "app/session/session.h"
+#include "model/set/measured_twin.h"
+
+namespace tact {
+
+struct Workspace {
+    Document document;
+    History<PatternSet> history;
+    std::shared_ptr<const PatternSet> committed;  // the document as of the last undo step
+    std::uint64_t revision = 1;                   // of document.set, every change during a drag too
+    std::uint64_t document_number = 1;            // raised when another one takes its place
+    DocumentChanges changes;
+    Selection selection;
+    Side side = Side::both;  // of the set: in the map, the matrix and what follows them
+    VibrationCache cache;
+    Session session;
+    std::vector<Vibration> clipboard;
+    bool unsaved = false;                // the document differs from its file ...
+    std::uint64_t unsaved_revision = 0;  // ... as of this revision
+    bool autosave_pending = false;
+    double autosave_due_s = 0.0;
+    std::string told_unkept;  // why unsaved changes are in memory alone
+};
+
+}  // namespace tact

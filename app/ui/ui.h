@@ -1,0 +1,64 @@
+// What every pane draws with: looks, clock, keyboard, the line at the foot, and what lies over the
+// panes.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/ui/file_chooser.h"
+#include "app/ui/number_typing.h"
+#include "app/ui/open_dialog.h"
+#include "app/ui/question.h"
+#include "app/ui/status_line.h"
+#include "app/ui/widget_rects.h"
+#include "viz/drawing/theme.h"
+
+namespace tact {
+
+// The field that keys go to, and the number that is being typed in it.
+struct FieldEntry {
+    std::string active;  // arrows nudge it
+    std::string locked;  // clicked in vain: keys meant for it do nothing else
+    NumberTyping typing;
+    std::string nudged;       // by arrows ...
+    double nudged_s = -10.0;  // ... and when: more of it soon is the same undo step
+    bool nudges_on = false;   // the step that is about to be committed joins the last one
+};
+
+struct Ui {
+    Theme theme;
+    bool dark = true;
+    float text_scale = 1.0F;     // the person's, on top of the screen's
+    float content_scale = 1.0F;  // the screen's
+    bool fonts_outdated = false;
+    bool motion = true;
+    bool as_picture = false;     // panes without what is there to be pressed
+    bool keyboard_mode = false;  // Tab moves between widgets, until the mouse is used again
+    FileChooser chooser;
+    ChooserPurpose chooser_purpose = ChooserPurpose::open_document;
+    Dialog dialog = Dialog::none;
+    bool escape_taken = false;  // Esc has silenced something in this frame: it closes nothing
+    std::optional<Question> question;  // over everything else
+    StatusLine status;
+    // What may not be done in the middle of what is being drawn: a shortcut while something is
+    // dragged or typed, an action of a row while rows are drawn. It is done in the same frame,
+    // after the panels, or after the dialogs.
+    std::vector<std::function<void()>> waiting;
+    double time_s = 0.0;         // of the current frame
+    double frame_s = 0.0;        // since the last one; short after a rest
+    double hover_since_s = 0.0;  // when the mouse came to rest
+    bool quit = false;
+    WidgetRects rects;
+    std::function<void()> wake;  // draws a frame soon; from any thread
+    FieldEntry field;
+    std::set<std::string> dismissed_hints;
+};
+
+// Says something at the foot of the window; complaints stay until something else is said.
+void say(Ui& ui, const std::string& text);
+void complain(Ui& ui, const std::string& text);
+
+}  // namespace tact
