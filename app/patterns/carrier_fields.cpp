@@ -39,7 +39,9 @@ void draw_leak_warning(Ui& ui, Workspace& work, const Pattern& pattern) {
                  "leaks into neighbouring bins, and the model counts each of them: rates come out "
                  "too high. Frequencies that are multiples of 1 / duration do not leak.");
     flow_on(snap, gap);
-    if (link(ui, "snap", label)) {
+    const bool pressed = link(ui, "snap", label);
+    note_item(ui.rects, "link:snap");
+    if (pressed) {
         edit_patterns(work, [](Pattern& p) {
             for (Carrier& carrier : p.carriers) {
                 carrier.frequency_hz = snapped_hz(carrier.frequency_hz, p.duration_s);

@@ -199,8 +199,9 @@ void draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t 
         return;
     }
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
-    ImGui::InvisibleButton("row", {width, height});
-    if (ImGui::IsItemClicked()) {
+    const bool pressed = ImGui::InvisibleButton("row", {width, height});
+    if (index == work.selection.current) note_stop(ui.rects.tab_order);  // for all of them
+    if (ImGui::IsItemClicked() || (pressed && ui.keyboard_mode)) {
         pattern_panes.list.clicked = {index, ImGui::GetIO().KeyShift, ImGui::GetIO().KeyCtrl};
     }
     if (ImGui::IsItemHovered()) {

@@ -159,7 +159,7 @@ bool is_anything_held(const ImGuiIO& io) {
 }
 
 void set_key_map(ImGuiIO& io) {
-    io.KeyMap[ImGuiKey_Tab] = key::kTab;
+    // Tab is the window's own: ImGui knows fields of text alone.
     io.KeyMap[ImGuiKey_LeftArrow] = key::kLeft;
     io.KeyMap[ImGuiKey_RightArrow] = key::kRight;
     io.KeyMap[ImGuiKey_UpArrow] = key::kUp;

@@ -26,7 +26,8 @@ void end_dialog(Ui& ui) {
     const bool typing = is_number_typed(ui);  // whose keys these are then
     const bool escape =
         ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !ui.escape_taken && !typing;
-    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !typing;
+    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !typing &&
+                       !ui.rects.tab_order.is_on_button;
     ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
     if (ImGui::Button("Close") || escape || enter) {
         ui.dialog = Dialog::none;
@@ -42,7 +43,8 @@ bool draw_ends(Ui& ui, const char* action, bool enabled) {
     const auto pressed = [&](ImGuiKey which) {
         return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false) && !is_number_typed(ui);
     };
-    const bool enter = pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter);
+    const bool enter = (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) &&
+                       !ui.rects.tab_order.is_on_button;
     ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
     ImGui::BeginDisabled(!enabled);
     const bool go = ImGui::Button(action) || (enabled && enter);

@@ -14,14 +14,12 @@ namespace {
 
 bool is_struck(ImGuiKey which) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false); }
 
-void move_mark(Question& question) {
+void move_mark(const TabOrder& order, Question& question) {
     const std::size_t count = question.answers.size();
-    const bool tab = is_struck(ImGuiKey_Tab);
-    const bool back = tab && ImGui::GetIO().KeyShift;
-    if (is_struck(ImGuiKey_RightArrow) || (tab && !back)) {
+    if (is_struck(ImGuiKey_RightArrow) || order.step > 0) {
         question.marked = (question.marked + 1) % count;
     }
-    if (is_struck(ImGuiKey_LeftArrow) || back) {
+    if (is_struck(ImGuiKey_LeftArrow) || order.step < 0) {
         question.marked = (question.marked + count - 1) % count;
     }
 }
@@ -72,7 +70,7 @@ void draw_question(Ui& ui) {
     // The key that asked has not answered yet.
     std::optional<std::size_t> chosen;
     if (!ImGui::IsWindowAppearing()) {
-        move_mark(question);
+        move_mark(ui.rects.tab_order, question);
         chosen = chosen_by_key(ui, question);
     }
     if (const auto pressed = draw_answers(ui, question)) chosen = pressed;

@@ -9,14 +9,23 @@
 #include <vector>
 
 #include "app/ui/file_chooser.h"
-#include "app/ui/number_typing.h"
 #include "app/ui/open_dialog.h"
 #include "app/ui/question.h"
-#include "app/ui/status_line.h"
 #include "app/ui/widget_rects.h"
 #include "viz/drawing/theme.h"
 
 namespace tact {
+
+// The number that is being typed in an entry: what of it outlives a frame.
+struct NumberTyping {
+    unsigned entry = 0;    // ImGui's name of the one with the keyboard; 0: none
+    int frame = 0;         // when it was last drawn so
+    std::string text;      // as it stands there
+    std::string first;     // as it stood there at first: what Esc goes back to ...
+    double before = 0.0;   // ... and the number that was
+    std::string taken;     // as it stood when it was last taken: an arrow takes at once
+    unsigned refused = 0;  // the entry whose last text was no good
+};
 
 // The field that keys go to, and the number that is being typed in it.
 struct FieldEntry {
@@ -26,6 +35,14 @@ struct FieldEntry {
     std::string nudged;       // by arrows ...
     double nudged_s = -10.0;  // ... and when: more of it soon is the same undo step
     bool nudges_on = false;   // the step that is about to be committed joins the last one
+};
+
+// The line at the foot.
+// A line at the foot of the window; errors stay until replaced, the rest fades.
+struct StatusLine {
+    std::string text;
+    bool is_error = false;
+    double since_s = 0.0;
 };
 
 struct Ui {

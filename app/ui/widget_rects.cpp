@@ -22,6 +22,7 @@ void note_rect(WidgetRects& rects, const std::string& name, ImVec2 min, ImVec2 m
 }
 
 void note_item(WidgetRects& rects, const std::string& name, const std::string& value) {
+    note_stop(rects.tab_order);
     note_rect(rects, name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), value);
 }
 

@@ -1,4 +1,4 @@
-// Where things are on the screen, for a test that clicks on the real window.
+// Where things are on the screen: for Tab, and for a test that clicks on the real window.
 //
 // Input     TACTSPACE_WIDGET_RECTS, the file that is rewritten after each frame that changed
 // Output    one line a thing: name, left, top, right, bottom in pixels, then its value
@@ -9,10 +9,13 @@
 #include <filesystem>
 #include <string>
 
+#include "app/ui/tab_order.h"
+
 namespace tact {
 
 struct WidgetRects {
-    std::filesystem::path file;  // empty: nothing is noted
+    std::filesystem::path file;  // empty: none is written
+    TabOrder tab_order;
     std::string lines;
     std::string written;
 };

@@ -125,8 +125,10 @@ bool draw_bar(Ui& ui, const Field& field, double& value) {
                                    ImGuiSliderFlags_NoInput |
                                    (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     double moved = value;
+    ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // the entry beside it is one
     const bool changed = ImGui::SliderScalar("##bar", ImGuiDataType_Double, &moved,
                                              &field.slider.low, &field.slider.high, "", flags);
+    ImGui::PopItemFlag();
     if (changed) value = snapped(field, moved);
     draw_fill(ui, share_of(field, value));
     note_item(ui.rects, std::string("slider:") + field.id, std::to_string(value));

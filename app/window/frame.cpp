@@ -148,9 +148,15 @@ void follow_playhead(App& app) {
 void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     ImGuiIO& io = ImGui::GetIO();
     for (const KeyPress& press : pressed) {
-        if (press.code == key::kTab && !press.ctrl) app.ui.keyboard_mode = true;
+        if (press.code != key::kTab || press.alt) continue;
+        app.ui.keyboard_mode = true;
+        app.ui.rects.tab_order.step = press.shift ? -1 : 1;
+        app.ui.rects.tab_order.by_pane = press.ctrl;
     }
-    if (io.MouseClicked[0] || io.MouseClicked[1]) app.ui.keyboard_mode = false;
+    if (io.MouseClicked[0] || io.MouseClicked[1]) {
+        app.ui.keyboard_mode = false;
+        app.ui.rects.tab_order.has_begun = true;
+    }
     if (app.ui.keyboard_mode) {
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     } else {
@@ -224,6 +230,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     if (is_study_running(app.studying)) {
         draw_study_pages(app.ui, app.work, app.play, app.studying, pressed);
         autosave_if_due(app.ui, app.work);
+        move_focus(app.ui);
         write_rects(app.ui.rects);
         return;
     }
@@ -238,6 +245,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_comparing(app.work, app.layout, app.shown_map, app.rendered, app.comparing);
     follow_subset(app.work, app.layout, app.shown_map, app.picking);
     autosave_if_due(app.ui, app.work);
+    move_focus(app.ui);
     write_rects(app.ui.rects);
 }
 

@@ -96,20 +96,19 @@ struct Program {
     }
 
     void press(char32_t sign, bool ctrl = false, bool shift = false) {
-        const auto modifier = [this](int code, bool down) {
-            push(window.input, {window.now_s, KeyChange{code, down, false, 0}});
+        const bool letter = sign >= 'a' && sign <= 'z';
+        press_key(static_cast<int>(letter ? sign - 'a' + 'A' : sign), ctrl, shift, sign);
+    }
+
+    void press_key(int code, bool ctrl = false, bool shift = false, char32_t sign = 0) {
+        const auto modifier = [this](int which, bool down) {
+            push(window.input, {window.now_s, KeyChange{which, down, false, 0}});
         };
         if (ctrl) modifier(key::kLeftControl, true);
         if (shift) modifier(key::kLeftShift, true);
-        const bool letter = sign >= 'a' && sign <= 'z';
-        window.press(static_cast<int>(letter ? sign - 'a' + 'A' : sign), sign);
+        window.press(code, sign);
         if (shift) modifier(key::kLeftShift, false);
         if (ctrl) modifier(key::kLeftControl, false);
-        settle();
-    }
-
-    void press_key(int code) {
-        window.press(code);
         settle();
     }
 

@@ -103,7 +103,7 @@ void apply_colours(const Theme& theme, ImGuiStyle& style) {
     set(ImGuiCol_TableRowBgAlt, faded(theme.field, 0.4F));
     set(ImGuiCol_TextSelectedBg, tinted_more);
     set(ImGuiCol_DragDropTarget, theme.accent);
-    set(ImGuiCol_NavHighlight, theme.accent);
+    set(ImGuiCol_NavHighlight, 0);  // the window frames the focus itself: of every kind of item
     set(ImGuiCol_NavWindowingHighlight, theme.accent);
     set(ImGuiCol_NavWindowingDimBg, faded(theme.background, 0.6F));
     set(ImGuiCol_ModalWindowDimBg, faded(theme.background, 0.6F));
