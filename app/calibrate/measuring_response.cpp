@@ -12,6 +12,7 @@
 #include "devices/calibration/calibration_file.h"
 #include "model/io/recordings/acceleration_file.h"
 #include "model/io/recordings/wave_file.h"
+#include "model/text/file_stem.h"
 #include "model/text/utc_time.h"
 
 namespace tact {
@@ -43,8 +44,7 @@ std::optional<ResponseAnswer> answered(const ResponseQuestion& question, std::st
 // One that is not there yet: what was measured before stays.
 fs::path new_file(const Workspace& work, const PlayState& play, const Calibration& made) {
     if (work.session.folder.empty()) return {};
-    std::string stem = device_text(play) + ", " + made.date;
-    std::ranges::replace(stem, '/', '_');
+    const std::string stem = file_stem(device_text(play) + ", " + made.date);
     std::error_code fault;
     for (int number = 1;; ++number) {
         const std::string ending = number == 1 ? "" : " " + std::to_string(number);

@@ -12,6 +12,7 @@
 #include "model/io/set/measured_files.h"
 #include "model/io/set/set_file.h"
 #include "model/text/atomic_file.h"
+#include "model/text/file_stem.h"
 
 namespace tact {
 
@@ -181,14 +182,14 @@ void open_dialog(Ui& ui, const Workspace& work) {
 }
 
 void save_dialog(Ui& ui, const Workspace& work) {
-    std::string name = work.document.set.name.empty() ? "untitled" : work.document.set.name;
-    std::ranges::replace(name, '/', '-');
+    const std::string& name = work.document.set.name;
     ask_for_file(ui,
                  {.purpose = ChooserPurpose::save_document,
                   .use = ChooserUse::save,
                   .title = "Save the set",
                   .extensions = {kSetEnding}},
-                 folder_of(work.document), name + kSetEnding);
+                 folder_of(work.document),
+                 file_stem(name.empty() ? "untitled" : name) + kSetEnding);
 }
 
 void load_tables_dialog(Ui& ui, const Workspace& work) {

@@ -10,6 +10,7 @@
 #include "app/ui/file_question.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
+#include "model/text/file_stem.h"
 
 namespace tact {
 
@@ -17,16 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names of sets and patterns may hold anything; files may not.
-std::string file_word(std::string text) {
-    std::ranges::replace(text, '/', '-');
-    if (text.starts_with('.')) text.front() = '-';
-    return text;
-}
-
 std::string set_word(const Workspace& work) {
     const std::string& name = work.document.set.name;
-    return file_word(name.empty() ? "untitled" : name);
+    return file_stem(name.empty() ? "untitled" : name);
 }
 
 std::vector<Stage> stages_to_export(const Physiology& physiology) {
@@ -83,7 +77,7 @@ void export_stages_dialog(Ui& ui, const Workspace& work, const RenderingState& r
          .folders_too = true,
          .file_names = std::move(written)},
         work.document.path.parent_path(),
-        file_word(current_vibration(work)->name) + " stages" + as_played(rendered));
+        file_stem(current_vibration(work)->name) + " stages" + as_played(rendered));
 }
 
 void choose_picture(Ui& ui, const Workspace& work, const ExportState& exports) {
@@ -106,7 +100,7 @@ void choose_frames(Ui& ui, const Workspace& work) {
                   .folders_too = true,
                   .file_names = {path_of_frame({}, 0).string()}},
                  work.document.path.parent_path(),
-                 file_word(current_vibration(work)->name) + " frames");
+                 file_stem(current_vibration(work)->name) + " frames");
 }
 
 void export_view(ExportState& exports, const fs::path& file) { exports.picture = file; }

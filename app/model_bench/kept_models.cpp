@@ -6,6 +6,7 @@
 #include "app/model_bench/training_state.h"
 #include "app/session/folders.h"
 #include "app/ui/file_question.h"
+#include "model/text/file_stem.h"
 
 namespace tact {
 
@@ -33,12 +34,6 @@ std::string name_of_kept(const fs::path& file) {
 
 }  // namespace
 
-std::string file_stem_of(std::string name) {
-    std::ranges::replace_if(
-        name, [](char c) { return c == '/' || c == '\\' || c == ':'; }, '-');
-    return name.empty() ? "trained" : name;
-}
-
 Expected<Done> keep_model(Ui& ui, const Workspace& work, ModelBench& model_bench,
                           const std::string& name, const ModelFile& content) {
     const fs::path folder = model_folder(work);
@@ -48,7 +43,7 @@ Expected<Done> keep_model(Ui& ui, const Workspace& work, ModelBench& model_bench
     };
     if (std::ranges::any_of(kept_models(ui, work, model_bench), is_same)) return Done{};
     if (const auto made = make_folder(folder); !made) return made;
-    const std::string stem = file_stem_of(name);
+    const std::string stem = file_stem(name.empty() ? "trained" : name);
     fs::path file = folder / (stem + kModelEnding);
     std::error_code none;
     for (int k = 2; fs::exists(file, none); ++k) {

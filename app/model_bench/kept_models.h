@@ -18,9 +18,6 @@ namespace tact {
 
 inline constexpr const char* kModelEnding = ".model.json";
 
-// A name without what a file's cannot have.
-std::string file_stem_of(std::string name);
-
 // Read once, by name; empty without a folder to keep them in.
 const std::vector<KeptModel>& kept_models(Ui& ui, const Workspace& work, ModelBench& model_bench);
 

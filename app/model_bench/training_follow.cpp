@@ -10,6 +10,7 @@
 #include "model/set/measured_twin.h"
 #include "model/set/set_ratings.h"
 #include "model/text/atomic_file.h"
+#include "model/text/file_stem.h"
 
 namespace tact {
 
@@ -84,7 +85,7 @@ bool differ(const TrainingRequest& asked, const TrainingRequest& now) {
 }
 
 std::string proposed_name(const FoundTraining& found) {
-    return file_stem_of(found.request.sets.front().name + " " + found.record.date.substr(0, 10));
+    return file_stem(found.request.sets.front().name + " " + found.record.date.substr(0, 10));
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "model/set/set_ratings.h"
 #include "model/study/synthetic_study.h"
 #include "model/text/atomic_file.h"
+#include "model/text/file_stem.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {
@@ -89,9 +90,8 @@ fs::path study_folder(const Workspace& work, const StudyState& studying, const S
         return file.parent_path() / (stem + " study");
     }
     if (work.session.folder.empty()) return {};
-    std::string name = place.set_name.empty() ? "unnamed" : place.set_name;
-    std::ranges::replace(name, '/', '_');
-    return work.session.folder / "studies" / name;
+    const std::string& name = place.set_name;
+    return work.session.folder / "studies" / file_stem(name.empty() ? "unnamed" : name);
 }
 
 fs::path study_folder(const Workspace& work, const StudyState& studying) {

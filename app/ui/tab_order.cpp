@@ -13,6 +13,11 @@ namespace tact {
 
 namespace {
 
+ImGuiID popup_on_top() {
+    const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+    return popups.empty() ? 0 : popups.back().PopupId;
+}
+
 // Stops that can be reached now: of the topmost of what lies over the panes, or of all.
 std::vector<TabStop> reachable(const std::vector<TabStop>& stops) {
     const ImGuiContext& imgui = *ImGui::GetCurrentContext();
@@ -116,8 +121,11 @@ void move_focus(Ui& ui) {
     }
     const auto focused = focused_among(stops);
     const bool has_begun = order.has_begun || order.step != 0;
+    const unsigned over = popup_on_top();
+    const bool is_new = over != 0 && over != order.over;  // one begins at its first control
     order = {};
-    order.has_begun = has_begun;
+    order.has_begun = has_begun && !is_new;
+    order.over = over;
     order.is_on_button = ui.keyboard_mode && focused && !stops[*focused].is_typed_in;
     if (ui.keyboard_mode && !ui.as_picture) frame_focus(ui);
 }

@@ -31,6 +31,7 @@ struct TabOrder {
     bool by_number = false;     // from one that was typed to the next one, as in a table
     bool is_on_button = false;  // Enter presses that, and nothing else
     bool has_begun = false;     // Tab goes on from what was used last; else from the first one
+    unsigned over = 0;          // ImGui's name of what lies over the panes; 0: nothing
 };
 
 // The last ImGui item becomes a stop, if it can be one.

@@ -85,4 +85,21 @@ TEST_CASE("participants: a set that was put aside and opened again still has its
     CHECK(program.sees_participant());
 }
 
+TEST_CASE("participants: of a set with a name that no file can have, they have a folder") {
+    Program program(short_patterns(2));
+    TemporaryFolder folder;
+    App& app = program.app;
+    app.work.session.folder = folder.path;
+    std::string longest;
+    for (int k = 0; k < 300; ++k) longest += "\u89e6";
+    for (const std::string& name : {longest, std::string("a/b: c?"), std::string("..")}) {
+        app.work.document.set.name = name;
+        const auto place = study_folder(app.work, app.studying);
+        std::error_code fault;
+        std::filesystem::create_directories(place, fault);
+        CHECK_MESSAGE(!fault, name);
+        CHECK(place.parent_path() == folder.path / "studies");
+    }
+}
+
 }  // namespace study_place_test

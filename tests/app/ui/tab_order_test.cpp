@@ -105,6 +105,8 @@ TEST_CASE("tab: within a dialog it stays there, and Enter on Cancel cancels") {
     program.press('g', true);  // generate
     REQUIRE(program.shows("button:cancel"));
     const auto size = program.app.work.document.set.vibrations.size();
+    program.press_key(key::kTab);
+    CHECK(focused(program) == "generate:amplitude values");  // its first control
     bool passed_number = false;
     do {
         program.press_key(key::kTab);
