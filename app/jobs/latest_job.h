@@ -45,7 +45,8 @@ class LatestJob {
     // Whether two requests ask for the same work.
     using Same = std::function<bool(const Request& running, const Request& newer)>;
 
-    // `wake` is called on the worker's thread after an answer is there or the work has ended.
+    // `wake` is called on the worker's thread after an answer is there or the work has ended, and
+    // must not throw.
     LatestJob(JobPolicy policy, Work work, std::function<void()> wake = {}, Same same = {})
         : policy_(policy),
           work_(std::move(work)),
@@ -59,19 +60,23 @@ class LatestJob {
     LatestJob& operator=(const LatestJob&) = delete;
 
     void submit(Request request) {
-        const bool stops = policy_ == JobPolicy::supersede && !is_same_work(request);
-        const std::stop_source running = replace_waiting(std::move(request));
-        if (stops) running.request_stop();
+        const auto run = std::make_shared<const Run>(Run{std::move(request), {}});
+        const std::shared_ptr<const Run> running = replace_waiting(run);
+        if (running && policy_ == JobPolicy::supersede && !is_same_work(*running, *run)) {
+            running->stop.request_stop();
+        }
         changed_.notify_one();
     }
 
     // Stops the running request and forgets the waiting one: none of them will be answered.
-    void cancel() { replace_waiting(std::nullopt).request_stop(); }
+    void cancel() {
+        if (const auto running = replace_waiting(nullptr)) running->stop.request_stop();
+    }
 
     // Something is running or waiting to run.
     bool busy() const {
         const std::lock_guard lock(mutex_);
-        return is_running_ || waiting_.has_value();
+        return running_ || waiting_;
     }
 
     // Of the running request, 0 to 1.
@@ -90,72 +95,72 @@ class LatestJob {
     }
 
   private:
-    bool is_same_work(const Request& newer) const {
-        if (!same_) return false;
-        const std::lock_guard lock(mutex_);
-        return is_running_ && same_(*current_, newer);
+    struct Run {
+        Request request;
+        std::stop_source stop;
+    };
+
+    bool is_same_work(const Run& running, const Run& newer) const {
+        return same_ && same_(running.request, newer.request);
     }
 
-    // What stops the running request. That is done unlocked: it calls whatever the work registered
-    // for a stop.
-    std::stop_source replace_waiting(std::optional<Request> request) {
+    // What is running. It is compared and stopped unlocked: a stop calls whatever the work
+    // registered for it. The one that waited goes unlocked, too.
+    std::shared_ptr<const Run> replace_waiting(std::shared_ptr<const Run> run) {
         const std::lock_guard lock(mutex_);
-        waiting_ = std::move(request);
+        waiting_.swap(run);
         return running_;
     }
 
     void run(const std::stop_token& quit) {
         give_way_to_interface();
-        while (const std::optional<Request> request = next(quit)) {
-            const std::stop_token stop = running_.get_token();
+        while (const std::shared_ptr<const Run> run = next(quit)) {
             std::string failure;
             std::shared_ptr<const Answer> answer;
             try {
-                answer = answer_to(*request, stop);
+                answer = answer_to(*run);
             } catch (...) {
                 failure = thrown_error().message;
             }
-            publish(std::move(answer), std::move(failure), stop);
+            publish(answer, failure, run->stop.get_token());
             if (wake_) wake_();
+            // Here go the request, and the answer before this one unless somebody still draws it.
         }
     }
 
-    std::shared_ptr<const Answer> answer_to(const Request& request, const std::stop_token& stop) {
-        std::optional<Answer> answer = work_(request, stop, progress_);
+    std::shared_ptr<const Answer> answer_to(const Run& run) {
+        std::optional<Answer> answer = work_(run.request, run.stop.get_token(), progress_);
         if (!answer) return nullptr;
         return std::make_shared<const Answer>(*std::move(answer));
     }
 
-    // Waits for a request; none when the job ends.
-    std::optional<Request> next(const std::stop_token& quit) {
+    // Waits for a request; null when the job ends.
+    std::shared_ptr<const Run> next(const std::stop_token& quit) {
         std::unique_lock lock(mutex_);
-        if (!changed_.wait(lock, quit, [this] { return waiting_.has_value(); })) return {};
-        running_ = std::stop_source();
-        is_running_ = true;
+        if (!changed_.wait(lock, quit, [this] { return waiting_ != nullptr; })) return nullptr;
         progress_.store(0.0F, std::memory_order_relaxed);
-        current_ = std::exchange(waiting_, std::nullopt);
-        return current_;
+        running_ = std::exchange(waiting_, nullptr);
+        return running_;
     }
 
-    // After a stop was asked for, an answer may be one to a question nobody asks any more.
-    void publish(std::shared_ptr<const Answer> answer, std::string failure,
+    // After a stop was asked for, an answer may be one to a question nobody asks any more. Gives
+    // back what was there before: to be freed unlocked, as that may take longer than a frame.
+    void publish(std::shared_ptr<const Answer>& answer, std::string& failure,
                  const std::stop_token& stop) {
         const std::lock_guard lock(mutex_);
-        is_running_ = false;
+        running_ = nullptr;  // the worker still holds it
         if (stop.stop_requested()) return;
-        if (answer) latest_ = std::move(answer);
-        failure_ = std::move(failure);
+        if (answer) latest_.swap(answer);
+        failure_.swap(failure);
     }
 
     JobPolicy policy_;
     Work work_;
     std::function<void()> wake_;
     Same same_;
-    mutable std::mutex mutex_;  // guards the next six; never held while the work runs
-    std::optional<Request> waiting_;
-    std::optional<Request> current_;  // the running one, or the last
-    std::stop_source running_;
-    bool is_running_ = false;
+    mutable std::mutex mutex_;  // guards the next four; nothing is copied or freed under it
+    std::shared_ptr<const Run> waiting_;
+    std::shared_ptr<const Run> running_;
     std::shared_ptr<const Answer> latest_;
     std::string failure_;
     std::condition_variable_any changed_;

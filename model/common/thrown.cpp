@@ -6,7 +6,9 @@
 
 namespace tact {
 
-Error thrown_error() {
+namespace {
+
+Error words_of_thrown() {
     const Error no_memory{
         "there is not enough memory for this; fewer or shorter patterns and fewer threads need "
         "less"};
@@ -20,6 +22,16 @@ Error thrown_error() {
         return Error{std::string("the work failed: ") + thrown.what()};
     } catch (...) {
         return Error{"the work failed"};
+    }
+}
+
+}  // namespace
+
+Error thrown_error() {
+    try {
+        return words_of_thrown();
+    } catch (...) {
+        return Error{"out of memory"};  // not even enough for a sentence: these need none
     }
 }
 

@@ -223,4 +223,104 @@ TEST_CASE("job: work that throws is no answer, says why, and the next request is
     CHECK(*job.latest() == 4);
 }
 
+namespace {
+
+// What takes its time to go, as a large answer does: until a test lets it, or else for ten seconds.
+struct Gate {
+    std::binary_semaphore may_go{0};
+    std::atomic<int> waiting = 0;
+    std::atomic<bool> was_let = false;
+};
+
+struct SlowToGo {
+    int value = 0;
+    std::shared_ptr<Gate> gate;
+
+    SlowToGo(int is, std::shared_ptr<Gate> has) : value(is), gate(std::move(has)) {}
+    SlowToGo(SlowToGo&&) = default;
+    SlowToGo(const SlowToGo&) = delete;
+    ~SlowToGo() {
+        if (!gate) return;
+        ++gate->waiting;
+        gate->was_let = gate->may_go.try_acquire_for(10s);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("job: a frame never waits for an old answer, or an old request, to be freed") {
+    const auto gate = std::make_shared<Gate>();
+    LatestJob<int, SlowToGo> job(
+        JobPolicy::finish, [&](const int& request, std::stop_token, std::atomic<float>&) {
+            return std::optional<SlowToGo>(std::in_place, request,
+                                           request == 1 ? gate : std::shared_ptr<Gate>());
+        });
+    job.submit(1);
+    REQUIRE(eventually([&] { return job.latest() != nullptr; }));
+    job.submit(2);
+    REQUIRE(eventually([&] { return gate->waiting == 1; }));
+    CHECK(job.latest()->value == 2);
+    CHECK_FALSE(job.busy());
+    CHECK(job.failure().empty());
+    job.submit(3);  // nor does the next question
+    job.cancel();
+    gate->may_go.release();
+    REQUIRE(eventually([&] { return gate->was_let.load(); }));
+
+    const auto second = std::make_shared<Gate>();
+    LatestJob<SlowToGo, int> asked(
+        JobPolicy::finish, [](const SlowToGo& request, std::stop_token, std::atomic<float>&) {
+            return std::optional(request.value);
+        });
+    asked.submit({1, second});
+    REQUIRE(eventually([&] { return second->waiting == 1; }));
+    CHECK(*asked.latest() == 1);
+    asked.submit({2, nullptr});
+    second->may_go.release();
+    REQUIRE(eventually([&] { return *asked.latest() == 2; }));
+    CHECK(second->was_let);
+}
+
+TEST_CASE("job: what is thrown after a stop is nobody's failure, and stops nothing that follows") {
+    std::atomic<int> started = 0;
+    Job job(JobPolicy::supersede,
+            [&](const int& request, std::stop_token stop, std::atomic<float>&) {
+                ++started;
+                while (request < 0 && !stop.stop_requested()) std::this_thread::sleep_for(100us);
+                if (request < 0) throw std::bad_alloc();
+                return std::optional(request);
+            });
+    job.submit(-1);
+    REQUIRE(eventually([&] { return started == 1; }));
+    job.cancel();
+    REQUIRE(eventually([&] { return !job.busy(); }));
+    CHECK(job.failure().empty());
+    job.submit(-2);
+    REQUIRE(eventually([&] { return started == 2; }));
+    job.submit(3);
+    REQUIRE(eventually([&] { return job.latest() != nullptr; }));
+    CHECK(*job.latest() == 3);
+    CHECK(job.failure().empty());
+}
+
+TEST_CASE("job: an answer that cannot be kept is a failure like one that cannot be made") {
+    struct Unkept {
+        int value = 0;
+        explicit Unkept(int is) : value(is) {}
+        Unkept(const Unkept& other) : value(other.value) {
+            if (value == 2) throw std::bad_alloc();
+        }
+    };
+    LatestJob<int, Unkept> job(JobPolicy::finish,
+                               [](const int& request, std::stop_token, std::atomic<float>&) {
+                                   return std::optional<Unkept>(std::in_place, request);
+                               });
+    job.submit(1);
+    REQUIRE(eventually([&] { return job.latest() != nullptr; }));
+    job.submit(2);
+    REQUIRE(eventually([&] { return !job.failure().empty(); }));
+    CHECK(job.failure().find("not enough memory") != std::string::npos);
+    CHECK(job.latest()->value == 1);
+}
+
 }  // namespace latest_job_test
