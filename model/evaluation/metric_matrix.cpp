@@ -185,7 +185,8 @@ std::optional<Dissimilarity> van_rossum_matrix(Waveforms waveforms,
     return compared(
         waveforms, options,
         [&](const Waveform& x) {
-            return spike_tails(neural_code(x, params.coding), params.channel_weight, distance);
+            return spike_tails(neural_code(x, params.coding, {options.stop}), params.channel_weight,
+                               distance);
         },
         [&](const auto& x, const auto& y) { return van_rossum(x, y, distance); });
 }

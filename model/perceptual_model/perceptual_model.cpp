@@ -125,11 +125,13 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
                 if (candidate->second->waveform == waveforms[k]) codes[k] = candidate->second;
             }
             if (codes[k]) return;
+            NeuralCode neural = neural_code(waveforms[k], params.coding, {options.stop});
+            if (options.stop.stop_requested()) return;
             codes[k] = std::make_shared<const PatternCode>(
-                PatternCode{waveforms[k], neural_code(waveforms[k], params.coding),
+                PatternCode{waveforms[k], std::move(neural),
                             rhythm_envelope(waveforms[k].samples_g, params.envelope)});
         });
-    if (!finished) codes.clear();
+    if (!finished || options.stop.stop_requested()) codes.clear();
     return codes;
 }
 

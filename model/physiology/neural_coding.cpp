@@ -61,22 +61,44 @@ RelayLayer spikes_of_step(const ChannelStages& channel, int half_width, std::siz
 // Whole for the default kernels; a researcher's kernel may leave fractions.
 int central_count(double centre) { return static_cast<int>(std::floor(centre + 1e-9)); }
 
+// How far the coding of all channels is, told step by step.
+class Watched {
+  public:
+    Watched(const CodingOptions& options, std::size_t steps)
+        : options_(options), steps_(kReceptorCount * steps) {}
+
+    bool is_stopped() const { return options_.stop.stop_requested(); }
+
+    void has_done_step() {
+        ++done_;
+        if (!options_.progress) return;
+        options_.progress(static_cast<double>(done_) / static_cast<double>(steps_));
+    }
+
+  private:
+    const CodingOptions& options_;
+    std::size_t steps_;
+    std::size_t done_ = 0;
+};
+
 // Counts of the central neuron per step. Unless layers are kept, just the cone that can reach the
 // centre is relayed.
 std::vector<int> relay_channel(ChannelStages& channel, std::size_t steps,
-                               const NeuralCodingParams& params, Kept kept) {
+                               const NeuralCodingParams& params, Kept kept, Watched& watched) {
     const int cone = params.excitatory_layers + params.inhibitory_layers;
     const int half_width = std::min(channel.grid.half_width, cone);
     std::vector<int> central(steps, 0);
-    for (std::size_t step = 0; step < steps; ++step) {
+    for (std::size_t step = 0; step < steps && !watched.is_stopped(); ++step) {
         if (kept == Kept::layers) {
             channel.layers.push_back(relay_layers(channel, step, params));
             central[step] = central_count(channel.layers.back().back().centre());
-            continue;
+        } else {
+            const RelayLayer spikes = spikes_of_step(channel, half_width, step);
+            const std::vector<RelayLayer> layers = relay(spikes, params, true);
+            central[step] =
+                central_count(layers.empty() ? spikes.centre() : layers.back().centre());
         }
-        const RelayLayer spikes = spikes_of_step(channel, half_width, step);
-        const std::vector<RelayLayer> layers = relay(spikes, params, true);
-        central[step] = central_count(layers.empty() ? spikes.centre() : layers.back().centre());
+        watched.has_done_step();
     }
     return central;
 }
@@ -88,8 +110,8 @@ struct ChannelInput {
 };
 
 ChannelStages code_channel(const ChannelInput& input, Receptor receptor,
-                           const Activation& activated, const NeuralCodingParams& params,
-                           Kept kept) {
+                           const Activation& activated, const NeuralCodingParams& params, Kept kept,
+                           const Watched& watched) {
     const int cone = params.excitatory_layers + params.inhibitory_layers;
     const int reach = kept == Kept::code ? cone : kWholeGrid;
     ChannelStages channel;
@@ -101,6 +123,7 @@ ChannelStages code_channel(const ChannelInput& input, Receptor receptor,
     channel.perceived = perceived_waveform(channel.filtered_g, traits(receptor).rapidly_adapting);
     const std::vector<double> fractions = energy_fractions(channel.perceived);
     for (const GridReceptor& place : channel.grid.receptors) {
+        if (watched.is_stopped()) break;
         channel.spike_count.push_back(spike_counts(fractions, place.fires, params.split));
     }
     return channel;
@@ -117,7 +140,7 @@ void mark_central_spikes(NeuralCode& code, Receptor receptor) {
 }
 
 NeuralCodingStages code_waveform(const Waveform& waveform, const NeuralCodingParams& params,
-                                 Kept kept) {
+                                 Kept kept, const CodingOptions& options) {
     assert(waveform.rate_hz == kModelRateHz && "the model works at 10 kHz; resample first");
     ChannelInput input;
     input.input_g = params.remove_mean ? without_mean(waveform.samples_g) : waveform.samples_g;
@@ -128,13 +151,15 @@ NeuralCodingStages code_waveform(const Waveform& waveform, const NeuralCodingPar
     stages.components = components(amplitude_spectrum(input.input_g, kModelRateHz), params);
     const std::size_t steps = step_count(input.input_g.size());
     stages.code.central_spikes.assign(steps * kStepSamples, 0);
+    Watched watched(options, steps);
     for (const Receptor receptor : kReceptors) {
+        if (watched.is_stopped()) break;
         const std::size_t c = index_of(receptor);
         stages.code.activation[c] = activation(stages.components, receptor, params);
         ChannelStages channel =
-            code_channel(input, receptor, stages.code.activation[c], params, kept);
+            code_channel(input, receptor, stages.code.activation[c], params, kept, watched);
         stages.code.activated[c] = channel.grid.activated;
-        stages.code.central_count[c] = relay_channel(channel, steps, params, kept);
+        stages.code.central_count[c] = relay_channel(channel, steps, params, kept, watched);
         mark_central_spikes(stages.code, receptor);
         if (kept != Kept::code) stages.channel[c] = std::move(channel);
     }
@@ -154,13 +179,15 @@ std::array<double, 16> waveform_levels(const PerReceptor<double>& channel_weight
 
 }  // namespace
 
-NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& params) {
-    return code_waveform(waveform, params, Kept::code).code;
+NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& params,
+                       const CodingOptions& options) {
+    return code_waveform(waveform, params, Kept::code, options).code;
 }
 
 NeuralCodingStages neural_coding_stages(const Waveform& waveform, const NeuralCodingParams& params,
-                                        KeepLayers keep) {
-    return code_waveform(waveform, params, keep == KeepLayers::all ? Kept::layers : Kept::stages);
+                                        KeepLayers keep, const CodingOptions& options) {
+    return code_waveform(waveform, params, keep == KeepLayers::all ? Kept::layers : Kept::stages,
+                         options);
 }
 
 std::vector<RelayLayer> relay_layers(const ChannelStages& channel, std::size_t step,

@@ -12,6 +12,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <stop_token>
 #include <vector>
 
 #include "model/physiology/activation.h"
@@ -47,8 +49,16 @@ struct NeuralCodingStages {
     NeuralCode code;
 };
 
+struct CodingOptions {
+    // Once it is asked for, the coding ends within a step, and what it returns is of no use.
+    std::stop_token stop = {};
+    // Share of the steps that are through, 0..1: after each of a channel.
+    std::function<void(double)> progress = {};
+};
+
 // The code alone; about a millisecond for 1 s.
-NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& params);
+NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& params,
+                       const CodingOptions& options = {});
 
 // Which of the relay networks' layers are kept.
 enum class KeepLayers {
@@ -58,7 +68,8 @@ enum class KeepLayers {
 
 // The same numbers with every stage kept.
 NeuralCodingStages neural_coding_stages(const Waveform& waveform, const NeuralCodingParams& params,
-                                        KeepLayers keep = KeepLayers::all);
+                                        KeepLayers keep = KeepLayers::all,
+                                        const CodingOptions& options = {});
 
 // The layers of one step, the spikes first: 1 + L_E + L_I of them. `step` is below the count of
 // steps. The same as are kept.

@@ -56,9 +56,9 @@ std::optional<std::vector<std::vector<SpikeForm>>> forms_of(const TrainingSet& s
         std::vector<PackedSpikes> spikes(patterns);
         const bool finished =
             parallel_for(patterns, params.threads, params.stop, [&](std::size_t k) {
-                spikes[k] = packed_spikes(neural_code(set.waveforms[k], coding));
+                spikes[k] = packed_spikes(neural_code(set.waveforms[k], coding, {params.stop}));
             });
-        if (!finished) return std::nullopt;
+        if (!finished || params.stop.stop_requested()) return std::nullopt;
         for (std::size_t i = 0; i < patterns; ++i) {
             for (std::size_t j = i + 1; j < patterns; ++j) {
                 forms[layers].push_back(spike_form(spikes[i], spikes[j]));

@@ -1,6 +1,9 @@
 #include "model/perceptual_model/perceptual_model.h"
 
+#include <chrono>
 #include <numeric>
+#include <stop_token>
+#include <thread>
 
 #include "tests/support/golden.h"
 
@@ -162,6 +165,30 @@ TEST_CASE("perceptual model: a stop gives nothing rather than half an answer") {
     PredictOptions options;
     options.stop = stop.get_token();
     CHECK_FALSE(predict(short_set(4), {}, options).has_value());
+}
+
+TEST_CASE("perceptual model: stopped at whatever moment, codes are whole or none") {
+    Pattern pattern;
+    pattern.duration_s = 10.0;
+    const std::vector<Waveform> waveforms{render(pattern)};
+    const auto whole = pattern_codes(waveforms, {}, {});
+    REQUIRE(whole.size() == 1);
+    for (int wait = 0; wait < 40; ++wait) {
+        std::stop_source stop;
+        const std::jthread other([&stop, wait] {
+            std::this_thread::sleep_for(std::chrono::microseconds(200 * wait));
+            stop.request_stop();
+        });
+        PredictOptions options;
+        options.stop = stop.get_token();
+        const auto codes = pattern_codes(waveforms, {}, options);
+        if (codes.empty()) continue;
+        REQUIRE(codes.size() == 1);
+        REQUIRE(codes[0]);
+        CHECK(codes[0]->neural.central_count == whole[0]->neural.central_count);
+        CHECK(codes[0]->neural.central_spikes == whole[0]->neural.central_spikes);
+        CHECK(codes[0]->envelope == whole[0]->envelope);
+    }
 }
 
 }  // namespace perceptual_model_test

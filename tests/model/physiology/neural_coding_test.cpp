@@ -1,5 +1,6 @@
 #include "model/physiology/neural_coding.h"
 
+#include <numbers>
 #include <numeric>
 
 #include "model/perceptual_model/rhythm_envelope.h"
@@ -214,6 +215,51 @@ TEST_CASE("neural coding: NC is the root mean square of the brain waveforms' dif
     const double direct = std::sqrt(sum / static_cast<double>(pbw_a.size()));
     // Another order of 10,000 additions: a few units in the last place each.
     CHECK(std::abs(nc_dissimilarity(a, b, weight) - direct) <= 1e-12);
+}
+
+TEST_CASE("neural coding: a stop in the middle of a long pattern ends it within a step") {
+    Waveform minute{kModelRateHz, {}};
+    for (std::size_t n = 0; n < 600'000; ++n) {
+        const double t_s = static_cast<double>(n) / kModelRateHz;
+        minute.samples_g.push_back(std::sin(2.0 * std::numbers::pi * 150.0 * t_s));
+    }
+    const std::size_t steps = kReceptorCount * step_count(minute.samples_g.size());
+    for (const std::size_t last : {std::size_t{0}, std::size_t{1}, steps / 4 + 3}) {
+        CAPTURE(last);
+        std::stop_source stop;
+        if (last == 0) stop.request_stop();
+        std::size_t done = 0;
+        CodingOptions options{
+            stop.get_token(), [&](double share) {
+                ++done;
+                CHECK(share == static_cast<double>(done) / static_cast<double>(steps));
+                if (done == last) stop.request_stop();
+            }};
+        const NeuralCodingStages stages =
+            neural_coding_stages(minute, {}, KeepLayers::none, options);
+        CHECK(done == last);
+        // Nor are the trains of receptors made whose turn had not come: none, those of one channel,
+        // or of two.
+        const std::size_t channels = last == 0 ? 0 : last == 1 ? 1 : 2;
+        for (std::size_t c = 0; c < kReceptorCount; ++c) {
+            CHECK(stages.channel[c].spike_count.empty() == (c >= channels));
+        }
+        CHECK(stages.code.central_spikes.size() == minute.samples_g.size());
+    }
+}
+
+TEST_CASE("neural coding: watched or not, the bits are the same") {
+    const Waveform waveform = render(Pattern{});
+    const std::stop_source stop;
+    double last = 0.0;
+    const NeuralCode watched =
+        neural_code(waveform, {}, {stop.get_token(), [&last](double share) { last = share; }});
+    const NeuralCode alone = neural_code(waveform, {});
+    CHECK(last == 1.0);
+    CHECK(watched.central_spikes == alone.central_spikes);
+    CHECK(watched.central_count == alone.central_count);
+    CHECK(watched.activated == alone.activated);
+    CHECK(watched.activation == alone.activation);
 }
 
 }  // namespace neural_coding_test
