@@ -1,6 +1,7 @@
 #include "model/text/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -31,12 +32,18 @@ Error not_read(const fs::path& path, int code) {
     return Error{path.string() + ": cannot be read: " + reason(code)};
 }
 
-// Why a file is none that is read, or empty.
-std::string reading_fault(const struct stat& about, std::size_t most_bytes) {
+// What a path names instead of a file, as a sentence goes on after it; empty: a file.
+std::string kind_fault(const struct stat& about) {
     if (S_ISDIR(about.st_mode)) return "is a folder, expected a file";
     if (S_ISFIFO(about.st_mode)) return "is a pipe, expected a file";
     if (S_ISSOCK(about.st_mode)) return "is a socket, expected a file";
     if (!S_ISREG(about.st_mode)) return "is a device, expected a file";
+    return {};
+}
+
+// Why a file is none that is read, or empty.
+std::string reading_fault(const struct stat& about, std::size_t most_bytes) {
+    if (std::string fault = kind_fault(about); !fault.empty()) return fault;
     if (about.st_size <= static_cast<off_t>(most_bytes)) return {};
     return "expected at most " + grouped_digits(most_bytes) + " bytes";
 }
@@ -79,14 +86,6 @@ fs::path link_target(fs::path path) {
 
 fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
-
-// Without this a power cut can bring the old file back, whole; so a failure is none of ours.
-void sync_folder(const fs::path& folder) {
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;
-    ::fsync(descriptor);
-    ::close(descriptor);
 }
 
 }  // namespace
@@ -143,12 +142,7 @@ Expected<Done> AtomicFile::open_temporary(unsigned mode) {
 }
 
 Expected<Done> AtomicFile::append(std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return not_written(path_, errno);
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
+    if (!write_all(descriptor_, bytes)) return not_written(path_, errno);
     return Done{};
 }
 
@@ -159,7 +153,7 @@ Expected<Done> AtomicFile::commit() {
     if (temporary_.empty()) return Done{};
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) return not_written(path_, errno);
     temporary_.clear();
-    sync_folder(folder_of(target_));
+    sync_folder_of(target_);
     return Done{};
 }
 
@@ -219,6 +213,42 @@ Expected<std::string> read_text_file(const fs::path& path, std::size_t most_byte
                          " bytes"};
         }
     }
+}
+
+Expected<int> open_alone(const fs::path& path, bool make) {
+    struct stat about {};
+    // First by name, then what was opened: as for reading.
+    const bool is_there = ::stat(path.c_str(), &about) == 0;
+    std::string fault = is_there ? kind_fault(about) : std::string();
+    if (!fault.empty()) return Error{path.string() + ": " + fault};
+    const int flags = O_RDWR | O_APPEND | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | (make ? O_CREAT : 0);
+    const int descriptor = ::open(path.c_str(), flags, 0666);
+    if (descriptor < 0) return not_written(path, errno);
+    if (::fstat(descriptor, &about) == 0) fault = kind_fault(about);
+    // A file system without locks must not keep anyone from working.
+    if (fault.empty() && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        fault = "another tactspace is writing it, expected to be alone";
+    }
+    if (fault.empty()) return descriptor;
+    ::close(descriptor);
+    return Error{path.string() + ": " + fault};
+}
+
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+void sync_folder_of(const fs::path& file) {
+    const int descriptor = ::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    ::fsync(descriptor);
+    ::close(descriptor);
 }
 
 }  // namespace tact

@@ -3,12 +3,13 @@
 // A file is written beside the old one, brought to the disk and then renamed over it. Links are
 // followed and the mode is kept; nobody who may not read the old file can read the new one while it
 // is made. A device or pipe is written to directly: a name is all it has. Only regular files are
-// read: a pipe would block for ever, a device has no end.
+// read, or written on: a pipe would block for ever, a device has no end.
 //
 // Output    errors as "PATH: cannot be written: REASON"
 // Valid     reading: at most kMaxFileBytes, which readers that need more memory than the bytes
 //           themselves lower, so that no file makes the program use more than 1 GB
-// Left out  locks, access control lists, extended attributes. Another hard link to a file goes on
+// Left out  locks of what is written whole, access control lists, extended attributes. Another hard
+// link to a file goes on
 //           naming the old content, as renaming replaces the name and not the content.
 #pragma once
 
@@ -61,5 +62,17 @@ Expected<std::size_t> readable_size(const std::filesystem::path& path);
 // what is looked at is what is read.
 Expected<std::string> read_text_file(const std::filesystem::path& path,
                                      std::size_t most_bytes = kMaxFileBytes);
+
+// A regular file that grows while a program runs, to be read and appended to: its descriptor, for
+// the caller to close. Until then no other program gets one: that, and whatever else the path
+// names, is an Error at once. `make`: a new one where there is none.
+Expected<int> open_alone(const std::filesystem::path& path, bool make);
+
+// All of the bytes; false, with errno, where that is not possible.
+bool write_all(int descriptor, std::string_view bytes);
+
+// A new file is safe from a power cut only when its folder is. A failure is nobody's: what is lost
+// then is the name, not the file.
+void sync_folder_of(const std::filesystem::path& file);
 
 }  // namespace tact

@@ -21,29 +21,6 @@ Error system_fault(const fs::path& path, const std::string& what) {
     return Error{path.string() + ": " + what + ": " + std::generic_category().message(errno)};
 }
 
-bool write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return true;
-}
-
-// A new file is safe only when its folder is.
-void sync_folder_of(const fs::path& file) {
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;
-    ::fsync(descriptor);
-    ::close(descriptor);
-}
-
-bool is_locked_elsewhere(int descriptor) {
-    return ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-}
-
 // Bytes of the text up to the end of its last whole line.
 std::size_t whole_lines(std::string_view text) {
     const std::size_t last = text.rfind('\n');
@@ -93,12 +70,9 @@ Expected<StudyLog> StudyLog::begin(const fs::path& path, const StudyHeader& head
 }
 
 Expected<StudyLog> StudyLog::resume(const fs::path& path, const StudyRecord& record) {
-    const int descriptor = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
-    if (descriptor < 0) return system_fault(path, "cannot be written");
-    StudyLog log(path, descriptor);
-    if (is_locked_elsewhere(descriptor)) {
-        return Error{path.string() + ": another tactspace is writing it, expected to be alone"};
-    }
+    const Expected<int> descriptor = open_alone(path, false);
+    if (!descriptor) return descriptor.error();
+    StudyLog log(path, *descriptor);
     // Read under the lock: what is appended to is what the person is asked from.
     const Expected<std::string> text = read_text_file(path);
     if (!text) return text.error();
@@ -111,10 +85,10 @@ Expected<StudyLog> StudyLog::resume(const fs::path& path, const StudyRecord& rec
     }
     std::size_t end = whole_lines(*text);
     if (now->is_torn || end == text->size()) {
-        if (::ftruncate(descriptor, static_cast<off_t>(end)) != 0) {
+        if (::ftruncate(*descriptor, static_cast<off_t>(end)) != 0) {
             return system_fault(path, "cannot be written");
         }
-    } else if (!write_all(descriptor, "\n")) {  // all there but the end of the line
+    } else if (!write_all(*descriptor, "\n")) {  // all there but the end of the line
         return system_fault(path, "cannot be written");
     }
     return log;

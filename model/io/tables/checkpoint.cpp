@@ -1,8 +1,5 @@
 #include "model/io/tables/checkpoint.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -13,6 +10,7 @@
 #include <vector>
 
 #include "model/common/fingerprint.h"
+#include "model/text/atomic_file.h"
 
 namespace tact {
 
@@ -71,16 +69,6 @@ std::size_t read_at(int descriptor, std::uint64_t place, void* bytes, std::size_
     return so_far;
 }
 
-bool write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return true;
-}
-
 struct Record {
     RecordHead head;
     std::vector<double> values;
@@ -124,13 +112,9 @@ TileKey key_of(const TileSource& source) {
 }
 
 Expected<Checkpoint> Checkpoint::open(const fs::path& path, const TileKey& key) {
-    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (descriptor < 0) return system_fault(path, "cannot be written");
-    Checkpoint checkpoint(path, descriptor, key.patterns);
-    // A file system without locks must not keep anyone from working.
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-        return fault(path, "another tactspace is writing it, expected to be alone");
-    }
+    const Expected<int> descriptor = open_alone(path, true);
+    if (!descriptor) return descriptor.error();
+    Checkpoint checkpoint(path, *descriptor, key.patterns);
     if (const auto taken = checkpoint.take_up(key); !taken) return taken.error();
     return checkpoint;
 }
@@ -138,11 +122,9 @@ Expected<Checkpoint> Checkpoint::open(const fs::path& path, const TileKey& key) 
 Expected<Done> Checkpoint::take_up(const TileKey& key) {
     const Header expected{.key = key};
     Header header;
-    struct stat about {};
-    if (::fstat(descriptor_, &about) != 0) return system_fault(path_, "cannot be read");
     const std::size_t got = read_at(descriptor_, 0, &header, sizeof header);
     const bool is_begun = got < sizeof header && std::memcmp(&header, &expected, got) == 0;
-    if (!S_ISREG(about.st_mode) || (!is_begun && header.magic != kMagic)) {
+    if (!is_begun && header.magic != kMagic) {
         return fault(path_, "is no checkpoint of tactspace; expected to keep one under this name");
     }
     if (is_begun) {
@@ -165,8 +147,7 @@ Expected<Done> Checkpoint::take_up(const TileKey& key) {
     Record record;
     end_ = sizeof header;
     while (read_record(descriptor_, end_, patterns_, record)) end_ += size_of(record);
-    if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0 ||
-        ::lseek(descriptor_, static_cast<off_t>(end_), SEEK_SET) < 0) {
+    if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) {
         return system_fault(path_, "cannot be written");
     }
     return Done{};

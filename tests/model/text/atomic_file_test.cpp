@@ -173,7 +173,8 @@ TEST_CASE("atomic file: reading refuses what is no file, by name") {
 }
 
 TEST_CASE(
-    "atomic file: only regular files are read; a pipe, a socket or a device is none, at once") {
+    "atomic file: only regular files are read or written on; a pipe, a socket or a device is none, "
+    "at once") {
     const TemporaryFolder folder;
     const fs::path pipe = folder.path / "pipe.json";
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);  // reading would wait for a writer for ever
@@ -190,6 +191,11 @@ TEST_CASE(
         REQUIRE_FALSE(read);
         REQUIRE_FALSE(size);
         CHECK(size.error().message == read.error().message);
+        for (const bool make : {false, true}) {
+            const auto own = open_alone(folder.path / name, make);
+            REQUIRE_FALSE(own);
+            CHECK(own.error().message == read.error().message);
+        }
         return read.error().message.substr((folder.path / name).string().size());
     };
     CHECK(fault("pipe.json") == ": is a pipe, expected a file");
@@ -202,6 +208,23 @@ TEST_CASE(
     CHECK(contains(read_text_file(some, 4).error().message, "at most 4 bytes"));
     CHECK(read_text_file("/proc/self/status"));  // a regular file that says it has 0 bytes
     CHECK_FALSE(read_text_file("/proc/self/status", 4));
+}
+
+TEST_CASE("atomic file: one that grows has one program at a time, and is made only on request") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path / "grows";
+    CHECK(contains(open_alone(file, false).error().message, "grows: cannot be written: No such"));
+    const auto first = open_alone(file, true);
+    REQUIRE(first);
+    CHECK(write_all(*first, "one"));
+    CHECK(open_alone(file, true).error().message ==
+          file.string() + ": another tactspace is writing it, expected to be alone");
+    ::close(*first);
+    const auto second = open_alone(file, false);
+    REQUIRE(second);
+    CHECK(write_all(*second, " two"));
+    ::close(*second);
+    CHECK(bytes_of(file) == "one two");
 }
 
 TEST_CASE("atomic file: what a killed program left is removed a day later, and nothing else") {
