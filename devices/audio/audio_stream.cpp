@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "devices/audio/audio_host.h"
+#include "devices/device/bounds.h"
 
 namespace tact {
 
@@ -98,7 +99,7 @@ std::uint64_t AudioStream::ask_after() {
 }
 
 void AudioStream::set_level(double level) {
-    playback_.level.store(kept_level(level), std::memory_order_relaxed);
+    playback_.level.store(static_cast<float>(kept_level(level)), std::memory_order_relaxed);
 }
 
 void AudioStream::stop() {
@@ -164,7 +165,7 @@ bool AudioStream::play(AudioHost& host, const Drive& drive, bool loop, std::uint
                                               : clip_of(drive, rate_hz, loop));
     clip->serial = serial;
     const double duration_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
-    start(std::move(clip), loop ? duration_s : std::min(duration_s, drive.longest_s));
+    start(std::move(clip), loop ? duration_s : kept_s(duration_s, loop, drive.longest_s));
     // Stopped while it was being made ready.
     if (serial <= stopped_.load()) playback_.wanted.store(nullptr);
     return true;
@@ -186,13 +187,10 @@ Expected<Done> AudioStream::open(AudioHost& host) {
             "start tactspace anew"};
     }
     host.make_room();
-    lock_ =
-        ActuatorLock(place_.id + (place_.everywhere ? "" : " " + std::to_string(place_.channel)));
-    if (lock_.is_anothers()) {
-        lock_ = {};
-        return Error{"another tactspace plays on " + place_.name +
-                     ": stop it there, as the two would add up"};
-    }
+    const std::string channel = place_.everywhere ? "" : " " + std::to_string(place_.channel);
+    Expected<ActuatorLock> lock = ActuatorLock::of(place_.id + channel, place_.name);
+    if (!lock) return lock.error();
+    lock_ = *std::move(lock);
     if (output_numbered(place_.id) < 0) host.refresh();
     Expected<Done> opened = open_once(host.server());
     // A server that was started anew, a card that was taken out and put back.

@@ -31,13 +31,19 @@ std::string file_name(const std::string& actuator) {
 
 }  // namespace
 
-ActuatorLock::ActuatorLock(const std::string& actuator) {
+Expected<ActuatorLock> ActuatorLock::of(const std::string& id, const std::string& name) {
     const std::string folder = lock_folder();
     mkdir(folder.c_str(), S_IRWXU);
-    const std::string file = folder + "/" + file_name(actuator);
-    descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, S_IRUSR | S_IWUSR);
-    if (descriptor_ < 0) return;
-    taken_ = flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    const std::string file = folder + "/" + file_name(id);
+    ActuatorLock lock;
+    lock.descriptor_ =
+        open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, S_IRUSR | S_IWUSR);
+    if (lock.descriptor_ < 0) return lock;
+    if (flock(lock.descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        return Error{"another tactspace plays on " + name +
+                     ": stop it there, as the two would add up"};
+    }
+    return lock;
 }
 
 ActuatorLock::~ActuatorLock() {

@@ -1,4 +1,5 @@
-// That one program at a time drives an actuator: two of them add up beyond what either may send.
+// That one program at a time drives an actuator: two of them add up beyond what either may send, or
+// take turns packet by packet.
 //
 // Source    flock(2): the kernel lets go of it however the program ends
 // Left out  other programs than this one, and other users of the computer; where no file can be
@@ -8,28 +9,28 @@
 #include <string>
 #include <utility>
 
+#include "model/common/expected.h"
+
 namespace tact {
 
-// Of one actuator, while it lives.
+// Of one actuator, while it lives; by default of none.
 class ActuatorLock {
   public:
     ActuatorLock() = default;
-    // What an actuator is told apart by: its id, and its channel where it has some.
-    explicit ActuatorLock(const std::string& actuator);
     ~ActuatorLock();
     ActuatorLock(ActuatorLock&& other) noexcept
-        : descriptor_(std::exchange(other.descriptor_, -1)), taken_(other.taken_) {}
+        : descriptor_(std::exchange(other.descriptor_, -1)) {}
     ActuatorLock& operator=(ActuatorLock&& other) noexcept {
         std::swap(descriptor_, other.descriptor_);
-        taken_ = other.taken_;
         return *this;
     }
 
-    bool is_anothers() const { return taken_; }  // another program has it
+    // `id` is what an actuator is told apart by, with its channel where it has some; `name` what a
+    // person calls it. An Error while another has it.
+    static Expected<ActuatorLock> of(const std::string& id, const std::string& name);
 
   private:
     int descriptor_ = -1;
-    bool taken_ = false;
 };
 
 }  // namespace tact

@@ -7,6 +7,8 @@
 #include <xmmintrin.h>
 #endif
 
+#include "devices/device/bounds.h"
+
 namespace tact {
 
 namespace {
@@ -66,7 +68,8 @@ float held_back(Playback& playback, float level) {
     const Clip* clip = playback.own.clip;
     if (clip == nullptr) return level;
     const auto ceiling = static_cast<float>(playback.layout.ceiling);
-    float most = level > clip->largest_level ? kept_level(clip->largest_level) : level;
+    auto most = static_cast<float>(
+        kept_level(static_cast<double>(level), static_cast<double>(clip->largest_level)));
     if (most * clip->peak > ceiling) most = ceiling / clip->peak;
     if (most < level) {
         notes_of(playback, clip->serial).clipped.store(true, std::memory_order_relaxed);
@@ -147,10 +150,6 @@ bool answers_cut(Playback& playback) {
 
 }  // namespace
 
-float kept_level(double level) {
-    return level > 0.0 ? static_cast<float>(std::min(level, 1.0)) : 0.0F;
-}
-
 bool render(Playback& playback, float* interleaved, std::size_t frames, double heard_s,
             bool broke_off) {
     const FlushDenormals flush;
@@ -164,7 +163,7 @@ bool render(Playback& playback, float* interleaved, std::size_t frames, double h
     }
     const Clip* wanted = playback.wanted.load(std::memory_order_seq_cst);
     if (answers_cut(playback)) return false;
-    const float level = kept_level(static_cast<double>(playback.level.load()));
+    const auto level = static_cast<float>(kept_level(static_cast<double>(playback.level.load())));
     const auto fade_step = static_cast<float>(1.0 / (kRampS * layout.rate_hz));
     const auto pull = static_cast<float>(4.6 / (kSettleS * layout.rate_hz));  // e^-4.6 = 1 %
     const auto ceiling = static_cast<float>(layout.ceiling);

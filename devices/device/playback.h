@@ -10,7 +10,9 @@
 //           stopped fades out in kRampS where the output is short enough for that to be heard in
 //           time; else the stream is cut, and what is on its way is not heard. A change of level
 //           takes about as long as a fade.
-// Left out  starting in the middle of a clip; ramps of a pattern's own start and end
+// Left out  gaps that leave the output's clock as it was: of a period that comes just too late
+//           PulseAudio plays silence and drops it, without a word;
+//           starting in the middle of a clip; ramps of a pattern's own start and end
 //           (devices/device/protection.h).
 // Exact     at a settled level each frame is sample * level, rounded once.
 #pragma once
@@ -89,9 +91,6 @@ struct Playback {
 inline PlayNotes& notes_of(Playback& playback, std::uint64_t serial) {
     return playback.notes[serial % 2];
 }
-
-// 0 where it is no number.
-float kept_level(double level);
 
 // The whole callback: writes `frames` frames, of which the first will be heard at `heard_s` of the
 // stream's time. `broke_off`: there was a gap before them. False: the stream is to be cut at once,

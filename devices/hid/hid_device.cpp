@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "devices/device/bounds.h"
 #include "model/common/quantile.h"
 
 namespace tact {
@@ -14,6 +15,7 @@ namespace {
 constexpr auto kRefresh = std::chrono::milliseconds(50);
 constexpr auto kPresenceCheck = std::chrono::milliseconds(500);
 constexpr std::size_t kKeptLateness = 100'000;
+constexpr double kLongestCountedS = 1e9;  // what is longer does not fit a clock, and never ends
 
 std::chrono::nanoseconds nanoseconds(double seconds) {
     return std::chrono::nanoseconds(std::llround(seconds * 1e9));
@@ -66,7 +68,7 @@ Expected<Done> HidDevice::play(const Drive& drive, bool loop) {
 
 void HidDevice::set_level(double level) {
     const std::lock_guard lock(mutex_);
-    level_ = level > 0.0 ? std::min(level, 1.0) : 0.0;  // NaN is none
+    level_ = kept_level(level);
 }
 
 void HidDevice::stop() {
@@ -111,11 +113,22 @@ void HidDevice::run(const std::stop_token& quit) {
         }
         if (!play) {
             watch();
-        } else if (ready()) {
-            perform(*play, quit);
+        } else {
+            take_up(*play, quit);
         }
         const std::lock_guard lock(mutex_);
         if (!next_) status_.playing = false;
+    }
+}
+
+// While it is played on nobody else may: two would send in turn.
+void HidDevice::take_up(const Play& play, const std::stop_token& quit) {
+    const Expected<ActuatorLock> alone = door_.claim(actuator_);
+    if (!alone) {
+        const std::lock_guard lock(mutex_);
+        status_.trouble = alone.error().message;
+    } else if (ready()) {
+        perform(play, quit);
     }
 }
 
@@ -137,18 +150,25 @@ bool HidDevice::ready() {
 }
 
 void HidDevice::perform(const Play& play, const std::stop_token& quit) {
-    double level = 0.0;
     {
         const std::lock_guard lock(mutex_);
-        level = level_;
         duration_s_ = 0.0;
         status_.clipped = largest(play.drive) * level_ > 1.0;
         statistics_ = {};
         late_s_.clear();
     }
-    RumblePlan plan(play.drive, traits(actuator_.kind).language, frame_hop_s(actuator_), level);
+    RumblePlan plan(play.drive, traits(actuator_.kind).language, frame_hop_s(actuator_),
+                    level_for(play.drive));
     if (plan.size() > 0) send_frames(play, plan, quit);
     end_in_silence(quit);
+}
+
+// The level as it is now, as far as this drive may be played.
+double HidDevice::level_for(const Drive& drive) {
+    const std::lock_guard lock(mutex_);
+    const double kept = kept_level(level_, drive.largest_level);
+    status_.clipped = status_.clipped || kept < level_;
+    return kept;
 }
 
 // Of a play that does not end, frames are counted on from pass to pass. False: interrupted.
@@ -156,12 +176,13 @@ bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_
     const Drive& drive = plan.drive();
     const double duration_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
     const double hop_s = frame_hop_s(actuator_);
+    const double on_end_s = kept_s(duration_s, play.loop, drive.longest_s);
     plan.rumble(0);
     const auto begin = std::max(Clock::now() + std::chrono::milliseconds(5), soonest());
     {
         const std::lock_guard lock(mutex_);
         begun_at_ = begin;
-        duration_s_ = duration_s;
+        duration_s_ = std::min(duration_s, on_end_s);
         loops_ = play.loop;
     }
     const auto deadline = [&](std::size_t k) {
@@ -169,6 +190,8 @@ bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_
         const auto hops = static_cast<double>(k % plan.size());
         return begin + nanoseconds(pass * duration_s + hops * hop_s);
     };
+    const auto end =
+        on_end_s < kLongestCountedS ? begin + nanoseconds(on_end_s) : Clock::time_point::max();
     for (std::size_t k = 0; play.loop || k < plan.size(); ++k) {
         const auto moment = std::max({deadline(k), soonest(), Clock::now()});
         std::size_t skipped = 0;
@@ -177,13 +200,13 @@ bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_
             const std::lock_guard lock(mutex_);
             statistics_.skipped += skipped;
         }
-        if (!play.loop && k >= plan.size()) break;
+        if ((!play.loop && k >= plan.size()) || moment >= end) break;
         prepare(plan, k % plan.size(), moment);
         if (!wait_until(moment, quit)) return false;
         note_lateness(deadline(k));
         if (!send_if_due(plan, k % plan.size())) return false;
     }
-    return wait_until(begin + nanoseconds(duration_s), quit);
+    return wait_until(end, quit);
 }
 
 // Makes frame k, and as many after it as the time until its deadline is good for: later ones may
@@ -218,12 +241,7 @@ void HidDevice::note_lateness(Clock::time_point deadline) {
 
 // False when the controller is lost.
 bool HidDevice::send_if_due(RumblePlan& plan, std::size_t k) {
-    double level = 0.0;
-    {
-        const std::lock_guard lock(mutex_);
-        level = level_;
-    }
-    plan.set_level(level);
+    plan.set_level(level_for(plan.drive()));
     const RumbleFrame now = plan.rumble(k);
     {
         const std::lock_guard lock(mutex_);
@@ -263,7 +281,7 @@ void HidDevice::end_in_silence(const std::stop_token& quit) {
     for (int k = 0; port_ && k < kNeutralPackets; ++k) {
         if (!send(RumbleFrame{})) return;
         const std::lock_guard lock(mutex_);
-        status_.playing = false;
+        status_.playing = next_.has_value();
         // What is to be played next ends this one as well.
         if (next_ && !quit.stop_requested()) return;
     }

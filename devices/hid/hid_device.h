@@ -7,7 +7,9 @@
 // moment; those that the wait has passed by are skipped rather than queued, as the controller has
 // no clock to catch up with. A packet goes out when it differs from the last, or after 50 ms, lest
 // the controller thinks it forgotten. A play ends, by itself, by stop() or with the device, with
-// five neutral packets: the first of them comes a period after the last packet at the latest.
+// five neutral packets: the first of them comes a period after the last packet at the latest. From
+// the first packet of a play to the last the controller is this program's alone; how strong and for
+// how long a drive may be holds here as for an output (devices/device/bounds.h).
 //
 // Source    the pace of the drivers that rumble_packets.h names
 // Left out  two plays at a time; the time that a packet takes through the air. What opens a
@@ -22,6 +24,7 @@
 #include <thread>
 #include <vector>
 
+#include "devices/device/actuator_lock.h"
 #include "devices/device/device.h"
 #include "devices/hid/hid_actuator.h"
 #include "devices/hid/hid_port.h"
@@ -49,6 +52,9 @@ struct HidDoor {
     std::function<std::vector<HidActuator>()> list = hid_actuators;
     std::function<Expected<Done>(const HidActuator&)> may_be_opened = tact::may_be_opened;
     std::function<Expected<HidPort>(const std::string& path)> open = open_hid_port;
+    std::function<Expected<ActuatorLock>(const HidActuator&)> claim = [](const HidActuator& which) {
+        return ActuatorLock::of(lasting_id(which), which.name);
+    };
 };
 
 class HidDevice final : public Device {
@@ -76,8 +82,10 @@ class HidDevice final : public Device {
     };
 
     void run(const std::stop_token& quit);
+    void take_up(const Play& play, const std::stop_token& quit);
     bool ready();
     void perform(const Play& play, const std::stop_token& quit);
+    double level_for(const Drive& drive);
     bool send_frames(const Play& play, RumblePlan& plan, const std::stop_token& quit);
     static void prepare(RumblePlan& plan, std::size_t k, Clock::time_point deadline);
     Clock::time_point soonest() const;

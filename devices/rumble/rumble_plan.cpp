@@ -16,7 +16,9 @@ Drive usable(Drive drive) {
     }
     if (drive.rate_hz == kModelRateHz) return drive;
     Waveform waveform = resampled({drive.rate_hz, std::move(drive.samples)}, kModelRateHz);
-    return {waveform.rate_hz, std::move(waveform.samples_g)};
+    drive.rate_hz = waveform.rate_hz;
+    drive.samples = std::move(waveform.samples_g);
+    return drive;
 }
 
 }  // namespace

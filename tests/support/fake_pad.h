@@ -100,6 +100,7 @@ inline HidDevice device_on(const std::shared_ptr<FakePad>& pad, const HidActuato
         return pad->is_there ? Expected<Done>(Done{}) : Error{"the pad is not there"};
     };
     door.open = [pad](const std::string&) { return port_of(pad); };
+    door.claim = [](const HidActuator&) { return ActuatorLock(); };
     return HidDevice(which, door);
 }
 

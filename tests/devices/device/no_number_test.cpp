@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "devices/audio/audio_stream.h"
+#include "devices/device/bounds.h"
 #include "devices/device/playback.h"
 
 namespace no_number_test {
@@ -109,11 +110,11 @@ TEST_CASE("no number: a drive of it, or of numbers beyond sense, is a clip of nu
 }
 
 TEST_CASE("no number: an output's level of it is 0") {
-    CHECK(kept_level(std::numeric_limits<double>::quiet_NaN()) == 0.0F);
-    CHECK(kept_level(-std::numeric_limits<double>::infinity()) == 0.0F);
-    CHECK(kept_level(std::numeric_limits<double>::infinity()) == 1.0F);
-    CHECK(kept_level(-0.0) == 0.0F);
-    CHECK(kept_level(0.3) == 0.3F);
+    CHECK(kept_level(std::numeric_limits<double>::quiet_NaN()) == 0.0);
+    CHECK(kept_level(-std::numeric_limits<double>::infinity()) == 0.0);
+    CHECK(kept_level(std::numeric_limits<double>::infinity()) == 1.0);
+    CHECK(kept_level(-0.0) == 0.0);
+    CHECK(kept_level(0.3) == 0.3);
 }
 
 }  // namespace no_number_test

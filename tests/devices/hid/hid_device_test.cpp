@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -236,6 +237,72 @@ TEST_CASE("hid: an empty pattern, and one of no numbers, play silence") {
             CHECK(std::equal(packet.begin() + 2, packet.end(), neutral.begin() + 2));
         }
     }
+}
+
+TEST_CASE(
+    "hid: two programs do not send to one controller: the second is told, and its turn comes") {
+    const auto pad = std::make_shared<FakePad>();
+    const HidActuator which = actuator(ActuatorKind::joy_con, HidBus::bluetooth);
+    std::atomic<bool> is_taken = true;
+    HidDoor door;
+    door.list = [which] { return std::vector{which}; };
+    door.may_be_opened = [](const HidActuator&) -> Expected<Done> { return Done{}; };
+    door.open = [pad](const std::string&) { return port_of(pad); };
+    door.claim = [&is_taken, which](const HidActuator& asked) -> Expected<ActuatorLock> {
+        CHECK(asked == which);
+        return is_taken ? Expected<ActuatorLock>(Error{"it is another's"}) : ActuatorLock();
+    };
+    HidDevice device(which, door);
+    REQUIRE(device.play(tone(0.1), false));
+    CHECK(ended(device));
+    CHECK(device.status().trouble == "it is another's");
+    CHECK(device.status().connected);
+    CHECK(pad->taken().empty());
+    is_taken = false;
+    REQUIRE(device.play(tone(0.1), false));
+    CHECK(ended(device));
+    CHECK(device.status().trouble.empty());
+    wait_for_neutral(pad);
+}
+
+TEST_CASE("hid: a loop, and a long pattern, play no longer on end than the drive may") {
+    for (const bool loop : {true, false}) {
+        CAPTURE(loop);
+        const auto pad = std::make_shared<FakePad>();
+        HidDevice device = device_on(pad, actuator(ActuatorKind::switch_pro, HidBus::usb));
+        Drive drive = tone(loop ? 0.05 : 3600.0);
+        drive.longest_s = 0.2;
+        REQUIRE(device.play(drive, loop));
+        REQUIRE(ended(device));
+        CHECK(device.status().position_s <= 0.2);
+        wait_for_neutral(pad);
+        const std::lock_guard lock(pad->mutex);
+        // 5 that wake it, and no more frames than 0.2 s hold, first and last one included.
+        CHECK(pad->packets.size() <= 5 + kNeutralPackets + 14);
+    }
+}
+
+TEST_CASE("hid: no level is larger than the drive bears, and that is told") {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
+    Drive drive = tone(0.2);
+    drive.largest_level = 0.5;
+    const auto peak_at = [&](double level) {
+        device.set_level(level);
+        REQUIRE(device.play(drive, false));
+        double peak = 0.0;
+        REQUIRE(soon([&] {
+            const DeviceStatus status = device.status();
+            peak = std::max(peak, status.peak);
+            return !status.playing;
+        }));
+        return peak;
+    };
+    const double most = peak_at(1.0);
+    CHECK(std::abs(most - 0.25) <= 0.01);  // half of 0.5
+    CHECK(device.status().clipped);
+    CHECK(peak_at(0.5) == most);
+    CHECK_FALSE(device.status().clipped);
 }
 
 }  // namespace hid_device_test
