@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdio>
 #include <numbers>
 
@@ -12,10 +13,11 @@ namespace tact {
 
 namespace {
 
-constexpr double kLowestHz = 16.0;        // a burst of 20 Hz reaches down to there
-constexpr double kNothingBelowHz = 12.0;  // a soft edge rings less
+constexpr double kWholeFromHz = 16.0;    // a burst of 20 Hz reaches down to there
+constexpr double kNothingBelowHz = 7.0;  // 1/4 at 10 Hz
 constexpr double kEdgeRampS = 0.005;
-constexpr double kLittleShare = 0.02;  // of the energy
+// Of the energy: what a sudden start alone loses is not worth a word.
+constexpr double kToldShare = 0.005;
 
 double energy(const std::vector<double>& samples) {
     double sum = 0.0;
@@ -24,22 +26,33 @@ double energy(const std::vector<double>& samples) {
 }
 
 double passed_share(double f_hz) {
-    if (f_hz >= kLowestHz) return 1.0;
+    if (f_hz >= kWholeFromHz) return 1.0;
     if (f_hz <= kNothingBelowHz) return 0.0;
-    const double share = (f_hz - kNothingBelowHz) / (kLowestHz - kNothingBelowHz);
+    const double share = (f_hz - kNothingBelowHz) / (kWholeFromHz - kNothingBelowHz);
     return 0.5 - 0.5 * std::cos(std::numbers::pi * share);
 }
 
+// Of an endless repetition, which has no ends to ring at.
+std::vector<double> repeated_high_passed(const Drive& drive) {
+    std::vector<std::complex<double>> half = half_spectrum(drive.samples);
+    const auto length_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
+    for (std::size_t k = 0; k < half.size(); ++k) {
+        half[k] *= passed_share(static_cast<double>(k) / length_s);
+    }
+    return samples_of(half, drive.samples.size());
+}
+
 // The share of its energy that went.
-double take_slow_motion(Drive& drive) {
+double take_slow_motion(Drive& drive, bool loop) {
     const double before = energy(drive.samples);
     if (before <= 0.0) return 0.0;
-    std::vector<double> high = zero_phase_filtered(drive.samples, drive.rate_hz, passed_share);
+    std::vector<double> high =
+        loop ? repeated_high_passed(drive)
+             : zero_phase_filtered(drive.samples, drive.rate_hz, passed_share);
     double lost = 0.0;
     for (std::size_t n = 0; n < high.size(); ++n) {
         lost += (drive.samples[n] - high[n]) * (drive.samples[n] - high[n]);
     }
-    if (lost < kLittleShare * before) return 0.0;
     drive.samples = std::move(high);
     return std::min(1.0, lost / before);
 }
@@ -69,12 +82,12 @@ ProtectedDrive protected_drive(const Drive& drive, bool loop, bool is_on, double
     for (double& sample : made.drive.samples) {
         if (!std::isfinite(sample)) sample = 0.0;
     }
-    const double lost = take_slow_motion(made.drive);
+    const double lost = take_slow_motion(made.drive, loop);
     if (!loop) soften_ends(made.drive);
     made.drive.longest_s = std::min(made.drive.longest_s, longest_s);
-    if (lost > 0.0) {
+    if (lost > kToldShare) {
         made.remark = words(
-            "loses what is slower than 16 Hz, %.0f %% of its energy: an actuator without a "
+            "loses what is slower than 16 Hz, %.2g %% of its energy: an actuator without a "
             "calibration might not bear it",
             100.0 * lost);
     }
