@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <span>
@@ -157,6 +158,15 @@ std::size_t refined_start(const CalibrationPlan& plan, std::span<const double> s
     return best;
 }
 
+// Empty where all tones were taken.
+std::string remark_on_left_out(const std::vector<MeasuredTone>& tones) {
+    const auto taken = std::ranges::count_if(tones, &MeasuredTone::accepted);
+    const auto all = std::ssize(tones);
+    if (taken == all) return {};
+    return std::to_string(all - taken) + " of " + std::to_string(all) +
+           " tones were left out: " + words_on_left_out();
+}
+
 // One point a frequency: at its highest accepted level, with how far the others are off.
 std::vector<ResponsePoint> points_of(const std::vector<MeasuredTone>& tones) {
     std::map<double, std::vector<const MeasuredTone*>> accepted;
@@ -194,6 +204,16 @@ CalibrationPlan calibration_plan(const CalibrationParams& params) {
     return plan;
 }
 
+std::string words_on_left_out() {
+    const auto percent = [](double share) {
+        return std::to_string(std::lround(100.0 * share)) + " %";
+    };
+    return percent(kMostThd) +
+           " of harmonic distortion or more, or so much noise that the standard error of the "
+           "amplitude is " +
+           percent(kMostError) + " or more";
+}
+
 Expected<CalibrationResult> calibration_from(const CalibrationPlan& plan,
                                              const Waveform& recorded) {
     const auto& samples = recorded.samples_g;
@@ -217,13 +237,14 @@ Expected<CalibrationResult> calibration_from(const CalibrationPlan& plan,
     }
     result.points = points_of(result.tones);
     if (result.points.empty()) {
-        return Error{
-            "no tone of this recording is clean enough: expected less than 10 % of "
-            "harmonic distortion, and of noise that leaves less than 3 % of error"};
+        return Error{"no tone of this recording is clean enough: all have " + words_on_left_out()};
     }
     FinerTable finer = finer_table(result.points);
     result.points = std::move(finer.points);
     result.remarks = std::move(finer.remarks);
+    if (const std::string left_out = remark_on_left_out(result.tones); !left_out.empty()) {
+        result.remarks.insert(result.remarks.begin(), left_out);
+    }
     return result;
 }
 

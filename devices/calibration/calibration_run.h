@@ -73,9 +73,13 @@ struct CalibrationResult {
     std::vector<ResponsePoint> points;  // of accepted tones, one a frequency, at its highest level,
                                         // and those worked out between them
     std::vector<MeasuredTone> tones;
-    double begins_s = 0.0;             // of the plan, in the recording
-    std::vector<std::string> remarks;  // sentences without a full stop
+    double begins_s = 0.0;  // of the plan, in the recording
+    // Sentences without a full stop: tones that were left out, and where the table may be wrong.
+    std::vector<std::string> remarks;
 };
+
+// Why a tone is not accepted: "10 % of ... or more, or ...", by the limits that it is held to.
+std::string words_on_left_out();
 
 // Errors: a recording of another rate, or shorter than the plan; no sign of the plan in it; no tone
 // good enough.

@@ -1,7 +1,6 @@
 // tactspace calibrate: the signal that an actuator is measured with, and the table that a recording
 // of it gives.
 
-#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -38,7 +37,18 @@ std::string table_of(const CalibrationResult& result) {
 }
 
 std::string json_of(const CalibrationResult& result) {
-    nlohmann::json json{{"begins_s", result.begins_s}, {"tones", nlohmann::json::array()}};
+    nlohmann::json json{{"begins_s", result.begins_s},
+                        {"remarks", result.remarks},
+                        {"points", nlohmann::json::array()},
+                        {"tones", nlohmann::json::array()}};
+    for (const ResponsePoint& point : result.points) {
+        json["points"].push_back({{"frequency_hz", point.frequency_hz},
+                                  {"g_per_full_scale", point.g_per_full_scale},
+                                  {"largest_drive", point.largest_drive},
+                                  {"thd", point.thd},
+                                  {"nonlinearity", point.nonlinearity},
+                                  {"between", point.between}});
+    }
     for (const MeasuredTone& one : result.tones) {
         json["tones"].push_back({{"frequency_hz", one.tone.frequency_hz},
                                  {"level", one.tone.level},
@@ -86,15 +96,6 @@ Expected<Done> run(const CalibrateCommand& command) {
     calibration.points = result->points;
     if (!command.out.empty()) {
         if (auto written = write_calibration(command.out, calibration); !written) return written;
-    }
-    const std::size_t refused =
-        result->tones.size() - static_cast<std::size_t>(std::ranges::count_if(
-                                   result->tones, [](const auto& one) { return one.accepted; }));
-    if (refused > 0) {
-        std::cerr
-            << "tactspace: " << refused << " of " << result->tones.size()
-            << " tones were left out: 10 % of harmonic distortion or more, or so much noise that "
-               "the amplitude may be wrong by 3 %\n";
     }
     for (const std::string& remark : result->remarks) {
         std::cerr << "tactspace: " << remark << "\n";
