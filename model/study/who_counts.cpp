@@ -82,7 +82,9 @@ Expected<Counted> who_counts(RatingStudy study, const CountRule& rule) {
 std::vector<std::string> remarks_on(const std::vector<LeftOutParticipant>& left_out) {
     std::vector<std::string> remarks;
     for (const LeftOutParticipant& one : left_out) {
-        remarks.push_back(one.participant + " is not counted: " + one.why);
+        constexpr std::size_t kMost = 200;  // characters
+        remarks.push_back(shortened(one.participant, kMost) +
+                          " is not counted: " + shortened(one.why, kMost));
     }
     return remarks;
 }

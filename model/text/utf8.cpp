@@ -71,7 +71,10 @@ std::string shortened(std::string_view text, std::size_t characters) {
     for (; end < text.size(); ++end) {
         if (!continues(text[end]) && characters-- == 0) break;
     }
-    return valid_utf8(text.substr(0, end)) + (end < text.size() ? "..." : "");
+    std::string line = valid_utf8(text.substr(0, end)) + (end < text.size() ? "..." : "");
+    std::ranges::replace_if(
+        line, [](char byte) { return (byte >= 0 && byte < ' ') || byte == '\x7F'; }, ' ');
+    return line;
 }
 
 std::string in_quotes(std::string_view text) { return '"' + shortened(text) + '"'; }

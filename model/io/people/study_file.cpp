@@ -81,6 +81,9 @@ Participant participant_of(JsonObject& object) {
 
 std::vector<std::string> patterns_of(JsonObject& object) {
     std::vector<std::string> names;
+    if (field(object, "patterns") == nullptr) {
+        refuse(*object.reading, place_of(object, "patterns"), "names of patterns", nullptr);
+    }
     for (const Json* name : array_field(object, "patterns", 2, limits::kMaxStudyPatterns)) {
         if (!name->is_string()) {
             refuse(*object.reading, place_of(object, "patterns"), "names of patterns", *name);

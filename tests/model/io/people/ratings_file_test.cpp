@@ -2,8 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "model/io/set/set_file.h"
+#include "model/set/set_ratings.h"
+#include "tests/support/mutations.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ratings_file_test {
@@ -199,6 +203,68 @@ TEST_CASE("ratings file: several files, or a folder of them, are one study") {
     std::filesystem::create_directory(empty[0]);
     CHECK(contains(read_ratings(empty, RatingScale::guess).error().message,
                    "empty: expected .csv or .txt files of ratings, got none"));
+}
+
+namespace {
+
+// One of the forms that ratings come in.
+std::string any_ratings(std::mt19937& random) {
+    static const std::vector<std::string> kForms{
+        ",a,\"b,\"\"\",c\na,0,30,55\n\"b,\"\"\",30,0,\nc,55,NaN,0\n",
+        "0 30 55.5\n30 0 1e-300\n55.5 1e-300 0\n",
+        "a,b,rating\nx,y,30\nz,x,-\n\"y\",z,20\nx,y,40\n",
+        "participant,a,b,rating\nP1,low,high,80\nP1,low,mid,45\nP2,mid,high,0.125\nP1,low,mid,5\n",
+        "30,55,20\n25,60,15\n",
+        "participant,a,b,rating,excluded,synthetic,rehearsal\nP1,x,y,1,no,yes,no\n"
+        "P1,x,z,2,no,yes,no\nP2,x,y,3,yes,no,no\nP2,y,z,3,yes,no,no\nP1,y,z,9,no,yes,no\n"};
+    return kForms[any_below(random, kForms.size())];
+}
+
+}  // namespace
+
+TEST_CASE("ratings file: after an accident it is refused, or kept with its set as it was read") {
+    std::size_t accepted = 0;
+    std::size_t usable = 0;
+    for (unsigned seed = 0; seed < 2000; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        const std::string text = after_mishaps(any_ratings(random), random);
+        const auto loaded = parse_ratings(text, "r.csv", RatingScale::dissimilarity);
+        if (!loaded) {
+            CHECK(contains(loaded.error().message, "r.csv"));
+            CHECK_FALSE(contains(loaded.error().message, "\n"));
+            continue;
+        }
+        const Names& names = loaded->study.labels;
+        if (std::ranges::count(names, "") > 0) continue;  // no pattern has no name
+        ++accepted;
+        PatternSet set;
+        for (const std::string& name : names) {
+            set.vibrations.emplace_back().name = name;
+        }
+        set.ratings = kept_ratings(loaded->study, "r.csv");
+        const auto again = parse_set(print_set(set), "again.json", {});
+        REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
+        CHECK(*again == set);
+        const auto before = study_of(set);
+        const auto after = study_of(*again);
+        REQUIRE(before.operator bool() == after.operator bool());
+        if (!after) continue;
+        ++usable;
+        REQUIRE(after->judgements.size() == loaded->study.judgements.size());
+        for (std::size_t k = 0; k < after->judgements.size(); ++k) {
+            const Judgement& read = loaded->study.judgements[k];
+            CHECK(after->judgements[k].participant == read.participant);
+            for (std::size_t n = 0; n < read.condensed.size(); ++n) {
+                const double value = after->judgements[k].condensed[n];
+                CHECK((value == read.condensed[n] ||
+                       (std::isnan(value) && std::isnan(read.condensed[n]))));
+            }
+        }
+        CHECK(is_partly_synthetic(*after) == is_partly_synthetic(loaded->study));
+    }
+    CHECK(accepted > 200);
+    CHECK(usable > 100);
 }
 
 }  // namespace ratings_file_test

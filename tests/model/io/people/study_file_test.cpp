@@ -1,11 +1,13 @@
 #include "model/io/people/study_file.h"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <fstream>
 
 #include "model/common/random.h"
+#include "tests/support/mutations.h"
 #include "tests/support/temporary_folder.h"
 
 namespace study_file_test {
@@ -164,6 +166,29 @@ TEST_CASE("study file: whatever a reader accepts is written and read back as the
     CHECK(contains(fault_of(R"({"tactspace_study":1,"patterns":["a","a"]})"), "names that differ"));
 }
 
+TEST_CASE("study file: after an accident it is refused by its line, or kept as it was read") {
+    std::size_t accepted[2] = {0, 0};
+    for (unsigned seed = 0; seed < 1500; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        const std::string text = after_mishaps(print_study(any_record(seed)), random);
+        const auto read = parse_study(text, "P1.jsonl");
+        if (!read) {
+            CHECK(contains(read.error().message, "P1.jsonl"));
+            CHECK_FALSE(contains(read.error().message, "\n"));
+            continue;
+        }
+        ++accepted[read->header.kind == StudyKind::sorting ? 1 : 0];
+        const auto again = parse_study(print_study(*read), "again.jsonl");
+        REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
+        StudyRecord whole = *read;
+        whole.is_torn = false;  // what was torn off is gone
+        CHECK(*again == whole);
+    }
+    CHECK(accepted[0] > 20);
+    CHECK(accepted[1] > 20);
+}
+
 TEST_CASE("study file: torn anywhere in its last line, it loses that line alone and goes on") {
     const TemporaryFolder folder;
     const auto whole = folder.path / "P1.jsonl";
@@ -203,6 +228,9 @@ TEST_CASE("study file: nobody's file is written over, or by two at once") {
     REQUIRE_FALSE(again);
     CHECK(contains(again.error().message, "expected another code for participant \"P1\""));
     CHECK(bytes_of(path) == before);
+    const auto pipe = folder.path / "pipe.jsonl";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    CHECK(contains(StudyLog::resume(pipe, {}).error().message, "is a pipe, expected a file"));
     const auto second = StudyLog::resume(path, *read_study_file(path));
     REQUIRE_FALSE(second);
     CHECK(contains(second.error().message, "another tactspace is writing it"));

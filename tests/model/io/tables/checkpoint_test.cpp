@@ -2,10 +2,12 @@
 
 #include <doctest/doctest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <map>
 
+#include "tests/support/mutations.h"
 #include "tests/support/temporary_folder.h"
 
 namespace checkpoint_test {
@@ -168,7 +170,53 @@ TEST_CASE("checkpoint: what is none is refused and left as it was") {
     }
     CHECK_FALSE(Checkpoint::open(folder.path, kKey));
     CHECK_FALSE(Checkpoint::open(folder.path / "no" / "folder.tiles", kKey));
-    CHECK_FALSE(Checkpoint::open("/dev/null", kKey));
+}
+
+TEST_CASE(
+    "checkpoint: what is no file is none to be kept, at once and in the words of all readers") {
+    const TemporaryFolder folder;
+    const auto pipe = folder.path / "pipe.tiles";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    CHECK(Checkpoint::open(pipe, kKey).error().message ==
+          pipe.string() + ": is a pipe, expected a file");
+    CHECK(Checkpoint::open("/dev/null", kKey).error().message ==
+          "/dev/null: is a device, expected a file");
+    CHECK(Checkpoint::open(folder.path, kKey).error().message ==
+          folder.path.string() + ": is a folder, expected a file");
+}
+
+TEST_CASE("checkpoint: after an accident it is refused as it is, or gives true tiles, and again") {
+    const TemporaryFolder folder;
+    const std::string whole = bytes_of(three_tiles(folder));
+    const auto path = folder.path / "hurt.tiles";
+    std::size_t accepted = 0;
+    for (unsigned seed = 0; seed < 400; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        const std::string hurt = after_mishaps(whole, random);
+        folder.write("hurt.tiles", hurt);
+        Tiles nc;
+        Tiles oc;
+        {
+            const auto checkpoint = Checkpoint::open(path, kKey);
+            if (!checkpoint) {
+                CHECK(contains(checkpoint.error().message, "hurt.tiles: "));
+                CHECK(bytes_of(path) == hurt);
+                continue;
+            }
+            nc = tiles_in(*checkpoint, Part::nc);
+            oc = tiles_in(*checkpoint, Part::oc);
+        }
+        ++accepted;
+        for (const auto& [tile, values] : nc)
+            CHECK(((tile == 0 || tile == 3) && values == values_of(tile)));
+        for (const auto& [tile, values] : oc) CHECK((tile == 1 && values == values_of(tile)));
+        const auto again = Checkpoint::open(path, kKey);
+        REQUIRE(again);
+        CHECK(tiles_in(*again, Part::nc) == nc);
+        CHECK(tiles_in(*again, Part::oc) == oc);
+    }
+    CHECK(accepted > 100);
 }
 
 TEST_CASE("checkpoint: two runs cannot have it open at once") {
