@@ -7,6 +7,7 @@
 //     capture read CHANNELS RAW STAMPS          from standard input, stamped as it arrives
 //     capture jack CHANNELS RAW STAMPS          as JACK's client "actuator", until SIGTERM
 //     capture lines RAW CHANNELS CHANNEL DURATION HZ:AMPLITUDE...    a sum of sines, and whole
+//     capture gap RAW CHANNELS CHANNEL          prints the longest silence within, in whole ms
 //     capture signal NUMBER PID                 sends it, prints when
 //     capture now                               prints when
 //     capture silent RAW STAMPS CHANNELS CHANNEL SINCE MS   nothing is heard MS after SINCE
@@ -165,6 +166,22 @@ int lines(const std::vector<std::string>& words) {
                        expected);
 }
 
+// What a server plays where it is given nothing. A recorder that loses samples leaves none.
+int gap(const std::vector<std::string>& words) {
+    const auto channels = static_cast<std::size_t>(std::stoi(words[1]));
+    const auto channel = static_cast<std::size_t>(std::stoi(words[2])) - 1;
+    const std::vector<double> one = channel_of(samples_in(words[0]), channels, channel);
+    const Span heard = heard_in(one);
+    std::size_t longest = 0;
+    std::size_t run = 0;
+    for (std::size_t n = heard.first; n <= heard.last && n < one.size(); ++n) {
+        run = std::abs(one[n]) < 1e-6 ? run + 1 : 0;
+        longest = std::max(longest, run);
+    }
+    std::printf("%d\n", static_cast<int>(1e3 * static_cast<double>(longest) / kRateHz));
+    return 0;
+}
+
 int silent(const std::vector<std::string>& words) {
     const auto channels = static_cast<std::size_t>(std::stoi(words[2]));
     const auto channel = static_cast<std::size_t>(std::stoi(words[3])) - 1;
@@ -283,6 +300,7 @@ int main(int argc, char** argv) {
     if (what == "read" && rest.size() == 3) return read_input(rest);
     if (what == "jack" && rest.size() == 3) return record_jack(rest);
     if (what == "lines" && rest.size() >= 5) return lines(rest);
+    if (what == "gap" && rest.size() == 3) return gap(rest);
     if (what == "signal" && rest.size() == 2) return send_signal(rest);
     if (what == "now" && rest.empty()) return tell_now();
     if (what == "silent" && rest.size() == 6) return silent(rest);
