@@ -83,8 +83,9 @@ void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen) {
                     "then true at --level 1, and all of a pattern is turned down that is more than "
                     "the actuator bears");
     play.add_flag("--no-protection", options.no_protection,
-                  "without a calibration: also what is slower than 16 Hz, without the ramps of 5 "
-                  "ms at both ends, and for however long; an actuator may be harmed");
+                  "without a calibration: also what is slower than 16 Hz, of which less than a "
+                  "quarter passes below 10 Hz, without the ramps of 5 ms at both ends, and for "
+                  "however long; an actuator may be harmed");
     play.add_option("--longest", options.longest_s,
                     "that a pattern or a loop may play on end without a calibration, s; else 60")
         ->check(within(0.1, 86'400.0));

@@ -95,6 +95,7 @@ struct CompareCommand {
     RatingFiles ratings;
     std::vector<std::string> metrics;  // empty: all
     bool paper_mode = false;           // Table 2's digits and averages
+    std::filesystem::path out;         // empty: standard output
 };
 Expected<Done> run(const CompareCommand& command);
 
@@ -193,6 +194,7 @@ struct SeparateCommand {
     std::vector<std::string> among;   // others that count; empty: all
     double percent = 5.0;             // of the pairs are too close ...
     std::optional<double> threshold;  // ... or those up to this PM
+    std::filesystem::path out;        // empty: standard output
 };
 Expected<Done> run(const SeparateCommand& command);
 

@@ -42,6 +42,8 @@ void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen) {
 void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen) {
     CLI::App& subset = add_command(app, "subset", "the k most distinct patterns of a set, proven",
                                    command, chosen);
+    add_rendering(subset, command.common);
+    add_only(subset, command.common);
     subset.add_option("-k,--count", command.count, "how many to pick")
         ->required()
         ->check(within(2, 10'000));
@@ -81,6 +83,9 @@ void add_separate_command(CLI::App& app, SeparateCommand& command, Chosen& chose
     CLI::App& separate = add_command(
         app, "separate", "the smallest changes that part two patterns people may confuse", command,
         chosen);
+    add_rendering(separate, command.common);
+    add_only(separate, command.common);
+    separate.add_option("--out", command.out, "file for the answer, instead of standard output");
     separate.add_option("--pair", command.pair, "names of the two, with a comma between")
         ->required();
     separate.add_option("--change", command.change,

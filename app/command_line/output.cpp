@@ -73,6 +73,31 @@ std::string time_text(double seconds) {
     return text;
 }
 
+// The side of the sets that is asked for, and what is to be said of it.
+Expected<PatternSet> loaded_side(const CommonOptions& options, Labels& labels) {
+    Expected<Loaded> loaded = load_sets(options.sets);
+    if (!loaded) return loaded.error();
+    for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
+    if (!options.model.empty()) {
+        const Expected<ModelFile> file = read_model_file(options.model);
+        if (!file) return file.error();
+        loaded->set.model = file->model;
+        const std::string remark = remark_on_synthetic(*file);
+        labels.synthetic_model = !remark.empty();
+        if (!remark.empty()) {
+            std::cerr << "tactspace: " << options.model.string() << ": " << remark << "\n";
+        }
+    }
+    labels.only = options.only;
+    PatternSet side = one_side(loaded->set, options.only);
+    labels.synthetic_patterns = has_synthetic_patterns(side);
+    if (options.only == Side::both) return side;
+    std::cerr << "tactspace: only the " << side.vibrations.size() << " "
+              << kSideNames[static_cast<std::size_t>(options.only)] << " of "
+              << loaded->set.vibrations.size() << " patterns\n";
+    return side;
+}
+
 }  // namespace
 
 Expected<std::optional<RenderedBy>> rendered_by(const CommonOptions& options) {
@@ -94,36 +119,30 @@ Expected<std::optional<RenderedBy>> rendered_by(const CommonOptions& options) {
                  " has none, expected --rendered-by " + traits(ActuatorKind::voice_coil).key};
 }
 
-Expected<PatternSet> load_for(const CommonOptions& options) {
-    const Expected<std::optional<RenderedBy>> by = rendered_by(options);
+Expected<FeltSet> load_felt(const CommonOptions& options) {
+    Expected<std::optional<RenderedBy>> by = rendered_by(options);
     if (!by) return by.error();
-    Expected<PatternSet> set = load_as_meant(options);
-    if (!set || !*by) return set;
-    std::optional<RenderedSet> rendered = rendered_set(*set, **by, nullptr, {options.threads, {}});
-    const std::string origin = words_on(**by);
-    rendered->played.name += (set->name.empty() ? "" : ", ") + origin;
-    std::cerr << "tactspace: the patterns " << origin << ": " << strength_words(**by) << "\n";
-    return std::move(rendered->played);
+    Labels labels;
+    Expected<PatternSet> set = loaded_side(options, labels);
+    if (!set) return set.error();
+    FeltSet result{*set, *std::move(set), std::move(labels)};
+    if (!*by) return result;
+    result.felt = rendered_set(result.meant, **by, nullptr, {options.threads, {}})->played;
+    result.felt.name += (result.felt.name.empty() ? "" : ", ") + words_on(**by);
+    result.labels.by = *std::move(by);
+    std::cerr << "tactspace: " << sentence_on(*result.labels.by) << "\n";
+    return result;
+}
+
+Expected<PatternSet> load_for(const CommonOptions& options) {
+    Expected<FeltSet> set = load_felt(options);
+    if (!set) return set.error();
+    return std::move(set->felt);
 }
 
 Expected<PatternSet> load_as_meant(const CommonOptions& options) {
-    Expected<Loaded> loaded = load_sets(options.sets);
-    if (!loaded) return loaded.error();
-    for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
-    if (!options.model.empty()) {
-        const Expected<ModelFile> file = read_model_file(options.model);
-        if (!file) return file.error();
-        loaded->set.model = file->model;
-        if (const std::string remark = remark_on_synthetic(*file); !remark.empty()) {
-            std::cerr << "tactspace: " << options.model.string() << ": " << remark << "\n";
-        }
-    }
-    if (options.only == Side::both) return std::move(loaded->set);
-    PatternSet side = one_side(loaded->set, options.only);
-    std::cerr << "tactspace: only the " << side.vibrations.size() << " "
-              << kSideNames[static_cast<std::size_t>(options.only)] << " of "
-              << loaded->set.vibrations.size() << " patterns\n";
-    return side;
+    Labels labels;
+    return loaded_side(options, labels);
 }
 
 Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options) {
@@ -151,13 +170,19 @@ Expected<PictureFormat> picture_format(const std::filesystem::path& file) {
     if (ending != ".png" && ending != ".svg" && !ending.empty()) {
         return Error{file.string() + ": a picture's name ends in .png or .svg"};
     }
-    // Pipes are left alone: who reads one would see it end.
-    std::error_code none;
-    if (std::filesystem::is_regular_file(file, none) || !std::filesystem::exists(file, none) ||
-        std::filesystem::is_directory(file, none)) {
-        if (const auto writable = AtomicFile::open(file); !writable) return writable.error();
-    }
+    if (const auto writable = writable_result(file); !writable) return writable.error();
     return ending == ".svg" ? PictureFormat::svg : PictureFormat::png;
+}
+
+Expected<Done> writable_result(const std::filesystem::path& out) {
+    std::error_code none;
+    // Who reads a pipe would see it end.
+    const bool is_special = std::filesystem::exists(out, none) &&
+                            !std::filesystem::is_regular_file(out, none) &&
+                            !std::filesystem::is_directory(out, none);
+    if (out.empty() || is_special) return Done{};
+    const Expected<AtomicFile> file = AtomicFile::open(out);
+    return file ? Expected<Done>(Done{}) : file.error();
 }
 
 Expected<Done> write_result(const std::filesystem::path& out,

@@ -9,17 +9,24 @@
 #include <vector>
 
 #include "app/command_line/commands.h"
+#include "app/command_line/labels.h"
 #include "app/pictures/pictures.h"
 #include "devices/calibration/rendering.h"
 #include "model/set/pattern_set.h"
 
 namespace tact {
 
-// The sets of a command as one, or the side of it asked for, with its remarks printed to standard
-// error; as a device plays it where the options name one.
-Expected<PatternSet> load_for(const CommonOptions& options);
+// The sets of a command as one, or the side of it asked for: as it was meant, and as the device
+// plays it that the options name; the same where they name none. Remarks go to standard error.
+struct FeltSet {
+    PatternSet meant;
+    PatternSet felt;
+    Labels labels;
+};
+Expected<FeltSet> load_felt(const CommonOptions& options);
 
-// The same as it was meant, and the device that the options name, if any.
+// One of the two alone, and the device, if any.
+Expected<PatternSet> load_for(const CommonOptions& options);
 Expected<PatternSet> load_as_meant(const CommonOptions& options);
 Expected<std::optional<RenderedBy>> rendered_by(const CommonOptions& options);
 
@@ -30,8 +37,12 @@ Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options);
 Expected<std::size_t> place_of(const PatternSet& set, const std::string& name);
 
 // What the ending of a picture's name asks for: .png or .svg; none is PNG. An Error also if the
-// file cannot be written: better known before the work than after it.
+// file cannot be written.
 Expected<PictureFormat> picture_format(const std::filesystem::path& file);
+
+// An Error if a result cannot be written there: better known before the work than after it. Pipes
+// and devices are left alone.
+Expected<Done> writable_result(const std::filesystem::path& out);
 
 // Calls `write` on the file, which appears whole or not at all, or on standard output where the
 // path is empty.

@@ -31,6 +31,7 @@ void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen)
     compare.add_option("--metric", options.metrics, "only these of those below")
         ->check(fault_of_metric);
     add_only(compare, options.common);
+    compare.add_option("--out", options.out, "file for the answer, instead of standard output");
     compare.footer(list_of_metrics());
     compare.add_flag("--paper-mode", options.paper_mode,
                      "digits and averages as in Table 2 of Lim & Park 2023");

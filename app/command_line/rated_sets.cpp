@@ -100,30 +100,31 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
         CommonOptions one = common;
         one.sets = {sets[k]};
         one.only = Side::both;  // the ratings decide who stands for whom
-        Expected<PatternSet> set = load_for(one);
-        if (!set) return set.error();
-        set = of_side(*set, common.only);
-        if (const auto pair = need_a_pair(*set, one); !pair) return pair.error();
+        Expected<FeltSet> loaded = load_felt(one);
+        if (!loaded) return loaded.error();
+        const PatternSet set = of_side(loaded->felt, common.only);
+        loaded->labels.only = common.only;
+        loaded->labels.synthetic_patterns = has_synthetic_patterns(set);
+        if (const auto pair = need_a_pair(set, one); !pair) return pair.error();
         const auto all_files = std::span(ratings);
         const bool one_each = sets.size() > 1 && !ratings.empty();
         auto people =
-            ratings_for(*set, sets[k], one_each ? all_files.subspan(k, 1) : all_files, files);
-        if (!people) return with_hint(people.error(), *set);
+            ratings_for(set, sets[k], one_each ? all_files.subspan(k, 1) : all_files, files);
+        if (!people) return with_hint(people.error(), set);
         if (common.only != Side::measured && common.rendered_by.empty() &&
             common.rendered_calibration.empty()) {
-            warn_of_changes(*set, people->study);
+            warn_of_changes(set, people->study);
         }
         const auto unrated = unrated_patterns(people->study);
         if (!unrated.empty()) {
-            std::cerr << "tactspace: " << remark_on_unrated(unrated, set->vibrations.size())
-                      << "\n";
+            std::cerr << "tactspace: " << remark_on_unrated(unrated, set.vibrations.size()) << "\n";
         }
-        std::string name = set->name.empty() ? sets[k].filename().string() : set->name;
+        std::string name = set.name.empty() ? sets[k].filename().string() : set.name;
         if (common.only != Side::both) {
             name += std::string(", ") + kSideNames[static_cast<std::size_t>(common.only)];
         }
-        all.push_back(
-            {*std::move(set), name, std::move(people->study), std::move(people->left_out)});
+        all.push_back({set, name, std::move(people->study), std::move(people->left_out),
+                       std::move(loaded->labels)});
     }
     return all;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/command_line/commands.h"
+#include "app/command_line/labels.h"
 #include "model/set/pattern_set.h"
 #include "model/study/who_counts.h"
 
@@ -18,6 +19,7 @@ struct RatedPatterns {
     std::string name;
     RatingStudy study;
     std::vector<LeftOutParticipant> left_out;
+    Labels labels;
 };
 
 // "" or, on a line of its own, that nobody was asked; and whom the numbers leave out.

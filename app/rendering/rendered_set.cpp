@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/common/parallel.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {
@@ -29,7 +30,8 @@ std::shared_ptr<const Waveform> known(const Vibration& vibration, std::size_t pl
 }  // namespace
 
 std::string words_on(const RenderedBy& by) {
-    return std::string("as a ") + traits(by.kind).name + " plays them, " +
+    const std::string level = by.level == 1.0 ? "" : " at a level of " + shortest_digits(by.level);
+    return std::string("as a ") + traits(by.kind).name + " plays them" + level + ", " +
            (is_calibrated(by) ? "calibrated" : "uncalibrated");
 }
 
@@ -58,6 +60,11 @@ std::optional<RenderedSet> rendered_set(const PatternSet& set, const RenderedBy&
     for (std::size_t k = 0; k < waveforms.size(); ++k) {
         Measurement measurement;
         measurement.waveform = std::move(waveforms[k]);
+        // A twin stays one, and what was computed stays computed.
+        if (const auto* meant = std::get_if<Measurement>(&set.vibrations[k].source)) {
+            measurement.measures = meant->measures;
+            measurement.synthetic = meant->synthetic;
+        }
         made.played.vibrations[k].source = std::move(measurement);
     }
     return made;

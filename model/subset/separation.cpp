@@ -42,7 +42,11 @@ class Trial {
   public:
     Trial(const PatternSet& set, const PerceptualModelParams& params, std::size_t place,
           const SeparationOptions& options)
-        : waveforms_(model_waveforms(set)), params_(params), place_(place), others_(options.from) {
+        : params_(params), place_(place), others_(options.from), felt_(options.felt) {
+        const std::size_t longest = longest_samples(set);
+        for (const Vibration& vibration : set.vibrations) {
+            waveforms_.push_back(as_felt(waveform_of(vibration), longest));
+        }
         if (others_.empty()) {
             others_.resize(waveforms_.size());
             std::iota(others_.begin(), others_.end(), std::size_t{0});
@@ -54,7 +58,7 @@ class Trial {
     // Beside what `previous` holds; none when stopped.
     std::optional<Nearest> operator()(const Pattern& pattern, const Prediction& previous) {
         const std::size_t length = waveforms_[place_].samples_g.size();
-        Waveform changed = padded(render(pattern), length);
+        Waveform changed = as_felt(render(pattern), length);
         std::swap(changed, waveforms_[place_]);
         predict_.previous = &previous;
         predict_.envelope_decimation = previous.envelope_decimation;
@@ -72,10 +76,15 @@ class Trial {
     }
 
   private:
+    Waveform as_felt(Waveform meant, std::size_t length) const {
+        return padded(felt_ ? felt_(meant) : std::move(meant), length);
+    }
+
     std::vector<Waveform> waveforms_;
     const PerceptualModelParams& params_;
     std::size_t place_;
     std::vector<std::size_t> others_;
+    const std::function<Waveform(const Waveform&)>& felt_;
     PredictOptions predict_;
 };
 

@@ -65,6 +65,9 @@ struct SeparationOptions {
     int threads = 0;                  // 0: all cores
     std::stop_token stop{};
     std::function<void(double)> progress{};  // 0..1, from this thread
+    // What is felt of a vibration, as long as it is: where a device plays it. None: itself. The
+    // prediction is then of what is felt, too.
+    std::function<Waveform(const Waveform&)> felt{};
 };
 
 // Changes of the pattern at a place that bring its PM to all others that count above the threshold,

@@ -29,6 +29,7 @@ struct SetResult {
     std::size_t patterns = 0;
     RatedPeople people;
     std::vector<LeftOutParticipant> left_out;
+    Labels labels;
     std::vector<MetricAgreement> rows;
 };
 
@@ -54,11 +55,9 @@ Expected<SetResult> compared(const CompareCommand& command, std::span<const Metr
     params.threads = command.common.threads;
     Expected<RatedPeople> people = rated_people(patterns.study, params);
     if (!people) return Error{patterns.name + ": " + people.error().message};
-    SetResult result{patterns.name,
-                     patterns.set.vibrations.size() - people->unrated.size(),
-                     *std::move(people),
-                     patterns.left_out,
-                     {}};
+    SetResult result{patterns.name,      patterns.set.vibrations.size() - people->unrated.size(),
+                     *std::move(people), patterns.left_out,
+                     patterns.labels,    {}};
     MetricOptions options;
     options.threads = command.common.threads;
     options.progress = progress_line("comparing metrics");
@@ -97,7 +96,7 @@ std::string head_of(const SetResult& result) {
     const std::string unrated =
         remark_on_unrated(result.people.unrated, result.patterns + result.people.unrated.size());
     if (!unrated.empty()) text += unrated + "\n";
-    return text + text_on_people(result.people.synthetic, result.left_out);
+    return text + text_of(result.labels) + text_on_people(result.people.synthetic, result.left_out);
 }
 
 std::vector<TextRow> table_of(const SetResult& result) {
@@ -182,29 +181,31 @@ nlohmann::json json_of(const SetResult& result, const MetricAgreement& row, Book
     const Evaluation& e = row.evaluation;
     const Reliability& people = result.people.reliability;
     // NaN becomes null.
-    return {{"set", result.name},
-            {"metric", key_of(row)},
-            {"rho", e.rho},
-            {"rho_low", e.rho_interval.low},
-            {"rho_high", e.rho_interval.high},
-            {"p", e.rho_p},
-            {"tau_b", e.tau_b},
-            {"K", agreement_of(e, books).k},
-            {"K_low", e.k_spread.low},
-            {"K_high", e.k_spread.high},
-            {"K_chance", rated_of(result).k_chance.mean},
-            {"K_p", e.k_p},
-            {"K_corrected", e.k_corrected},
-            {"K_procrustes", e.k_procrustes},
-            {"stress1", e.stress1},
-            {"reliability", people.spearman_brown},
-            {"one_with_others", people.one_with_others},
-            {"ceiling_of_mean", people.ceiling_of_mean},
-            {"participants", result.people.participants},
-            {"synthetic", result.people.synthetic},
-            {"left_out", json_of(result.left_out)},
-            {"unrated_patterns", result.people.unrated},
-            {"remarks", e.remarks}};
+    nlohmann::json json{{"set", result.name},
+                        {"metric", key_of(row)},
+                        {"rho", e.rho},
+                        {"rho_low", e.rho_interval.low},
+                        {"rho_high", e.rho_interval.high},
+                        {"p", e.rho_p},
+                        {"tau_b", e.tau_b},
+                        {"K", agreement_of(e, books).k},
+                        {"K_low", e.k_spread.low},
+                        {"K_high", e.k_spread.high},
+                        {"K_chance", rated_of(result).k_chance.mean},
+                        {"K_p", e.k_p},
+                        {"K_corrected", e.k_corrected},
+                        {"K_procrustes", e.k_procrustes},
+                        {"stress1", e.stress1},
+                        {"reliability", people.spearman_brown},
+                        {"one_with_others", people.one_with_others},
+                        {"ceiling_of_mean", people.ceiling_of_mean},
+                        {"participants", result.people.participants},
+                        {"synthetic", result.people.synthetic},
+                        {"left_out", json_of(result.left_out)},
+                        {"unrated_patterns", result.people.unrated},
+                        {"remarks", e.remarks}};
+    add_labels(json, result.labels);
+    return json;
 }
 
 nlohmann::json json_of(const MeanAgreement& mean, const std::string& key, Bookkeeping books) {
@@ -232,6 +233,7 @@ std::string json_text(const std::vector<SetResult>& results, Bookkeeping books) 
 }  // namespace
 
 Expected<Done> run(const CompareCommand& command) {
+    if (const auto writable = writable_result(command.out); !writable) return writable;
     const Expected<std::vector<Metric>> metrics = metrics_of(command);
     if (!metrics) return metrics.error();
     const Expected<std::vector<RatedPatterns>> all = load_rated(command.common, command.ratings);
@@ -252,7 +254,7 @@ Expected<Done> run(const CompareCommand& command) {
         }
         if (results.size() > 1) text += means_text(results, books);
     }
-    return write_result({}, [&text](std::ostream& stream) { stream << text; });
+    return write_result(command.out, [&text](std::ostream& stream) { stream << text; });
 }
 
 }  // namespace tact

@@ -190,10 +190,7 @@ Expected<Metric> metric_of(const PredictCommand& command) {
 
 // A metric without tiles, the whole matrix at once.
 Expected<Done> run_whole(const PredictCommand& command, Metric metric, std::stop_token stop) {
-    if (can_be_file(command.out)) {
-        const auto writable = AtomicFile::open(command.out);
-        if (!writable) return writable.error();
-    }
+    if (const auto writable = writable_result(command.out); !writable) return writable;
     const Expected<PictureSize> image = picture_asked_for(command);
     if (!image) return image.error();
     const Expected<PatternSet> set = load_for(command.common);

@@ -8,7 +8,6 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/rendering/rendered_set.h"
 #include "app/session/folders.h"
 #include "model/io/recordings/text_waveform.h"
 #include "model/io/recordings/wave_file.h"
@@ -118,15 +117,12 @@ Expected<Done> run(const RenderCommand& command) {
     std::cerr << "\n";
     if (*by) {
         if (const auto written = write(report, **by, command.out); !written) return written;
-        std::cerr << "tactspace: the patterns " << words_on(**by) << ": " << strength_words(**by)
-                  << "; what is lost stands in bands.csv\n";
+        std::cerr << "tactspace: " << sentence_on(**by) << "; what is lost stands in bands.csv\n";
     }
     if (command.common.json) {
         nlohmann::json answer{{"files", files}};
         if (*by) {
-            answer["rendered_by"] = traits((*by)->kind).key;
-            answer["calibrated"] = is_calibrated(**by);
-            if (!is_calibrated(**by)) answer["full_scale_g"] = (*by)->full_scale_g;
+            add_labels(answer, {.by = *by, .synthetic_patterns = has_synthetic_patterns(*set)});
             answer["patterns"] = report.patterns;
         }
         std::cout << answer.dump() << "\n";

@@ -30,6 +30,7 @@ struct SeparateResult {
     double dissimilarity = 0.0;
     double threshold = 0.0;
     std::vector<Change> changes;  // the smallest first
+    Labels labels;
 };
 
 // "A,B": at the comma that parts two names, as a name may have one of its own.
@@ -95,8 +96,10 @@ double threshold_of(const SeparateCommand& command, const Dissimilarity& pm,
     return std::max(share, pm(pair.a, pair.b));
 }
 
-Expected<SeparateResult> separated(const SeparateCommand& command, const PatternSet& set,
+// Changes are of patterns as they are meant, distances of what is felt of them.
+Expected<SeparateResult> separated(const SeparateCommand& command, const FeltSet& sets,
                                    std::stop_token stop) {
+    const PatternSet& set = sets.meant;
     const Error stopped{"stopped before the search had come to its end"};
     const Expected<Pair> pair = pair_of(set, command.pair);
     if (!pair) return pair.error();
@@ -108,16 +111,22 @@ Expected<SeparateResult> separated(const SeparateCommand& command, const Pattern
     predicting.threads = command.common.threads;
     predicting.stop = stop;
     predicting.progress = progress_line("comparing pairs");
-    const auto prediction = predict(model_waveforms(set), set.model, predicting);
+    const auto prediction = predict(model_waveforms(sets.felt), set.model, predicting);
     if (!prediction) return stopped;
     SeparateResult result{*pair,
                           prediction->pm(pair->a, pair->b),
                           threshold_of(command, prediction->pm, *others, *pair),
-                          {}};
+                          {},
+                          sets.labels};
     SeparationOptions options;
     options.from = *others;
     options.threads = command.common.threads;
     options.stop = stop;
+    if (sets.labels.by) {
+        options.felt = [&by = *sets.labels.by](const Waveform& meant) {
+            return rendering(by, meant).waveform;
+        };
+    }
     for (const std::size_t place : *places) {
         options.progress = progress_line("changing " + set.vibrations[place].name);
         const auto found = separations(set, *prediction, place, result.threshold, options);
@@ -134,6 +143,7 @@ nlohmann::json json_of(const SeparateResult& result, const std::vector<std::stri
                         {"dissimilarity", result.dissimilarity},
                         {"threshold", result.threshold},
                         {"changes", nlohmann::json::array()}};
+    add_labels(json, result.labels);
     for (const auto& [place, one] : result.changes) {
         json["changes"].push_back(
             {{"pattern", names[place]},
@@ -146,9 +156,9 @@ nlohmann::json json_of(const SeparateResult& result, const std::vector<std::stri
 }
 
 std::string text_of(const SeparateResult& result, const std::vector<std::string>& names) {
-    std::string text = "PM of " + names[result.pair.a] + " and " + names[result.pair.b] + "  " +
-                       six_digits(result.dissimilarity) + "\nto be exceeded  " +
-                       six_digits(result.threshold) + "\n\n";
+    std::string text = text_of(result.labels) + "PM of " + names[result.pair.a] + " and " +
+                       names[result.pair.b] + "  " + six_digits(result.dissimilarity) +
+                       "\nto be exceeded  " + six_digits(result.threshold) + "\n\n";
     if (result.changes.empty()) {
         return text +
                "no change of a single number is enough: change the rhythm, or add a carrier\n";
@@ -167,13 +177,14 @@ std::string text_of(const SeparateResult& result, const std::vector<std::string>
 
 Expected<Done> run(const SeparateCommand& command) {
     const Interrupt interrupt;
-    const Expected<PatternSet> set = load_for(command.common);
-    if (!set) return set.error();
-    if (const auto pair = need_a_pair(*set, command.common); !pair) return pair.error();
-    const Expected<SeparateResult> result = separated(command, *set, interrupt.token());
+    if (const auto writable = writable_result(command.out); !writable) return writable;
+    const Expected<FeltSet> sets = load_felt(command.common);
+    if (!sets) return sets.error();
+    if (const auto pair = need_a_pair(sets->meant, command.common); !pair) return pair.error();
+    const Expected<SeparateResult> result = separated(command, *sets, interrupt.token());
     if (!result) return result.error();
-    const std::vector<std::string> names = names_of(*set);
-    return write_result({}, [&](std::ostream& stream) {
+    const std::vector<std::string> names = names_of(sets->meant);
+    return write_result(command.out, [&](std::ostream& stream) {
         stream << (command.common.json ? json_of(*result, names).dump() + "\n"
                                        : text_of(*result, names));
     });

@@ -8,7 +8,9 @@
 #include "app/command_line/commands.h"
 #include "app/command_line/interrupt.h"
 #include "app/command_line/output.h"
+#include "app/command_line/rated_sets.h"
 #include "app/command_line/text_table.h"
+#include "app/rendering/rendered_set.h"
 #include "app/subset/subset_export.h"
 #include "model/evaluation/metric_matrix.h"
 #include "model/io/people/ratings_file.h"
@@ -32,8 +34,11 @@ bool is_by_pm(const SubsetCommand& command) {
 
 // What is picked from.
 struct Source {
-    PatternSet set;
+    PatternSet set;   // as it is meant: what is written
+    PatternSet felt;  // as a device plays it: what is compared
     Dissimilarity dissimilarity;
+    Labels labels;
+    bool synthetic_ratings = false;
 };
 
 // How far apart the set's patterns are in a matrix that may have others and another order.
@@ -58,7 +63,8 @@ Expected<Dissimilarity> of_matrix(const fs::path& file, const Names& names) {
     return result;
 }
 
-Expected<Dissimilarity> of_ratings(const std::vector<fs::path>& files, const Names& names) {
+Expected<Dissimilarity> of_ratings(const std::vector<fs::path>& files, const Names& names,
+                                   bool& synthetic) {
     const Expected<LoadedRatings> loaded = read_ratings(files, RatingScale::guess);
     if (!loaded) return loaded.error();
     for (const std::string& remark : loaded->remarks) {
@@ -66,6 +72,7 @@ Expected<Dissimilarity> of_ratings(const std::vector<fs::path>& files, const Nam
     }
     const Expected<RatingStudy> study = matched(loaded->study, names);
     if (!study) return Error{files.front().string() + ": " + study.error().message};
+    synthetic = is_partly_synthetic(*study);
     Dissimilarity mean = mean_ratings(*study);
     const auto unrated =
         std::ranges::count_if(mean.condensed, [](double value) { return !std::isfinite(value); });
@@ -89,15 +96,18 @@ Expected<Dissimilarity> of_metric(const SubsetCommand& command, const PatternSet
 }
 
 Expected<Source> source_of(const SubsetCommand& command, std::stop_token stop) {
-    Expected<PatternSet> set = load_for(command.common);
-    if (!set) return set.error();
-    if (const auto pair = need_a_pair(*set, command.common); !pair) return pair.error();
-    Expected<Dissimilarity> matrix =
-        !command.matrix.empty()    ? of_matrix(command.matrix, names_of(*set))
-        : !command.ratings.empty() ? of_ratings(command.ratings, names_of(*set))
-                                   : of_metric(command, *set, stop);
+    Expected<FeltSet> sets = load_felt(command.common);
+    if (!sets) return sets.error();
+    if (const auto pair = need_a_pair(sets->meant, command.common); !pair) return pair.error();
+    const Names names = names_of(sets->meant);
+    bool synthetic_ratings = false;
+    Expected<Dissimilarity> matrix = !command.matrix.empty() ? of_matrix(command.matrix, names)
+                                     : !command.ratings.empty()
+                                         ? of_ratings(command.ratings, names, synthetic_ratings)
+                                         : of_metric(command, sets->felt, stop);
     if (!matrix) return matrix.error();
-    return Source{*std::move(set), *std::move(matrix)};
+    return Source{std::move(sets->meant), std::move(sets->felt), *std::move(matrix),
+                  std::move(sets->labels), synthetic_ratings};
 }
 
 // With the locks of the set. A pattern that is asked for is not dropped by them, nor the reverse.
@@ -256,7 +266,7 @@ std::optional<Stability> stability_of(const SubsetCommand& command, const Source
     params.stop = stop;
     params.progress = progress_line("drawing models");
     const PerceptualSpace space = map_of(command, source, stop);
-    return subset_stability(source.set, problem, subset, space.points, params);
+    return subset_stability(source.felt, problem, subset, space.points, params);
 }
 
 Expected<SubsetResult> picked(const SubsetCommand& command, const Source& source,
@@ -285,11 +295,21 @@ Expected<SubsetResult> picked(const SubsetCommand& command, const Source& source
     return result;
 }
 
+// What the page about the subset is headed by.
+std::string origin_of(const Source& source) {
+    return source.labels.by ? words_on(*source.labels.by) : "";
+}
+
 }  // namespace
 
 Expected<Done> run(const SubsetCommand& command) {
     if (command.draws > 0 && !is_by_pm(command)) {
         return Error{"--sensitivity is for pm: nothing else has the model's parameters"};
+    }
+    if (!command.common.rendered_by.empty() &&
+        !(command.matrix.empty() && command.ratings.empty())) {
+        return Error{
+            "--rendered-by is for a metric: what people rated, or a matrix holds, is as it is"};
     }
     const Interrupt interrupt;
     Expected<Source> source = source_of(command, interrupt.token());
@@ -307,15 +327,28 @@ Expected<Done> run(const SubsetCommand& command) {
                                      : !command.ratings.empty()
                                          ? "Rating"
                                          : traits(*metric_named(command.metric)).name;
-        const auto written =
-            write_subset(command.report, {source->set, source->dissimilarity, quantity,
-                                          result->objective, result->answer, space, quantity});
+        const auto written = write_subset(command.report, {source->set,
+                                                           source->dissimilarity,
+                                                           quantity,
+                                                           result->objective,
+                                                           result->answer,
+                                                           space,
+                                                           quantity,
+                                                           {},
+                                                           origin_of(*source)});
         if (!written) return written;
     }
     const Names names = names_of(source->set);
     return write_result({}, [&](std::ostream& stream) {
-        stream << (command.common.json ? json_of(*result, command, names).dump() + "\n"
-                                       : text_of(*result, names));
+        if (command.common.json) {
+            nlohmann::json json = json_of(*result, command, names);
+            add_labels(json, source->labels);
+            if (!command.ratings.empty()) json["synthetic"] = source->synthetic_ratings;
+            stream << json.dump() << "\n";
+        } else {
+            stream << text_of(source->labels) << text_on_people(source->synthetic_ratings, {})
+                   << text_of(*result, names);
+        }
     });
 }
 

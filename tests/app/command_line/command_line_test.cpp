@@ -349,6 +349,7 @@ TEST_CASE("render --rendered-by: what the device plays, with what is lost by ban
         Json::parse(output_of({"render", set.path, "--rendered-by", "switch-pro", "--format", "txt",
                                "--out", out.path.string(), "--json"}));
     CHECK(report.at("rendered_by") == "switch-pro");
+    CHECK(report.at("level") == 1.0);
     CHECK(report.at("files").size() == 5);
     REQUIRE(report.at("patterns").size() == 5);
     const auto bands = rows_of(out.path / "bands.csv");

@@ -46,6 +46,53 @@ TEST_CASE("compare: ratings that are a metric's own numbers agree with it in eve
     }
 }
 
+TEST_CASE(
+    "compare: --out is what would be printed, and a folder that is not there is said at once") {
+    const Study study;
+    const std::string out = (study.folder.path / "answer").string();
+    std::vector<std::string> words{"compare",       study.set, "--ratings", study.ratings,
+                                   "--rendered-by", "joy-con", "--level",   "0.5",
+                                   "--metric",      "nc"};
+    const Ran printed = run_program(words);
+    REQUIRE(printed.exit_code == 0);
+    CHECK(contains(printed.out,
+                   "the patterns as a Joy-Con plays them at a level of 0.5, uncalibrated: full "
+                   "scale stands for 1.00 g\n"));
+    words.insert(words.end(), {"--out", out});
+    CHECK(output_of(words).empty());
+    CHECK(bytes_of(out) == printed.out);
+    words.emplace_back("--json");
+    CHECK(output_of(words).empty());
+    const Json row = Json::parse(bytes_of(out)).at(0);
+    CHECK(row.at("rendered_by") == "joy-con");
+    CHECK(row.at("calibrated") == false);
+    CHECK(row.at("full_scale_g") == 1.0);
+    CHECK(row.at("level") == 0.5);
+    CHECK(row.at("synthetic_patterns") == false);
+    CHECK(row.at("synthetic_model") == false);
+    words[words.size() - 2] = (study.folder.path / "no" / "such").string();
+    CHECK(contains(refusal_of(words), "cannot be written"));
+}
+
+TEST_CASE("compare: twins that were computed are said to be, also where a device plays them") {
+    const Study study;
+    const std::string out = (study.folder.path / "twins.tactspace.json").string();
+    output_of({"measure", study.set, "--simulate", "--out", out});
+    for (const bool is_played : {false, true}) {
+        std::vector<std::string> words{"compare", out,        "--ratings", study.ratings,
+                                       "--only",  "measured", "--metric",  "nc"};
+        if (is_played) words.insert(words.end(), {"--rendered-by", "joy-con"});
+        CHECK(contains(output_of(words),
+                       "SYNTHETIC: some or all of these patterns were measured by nobody\n"));
+        words.emplace_back("--json");
+        const Json row = Json::parse(output_of(words)).at(0);
+        CHECK(row.at("synthetic_patterns") == true);
+        CHECK(row.at("only") == "measured");
+        words[5] = "intended";
+        CHECK(Json::parse(output_of(words)).at(0).at("synthetic_patterns") == false);
+    }
+}
+
 TEST_CASE("compare: a table for people, with remarks apart, the same for any number of threads") {
     const Study study;
     const Ran ran = run_program(

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/rendering/rendered_set.h"
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/subset/separation.h"
@@ -92,6 +93,57 @@ TEST_CASE("separate command: among some alone, and farther than a threshold of o
     tact::SeparationOptions options;
     options.from = {1, 2, 3};
     CHECK(json.at("changes") == changes_of(short_set, 2, 6.0, options));
+}
+
+TEST_CASE("separate command: where a device plays them, a change parts what is felt of them") {
+    const ShortSet short_set;
+    tact::RenderedBy by{*tact::actuator_kind_named("joy-con")};
+    by.level = 0.5;
+    const auto pm_of = [&by](const tact::PatternSet& set) {
+        const tact::PatternSet played = tact::rendered_set(set, by)->played;
+        return tact::predict(tact::model_waveforms(played), set.model)->pm;
+    };
+    const Json json = short_set.separated(
+        {"--pair", "a,1,b", "--change", "b", "--rendered-by", "joy-con", "--level", "0.5"});
+    const tact::Dissimilarity now = pm_of(short_set.set);
+    CHECK(json.at("dissimilarity") == now(0, 1));
+    CHECK(json.at("threshold") == std::max(now(0, 1), tact::threshold_at(now, 0.05)));
+    CHECK(json.at("rendered_by") == "joy-con");
+    CHECK(json.at("level") == 0.5);
+    REQUIRE_FALSE(json.at("changes").empty());
+    for (const Json& change : json.at("changes")) {
+        tact::PatternSet changed = short_set.set;
+        auto& pattern = std::get<tact::Pattern>(changed.vibrations[1].source);
+        for (const tact::PatternParameter parameter : tact::kPatternParameters) {
+            if (change.at("parameter") != tact::traits(parameter).key) continue;
+            pattern = tact::with_value(pattern, parameter, change.at("to"));
+        }
+        const tact::Dissimilarity then = pm_of(changed);
+        double nearest = then(1, 0);
+        for (const std::size_t k : {std::size_t{2}, std::size_t{3}, std::size_t{4}}) {
+            nearest = std::min(nearest, then(1, k));
+        }
+        CHECK(change.at("nearest").at("dissimilarity") == nearest);
+        CHECK(nearest > json.at("threshold").get<double>());
+    }
+}
+
+TEST_CASE("separate command: --out is what would be printed, labels and all") {
+    const ShortSet short_set;
+    const std::string out = (short_set.folder.path / "answer.txt").string();
+    const std::vector<std::string> words{"separate", short_set.path, "--pair",        "c,d",
+                                         "--only",   "intended",     "--rendered-by", "joy-con"};
+    const std::string printed = output_of(words);
+    CHECK(
+        printed.starts_with("the patterns as a Joy-Con plays them, uncalibrated: full scale stands "
+                            "for 1.00 g\nonly the "
+                            "intended patterns\nPM of c and d"));
+    std::vector<std::string> to_file = words;
+    to_file.insert(to_file.end(), {"--out", out});
+    CHECK(output_of(to_file).empty());
+    CHECK(bytes_of(out) == printed);
+    to_file.back() = short_set.folder.path.string();
+    CHECK(contains(refusal_of(to_file), "cannot be written"));
 }
 
 TEST_CASE("separate command: text has a line for each change, or says that there is none") {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/rendering/rendered_set.h"
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/subset/set_subset.h"
@@ -69,6 +70,41 @@ TEST_CASE("subset command: a matrix from a file decides, its rows in any order")
         Json::parse(output_of({"subset", short_set.path, "-k", "3", "--matrix", matrix, "--json"}));
     CHECK(json.at("patterns") == std::vector<std::string>{"a", "c", "d|e"});
     CHECK(json.at("weakest").at("dissimilarity") == 5.0);
+}
+
+TEST_CASE(
+    "subset command: as a device plays them other patterns are distinct; those meant are kept") {
+    const ShortSet short_set;
+    const std::string out = (short_set.folder.path / "part.tactspace.json").string();
+    const std::vector<std::string> words{"subset",        short_set.path, "-k",      "3",
+                                         "--rendered-by", "dualshock-4",  "--level", "0.4"};
+    std::vector<std::string> as_json = words;
+    as_json.insert(as_json.end(), {"--json", "--out", out});
+    const Json json = Json::parse(output_of(as_json));
+    const tact::PatternSet set = short_set.set();
+    tact::RenderedBy by{*tact::actuator_kind_named("dualshock-4")};
+    by.level = 0.4;
+    const tact::PatternSet played = tact::rendered_set(set, by)->played;
+    const auto prediction = *tact::predict(tact::model_waveforms(played), set.model);
+    const auto answer = *tact::most_distinct_subset(
+        prediction.pm, tact::subset_problem(set, 3, tact::SubsetObjective::max_min));
+    CHECK(json.at("weakest").at("dissimilarity") == answer.best.weakest_dissimilarity);
+    CHECK(json.at("sum") == answer.best.sum);
+    CHECK(json.at("rendered_by") == "dualshock-4");
+    CHECK(json.at("level") == 0.4);
+    const tact::PatternSet part = tact::read_set_file(out)->set;
+    for (const tact::Vibration& vibration : part.vibrations) {
+        CHECK(vibration == set.vibrations[*tact::place_named(set, vibration.name)]);
+    }
+    CHECK(output_of(words).starts_with(
+        "the patterns as a DualShock 4 plays them at a level of 0.4, uncalibrated: full scale "
+        "stands for 1.00 g\n"));
+    std::vector<std::string> by_ratings = words;
+    by_ratings.insert(by_ratings.end(), {"--ratings", "any.csv"});
+    CHECK(contains(refusal_of(by_ratings), "--rendered-by is for a metric"));
+    const Ran none = run_program({"subset", short_set.path, "-k", "2", "--only", "measured"});
+    CHECK(none.exit_code == 1);
+    CHECK(contains(none.err, "has no pattern"));
 }
 
 TEST_CASE("subset command: past its time the word does not appear") {

@@ -1,0 +1,51 @@
+#include "app/command_line/labels.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "app/rendering/rendered_set.h"
+
+namespace tact {
+
+bool has_synthetic_patterns(const PatternSet& set) {
+    return std::ranges::any_of(set.vibrations, [](const Vibration& vibration) {
+        const auto* measured = std::get_if<Measurement>(&vibration.source);
+        return measured != nullptr && measured->synthetic;
+    });
+}
+
+std::string sentence_on(const RenderedBy& by) {
+    return "the patterns " + words_on(by) + ": " + strength_words(by);
+}
+
+std::string text_of(const Labels& labels) {
+    std::string text;
+    if (labels.by) text += sentence_on(*labels.by) + "\n";
+    if (labels.only != Side::both) {
+        text += std::string("only the ") + kSideNames[static_cast<std::size_t>(labels.only)] +
+                " patterns\n";
+    }
+    if (labels.synthetic_patterns) {
+        text += "SYNTHETIC: some or all of these patterns were measured by nobody\n";
+    }
+    if (labels.synthetic_model) {
+        text += "SYNTHETIC: the model was fitted to ratings that nobody gave\n";
+    }
+    return text;
+}
+
+void add_labels(nlohmann::json& json, const Labels& labels) {
+    json["synthetic_patterns"] = labels.synthetic_patterns;
+    json["synthetic_model"] = labels.synthetic_model;
+    if (labels.only != Side::both) {
+        json["only"] = kSideNames[static_cast<std::size_t>(labels.only)];
+    }
+    if (!labels.by) return;
+    json["rendered_by"] = traits(labels.by->kind).key;
+    json["calibrated"] = is_calibrated(*labels.by);
+    if (!is_calibrated(*labels.by)) json["full_scale_g"] = labels.by->full_scale_g;
+    json["level"] = labels.by->level;
+}
+
+}  // namespace tact

@@ -1,0 +1,33 @@
+// What goes with every result of a set: who plays it, which side of it that is, and what of it
+// nobody felt or measured.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "devices/calibration/rendering.h"
+#include "model/set/measured_twin.h"
+
+namespace tact {
+
+struct Labels {
+    std::optional<RenderedBy> by{};  // none: the patterns as they are meant
+    Side only = Side::both;
+    bool synthetic_patterns = false;  // measurements that were computed
+    bool synthetic_model = false;     // fitted to ratings that nobody gave
+};
+
+bool has_synthetic_patterns(const PatternSet& set);
+
+// "the patterns as a Joy-Con plays them, uncalibrated: full scale stands for 1.00 g"
+std::string sentence_on(const RenderedBy& by);
+
+// A line each; empty where there is nothing to say.
+std::string text_of(const Labels& labels);
+
+// Keys of an object: synthetic_patterns and synthetic_model always; only, and rendered_by with
+// calibrated, full_scale_g and level, where they apply.
+void add_labels(nlohmann::json& json, const Labels& labels);
+
+}  // namespace tact
