@@ -41,7 +41,8 @@ std::optional<LiveStages> compute_live_stages(const LiveStagesRequest& request,
     Waveform waveform = waveform_of(request.vibration);
     if (request.rendered_by) waveform = rendering(*request.rendered_by, waveform).waveform;
     live.waveform = padded(std::move(waveform), request.samples);
-    live.neural = neural_coding_stages(live.waveform, request.model.coding, KeepLayers::none);
+    live.neural =
+        neural_coding_stages(live.waveform, request.model.coding, KeepLayers::none, {stop});
     progress = 0.8F;
     if (stop.stop_requested()) return std::nullopt;
     const NeuralCode& code = live.neural.code;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/map/map_follow.h"
+#include "devices/calibration/rendering.h"
 #include "model/evaluation/metric_matrix.h"
 #include "model/set/set_ratings.h"
 #include "model/subset/set_subset.h"
@@ -83,6 +84,10 @@ std::optional<FoundSeparations> find_separations(const SeparationRequest& reques
     options.from = request.from;
     options.stop = stop;
     options.progress = [&progress](double share) { progress = static_cast<float>(share); };
+    // As the map is: of what a device makes of the pattern.
+    if (const auto& by = request.map->request.rendered_by) {
+        options.felt = [&by](const Waveform& meant) { return rendering(*by, meant).waveform; };
+    }
     auto all = separations(*request.map->request.set, request.map->prediction, request.changed,
                            request.threshold, options);
     if (!all) return std::nullopt;
