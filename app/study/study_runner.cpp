@@ -26,14 +26,6 @@ TrialPlan plan_of(const StudyRun& run) {
     return plan_of(header.design, header.patterns.size(), header.seed);
 }
 
-int groups_of_round(const StudyRecord& record) {
-    const std::size_t round = record.sortings.size();
-    if (!record.header.design.groups.empty()) return record.header.design.groups[round];
-    if (round == 0) return 0;
-    return sorting_rounds(record.header.patterns.size(),
-                          group_count(record.sortings.front().groups))[round];
-}
-
 // The next trial, or round, onto the screen; without one the end.
 void show_next(StudyRun& run, double now_s) {
     if (is_complete(run)) {
@@ -43,7 +35,7 @@ void show_next(StudyRun& run, double now_s) {
     run.shown_s = now_s;
     if (!is_pairwise(run)) {
         run.page = StudyPage::sorting;
-        run.asked_groups = groups_of_round(run.record);
+        run.asked_groups = next_round_groups(run.record);
         run.groups.assign(patterns_of(run), kUnsorted);
         return;
     }
@@ -346,14 +338,6 @@ double minutes_left(const StudyRun& run) {
         seconds += answers[k].response_s;
     }
     return seconds / static_cast<double>(known) * static_cast<double>(left) / 60.0;
-}
-
-std::vector<RatedTrial> rated_trials(const StudyRecord& record) {
-    std::vector<RatedTrial> rated;
-    for (const PairAnswer& answer : record.answers) {
-        rated.push_back({answer.trial, answer.similarity});
-    }
-    return rated;
 }
 
 }  // namespace tact

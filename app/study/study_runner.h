@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "model/study/adaptive_order.h"
 #include "model/study/study_record.h"
 
 namespace tact {
@@ -108,8 +107,5 @@ std::size_t unsorted_count(const StudyRun& run);
 
 // Minutes to the end, by the pace of the latest trials, else by what is expected.
 double minutes_left(const StudyRun& run);
-
-// Answers as the adaptive order and its indicator take them.
-std::vector<RatedTrial> rated_trials(const StudyRecord& record);
 
 }  // namespace tact

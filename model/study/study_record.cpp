@@ -41,6 +41,14 @@ std::size_t answers_wanted(const StudyRecord& record) {
     return sorting_rounds(header.patterns.size(), free_choice).size();
 }
 
+int next_round_groups(const StudyRecord& record) {
+    const std::size_t round = record.sortings.size();
+    if (!record.header.design.groups.empty()) return record.header.design.groups[round];
+    if (round == 0) return 0;
+    return sorting_rounds(record.header.patterns.size(),
+                          group_count(record.sortings.front().groups))[round];
+}
+
 std::size_t answers_given(const StudyRecord& record) {
     return record.header.kind == StudyKind::pairwise ? record.answers.size()
                                                      : record.sortings.size();
@@ -62,6 +70,14 @@ Felt felt_of(const StudyRecord& record, std::size_t k) {
     const bool left_missing = answer.plays_left == 0 && answer.left.broken > 0;
     const bool right_missing = answer.plays_right == 0 && answer.right.broken > 0;
     return left_missing || right_missing ? Felt::in_part : Felt::whole;
+}
+
+std::vector<RatedTrial> rated_trials(const StudyRecord& record) {
+    std::vector<RatedTrial> rated;
+    for (const PairAnswer& answer : record.answers) {
+        rated.push_back({answer.trial, answer.similarity});
+    }
+    return rated;
 }
 
 }  // namespace tact

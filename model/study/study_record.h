@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/study/adaptive_order.h"
 #include "model/study/cluster_sorting.h"
 #include "model/study/pairwise_study.h"
 #include "model/study/study_design.h"
@@ -125,6 +126,12 @@ std::string instructions_of(const StudyDesign& design, StudyKind kind);
 // How many answers make the record complete.
 std::size_t answers_wanted(const StudyRecord& record);
 std::size_t answers_given(const StudyRecord& record);
+
+// How many groups the next round of an incomplete sorting asks for; 0: as many as the person likes.
+int next_round_groups(const StudyRecord& record);
+
+// Answers as the adaptive order and its indicator take them.
+std::vector<RatedTrial> rated_trials(const StudyRecord& record);
 
 // The device of the k-th answer; of the next one where there are fewer.
 const StudyDevice& device_of(const StudyRecord& record, std::size_t k);
