@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/io/people/study_file.h"
+#include "model/io/people/study_lines.h"
 
 namespace tact {
 

@@ -9,6 +9,7 @@
 #include "app/study/study_actuator.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_masking.h"
+#include "model/io/people/study_lines.h"
 #include "model/set/set_study.h"
 #include "model/text/utc_time.h"
 

@@ -1,14 +1,11 @@
 #include "model/io/people/study_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
-#include <optional>
 
+#include "model/io/people/study_lines.h"
 #include "model/io/recordings/recording.h"
-#include "model/io/set/study_json.h"
 #include "model/text/atomic_file.h"
-#include "model/text/equal_names.h"
 #include "model/text/natural_order.h"
 #include "model/text/utf8.h"
 
@@ -17,222 +14,6 @@ namespace tact {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* kKinds[] = {"pairwise", "sorting"};
-constexpr Range kPlays{0, 1e6};
-constexpr Range kSeconds{0, 1e9};
-constexpr Range kTurnedDownDb{0, 1000};
-
-Json json_of(const StudyDevice& device) {
-    Json fields = {{"name", device.name}, {"calibration", device.calibration}};
-    if (!device.masking.empty()) fields["masking"] = device.masking;
-    if (is_rehearsal(device)) fields["rehearsal"] = true;
-    return fields;
-}
-
-StudyDevice device_in(JsonObject object) {
-    return {text_field(object, "name", ""), text_field(object, "calibration", ""),
-            text_field(object, "masking", "")};
-}
-
-Json json_of_head(const StudyHeader& header) {
-    Json fields = {{"tactspace_study", kStudyFormat},
-                   {"program", header.program},
-                   {"kind", kKinds[static_cast<std::size_t>(header.kind)]},
-                   {"synthetic", header.synthetic}};
-    fields["participant"] = {{"code", header.participant.code}};
-    for (const auto& [key, value] : header.participant.fields) {
-        if (key != "code") fields["participant"][key] = value;
-    }
-    fields["consent"] = {{"given", header.consented}, {"text", consent_of(header.design)}};
-    fields["begun"] = header.begun;
-    fields["set"] = {{"name", header.set_name}, {"fingerprint", header.set_fingerprint}};
-    fields["device"] = json_of(header.device);
-    // As text: JSON's numbers are doubles to many readers.
-    fields["seed"] = std::to_string(header.seed);
-    fields["patterns"] = header.patterns;
-    fields["design"] = json_of(header.design);
-    return fields;
-}
-
-std::uint64_t seed_field(JsonObject& object) {
-    const std::string text = text_field(object, "seed", "1");
-    std::uint64_t seed = 0;
-    const char* const end = text.data() + text.size();
-    const auto [last, fault] = std::from_chars(text.data(), end, seed);
-    if (fault != std::errc() || last != end) {
-        refuse(*object.reading, place_of(object, "seed"), "a whole number below 2^64", Json(text));
-    }
-    return seed;
-}
-
-Participant participant_of(JsonObject& object) {
-    Participant participant;
-    JsonObject fields = object_field(object, "participant");
-    participant.code = text_field(fields, "code", "");
-    if (fields.value == nullptr) return participant;
-    for (const auto& [key, value] : fields.value->items()) {
-        if (key != "code" && value.is_string()) {
-            participant.fields.emplace_back(key, value.get<std::string>());
-        }
-    }
-    return participant;
-}
-
-std::vector<std::string> patterns_of(JsonObject& object) {
-    std::vector<std::string> names;
-    if (field(object, "patterns") == nullptr) {
-        refuse(*object.reading, place_of(object, "patterns"), "names of patterns", nullptr);
-    }
-    for (const Json* name : array_field(object, "patterns", 2, limits::kMaxStudyPatterns)) {
-        if (!name->is_string()) {
-            refuse(*object.reading, place_of(object, "patterns"), "names of patterns", *name);
-            return names;
-        }
-        names.push_back(name->get<std::string>());
-    }
-    if (const auto equal = first_equal(names)) {
-        refuse(*object.reading, place_of(object, "patterns"), "names that differ",
-               Json(names[equal->second]));
-    }
-    return names;
-}
-
-StudyHeader header_of(JsonObject& object) {
-    StudyHeader header;
-    JsonReading& reading = *object.reading;
-    const int format = whole_field(object, "tactspace_study", 0, {0, 1e9});
-    if (format != kStudyFormat && reading.fault.empty()) {
-        reading.fault = reading.file +
-                        ": expected the study of a participant, \"tactspace_study\": " +
-                        std::to_string(kStudyFormat);
-    }
-    header.program = text_field(object, "program", "");
-    header.kind = static_cast<StudyKind>(choice_field(object, "kind", 0, kKinds));
-    header.synthetic = yes_no_field(object, "synthetic", false);
-    header.participant = participant_of(object);
-    JsonObject consent = object_field(object, "consent");
-    header.consented = yes_no_field(consent, "given", false);
-    const std::string consent_text = text_field(consent, "text", "");
-    if (consent_text.size() > limits::kMaxStudyText) {
-        refuse(reading, place_of(consent, "text"), "a text of at most 20,000 bytes",
-               Json(consent_text.size()));
-    }
-    header.begun = text_field(object, "begun", "");
-    JsonObject set = object_field(object, "set");
-    header.set_name = text_field(set, "name", "");
-    header.set_fingerprint = text_field(set, "fingerprint", "");
-    header.device = device_in(object_field(object, "device"));
-    header.seed = seed_field(object);
-    header.patterns = patterns_of(object);
-    JsonObject design = object_field(object, "design");
-    Json unknown = Json::object();
-    header.design = study_design_of(design, unknown);
-    // What the person agreed to stays, though a later version may say it otherwise.
-    if (!consent_text.empty() && consent_text != consent_of(header.design)) {
-        header.design.consent = consent_text;
-    }
-    return header;
-}
-
-// Position of a pattern named by a key.
-std::size_t pattern_field(JsonObject& object, std::string_view key, const StudyHeader& header) {
-    const std::string name = text_field(object, key, "");
-    const auto found = std::ranges::find(header.patterns, name);
-    if (found != header.patterns.end()) {
-        return static_cast<std::size_t>(found - header.patterns.begin());
-    }
-    refuse(*object.reading, place_of(object, key), "the name of a pattern of the study",
-           Json(name));
-    return 0;
-}
-
-PlaysReport plays_report(JsonObject object) {
-    return {whole_field(object, "broken", 0, kPlays), whole_field(object, "dropouts", 0, kPlays),
-            number_field(object, "turned_down_db", 0.0, kTurnedDownDb)};
-}
-
-// Nothing where there is nothing to be said.
-void note_report(Json& fields, const char* key, const PlaysReport& report) {
-    if (report == PlaysReport{}) return;
-    fields[key] = {{"broken", report.broken},
-                   {"dropouts", report.dropouts},
-                   {"turned_down_db", report.turned_down_db}};
-}
-
-PairAnswer pair_answer_of(JsonObject& object, const StudyHeader& header) {
-    PairAnswer answer;
-    answer.trial.left = pattern_field(object, "left", header);
-    answer.trial.right = pattern_field(object, "right", header);
-    if (field(object, "rating") == nullptr) {
-        refuse(*object.reading, place_of(object, "rating"), "a similarity from 0 to 100", Json());
-    }
-    answer.similarity = number_field(object, "rating", 0.0, limits::kSimilarity);
-    answer.plays_left = whole_field(object, "plays_left", 0, kPlays);
-    answer.plays_right = whole_field(object, "plays_right", 0, kPlays);
-    answer.response_s = number_field(object, "response_s", 0.0, kSeconds);
-    answer.at = text_field(object, "at", "");
-    answer.left = plays_report(object_field(object, "left_plays"));
-    answer.right = plays_report(object_field(object, "right_plays"));
-    return answer;
-}
-
-// The group of every pattern; groups without patterns are none.
-Sorting groups_of(JsonObject& object, const StudyHeader& header) {
-    Sorting sorting(header.patterns.size(), kUnsorted);
-    const auto groups = array_field(object, "groups", 0, limits::kMaxStudyPatterns);
-    std::size_t group = 0;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-        const std::string place = place_of(object, "groups") + "/" + std::to_string(g);
-        if (!groups[g]->is_array()) refuse(*object.reading, place, "a list of names", *groups[g]);
-        for (const Json& name : *groups[g]) {
-            const std::string text = name.is_string() ? name.get<std::string>() : "";
-            const auto found = std::ranges::find(header.patterns, text);
-            if (found == header.patterns.end()) {
-                refuse(*object.reading, place, "names of patterns of the study", name);
-                continue;
-            }
-            std::size_t& own = sorting[static_cast<std::size_t>(found - header.patterns.begin())];
-            if (own != kUnsorted) {
-                refuse(*object.reading, place, "every pattern in one group, once", name);
-            }
-            own = group;
-        }
-        if (!groups[g]->empty()) ++group;
-    }
-    if (group == 0) {
-        refuse(*object.reading, place_of(object, "groups"), "groups of patterns, one at least",
-               Json(Json::array()));
-    }
-    return sorting;
-}
-
-SortingAnswer sorting_answer_of(JsonObject& object, const StudyHeader& header) {
-    SortingAnswer answer;
-    answer.asked_groups = whole_field(object, "asked_groups", 0, limits::kGroups);
-    answer.groups = groups_of(object, header);
-    answer.response_s = number_field(object, "response_s", 0.0, kSeconds);
-    answer.at = text_field(object, "at", "");
-    return answer;
-}
-
-// One line after the first into the record; what is wrong with it, or empty.
-std::string take_line(StudyRecord& record, const Json& value, const std::string& place) {
-    JsonReading reading{place, {}};
-    JsonObject object = object_at(reading, value, "");
-    const StudyHeader& header = record.header;
-    if (field(object, "device") != nullptr) {
-        const StudyDevice device = device_in(object_field(object, "device"));
-        record.devices.push_back({answers_given(record), device, text_field(object, "at", "")});
-    } else if (header.kind == StudyKind::pairwise) {
-        PairAnswer answer = pair_answer_of(object, header);
-        if (reading.fault.empty()) record.answers.push_back(std::move(answer));
-    } else {
-        SortingAnswer answer = sorting_answer_of(object, header);
-        if (reading.fault.empty()) record.sortings.push_back(std::move(answer));
-    }
-    return reading.fault;
-}
 
 Expected<std::vector<fs::path>> study_files(const fs::path& folder) {
     std::vector<fs::path> files;
@@ -248,50 +29,7 @@ Expected<std::vector<fs::path>> study_files(const fs::path& folder) {
     return files;
 }
 
-// Names of persons' making, such as of a device, may be no text.
-std::string as_line(const Json& fields) {
-    return fields.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 }  // namespace
-
-std::string header_line(const StudyHeader& header) { return as_line(json_of_head(header)); }
-
-std::string device_line(const DeviceChange& change) {
-    return as_line({{"device", json_of(change.device)}, {"at", change.at}});
-}
-
-std::string answer_line(const StudyHeader& header, std::size_t serial, const PairAnswer& answer) {
-    Json fields = {{"trial", serial + 1},
-                   {"left", header.patterns[answer.trial.left]},
-                   {"right", header.patterns[answer.trial.right]},
-                   {"rating", answer.similarity},
-                   {"plays_left", answer.plays_left},
-                   {"plays_right", answer.plays_right},
-                   {"response_s", answer.response_s},
-                   {"at", answer.at}};
-    note_report(fields, "left_plays", answer.left);
-    note_report(fields, "right_plays", answer.right);
-    return as_line(fields);
-}
-
-std::string answer_line(const StudyHeader& header, std::size_t serial,
-                        const SortingAnswer& answer) {
-    Json groups = Json::array();
-    for (std::size_t g = 0; g < answer.groups.size(); ++g) {
-        Json names = Json::array();
-        for (std::size_t k = 0; k < answer.groups.size(); ++k) {
-            if (answer.groups[k] == g) names.push_back(header.patterns[k]);
-        }
-        if (!names.empty()) groups.push_back(names);
-    }
-    const Json fields = {{"round", serial + 1},
-                         {"asked_groups", answer.asked_groups},
-                         {"groups", groups},
-                         {"response_s", answer.response_s},
-                         {"at", answer.at}};
-    return as_line(fields);
-}
 
 std::string print_study(const StudyRecord& record) {
     std::string text = header_line(record.header) + "\n";
@@ -333,10 +71,7 @@ Expected<StudyRecord> parse_study(std::string_view text, const std::string& file
         if (has_header) {
             fault = take_line(record, *value, place);
         } else {
-            JsonReading reading{place, {}};
-            JsonObject object = object_at(reading, *value, "");
-            record.header = header_of(object);
-            fault = reading.fault;
+            fault = take_header(record, *value, place);
             has_header = true;
         }
         if (!fault.empty()) return Error{fault};

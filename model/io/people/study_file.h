@@ -23,7 +23,6 @@
 
 namespace tact {
 
-inline constexpr int kStudyFormat = 1;
 inline constexpr const char* kStudyEnding = ".jsonl";
 
 // "P 1/2" becomes "P_1_2.jsonl". Empty for a code without letters and digits.
@@ -43,11 +42,6 @@ std::string print_study(const StudyRecord& record);
 
 // A whole record as a new file; one that is there already is an Error.
 Expected<Done> write_study_file(const std::filesystem::path& path, const StudyRecord& record);
-
-std::string header_line(const StudyHeader& header);
-std::string device_line(const DeviceChange& change);
-std::string answer_line(const StudyHeader& header, std::size_t serial, const PairAnswer& answer);
-std::string answer_line(const StudyHeader& header, std::size_t serial, const SortingAnswer& answer);
 
 // A participant's file being written.
 class StudyLog {

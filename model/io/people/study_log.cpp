@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/io/people/study_file.h"
+#include "model/io/people/study_lines.h"
 #include "model/text/atomic_file.h"
 #include "model/text/utf8.h"
 

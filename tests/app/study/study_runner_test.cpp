@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/io/people/study_file.h"
+#include "model/io/people/study_lines.h"
 
 namespace study_runner_test {
 

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "model/common/random.h"
+#include "model/io/people/study_lines.h"
 #include "tests/support/mutations.h"
 #include "tests/support/temporary_folder.h"
 
