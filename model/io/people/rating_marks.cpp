@@ -25,15 +25,12 @@ std::optional<bool> yes_no_in(const std::string& field) {
 
 MarkColumns mark_columns(const CsvRecord& head) {
     MarkColumns columns;
-    for (std::size_t k = 0; k < head.fields.size(); ++k) {
-        const std::string name = trimmed(head.fields[k]);
-        if (name == "excluded") columns.excluded = k;
-        if (name == "synthetic") columns.synthetic = k;
-        if (name == "rehearsal") columns.rehearsal = k;
-        if (name == "whole") columns.whole = k;
-        if (name == "why") columns.why = k;
-        if (name == "fingerprint") columns.fingerprint = k;
-    }
+    find_columns(head, {{"excluded", &columns.excluded},
+                        {"synthetic", &columns.synthetic},
+                        {"rehearsal", &columns.rehearsal},
+                        {"whole", &columns.whole},
+                        {"why", &columns.why},
+                        {"fingerprint", &columns.fingerprint}});
     return columns;
 }
 

@@ -19,15 +19,14 @@ struct LineColumns {
 LineColumns line_columns(const CsvRecord& head) {
     LineColumns columns;
     columns.marks = mark_columns(head);
-    for (std::size_t k = 0; k < head.fields.size(); ++k) {
-        const std::string name = trimmed(head.fields[k]);
-        if (name == "participant") columns.participant = k;
-        if (name == "a") columns.a = k;
-        if (name == "b") columns.b = k;
-        if (name == "rating") columns.rating = k;
-        if (name == "attention") columns.is_study = true;
-        if (name == "scaled") columns.scaled = k;
-    }
+    std::optional<std::size_t> attention;
+    find_columns(head, {{"participant", &columns.participant},
+                        {"a", &columns.a},
+                        {"b", &columns.b},
+                        {"rating", &columns.rating},
+                        {"scaled", &columns.scaled},
+                        {"attention", &attention}});
+    columns.is_study = attention.has_value();
     if (!columns.is_study) columns.scaled.reset();
     return columns;
 }

@@ -19,13 +19,10 @@ struct SortingColumns {
 SortingColumns sorting_columns(const CsvRecord& head) {
     SortingColumns columns;
     columns.marks = mark_columns(head);
-    for (std::size_t k = 0; k < head.fields.size(); ++k) {
-        const std::string name = trimmed(head.fields[k]);
-        if (name == "participant") columns.participant = k;
-        if (name == "round") columns.round = k;
-        if (name == "group") columns.group = k;
-        if (name == "pattern") columns.pattern = k;
-    }
+    find_columns(head, {{"participant", &columns.participant},
+                        {"round", &columns.round},
+                        {"group", &columns.group},
+                        {"pattern", &columns.pattern}});
     return columns;
 }
 

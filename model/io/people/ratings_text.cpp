@@ -202,6 +202,15 @@ std::string expected_rating(const std::string& field) {
     return "expected a rating, or nothing where there is none, got " + in_quotes(field);
 }
 
+void find_columns(const CsvRecord& head, std::initializer_list<NamedColumn> wanted) {
+    for (std::size_t k = 0; k < head.fields.size(); ++k) {
+        const std::string name = trimmed(head.fields[k]);
+        for (const NamedColumn& column : wanted) {
+            if (name == column.name) *column.place = k;
+        }
+    }
+}
+
 std::string trimmed(const std::string& text) {
     constexpr const char* kBlanks = " \t\r";
     const std::size_t begin = text.find_first_not_of(kBlanks);

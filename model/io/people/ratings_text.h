@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,6 +43,13 @@ Expected<RatingsText> ratings_of_lines(const std::string& file,
 // Its form with a line a sorted pattern, as model/io/people/study_csv.h writes it.
 Expected<RatingsText> ratings_of_sortings(const std::string& file,
                                           const std::vector<CsvRecord>& records);
+
+// The place of each column that the head has; of two of one name that of the last.
+struct NamedColumn {
+    const char* name;
+    std::optional<std::size_t>* place;
+};
+void find_columns(const CsvRecord& head, std::initializer_list<NamedColumn> wanted);
 
 // The columns that say who counts, of a file with a line an answer; none is needed.
 struct MarkColumns {
