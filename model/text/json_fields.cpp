@@ -233,6 +233,22 @@ void note_unknown(Json& unknown, const std::string& key, const Json& of_part) {
     if (!of_part.empty()) unknown[key] = of_part;
 }
 
+void read_objects(JsonObject& object, std::string_view key, std::size_t least, std::size_t most,
+                  Json& unknown, const std::function<void(JsonObject&, Json&)>& read) {
+    const auto elements = array_field(object, key, least, most);
+    Json of_all = Json::object();
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const std::string position = std::to_string(k);
+        JsonObject fields =
+            object_at(*object.reading, *elements[k], place_of(object, key) + "/" + position);
+        Json of_one = Json::object();
+        read(fields, of_one);
+        of_one.update(unknown_fields(fields));
+        note_unknown(of_all, position, of_one);
+    }
+    note_unknown(unknown, std::string(key), of_all);
+}
+
 void restore_unknown(Json& document, const Json& unknown) {
     for (const auto& [key, value] : unknown.items()) {
         if (document.is_array()) {

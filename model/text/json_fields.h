@@ -9,6 +9,7 @@
 //           most kMaxJsonMemory bytes of memory, which is estimated before any value is made
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -83,6 +84,12 @@ Json unknown_fields(const JsonObject& object);
 // Notes the unknown fields of a part of the whole, where there are any; objects and arrays on the
 // way are objects, with positions as keys: {"carriers": {"0": {"x": 1}}}.
 void note_unknown(Json& unknown, const std::string& key, const Json& of_part);
+
+// Reads each object of an array of `least` to `most`, in their order, and notes what it does not
+// know by position; none where the key is missing. `read` gets the object, and where parts of it
+// note what they do not know.
+void read_objects(JsonObject& object, std::string_view key, std::size_t least, std::size_t most,
+                  Json& unknown, const std::function<void(JsonObject&, Json&)>& read);
 
 // Puts such notes back: what the document has already is left alone.
 void restore_unknown(Json& document, const Json& unknown);

@@ -59,27 +59,21 @@ Values values_field(JsonObject& object, const char* key, const Values& fallback,
     return levels.empty() ? fallback : Values(std::move(levels));
 }
 
+CarrierValues one_carrier_of(JsonObject& object, Json& unknown) {
+    CarrierValues carrier;
+    carrier.frequency_hz =
+        values_field(object, "frequency_hz", carrier.frequency_hz, limits::kCarrierHz, unknown);
+    carrier.weight =
+        values_field(object, "weight", carrier.weight, limits::kCarrierWeight, unknown);
+    return carrier;
+}
+
 std::vector<CarrierValues> carrier_values_of(JsonObject& object, Json& unknown) {
-    const auto elements = array_field(object, "carriers", 1, limits::kMaxCarriers);
-    if (elements.empty()) return std::vector<CarrierValues>(1);
     std::vector<CarrierValues> carriers;
-    Json of_carriers = Json::object();
-    for (std::size_t k = 0; k < elements.size(); ++k) {
-        const std::string position = std::to_string(k);
-        JsonObject fields =
-            object_at(*object.reading, *elements[k], place_of(object, "carriers") + "/" + position);
-        Json of_carrier = Json::object();
-        CarrierValues carrier;
-        carrier.frequency_hz = values_field(fields, "frequency_hz", carrier.frequency_hz,
-                                            limits::kCarrierHz, of_carrier);
-        carrier.weight =
-            values_field(fields, "weight", carrier.weight, limits::kCarrierWeight, of_carrier);
-        of_carrier.update(unknown_fields(fields));
-        note_unknown(of_carriers, position, of_carrier);
-        carriers.push_back(std::move(carrier));
-    }
-    note_unknown(unknown, "carriers", of_carriers);
-    return carriers;
+    read_objects(
+        object, "carriers", 1, limits::kMaxCarriers, unknown,
+        [&](JsonObject& one, Json& of_one) { carriers.push_back(one_carrier_of(one, of_one)); });
+    return carriers.empty() ? std::vector<CarrierValues>(1) : carriers;
 }
 
 void read_modulation(JsonObject& object, DesignSpace& space, Json& unknown) {

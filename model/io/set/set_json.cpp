@@ -1,8 +1,6 @@
 #include "model/io/set/set_json.h"
 
-#include <charconv>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/io/set/design_space_json.h"
@@ -10,6 +8,7 @@
 #include "model/io/set/study_json.h"
 #include "model/text/equal_names.h"
 #include "model/text/numbers.h"
+#include "model/text/percent_code.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -21,39 +20,6 @@ namespace {
 // As many as files of ratings can bring together; what they need is bounded by their memory.
 constexpr std::size_t kMaxRatings = 100'000;
 
-// Names of files are bytes, JSON is UTF-8: where they are not, "%" and two hexadecimal digits stand
-// for a byte. None for a text that is not written so.
-std::optional<std::string> percent_decoded(const std::string& text) {
-    std::string bytes;
-    for (std::size_t k = 0; k < text.size(); ++k) {
-        unsigned byte = 0;
-        const char* digits = text.data() + k + 1;
-        if (text[k] != '%') {
-            bytes += text[k];
-            continue;
-        }
-        if (k + 2 >= text.size() || std::from_chars(digits, digits + 2, byte, 16).ptr != digits + 2)
-            return std::nullopt;
-        bytes += static_cast<char>(byte);
-        k += 2;
-    }
-    return bytes;
-}
-
-std::string percent_encoded(const std::string& bytes) {
-    constexpr std::string_view kDigits = "0123456789ABCDEF";
-    std::string text;
-    for (const char c : bytes) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x80 && c != '%') {
-            text += c;
-        } else {
-            text += {'%', kDigits[byte / 16], kDigits[byte % 16]};
-        }
-    }
-    return text;
-}
-
 // Text of unknown fields as a value of the set keeps them: empty where there are none.
 std::string kept_text(const Json& unknown) {
     return unknown.empty() ? std::string() : unknown.dump();
@@ -64,25 +30,20 @@ void restore_text(Json& document, const std::string& unknown_json) {
     if (unknown.is_object()) restore_unknown(document, unknown);
 }
 
+Carrier carrier_of(JsonObject& object) {
+    Carrier carrier;
+    carrier.frequency_hz =
+        number_field(object, "frequency_hz", carrier.frequency_hz, limits::kCarrierHz);
+    carrier.weight = number_field(object, "weight", carrier.weight, limits::kCarrierWeight);
+    carrier.phase_rad = number_field(object, "phase_rad", carrier.phase_rad, limits::kPhaseRad);
+    return carrier;
+}
+
 std::vector<Carrier> carriers_of(JsonObject& object, Json& unknown) {
-    const auto elements = array_field(object, "carriers", 1, limits::kMaxCarriers);
-    if (elements.empty()) return std::vector<Carrier>(1);
     std::vector<Carrier> carriers;
-    Json of_carriers = Json::object();
-    for (std::size_t k = 0; k < elements.size(); ++k) {
-        const std::string position = std::to_string(k);
-        JsonObject fields =
-            object_at(*object.reading, *elements[k], place_of(object, "carriers") + "/" + position);
-        Carrier carrier;
-        carrier.frequency_hz =
-            number_field(fields, "frequency_hz", carrier.frequency_hz, limits::kCarrierHz);
-        carrier.weight = number_field(fields, "weight", carrier.weight, limits::kCarrierWeight);
-        carrier.phase_rad = number_field(fields, "phase_rad", carrier.phase_rad, limits::kPhaseRad);
-        carriers.push_back(carrier);
-        note_unknown(of_carriers, position, unknown_fields(fields));
-    }
-    note_unknown(unknown, "carriers", of_carriers);
-    return carriers;
+    read_objects(object, "carriers", 1, limits::kMaxCarriers, unknown,
+                 [&](JsonObject& one, Json&) { carriers.push_back(carrier_of(one)); });
+    return carriers.empty() ? std::vector<Carrier>(1) : carriers;
 }
 
 Modulation modulation_of(JsonObject& object, Json& unknown) {
