@@ -6,9 +6,8 @@
 #include <limits>
 
 #include "model/common/mean.h"
-#include "model/common/parallel.h"
 #include "model/dissimilarity/correlation.h"
-#include "model/perceptual_model/perceptual_model.h"
+#include "model/training/prepared_training.h"
 
 namespace tact {
 
@@ -18,130 +17,6 @@ namespace {
 constexpr double kMixtureS = 1.8e-11;
 constexpr double kCodeS = 1.5e-3;
 constexpr double kWarpS = 8e-3;
-
-// Every participant of any set, in the order in which they come.
-std::vector<std::string> participants_of(std::span<const TrainingSet> sets) {
-    std::vector<std::string> names;
-    for (const TrainingSet& set : sets) {
-        for (const Judgement& judgement : set.study.judgements) {
-            if (std::ranges::find(names, judgement.participant) == names.end()) {
-                names.push_back(judgement.participant);
-            }
-        }
-    }
-    return names;
-}
-
-// The study of one participant, or of all others.
-RatingStudy part_of(const RatingStudy& study, const std::string& participant, bool others) {
-    RatingStudy part{study.labels, study.is_named, {}};
-    std::ranges::copy_if(study.judgements, std::back_inserter(part.judgements),
-                         [&](const Judgement& judgement) {
-                             return (judgement.participant != participant) == others;
-                         });
-    return part;
-}
-
-// A weight of one channel that makes no difference to another's is not lost on the way: forms are
-// of spikes, before any weight.
-std::optional<std::vector<std::vector<SpikeForm>>> forms_of(const TrainingSet& set,
-                                                            const TrainingParams& params,
-                                                            const std::function<void(double)>& at) {
-    std::vector<std::vector<SpikeForm>> forms(kTrainedLayers);
-    const std::size_t patterns = set.waveforms.size();
-    for (std::size_t layers = 0; layers < kTrainedLayers; ++layers) {
-        NeuralCodingParams coding = params.model.coding;
-        coding.excitatory_layers = layers_at(layers).excitatory;
-        coding.inhibitory_layers = layers_at(layers).inhibitory;
-        std::vector<PackedSpikes> spikes(patterns);
-        const bool finished =
-            parallel_for(patterns, params.threads, params.stop, [&](std::size_t k) {
-                spikes[k] = packed_spikes(neural_code(set.waveforms[k], coding, {params.stop}));
-            });
-        if (!finished || params.stop.stop_requested()) return std::nullopt;
-        for (std::size_t i = 0; i < patterns; ++i) {
-            for (std::size_t j = i + 1; j < patterns; ++j) {
-                forms[layers].push_back(spike_form(spikes[i], spikes[j]));
-            }
-        }
-        at(static_cast<double>(layers + 1) / static_cast<double>(kTrainedLayers));
-    }
-    return forms;
-}
-
-// What the search needs, and what it leaves to be said of each set.
-struct Prepared {
-    SearchProblem problem;
-    std::vector<Prediction> before;
-    std::vector<Dissimilarity> ratings;
-    std::vector<std::string> left_out;  // participants, one objective each from `first_left_out` on
-    std::size_t first_left_out = 0;
-};
-
-// The mean over the sets, then that over each all but one.
-void add_objectives_of_sets(Prepared& prepared) {
-    std::vector<ColumnPlace> all;
-    for (std::size_t s = 0; s < prepared.ratings.size(); ++s) {
-        all.push_back(*add_ratings(prepared.problem, s, prepared.ratings[s].condensed));
-    }
-    prepared.problem.objectives.push_back(all);
-    for (std::size_t s = 0; all.size() > 1 && s < all.size(); ++s) {
-        std::vector<ColumnPlace> others = all;
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(s));
-        prepared.problem.objectives.push_back(others);
-    }
-}
-
-void add_objectives_of_participants(Prepared& prepared, std::span<const TrainingSet> sets) {
-    prepared.first_left_out = prepared.problem.objectives.size();
-    const std::vector<ColumnPlace> all = prepared.problem.objectives.front();
-    for (const std::string& participant : participants_of(sets)) {
-        std::vector<ColumnPlace> others;
-        for (std::size_t s = 0; s < sets.size(); ++s) {
-            const RatingStudy rest = part_of(sets[s].study, participant, true);
-            if (rest.judgements.size() == sets[s].study.judgements.size()) {
-                others.push_back(all[s]);
-                continue;
-            }
-            const auto place = add_ratings(prepared.problem, s, mean_ratings(rest).condensed);
-            if (place) others.push_back(*place);
-        }
-        if (others.empty()) continue;  // nobody else rated anything
-        prepared.left_out.push_back(participant);
-        prepared.problem.objectives.push_back(others);
-    }
-}
-
-std::optional<Prepared> prepared(std::span<const TrainingSet> sets, const TrainingParams& params,
-                                 const std::function<void(double)>& progress) {
-    Prepared result;
-    for (std::size_t s = 0; s < sets.size(); ++s) {
-        const auto part = [&](double from, double width) {
-            return [&progress, from, width, s, count = sets.size()](double share) {
-                progress((static_cast<double>(s) + from + width * share) /
-                         static_cast<double>(count));
-            };
-        };
-        PredictOptions options;
-        options.threads = params.threads;
-        options.stop = params.stop;
-        options.progress = part(0.0, 0.5);
-        std::optional<Prediction> before = predict(sets[s].waveforms, params.model, options);
-        if (!before) return std::nullopt;
-        auto forms = forms_of(sets[s], params, part(0.5, 0.5));
-        if (!forms) return std::nullopt;
-        SearchSet set;
-        set.samples = before->codes.front()->neural.central_spikes.size();
-        set.forms = *std::move(forms);
-        set.oc_rank = before->oc_rank;
-        result.problem.sets.push_back(std::move(set));
-        result.before.push_back(*std::move(before));
-        result.ratings.push_back(mean_ratings(sets[s].study));
-    }
-    add_objectives_of_sets(result);
-    if (params.leave_out_participants) add_objectives_of_participants(result, sets);
-    return result;
-}
 
 // Of the listed classes the nearest to the model before, then the first.
 PerceptualModelParams chosen(const TrainingGrid& grid, const SearchOptimum& optimum,
@@ -159,7 +34,7 @@ PerceptualModelParams chosen(const TrainingGrid& grid, const SearchOptimum& opti
 }
 
 // A model that the search chose may keep layers of before, beyond the grid, if OC alone decides.
-double rho_of(const Prepared& prepared, std::size_t s, const PerceptualModelParams& model,
+double rho_of(const PreparedTraining& prepared, std::size_t s, const PerceptualModelParams& model,
               std::span<const double> ratings) {
     if (model == prepared.before[s].params) {
         return spearman(prepared.before[s].pm.condensed, ratings);
@@ -175,7 +50,7 @@ LeftOut fitted_without(const Training& training, const SearchOptimum& optimum) {
     return left_out;
 }
 
-void add_sets(Training& training, const Prepared& prepared, const SearchResult& found,
+void add_sets(Training& training, const PreparedTraining& prepared, const SearchResult& found,
               std::span<const TrainingSet> sets) {
     std::vector<double> before;
     for (std::size_t s = 0; s < sets.size(); ++s) {
@@ -200,8 +75,8 @@ void add_sets(Training& training, const Prepared& prepared, const SearchResult& 
     training.value_before = mean_known(before);
 }
 
-void add_participants(Training& training, const Prepared& prepared, const SearchResult& found,
-                      std::span<const TrainingSet> sets) {
+void add_participants(Training& training, const PreparedTraining& prepared,
+                      const SearchResult& found, std::span<const TrainingSet> sets) {
     for (std::size_t p = 0; p < prepared.left_out.size(); ++p) {
         LeftOut left_out = fitted_without(training, found.optima[prepared.first_left_out + p]);
         left_out.name = prepared.left_out[p];
@@ -312,7 +187,7 @@ std::optional<Training> train(std::span<const TrainingSet> sets, const TrainingP
         if (params.progress) params.progress(share);
     };
     const auto ready =
-        prepared(sets, params, [&](double share) { progress(share_of_codes * share); });
+        prepared_training(sets, params, [&](double share) { progress(share_of_codes * share); });
     if (!ready) return std::nullopt;
     SearchParams search_params{params.units,  params.objective, params.threads,
                                params.kernel, params.stop,      {}};
