@@ -1,0 +1,61 @@
+// Pieces of a drawn frame, in the order in which they were drawn, joined to shapes: touching quads
+// to lines and level rectangles, glyphs to texts with their halos, polygons of one colour to one
+// shape.
+//
+// Source    the pieces that ImGui 1.86 makes of lines and rectangles without anti-aliasing
+// Output    shapes cut by the clip rectangle of when they were added
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "viz/drawing/geometry.h"
+#include "viz/picture/frame_shapes.h"
+#include "viz/picture/frame_text.h"
+#include "viz/picture/mesh_outline.h"
+
+namespace tact {
+
+using Quad = std::array<ImVec2, 4>;
+
+// A quad as a piece of a line.
+struct Segment {
+    ImVec2 from;
+    ImVec2 to;
+    float width_px = 0;
+    bool upright = false;  // also a rectangle as ImGui writes them
+    Quad corners{};
+};
+
+// What has been joined so far, and what may still go on.
+struct ShapeJoining {
+    Rect clip{};
+    std::vector<Shape> shapes{};
+    std::vector<Segment> chain{};
+    ImU32 chain_colour = 0;
+    std::optional<TextRun> run{};
+    ImU32 run_colour = 0;
+};
+
+// What goes on is added as long as it does; end_all() before the clip rectangle changes.
+void add_quad(ShapeJoining& joining, const Quad& quad, ImU32 colour);
+void add_glyph(ShapeJoining& joining, const DrawnGlyph& glyph, ImU32 colour);
+void end_all(ShapeJoining& joining);
+
+// These end nothing by themselves.
+void add_polygon(ShapeJoining& joining, Outline outline, ImU32 colour);
+void add_circle(ShapeJoining& joining, const Circle& circle, ImU32 colour);
+
+// The clip rectangle if it cuts something off; nothing is left where `box` is outside.
+struct Clipping {
+    bool nothing_left = false;
+    std::optional<Rect> clip{};
+};
+
+Clipping clipping(const Rect& clip, const Rect& box);
+Rect bounds_of(const Outline& points, float margin_px);
+
+}  // namespace tact
