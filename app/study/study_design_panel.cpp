@@ -4,7 +4,6 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -14,6 +13,7 @@
 #include "app/document/editing.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_masking.h"
+#include "app/study/study_numbers.h"
 #include "app/study/study_panels.h"
 #include "app/ui/widgets.h"
 #include "model/set/set_study.h"
@@ -21,87 +21,6 @@
 namespace tact {
 
 namespace {
-
-// A number of the design.
-struct NumberRow {
-    Field field;
-    double (*get)(const StudyDesign&);
-    void (*set)(StudyDesign&, double);
-    bool of_pairs = true;  // sorting has none of it
-};
-
-int whole(double value) { return static_cast<int>(std::lround(value)); }
-
-constexpr Field count(const char* id, const char* label, Range slider, Range typed,
-                      const char* help) {
-    return {.id = id,
-            .label = label,
-            .format = "%.0f",
-            .slider = slider,
-            .typed = typed,
-            .step = 1,
-            .snap = 1,
-            .help = help};
-}
-
-constexpr Field seconds(const char* id, const char* label, const char* help) {
-    return {.id = id,
-            .label = label,
-            .format = "%.2f s",
-            .slider = {0.0, 3.0},
-            .typed = limits::kPauseS,
-            .step = 0.1,
-            .snap = 0.1,
-            .help = help};
-}
-
-const auto kTrials = std::to_array<NumberRow>({
-    {count("study_repetitions", "Repetitions", {1, 8}, limits::kRepetitions,
-           "How often every pair is rated. The publication: 4."),
-     [](const StudyDesign& d) { return double(d.repetitions); },
-     [](StudyDesign& d, double value) { d.repetitions = whole(value); }},
-    {count("study_attention", "Identical pairs", {0, 10}, limits::kAttentionPairs,
-           "Trials with one pattern on both buttons: who does not rate them as the same was not "
-           "attending. The publication: 1."),
-     [](const StudyDesign& d) { return double(d.attention_pairs); },
-     [](StudyDesign& d, double value) { d.attention_pairs = whole(value); }},
-    {count("study_above", "Rated above", {50, 100}, limits::kSimilarity,
-           "Similarity that identical patterns must exceed, or the participant is not counted. "
-           "The publication: 80."),
-     [](const StudyDesign& d) { return d.attention.above; },
-     [](StudyDesign& d, double value) { d.attention.above = value; }},
-    {count("study_failures", "May miss", {0, 5}, limits::kAttentionPairs,
-           "So many identical pairs may be missed before a participant is not counted."),
-     [](const StudyDesign& d) { return double(d.attention.failures_allowed); },
-     [](StudyDesign& d, double value) { d.attention.failures_allowed = whole(value); }},
-    {count("study_break", "Break every", {0, 200}, limits::kBreakEvery,
-           "Trials between two breaks; 0: none."),
-     [](const StudyDesign& d) { return double(d.break_every); },
-     [](StudyDesign& d, double value) { d.break_every = whole(value); }},
-    {count("study_seed", "Seed", {0, 100}, limits::kStudySeed,
-           "The order of trials and sides is drawn from the seed and the participant's code: the "
-           "same again for the same two."),
-     [](const StudyDesign& d) { return double(d.seed); },
-     [](StudyDesign& d, double value) { d.seed = whole(value); }, false},
-    {seconds("study_gap", "Gap", "Silence between two vibrations, at least. The publication: 1 s."),
-     [](const StudyDesign& d) { return d.gap_s; },
-     [](StudyDesign& d, double value) { d.gap_s = value; }, false},
-    {seconds("study_rest", "Rest in training", "Silence after every vibration of the training."),
-     [](const StudyDesign& d) { return d.rest_s; },
-     [](StudyDesign& d, double value) { d.rest_s = value; }},
-    {{.id = "study_masking",
-      .label = "Masking noise",
-      .format = "%.2f",
-      .slider = {0.0, 1.0},
-      .typed = {0.0, 1.0},
-      .step = 0.05,
-      .snap = 0.01,
-      .help = "Level of pink noise on the participant's headphones, so that the actuator is felt "
-              "and not heard; 0: off. It needs a second sound output."},
-     [](const StudyDesign& d) { return d.masking; },
-     [](StudyDesign& d, double value) { d.masking = value; },
-     false},
-});
 
 void change(Workspace& work, const std::function<void(StudyDesign&)>& edit) {
     edit(work.document.set.study);
@@ -114,7 +33,7 @@ void change_at_once(Ui& ui, Workspace& work, const std::string& label,
     commit_step(ui, work, label);
 }
 
-void draw_number(Ui& ui, Workspace& work, const NumberRow& row) {
+void draw_number(Ui& ui, Workspace& work, const StudyNumber& row) {
     double value = row.get(work.document.set.study);
     const FieldEdit edit = draw_field(ui, row.field, value);
     if (edit.changed) change(work, [&](StudyDesign& design) { row.set(design, value); });
@@ -336,7 +255,7 @@ void draw_study_design(Ui& ui, Workspace& work, const PlayState& play, StudyStat
     const bool rates = studying.kind == StudyKind::pairwise;
     if (rates) draw_order(ui, work);
     if (!rates) draw_rounds(ui, work, studying);
-    for (const NumberRow& row : kTrials) {
+    for (const StudyNumber& row : study_numbers()) {
         if (rates || !row.of_pairs) draw_number(ui, work, row);
     }
     draw_headphones(ui, work, play);

@@ -1,0 +1,87 @@
+#include "app/study/study_numbers.h"
+
+#include <array>
+#include <cmath>
+
+namespace tact {
+
+namespace {
+
+int whole(double value) { return static_cast<int>(std::lround(value)); }
+
+constexpr Field count(const char* id, const char* label, Range slider, Range typed,
+                      const char* help) {
+    return {.id = id,
+            .label = label,
+            .format = "%.0f",
+            .slider = slider,
+            .typed = typed,
+            .step = 1,
+            .snap = 1,
+            .help = help};
+}
+
+constexpr Field seconds(const char* id, const char* label, const char* help) {
+    return {.id = id,
+            .label = label,
+            .format = "%.2f s",
+            .slider = {0.0, 3.0},
+            .typed = limits::kPauseS,
+            .step = 0.1,
+            .snap = 0.1,
+            .help = help};
+}
+
+const auto kTrials = std::to_array<StudyNumber>({
+    {count("study_repetitions", "Repetitions", {1, 8}, limits::kRepetitions,
+           "How often every pair is rated. The publication: 4."),
+     [](const StudyDesign& d) { return double(d.repetitions); },
+     [](StudyDesign& d, double value) { d.repetitions = whole(value); }},
+    {count("study_attention", "Identical pairs", {0, 10}, limits::kAttentionPairs,
+           "Trials with one pattern on both buttons: who does not rate them as the same was not "
+           "attending. The publication: 1."),
+     [](const StudyDesign& d) { return double(d.attention_pairs); },
+     [](StudyDesign& d, double value) { d.attention_pairs = whole(value); }},
+    {count("study_above", "Rated above", {50, 100}, limits::kSimilarity,
+           "Similarity that identical patterns must exceed, or the participant is not counted. "
+           "The publication: 80."),
+     [](const StudyDesign& d) { return d.attention.above; },
+     [](StudyDesign& d, double value) { d.attention.above = value; }},
+    {count("study_failures", "May miss", {0, 5}, limits::kAttentionPairs,
+           "So many identical pairs may be missed before a participant is not counted."),
+     [](const StudyDesign& d) { return double(d.attention.failures_allowed); },
+     [](StudyDesign& d, double value) { d.attention.failures_allowed = whole(value); }},
+    {count("study_break", "Break every", {0, 200}, limits::kBreakEvery,
+           "Trials between two breaks; 0: none."),
+     [](const StudyDesign& d) { return double(d.break_every); },
+     [](StudyDesign& d, double value) { d.break_every = whole(value); }},
+    {count("study_seed", "Seed", {0, 100}, limits::kStudySeed,
+           "The order of trials and sides is drawn from the seed and the participant's code: the "
+           "same again for the same two."),
+     [](const StudyDesign& d) { return double(d.seed); },
+     [](StudyDesign& d, double value) { d.seed = whole(value); }, false},
+    {seconds("study_gap", "Gap", "Silence between two vibrations, at least. The publication: 1 s."),
+     [](const StudyDesign& d) { return d.gap_s; },
+     [](StudyDesign& d, double value) { d.gap_s = value; }, false},
+    {seconds("study_rest", "Rest in training", "Silence after every vibration of the training."),
+     [](const StudyDesign& d) { return d.rest_s; },
+     [](StudyDesign& d, double value) { d.rest_s = value; }},
+    {{.id = "study_masking",
+      .label = "Masking noise",
+      .format = "%.2f",
+      .slider = {0.0, 1.0},
+      .typed = {0.0, 1.0},
+      .step = 0.05,
+      .snap = 0.01,
+      .help = "Level of pink noise on the participant's headphones, so that the actuator is felt "
+              "and not heard; 0: off. It needs a second sound output."},
+     [](const StudyDesign& d) { return d.masking; },
+     [](StudyDesign& d, double value) { d.masking = value; },
+     false},
+});
+
+}  // namespace
+
+std::span<const StudyNumber> study_numbers() { return kTrials; }
+
+}  // namespace tact
