@@ -51,6 +51,7 @@ inline constexpr int kRightShift = 344;
 inline constexpr int kRightControl = 345;
 inline constexpr int kRightAlt = 346;
 inline constexpr int kRightSuper = 347;
+inline constexpr int kLast = 348;
 }  // namespace key
 
 struct MouseMove {

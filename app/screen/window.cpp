@@ -16,14 +16,10 @@
 #include "app/screen/escape_watch.h"
 #include "app/screen/full_screen.h"
 #include "app/screen/kept_frame.h"
-#include "app/screen/key_sign.h"
+#include "app/screen/window_events.h"
 
 namespace tact {
 namespace {
-
-static_assert(key::kEscape == GLFW_KEY_ESCAPE && key::kPageUp == GLFW_KEY_PAGE_UP);
-static_assert(key::kEnd == GLFW_KEY_END && key::kKeypadEnter == GLFW_KEY_KP_ENTER);
-static_assert(key::kF1 == GLFW_KEY_F1 && key::kRightSuper == GLFW_KEY_RIGHT_SUPER);
 
 // ImGui lays some things out a frame late (popups, sizes that follow their content).
 constexpr int kSettlingFrames = 3;
@@ -62,123 +58,21 @@ struct Glfw {
 
 struct Window {
     GLFWwindow* glfw = nullptr;
-    const WindowClient* client = nullptr;
-    InputQueue input;
-    std::array<int, GLFW_KEY_LAST + 1> code_of_key{};  // what a held key meant when it went down
+    WindowEvents events;
     std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors{};
     ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
     std::string title;
-    bool fonts_outdated = true;
-    bool maximised = false;
     FullScreen full_screen;
-    unsigned buttons_held = 0;  // one bit each
     int frames_due = kSettlingFrames;
     double next_wake_s = 0.0;
     KeptFrame kept;
 };
-
-Window& window_of(GLFWwindow* glfw) {
-    return *static_cast<Window*>(glfwGetWindowUserPointer(glfw));
-}
-
-void push_now(GLFWwindow* glfw, const decltype(InputEvent::what)& what) {
-    push(window_of(glfw).input, {glfwGetTime(), what});
-}
-
-struct Size {
-    int width = 0;
-    int height = 0;
-};
-
-Size window_size(GLFWwindow* glfw) {
-    Size size;
-    glfwGetWindowSize(glfw, &size.width, &size.height);
-    return size;
-}
-
-Size framebuffer_size(GLFWwindow* glfw) {
-    Size size;
-    glfwGetFramebufferSize(glfw, &size.width, &size.height);
-    return size;
-}
 
 float content_scale(GLFWwindow* glfw) {
     float x = 1.0F;
     float y = 1.0F;
     glfwGetWindowContentScale(glfw, &x, &y);
     return std::max(x, y);
-}
-
-void on_key(GLFWwindow* glfw, int code, int scancode, int action, int) {
-    KeyChange change;
-    change.sign = sign_of(code, scancode);
-    change.code = code_of(code, change.sign);
-    change.down = action != GLFW_RELEASE;
-    change.repeat = action == GLFW_REPEAT;
-    if (code >= 0 && code <= GLFW_KEY_LAST) {
-        // The layout may change while a key is down; it must be let go as what it was.
-        int& held = window_of(glfw).code_of_key[static_cast<std::size_t>(code)];
-        if (action == GLFW_PRESS) held = change.code;
-        if (held != 0) change.code = held;
-        if (action == GLFW_RELEASE) held = 0;
-    }
-    push_now(glfw, change);
-    const WindowClient& client = *window_of(glfw).client;
-    if (code == GLFW_KEY_ESCAPE && action == GLFW_PRESS && client.escape) client.escape();
-}
-
-// GLFW reports screen coordinates; where those are not pixels, the two sizes tell.
-void on_move(GLFWwindow* glfw, double x, double y) {
-    const Size from = window_size(glfw);
-    const Size to = framebuffer_size(glfw);
-    if (from.width <= 0 || from.height <= 0) return;
-    push_now(glfw, MouseMove{static_cast<float>(x * to.width / from.width),
-                             static_cast<float>(y * to.height / from.height)});
-}
-
-void on_button(GLFWwindow* glfw, int button, int action, int) {
-    unsigned& held = window_of(glfw).buttons_held;
-    const unsigned bit = 1U << static_cast<unsigned>(button);
-    held = action == GLFW_PRESS ? held | bit : held & ~bit;
-    push_now(glfw, MouseButton{button, action == GLFW_PRESS});
-}
-
-// A drag goes on outside the window: a slider must not take "nowhere" for its low end.
-void on_enter(GLFWwindow* glfw, int entered) {
-    if (entered == GLFW_FALSE && window_of(glfw).buttons_held == 0) push_now(glfw, kMouseGone);
-}
-
-void on_drop(GLFWwindow* glfw, int count, const char** names) {
-    const std::span all(names, static_cast<std::size_t>(std::max(count, 0)));
-    const WindowClient& client = *window_of(glfw).client;
-    if (client.drop) client.drop(std::vector<std::filesystem::path>(all.begin(), all.end()));
-}
-
-void on_close(GLFWwindow* glfw) {
-    const WindowClient& client = *window_of(glfw).client;
-    if (client.close && !client.close()) glfwSetWindowShouldClose(glfw, GLFW_FALSE);
-}
-
-void install_callbacks(GLFWwindow* glfw) {
-    glfwSetKeyCallback(glfw, on_key);
-    glfwSetCharCallback(glfw, [](GLFWwindow* w, unsigned code) {
-        push_now(w, Character{static_cast<char32_t>(code)});
-    });
-    glfwSetCursorPosCallback(glfw, on_move);
-    glfwSetCursorEnterCallback(glfw, on_enter);
-    glfwSetMouseButtonCallback(glfw, on_button);
-    glfwSetScrollCallback(glfw, [](GLFWwindow* w, double x, double y) {
-        push_now(w, MouseWheel{static_cast<float>(x), static_cast<float>(y)});
-    });
-    glfwSetWindowFocusCallback(
-        glfw, [](GLFWwindow* w, int focused) { push_now(w, FocusChange{focused == GLFW_TRUE}); });
-    glfwSetWindowContentScaleCallback(
-        glfw, [](GLFWwindow* w, float, float) { window_of(w).fonts_outdated = true; });
-    glfwSetWindowMaximizeCallback(glfw, [](GLFWwindow* w, int maximised) {
-        window_of(w).maximised = maximised == GLFW_TRUE;
-    });
-    glfwSetDropCallback(glfw, on_drop);
-    glfwSetWindowCloseCallback(glfw, on_close);
 }
 
 void make_cursors(Window& window) {
@@ -220,33 +114,34 @@ void rebuild_fonts(Window& window) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     atlas.Clear();
-    if (window.client->build_fonts) window.client->build_fonts(content_scale(window.glfw));
+    const WindowClient& client = *window.events.client;
+    if (client.build_fonts) client.build_fonts(content_scale(window.glfw));
     if (atlas.Fonts.empty()) atlas.AddFontDefault();
     ImGui_ImplOpenGL3_CreateFontsTexture();
     forget(window.kept);
-    window.fonts_outdated = false;
+    window.events.fonts_outdated = false;
 }
 
 FrameContext context_of(const Window& window, double time_s) {
     FrameContext context;
     context.time_s = time_s;
     context.content_scale = content_scale(window.glfw);
-    context.pressed = window.input.pressed;
-    const Size size = window_size(window.glfw);
+    context.pressed = window.events.input.pressed;
+    const WindowSize size = window_size(window.glfw);
     context.width = size.width;
     context.height = size.height;
-    context.maximised = window.maximised;
+    context.maximised = window.events.maximised;
     context.focused = glfwGetWindowAttrib(window.glfw, GLFW_FOCUSED) == GLFW_TRUE;
     return context;
 }
 
-void put_on_screen(Window& window, Size pixels, ImU32 background) {
+void put_on_screen(Window& window, WindowSize pixels, ImU32 background) {
     paint(window.kept, *ImGui::GetDrawData(), pixels.width, pixels.height, background);
     glfwSwapBuffers(window.glfw);
 }
 
 void heed(Window& window, const FrameRequest& request, double now_s) {
-    window.fonts_outdated |= request.rebuild_fonts;
+    window.events.fonts_outdated |= request.rebuild_fonts;
     if (request.close) glfwSetWindowShouldClose(window.glfw, GLFW_TRUE);
     set_full_screen(*window.glfw, window.full_screen, request.full_screen);
     if (!request.title.empty() && request.title != window.title) {
@@ -254,33 +149,34 @@ void heed(Window& window, const FrameRequest& request, double now_s) {
         glfwSetWindowTitle(window.glfw, window.title.c_str());
     }
     const ImGuiIO& io = ImGui::GetIO();
-    const bool goes_on = request.animate || window.fonts_outdated || is_anything_held(io);
+    const bool goes_on = request.animate || window.events.fonts_outdated || is_anything_held(io);
     window.frames_due = std::max(window.frames_due - 1, goes_on ? 1 : 0);
     const double wait_s = io.WantTextInput ? kCursorBlinkS : request.wake_after_s;
     window.next_wake_s = now_s + std::min(std::max(wait_s, 0.0), request.wake_after_s);
 }
 
-void draw_frame(Window& window, Size pixels) {
-    if (window.fonts_outdated) rebuild_fonts(window);
+void draw_frame(Window& window, WindowSize pixels) {
+    if (window.events.fonts_outdated) rebuild_fonts(window);
     const double now_s = glfwGetTime();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(pixels.width), static_cast<float>(pixels.height)};
-    if (pending(window.input)) window.frames_due = kSettlingFrames;
-    apply(window.input, io, now_s);
+    if (pending(window.events.input)) window.frames_due = kSettlingFrames;
+    apply(window.events.input, io, now_s);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     FrameRequest request;
-    if (window.client->frame) request = window.client->frame(context_of(window, now_s));
+    const WindowClient& client = *window.events.client;
+    if (client.frame) request = client.frame(context_of(window, now_s));
     ImGui::Render();
     show_cursor(window);
     put_on_screen(window, pixels, request.background);
     heed(window, request, now_s);
-    if (window.client->after_frame) window.client->after_frame();
+    if (client.after_frame) client.after_frame();
 }
 
 // Lets GLFW deliver events: at once while frames are due, else as long as nothing happens.
 void deliver_events(Window& window, double frame_start_s) {
-    if (pending(window.input)) return glfwPollEvents();
+    if (pending(window.events.input)) return glfwPollEvents();
     const double now_s = glfwGetTime();
     if (window.frames_due > 0) {
         const double rest_s = frame_start_s + kShortestFrameS - now_s;
@@ -304,7 +200,7 @@ void wait_for_events(Window& window, double frame_start_s) {
 void run_loop(Window& window) {
     while (glfwWindowShouldClose(window.glfw) == GLFW_FALSE) {
         const double start_s = glfwGetTime();
-        const Size pixels = framebuffer_size(window.glfw);
+        const WindowSize pixels = framebuffer_size(window.glfw);
         if (pixels.width <= 0 || pixels.height <= 0) {
             glfwWaitEvents();  // minimised
             continue;
@@ -314,11 +210,11 @@ void run_loop(Window& window) {
     }
 }
 
-Size fitted(const WindowOptions& options) {
-    Size size{options.width, options.height};
+WindowSize fitted(const WindowOptions& options) {
+    WindowSize size{options.width, options.height};
     int x = 0;
     int y = 0;
-    Size area;
+    WindowSize area;
     if (GLFWmonitor* monitor = glfwGetPrimaryMonitor(); monitor != nullptr) {
         glfwGetMonitorWorkarea(monitor, &x, &y, &area.width, &area.height);
     }
@@ -333,7 +229,7 @@ GLFWwindow* create_glfw_window(const WindowOptions& options) {
     glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, options.maximised ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "tactspace");
-    const Size size = fitted(options);
+    const WindowSize size = fitted(options);
     return glfwCreateWindow(size.width, size.height, options.title.c_str(), nullptr, nullptr);
 }
 
@@ -359,13 +255,12 @@ Expected<Done> run_window(const WindowOptions& options, const WindowClient& clie
     if (window.glfw == nullptr) {
         return Error{"no window: " + glfw_reason() + ". The display must offer OpenGL 3.0."};
     }
-    window.client = &client;
+    window.events.client = &client;
     window.title = options.title;
-    window.maximised = options.maximised;
-    glfwSetWindowUserPointer(window.glfw, &window);
+    window.events.maximised = options.maximised;
     glfwMakeContextCurrent(window.glfw);
     glfwSwapInterval(1);
-    install_callbacks(window.glfw);
+    listen(*window.glfw, window.events);
     make_cursors(window);
     const EscapeWatch escape_watch(window.glfw, client.escape);
 
