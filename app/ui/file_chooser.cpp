@@ -4,12 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cstdlib>
-#include <string_view>
 #include <utility>
-
-#include "model/text/natural_order.h"
 
 namespace tact {
 namespace {
@@ -20,38 +15,6 @@ using Chosen = std::optional<fs::path>;
 // In heights of the font.
 constexpr float kDialogWidth = 44.0F;
 constexpr float kDialogHeight = 30.0F;
-
-std::string lowered(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
-
-bool has_extension(const std::string& name, const std::vector<std::string>& extensions) {
-    return extensions.empty() || std::ranges::any_of(extensions, [&](const std::string& extension) {
-               return lowered(name).ends_with(lowered(extension));
-           });
-}
-
-// Natural order, case aside.
-bool comes_before(const FolderEntry& a, const FolderEntry& b) {
-    if (a.is_folder != b.is_folder) return a.is_folder;
-    const std::string x = lowered(a.name);
-    const std::string y = lowered(b.name);
-    return x == y ? a.name < b.name : naturally_before(x, y);
-}
-
-fs::path home_folder() {
-    // Nothing changes the environment while the program runs.
-    const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)
-    return home != nullptr && home[0] == '/' ? fs::path(home) : fs::path("/");
-}
-
-bool is_folder(const fs::path& path) {
-    std::error_code none;
-    return fs::is_directory(path, none);
-}
 
 bool is_there(const fs::path& path) {
     std::error_code none;
@@ -329,25 +292,6 @@ Chosen draw_content(FileChooser& chooser) {
 }
 
 }  // namespace
-
-FolderListing list_folder(const fs::path& folder, const std::vector<std::string>& extensions) {
-    FolderListing listing{folder, {}, {}};
-    std::error_code failure;
-    for (fs::directory_iterator at(folder, failure), end; !failure && at != end;
-         at.increment(failure)) {
-        FolderEntry entry{at->path().filename().string(), is_folder(at->path())};
-        if (entry.name.starts_with('.')) continue;
-        if (entry.is_folder || has_extension(entry.name, extensions)) {
-            listing.entries.push_back(std::move(entry));
-        }
-    }
-    if (failure) {
-        listing.entries.clear();
-        listing.fault = folder.string() + " cannot be read: " + failure.message() + ".";
-    }
-    std::ranges::sort(listing.entries, comes_before);
-    return listing;
-}
 
 void show(FileChooser& chooser, const fs::path& folder, const std::string& name) {
     std::error_code none;

@@ -14,24 +14,9 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/folder_listing.h"
+
 namespace tact {
-
-struct FolderEntry {
-    std::string name;
-    bool is_folder = false;
-
-    bool operator==(const FolderEntry&) const = default;
-};
-
-struct FolderListing {
-    std::filesystem::path folder;
-    std::vector<FolderEntry> entries;  // folders first, then in natural order: 2 before 10
-    std::string fault;                 // why there are none, as a sentence
-};
-
-// Without hidden files, and of the files those with one of the extensions (".wav"; none: all).
-FolderListing list_folder(const std::filesystem::path& folder,
-                          const std::vector<std::string>& extensions);
 
 enum class ChooserUse { open, save, save_folder };
 
