@@ -93,6 +93,19 @@ void select_through(Workspace& work, std::size_t index) {
     }
 }
 
+void select_next(Workspace& work, int step) {
+    const std::vector<std::size_t> listed = listed_indices(work);
+    if (listed.empty()) return;
+    const auto last = static_cast<int>(listed.size()) - 1;
+    // From a pattern that the search hides, on to the next one in the list.
+    const auto from = std::ranges::lower_bound(listed, work.selection.current);
+    const bool hidden = from == listed.end() || *from != work.selection.current;
+    const int place = static_cast<int>(from - listed.begin()) - (hidden && step > 0 ? 1 : 0);
+    const int next = std::clamp(place + step, 0, last);
+    select_only(work, listed[static_cast<std::size_t>(next)]);
+    work.selection.scroll_to_current = true;
+}
+
 void select_all(Workspace& work) {
     const std::vector<std::size_t> listed = listed_indices(work);
     if (listed.empty()) return;

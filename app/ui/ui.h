@@ -78,4 +78,9 @@ struct Ui {
 void say(Ui& ui, const std::string& text);
 void complain(Ui& ui, const std::string& text);
 
+// Looks, as of the next frame.
+void set_text_scale(Ui& ui, float scale);
+void step_text_scale(Ui& ui, float factor);
+void set_theme(Ui& ui, bool dark);
+
 }  // namespace tact

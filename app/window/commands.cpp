@@ -1,7 +1,5 @@
 #include "app/window/commands.h"
-#include "app/window/session_layout.h"
 
-#include <algorithm>
 #include <array>
 
 #include "app/compare/compare_follow.h"
@@ -19,6 +17,7 @@
 #include "app/subset/subset_follow.h"
 #include "app/tour/tour.h"
 #include "app/window/animation.h"
+#include "app/window/session_layout.h"
 
 namespace tact {
 
@@ -33,19 +32,6 @@ bool has_answers(const App& app) {
 }
 
 bool has_subset(const App& app) { return shown_pick(app.shown_map, app.picking) != nullptr; }
-
-void step_selection(App& app, int step) {
-    const std::vector<std::size_t> listed = listed_indices(app.work);
-    if (listed.empty()) return;
-    const auto last = static_cast<int>(listed.size()) - 1;
-    // From a pattern that the search hides, on to the next one in the list.
-    const auto from = std::ranges::lower_bound(listed, app.work.selection.current);
-    const bool hidden = from == listed.end() || *from != app.work.selection.current;
-    const int place = static_cast<int>(from - listed.begin()) - (hidden && step > 0 ? 1 : 0);
-    const int next = std::clamp(place + step, 0, last);
-    select_only(app.work, listed[static_cast<std::size_t>(next)]);
-    app.work.selection.scroll_to_current = true;
-}
 
 void start_rename(App& app) {
     begin_rename(app.work, app.pattern_panes, app.work.selection.current);
@@ -104,22 +90,6 @@ void show_the_side(App& app) {
 template <Side kSide>
 bool shows_side(const App& app) {
     return shown_side(app.work) == kSide;
-}
-
-template <int kPercent>
-void set_text_scale(App& app) {
-    app.ui.text_scale = static_cast<float>(kPercent) / 100.0F;
-    app.ui.fonts_outdated = true;
-}
-
-void step_text_scale(App& app, float factor) {
-    app.ui.text_scale = std::clamp(app.ui.text_scale * factor, 0.75F, 2.0F);
-    app.ui.fonts_outdated = true;
-}
-
-void set_theme(App& app, bool dark) {
-    app.ui.dark = dark;
-    app.ui.fonts_outdated = true;  // the theme is made anew with them
 }
 
 void design_layout(App& app) {
@@ -209,14 +179,14 @@ const auto kCommands = std::to_array<Command>({
      "Dark",
      {},
      always,
-     [](App& app) { set_theme(app, true); },
+     [](App& app) { set_theme(app.ui, true); },
      [](const App& app) { return app.ui.dark; },
      "theme"},
     {"View",
      "Light",
      {},
      always,
-     [](App& app) { set_theme(app, false); },
+     [](App& app) { set_theme(app.ui, false); },
      [](const App& app) { return !app.ui.dark; },
      "theme"},
     {"View",
@@ -257,11 +227,11 @@ const auto kCommands = std::to_array<Command>({
      shows_side<Side::intended>, "IPS map patterns"},
     {"View", "Measured only", {}, always, show_the_side<Side::measured>,
      shows_side<Side::measured>, "MPS map recordings twins"},
-    {"View", "Larger text", ctrl('+'), always, [](App& app) { step_text_scale(app, 1.1F); },
+    {"View", "Larger text", ctrl('+'), always, [](App& app) { step_text_scale(app.ui, 1.1F); },
      nullptr, "zoom scale"},
-    {"View", "Smaller text", ctrl('-'), always, [](App& app) { step_text_scale(app, 1.0F / 1.1F); },
+    {"View", "Smaller text", ctrl('-'), always, [](App& app) { step_text_scale(app.ui, 1.0F / 1.1F); },
      nullptr, "zoom scale"},
-    {"View", "Text as large as the screen says", ctrl('0'), always, set_text_scale<100>},
+    {"View", "Text as large as the screen says", ctrl('0'), always, [](App& app) { set_text_scale(app.ui, 1.0F); }},
     {"View",
      "Motion",
      {},
@@ -355,10 +325,10 @@ const auto kCommands = std::to_array<Command>({
     // Not in a menu.
     {"", "Redo", ctrl('y'), [](const App& app) { return app.work.history.redo_label() != nullptr; },
      [](App& app) { redo(app.ui, app.work); }},
-    {"", "Larger text", ctrl('='), always, [](App& app) { step_text_scale(app, 1.1F); }},
+    {"", "Larger text", ctrl('='), always, [](App& app) { step_text_scale(app.ui, 1.1F); }},
     {"", "Stop", special(key::kEscape), always, escape},
-    {"", "Previous pattern", special(key::kUp), always, [](App& app) { step_selection(app, -1); }},
-    {"", "Next pattern", special(key::kDown), always, [](App& app) { step_selection(app, 1); }},
+    {"", "Previous pattern", special(key::kUp), always, [](App& app) { select_next(app.work, -1); }},
+    {"", "Next pattern", special(key::kDown), always, [](App& app) { select_next(app.work, 1); }},
 });
 
 }  // namespace
