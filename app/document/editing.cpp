@@ -48,6 +48,20 @@ void show_state(Ui& ui, Workspace& work, const std::shared_ptr<const PatternSet>
     say(ui, text);
 }
 
+// A mark of all that is selected, as the current one does not have it; it takes away the other one.
+void toggle_mark(Ui& ui, Workspace& work, bool Vibration::*mark, bool Vibration::*other,
+                 const char* set, const char* unset) {
+    const Vibration* current = current_vibration(work);
+    if (current == nullptr) return;
+    const bool marks = !(current->*mark);
+    for (const std::size_t index : selected_indices(work)) {
+        vibrations(work)[index].*mark = marks;
+        if (marks) vibrations(work)[index].*other = false;
+    }
+    document_changed(work);
+    commit_step(ui, work, of_selection(work, marks ? set : unset));
+}
+
 }  // namespace
 
 const Vibration* current_vibration(const Workspace& work) {
@@ -269,27 +283,11 @@ void rename_vibration(Ui& ui, Workspace& work, std::size_t index, const std::str
 }
 
 void toggle_locked(Ui& ui, Workspace& work) {
-    const Vibration* current = current_vibration(work);
-    if (current == nullptr) return;
-    const bool lock = !current->locked;
-    for (const std::size_t index : selected_indices(work)) {
-        vibrations(work)[index].locked = lock;
-        if (lock) vibrations(work)[index].dropped = false;
-    }
-    document_changed(work);
-    commit_step(ui, work, of_selection(work, lock ? "Lock" : "Unlock"));
+    toggle_mark(ui, work, &Vibration::locked, &Vibration::dropped, "Lock", "Unlock");
 }
 
 void toggle_dropped(Ui& ui, Workspace& work) {
-    const Vibration* current = current_vibration(work);
-    if (current == nullptr) return;
-    const bool drop = !current->dropped;
-    for (const std::size_t index : selected_indices(work)) {
-        vibrations(work)[index].dropped = drop;
-        if (drop) vibrations(work)[index].locked = false;
-    }
-    document_changed(work);
-    commit_step(ui, work, of_selection(work, drop ? "Drop" : "Take back"));
+    toggle_mark(ui, work, &Vibration::dropped, &Vibration::locked, "Drop", "Take back");
 }
 
 double shown_duration_s(const Workspace& work) { return longest_s(work.document.set); }
