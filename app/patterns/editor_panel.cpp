@@ -58,27 +58,23 @@ void draw_modulation(Ui& ui, Workspace& work, const Pattern& pattern) {
     choose("1 + m sin", ModulationKind::am);
 }
 
+constexpr Field ramp(const char* id, const char* label, const char* help) {
+    return {.id = id,
+            .label = label,
+            .format = "%.4g ms",
+            .slider = {0.0, 500.0},
+            .typed = {0.0, 10'000.0},
+            .step = 5.0,
+            .snap = 1.0,
+            .help = help};
+}
+
 void draw_times(Ui& ui, Workspace& work, const Pattern& pattern) {
     edit_number(ui, work,
-                {.id = "attack_ms",
-                 .label = "Attack",
-                 .format = "%.4g ms",
-                 .slider = {0.0, 500.0},
-                 .typed = {0.0, 10'000.0},
-                 .step = 5.0,
-                 .snap = 1.0,
-                 .help = "Linear rise at the beginning of every note."},
+                ramp("attack_ms", "Attack", "Linear rise at the beginning of every note."),
                 1000.0 * pattern.attack_s, "attack",
                 [](Pattern& p, double value) { p.attack_s = value / 1000.0; });
-    edit_number(ui, work,
-                {.id = "release_ms",
-                 .label = "Release",
-                 .format = "%.4g ms",
-                 .slider = {0.0, 500.0},
-                 .typed = {0.0, 10'000.0},
-                 .step = 5.0,
-                 .snap = 1.0,
-                 .help = "Linear fall at the end of every note."},
+    edit_number(ui, work, ramp("release_ms", "Release", "Linear fall at the end of every note."),
                 1000.0 * pattern.release_s, "release",
                 [](Pattern& p, double value) { p.release_s = value / 1000.0; });
     edit_number(
