@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "model/map/procrustes.h"
 #include "tests/support/golden.h"
+#include "tests/support/made_up_maps.h"
 
 namespace mds_test {
 
@@ -42,33 +42,6 @@ std::vector<OracleCase> oracle_cases() {
     }
     REQUIRE(result.size() >= 10);
     return result;
-}
-
-MatrixXd random_map(Eigen::Index n, Eigen::Index k, std::uint32_t seed) {
-    std::mt19937 generator(seed);
-    MatrixXd points(n, k);
-    for (Eigen::Index e = 0; e < points.size(); ++e) {
-        points.data()[e] = static_cast<double>(generator()) / 2147483648.0 - 1.0;
-    }
-    return points;
-}
-
-Dissimilarity of_points(const MatrixXd& points) {
-    return {static_cast<std::size_t>(points.rows()), distances(points)};
-}
-
-Dissimilarity random_dissimilarity(std::size_t n, std::uint32_t seed) {
-    std::mt19937 generator(seed);
-    Dissimilarity result{n, std::vector<double>(pair_count(n))};
-    for (double& value : result.condensed) value = static_cast<double>(generator());
-    return result;
-}
-
-MdsParams with(int dimensions, int random_starts) {
-    MdsParams params;
-    params.dimensions = dimensions;
-    params.random_starts = random_starts;
-    return params;
 }
 
 // What a panel may rely on, whatever the input.
@@ -134,15 +107,15 @@ TEST_CASE("mds: the best start is at most the best of isoMDS and of 20 starts of
 // Best of 200 starts of another SMACOF and of 120 starts of Nelder-Mead.
 TEST_CASE("mds: five objects on a line have stress .127317, in the plane 0") {
     const Dissimilarity dissimilarity{5, {5, 3, 4, 1, 2, 6, 2, 5, 4, 1}};
-    CHECK(std::abs(nonmetric_mds(dissimilarity, with(1, 200)).stress1 - 0.127317) <= 5e-7);
-    CHECK(nonmetric_mds(dissimilarity, with(2, 200)).stress1 <= 1e-6);
+    CHECK(std::abs(nonmetric_mds(dissimilarity, mds_with(1, 200)).stress1 - 0.127317) <= 5e-7);
+    CHECK(nonmetric_mds(dissimilarity, mds_with(2, 200)).stress1 <= 1e-6);
 }
 
 TEST_CASE("mds: cubed distances of planar points are fitted in the plane") {
     for (std::uint32_t seed = 1; seed <= 5; ++seed) {
         Dissimilarity dissimilarity = of_points(random_map(6, 2, seed));
         for (double& value : dissimilarity.condensed) value = value * value * value;
-        CHECK(nonmetric_mds(dissimilarity, with(2, 100)).stress1 < 1e-3);
+        CHECK(nonmetric_mds(dissimilarity, mds_with(2, 100)).stress1 < 1e-3);
     }
 }
 
@@ -150,7 +123,7 @@ TEST_CASE("mds: the order of all distances brings back the map") {
     const MatrixXd truth = random_map(25, 3, 11);
     Dissimilarity dissimilarity = of_points(truth);
     for (double& value : dissimilarity.condensed) value = std::exp(value);
-    const PerceptualSpace space = nonmetric_mds(dissimilarity, with(3, 20));
+    const PerceptualSpace space = nonmetric_mds(dissimilarity, mds_with(3, 20));
     CHECK(space.stress1 < 1e-3);
     CHECK(procrustes(space.points, truth).correlation > 0.999);
 }
@@ -160,7 +133,7 @@ TEST_CASE("mds: up to k + 1 objects any order fits, and is there to be seen") {
         for (std::size_t n = 2; n <= static_cast<std::size_t>(k) + 1; ++n) {
             CAPTURE(n);
             const Dissimilarity dissimilarity = random_dissimilarity(n, 17);
-            const PerceptualSpace space = nonmetric_mds(dissimilarity, with(k, 10));
+            const PerceptualSpace space = nonmetric_mds(dissimilarity, mds_with(k, 10));
             check_drawable(space, n, k);
             CHECK(space.verdict == MdsVerdict::trivial);
             CHECK(space.stress1 <= 1e-12);
@@ -213,7 +186,7 @@ TEST_CASE("mds: groups that collapse onto one spot are told") {
         const bool within = (i < 3) == (j < 3);
         dissimilarity.condensed.push_back((within ? 1.0 : 100.0) + 0.01 * static_cast<double>(p));
     }
-    const PerceptualSpace space = nonmetric_mds(dissimilarity, with(1, 50));
+    const PerceptualSpace space = nonmetric_mds(dissimilarity, mds_with(1, 50));
     check_drawable(space, 6, 1);
     CHECK(space.stress1 < 1e-6);
     CHECK(space.verdict == MdsVerdict::colocated);
@@ -222,12 +195,12 @@ TEST_CASE("mds: groups that collapse onto one spot are told") {
 TEST_CASE("mds: twins on one spot are right there") {
     MatrixXd points = random_map(9, 2, 20);
     points.row(4) = points.row(1);
-    PerceptualSpace space = nonmetric_mds(of_points(points), with(2, 10));
+    PerceptualSpace space = nonmetric_mds(of_points(points), mds_with(2, 10));
     CHECK(space.stress1 < 1e-6);
     CHECK(space.verdict == MdsVerdict::fine);
     CHECK((space.points.row(4) - space.points.row(1)).norm() < 1e-6);
     points.row(7) = points.row(0);  // two pairs tied for the least
-    space = nonmetric_mds(of_points(points), with(2, 10));
+    space = nonmetric_mds(of_points(points), mds_with(2, 10));
     CHECK(space.verdict == MdsVerdict::fine);
     CHECK((space.points.row(7) - space.points.row(0)).norm() < 1e-6);
 }
@@ -252,92 +225,6 @@ TEST_CASE("mds: names do not matter") {
     CHECK(procrustes(matched, a.points).correlation > 0.9999);
 }
 
-TEST_CASE("mds: the same bits on any number of threads") {
-    const Dissimilarity dissimilarity = random_dissimilarity(14, 22);
-    MdsParams params = with(3, 40);
-    params.turned_points = 20;
-    params.threads = 1;
-    const PerceptualSpace one = nonmetric_mds(dissimilarity, params);
-    for (const int threads : {2, 4}) {
-        params.threads = threads;
-        const PerceptualSpace many = nonmetric_mds(dissimilarity, params);
-        CHECK(many.points == one.points);
-        CHECK(many.stress1 == one.stress1);
-        CHECK(many.start_stress == one.start_stress);
-    }
-    params.seed = 2;
-    CHECK(nonmetric_mds(dissimilarity, params).start_stress != one.start_stress);
-}
-
-TEST_CASE("mds: a start does not depend on how many others there are") {
-    const Dissimilarity dissimilarity = random_dissimilarity(10, 23);
-    const std::vector<double> few = nonmetric_mds(dissimilarity, with(2, 5)).start_stress;
-    const std::vector<double> many = nonmetric_mds(dissimilarity, with(2, 12)).start_stress;
-    REQUIRE(few.size() == 6);
-    REQUIRE(many.size() == 13);
-    CHECK(std::equal(few.begin(), few.end(), many.begin()));
-    // Torgerson's is the first.
-    const PerceptualSpace alone = smacof(dissimilarity, torgerson(dissimilarity, 2), with(2, 0));
-    CHECK(std::abs(alone.stress1 - few[0]) <= 1e-9);
-}
-
-TEST_CASE("mds: turning badly placed points never leads up, and down where there is no structure") {
-    int lower = 0;
-    for (std::uint32_t seed = 40; seed < 46; ++seed) {
-        const Dissimilarity dissimilarity = random_dissimilarity(25, seed);
-        MdsParams params = with(3, 3);
-        const PerceptualSpace before = nonmetric_mds(dissimilarity, params);
-        params.turned_points = 20;
-        const PerceptualSpace after = nonmetric_mds(dissimilarity, params);
-        CHECK(after.start_stress == before.start_stress);
-        CHECK(after.stress1 <= before.stress1);
-        if (after.stress1 < before.stress1 - 1e-4) ++lower;
-    }
-    CHECK(lower >= 3);
-}
-
-TEST_CASE("mds: a map that fits has no points to turn") {
-    const Dissimilarity dissimilarity = of_points(random_map(14, 3, 47));
-    MdsParams params = with(3, 20);
-    const PerceptualSpace before = nonmetric_mds(dissimilarity, params);
-    params.turned_points = 20;
-    CHECK(nonmetric_mds(dissimilarity, params).points == before.points);
-}
-
-TEST_CASE("mds: the map is that of the best start, framed") {
-    const Dissimilarity dissimilarity = random_dissimilarity(12, 24);
-    const PerceptualSpace space = nonmetric_mds(dissimilarity, with(3, 30));
-    const double best = *std::ranges::min_element(space.start_stress);
-    // Turning the map rounds its distances.
-    CHECK(std::abs(space.stress1 - best) <= 1e-13);
-    CHECK(best < *std::ranges::max_element(space.start_stress));
-    CHECK(space.points.colwise().mean().norm() <= 1e-14);
-    double squares = 0.0;
-    for (const double d : distances(space.points)) squares += d * d;
-    CHECK(std::abs(squares / 66.0 - 1.0) <= 1e-14);
-}
-
-TEST_CASE("mds: a warm start stays in its valley and costs little") {
-    const Dissimilarity dissimilarity = random_dissimilarity(12, 25);
-    const PerceptualSpace space = nonmetric_mds(dissimilarity, with(3, 30));
-    const PerceptualSpace again = smacof(dissimilarity, space.points, with(3, 0));
-    CHECK(again.stress1 <= space.stress1 + 1e-14);
-    CHECK(again.stress1 >= space.stress1 - 1e-7);
-    CHECK((again.points - space.points).cwiseAbs().maxCoeff() < 1e-2);
-}
-
-TEST_CASE("mds: a start that cannot be used is replaced") {
-    const Dissimilarity dissimilarity = random_dissimilarity(8, 26);
-    const MdsParams params = with(3, 0);
-    const PerceptualSpace expected = nonmetric_mds(dissimilarity, params);
-    MatrixXd hollow = random_map(8, 3, 1);
-    hollow(3, 1) = std::nan("");
-    for (const MatrixXd& start : {random_map(7, 3, 1), random_map(8, 2, 1), hollow,
-                                  MatrixXd(MatrixXd::Constant(8, 3, 4.0)), MatrixXd()}) {
-        CHECK(smacof(dissimilarity, start, params).points == expected.points);
-    }
-}
-
 TEST_CASE("mds: whatever the dissimilarities, coordinates are numbers") {
     const double unknown = std::nan("");
     const double infinite = std::numeric_limits<double>::infinity();
@@ -347,11 +234,11 @@ TEST_CASE("mds: whatever the dissimilarities, coordinates are numbers") {
             CAPTURE(odd);
             Dissimilarity some = random_dissimilarity(n, 27);
             for (std::size_t p = 0; p < some.condensed.size(); p += 2) some.condensed[p] = odd;
-            check_drawable(nonmetric_mds(some, with(3, 4)), n, 3);
+            check_drawable(nonmetric_mds(some, mds_with(3, 4)), n, 3);
             const Dissimilarity all{n, std::vector<double>(pair_count(n), odd)};
-            check_drawable(nonmetric_mds(all, with(3, 4)), n, 3);
-            check_drawable(smacof(some, random_map(static_cast<Eigen::Index>(n), 2, 1), with(2, 0)),
-                           n, 2);
+            check_drawable(nonmetric_mds(all, mds_with(3, 4)), n, 3);
+            check_drawable(
+                smacof(some, random_map(static_cast<Eigen::Index>(n), 2, 1), mds_with(2, 0)), n, 2);
         }
     }
     // An object nothing is known of.
@@ -362,19 +249,12 @@ TEST_CASE("mds: whatever the dissimilarities, coordinates are numbers") {
 
 TEST_CASE("mds: unknown pairs do not count in stress") {
     Dissimilarity dissimilarity = of_points(random_map(12, 2, 29));
-    const double before = nonmetric_mds(dissimilarity, with(2, 20)).stress1;
+    const double before = nonmetric_mds(dissimilarity, mds_with(2, 20)).stress1;
     dissimilarity.condensed[7] = 1e3;
-    CHECK(nonmetric_mds(dissimilarity, with(2, 20)).stress1 > 0.01);
+    CHECK(nonmetric_mds(dissimilarity, mds_with(2, 20)).stress1 > 0.01);
     dissimilarity.condensed[7] = std::nan("");
-    CHECK(nonmetric_mds(dissimilarity, with(2, 20)).stress1 < 1e-3);
+    CHECK(nonmetric_mds(dissimilarity, mds_with(2, 20)).stress1 < 1e-3);
     CHECK(before < 1e-3);
-}
-
-TEST_CASE("mds: tells how many starts are done") {
-    std::vector<std::size_t> told;
-    nonmetric_mds(random_dissimilarity(8, 30), with(2, 6), {},
-                  [&told](std::size_t done) { told.push_back(done); });
-    CHECK(told == std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7});
 }
 
 TEST_CASE("mds: stopped, it returns the best so far and says so") {
@@ -405,27 +285,13 @@ TEST_CASE("mds: different objects closer than a millionth of the map are on one 
     const auto verdict_at = [&](double apart) {
         MatrixXd start(4, 2);
         start << 0.0, 0.0, apart, 0.0, 1.0, 0.0, 0.0, 0.6;
-        MdsParams params = with(2, 0);
+        MdsParams params = mds_with(2, 0);
         params.max_steps = 0;
         return smacof(dissimilarity, start, params).verdict;
     };
     CHECK(verdict_at(5e-7) == MdsVerdict::colocated);
     CHECK(verdict_at(1e-8) == MdsVerdict::colocated);
     CHECK(verdict_at(3e-6) == MdsVerdict::fine);
-}
-
-TEST_CASE("mds: the larger the set, the fewer starts, three above 300 objects") {
-    const auto starts = [](std::size_t objects) {
-        return standard_mds_params(objects, 3).random_starts;
-    };
-    CHECK(starts(30) == 100);
-    CHECK(starts(31) == 30);
-    CHECK(starts(100) == 30);
-    CHECK(starts(101) == 10);
-    CHECK(starts(300) == 10);
-    CHECK(starts(301) == 3);
-    CHECK(starts(1000) == 3);
-    CHECK(starts(1001) == 0);
 }
 
 TEST_CASE("mds: products are cut into the same blocks on every processor") {

@@ -4,7 +4,8 @@
 
 #include <Eigen/QR>
 #include <cmath>
-#include <random>
+
+#include "tests/support/made_up_maps.h"
 
 namespace principal_axes_test {
 
@@ -13,18 +14,9 @@ using Eigen::MatrixXd;
 
 namespace {
 
-MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, std::uint32_t seed) {
-    std::mt19937 generator(seed);
-    MatrixXd result(rows, columns);
-    for (Eigen::Index e = 0; e < result.size(); ++e) {
-        result.data()[e] = static_cast<double>(generator()) / 2147483648.0 - 1.0;
-    }
-    return result;
-}
-
 // A rotation, for every other seed with a reflection.
 MatrixXd random_turn(Eigen::Index k, std::uint32_t seed) {
-    MatrixXd turn = Eigen::HouseholderQR<MatrixXd>(random_matrix(k, k, seed)).householderQ();
+    MatrixXd turn = Eigen::HouseholderQR<MatrixXd>(random_map(k, k, seed)).householderQ();
     if (seed % 2 == 0) turn.col(0) = -turn.col(0);
     return turn;
 }
@@ -34,7 +26,7 @@ void check_one_frame(const MatrixXd& map) {
     const MatrixXd frame = on_principal_axes(map);
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
         const MatrixXd moved = (map * random_turn(map.cols(), seed)).rowwise() +
-                               random_matrix(1, map.cols(), seed + 100).row(0);
+                               random_map(1, map.cols(), seed + 100).row(0);
         // Variances differ by 1e-2 and more here, so axes move by rounding / 1e-2.
         CHECK((on_principal_axes(moved) - frame).cwiseAbs().maxCoeff() <= 1e-12);
     }
@@ -43,8 +35,8 @@ void check_one_frame(const MatrixXd& map) {
 }  // namespace
 
 TEST_CASE("principal axes: one frame for all turns, mirror images and places of a map") {
-    check_one_frame(random_matrix(12, 3, 1));
-    check_one_frame(random_matrix(9, 2, 2));
+    check_one_frame(random_map(12, 3, 1));
+    check_one_frame(random_map(9, 2, 2));
 }
 
 TEST_CASE("principal axes: one frame also where no axis stands out") {
@@ -60,7 +52,7 @@ TEST_CASE("principal axes: one frame also where no axis stands out") {
 }
 
 TEST_CASE("principal axes: centred, uncorrelated, in the order of variance, distances kept") {
-    const MatrixXd map = random_matrix(12, 3, 3);
+    const MatrixXd map = random_map(12, 3, 3);
     const MatrixXd frame = on_principal_axes(map);
     CHECK(frame.colwise().mean().cwiseAbs().maxCoeff() <= 1e-15);
     const MatrixXd products = frame.transpose() * frame;
@@ -74,7 +66,7 @@ TEST_CASE("principal axes: centred, uncorrelated, in the order of variance, dist
 }
 
 TEST_CASE("principal axes: the largest coordinate of an axis is positive") {
-    const MatrixXd frame = on_principal_axes(random_matrix(12, 3, 4));
+    const MatrixXd frame = on_principal_axes(random_map(12, 3, 4));
     for (Eigen::Index c = 0; c < 3; ++c) {
         CHECK(frame.col(c).maxCoeff() == frame.col(c).cwiseAbs().maxCoeff());
     }
@@ -82,14 +74,14 @@ TEST_CASE("principal axes: the largest coordinate of an axis is positive") {
 
 TEST_CASE("principal axes: a flat map has an empty third axis") {
     MatrixXd flat(6, 3);
-    flat << random_matrix(6, 2, 5), MatrixXd::Zero(6, 1);
+    flat << random_map(6, 2, 5), MatrixXd::Zero(6, 1);
     const MatrixXd frame = on_principal_axes(flat * random_turn(3, 6));
     CHECK(frame.col(2).isZero(0.0));
     CHECK(frame.col(1).norm() > 0.1);
 }
 
 TEST_CASE("principal axes: one point, or all on one spot, is the origin") {
-    CHECK(on_principal_axes(random_matrix(1, 3, 7)).isZero(0.0));
+    CHECK(on_principal_axes(random_map(1, 3, 7)).isZero(0.0));
     CHECK(on_principal_axes(MatrixXd::Constant(5, 3, 2.0)).isZero(0.0));
     CHECK(on_principal_axes(MatrixXd(0, 3)).rows() == 0);
 }

@@ -6,7 +6,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <random>
+
+#include "tests/support/made_up_maps.h"
 
 namespace procrustes_test {
 
@@ -14,15 +15,6 @@ using namespace tact;
 using Eigen::MatrixXd;
 
 namespace {
-
-MatrixXd random_map(Eigen::Index n, Eigen::Index k, std::uint32_t seed) {
-    std::mt19937 generator(seed);
-    MatrixXd points(n, k);
-    for (Eigen::Index e = 0; e < points.size(); ++e) {
-        points.data()[e] = static_cast<double>(generator()) / 2147483648.0 - 1.0;
-    }
-    return points;
-}
 
 // A rotation, or with `mirror` a reflection.
 MatrixXd turn(Eigen::Index k, std::uint32_t seed, bool mirror) {

@@ -8,21 +8,13 @@
 #include <random>
 
 #include "model/dissimilarity/dissimilarity.h"
+#include "tests/support/made_up_maps.h"
 
 namespace smacof_test {
 
 using namespace tact;
 
 namespace {
-
-Eigen::MatrixXd random_map(Eigen::Index n, Eigen::Index k, std::uint32_t seed) {
-    std::mt19937 generator(seed);
-    Eigen::MatrixXd points(n, k);
-    for (Eigen::Index e = 0; e < points.size(); ++e) {
-        points.data()[e] = static_cast<double>(generator()) / 2147483648.0 - 1.0;
-    }
-    return points;
-}
 
 // Distances of points in a cube, times 0.5 to 1.5, `levels` > 0: rounded to that many steps.
 std::vector<double> noisy(Eigen::Index n, std::uint32_t seed, int levels = 0) {
