@@ -1,13 +1,11 @@
 #include "model/io/set/set_file.h"
 
 #include <doctest/doctest.h>
-#include <sys/stat.h>
 
 #include <cmath>
 
-#include "model/io/recordings/text_waveform.h"
-#include "model/io/recordings/wave_file.h"
 #include "model/io/set/load.h"
+#include "tests/support/set_texts.h"
 #include "tests/support/temporary_folder.h"
 
 namespace set_file_test {
@@ -23,17 +21,7 @@ PatternSet parsed(const std::string& text) {
     return *std::move(set);
 }
 
-std::string fault(const std::string& text) {
-    const auto set = parse_set(text, "s.json", {});
-    REQUIRE_FALSE(set);
-    CHECK(set.error().message.find('\n') == std::string::npos);
-    return set.error().message;
-}
-
-// A document with these fields in its only pattern, or in the set.
-std::string with_pattern(const std::string& fields) {
-    return R"({"tactspace": 1, "patterns": [{"name": "a")" + fields + "}]}";
-}
+// A document with these fields.
 std::string with_set(const std::string& fields) {
     return R"({"tactspace": 1, "patterns": [])" + fields + "}";
 }
@@ -138,12 +126,12 @@ TEST_CASE("set file: keys of other versions are kept at every level") {
 }
 
 TEST_CASE("set file: wrong types are refused with their JSON path") {
-    CHECK(fault(R"({"tactspace": 1, "patterns": [{"name": "a"}, {"name": "b", "carriers":
+    CHECK(set_fault(R"({"tactspace": 1, "patterns": [{"name": "a"}, {"name": "b", "carriers":
         [{"frequency_hz": "abc"}]}]})") ==
           "s.json: /patterns/1/carriers/0/frequency_hz: expected a number from 0.1 to 1000, got "
           "\"abc\"");
     const auto place = [](const std::string& text) {
-        const std::string message = fault(text);
+        const std::string message = set_fault(text);
         return message.substr(8, message.find(": expected") - 8);
     };
     CHECK(place("[]") == "/");
@@ -174,14 +162,15 @@ TEST_CASE("set file: numbers out of range are refused with their JSON path") {
           R"("duration_s": 61)", R"("release_s": 1e300)",
           R"("carriers": [{},{},{},{},{},{},{},{},{}])"}) {
         CAPTURE(field);
-        CHECK(fault(with_pattern(std::string(", ") + field)).starts_with("s.json: /patterns/0/"));
+        CHECK(
+            set_fault(with_pattern(std::string(", ") + field)).starts_with("s.json: /patterns/0/"));
     }
-    CHECK(contains(fault(with_pattern(R"(, "rhythm": {"text": "x-q"})")),
+    CHECK(contains(set_fault(with_pattern(R"(, "rhythm": {"text": "x-q"})")),
                    "s.json: /patterns/0/rhythm/text: expected a rhythm (step 3"));
-    CHECK(contains(fault(with_set(R"(, "duration_s": NaN)")), "line 1, column"));
+    CHECK(contains(set_fault(with_set(R"(, "duration_s": NaN)")), "line 1, column"));
     std::string many = R"({"tactspace": 1, "patterns": [)";
     for (int k = 0; k < 10'001; ++k) many += (k == 0 ? "" : ",") + std::string("{}");
-    CHECK(contains(fault(many + "]}"), "/patterns: expected an array of 0 to 10000"));
+    CHECK(contains(set_fault(many + "]}"), "/patterns: expected an array of 0 to 10000"));
 }
 
 TEST_CASE("set file: a study's design is refused where it makes no study") {
@@ -191,16 +180,18 @@ TEST_CASE("set file: a study's design is refused where it makes no study") {
           R"("groups": [-1])", R"("seed": 1.5)"}) {
         CAPTURE(field);
         const std::string study = std::string(R"(, "study": {)") + field + "}";
-        CHECK(fault(with_set(study)).starts_with("s.json: /study/"));
+        CHECK(set_fault(with_set(study)).starts_with("s.json: /study/"));
     }
 }
 
 TEST_CASE("set file: two equal names are refused, and both are named") {
-    CHECK(fault(R"({"tactspace": 1, "patterns": [{"name": "a"}, {"name": "b"}, {"name": "a"}]})") ==
+    CHECK(set_fault(
+              R"({"tactspace": 1, "patterns": [{"name": "a"}, {"name": "b"}, {"name": "a"}]})") ==
           "s.json: /patterns/2/name: \"a\" is the name of /patterns/0 too, expected names that "
           "differ");
-    CHECK(contains(fault(with_set(R"(, "ratings": [{"labels": ["x", "x"], "condensed": [1]}])")),
-                   "/ratings/0/labels/1: \"x\""));
+    CHECK(
+        contains(set_fault(with_set(R"(, "ratings": [{"labels": ["x", "x"], "condensed": [1]}])")),
+                 "/ratings/0/labels/1: \"x\""));
 }
 
 TEST_CASE("set file: a pattern without a name gets one, with a remark") {
@@ -214,17 +205,18 @@ TEST_CASE("set file: a pattern without a name gets one, with a remark") {
 }
 
 TEST_CASE("set file: a newer format is refused, whatever else it holds") {
-    CHECK(fault(R"({"patterns": 7, "tactspace": 2})") ==
+    CHECK(set_fault(R"({"patterns": 7, "tactspace": 2})") ==
           "s.json: made by a newer version (format 2); this program reads format 1");
 }
 
 TEST_CASE("set file: damaged and foreign files are refused") {
     const std::string whole = print_set(unusual_set());
     for (std::size_t length = 0; length + 2 < whole.size(); length += 7) {
-        CHECK(fault(whole.substr(0, length)).starts_with("s.json, line "));
+        CHECK(set_fault(whole.substr(0, length)).starts_with("s.json, line "));
     }
-    CHECK(contains(fault(with_set(", \"x\": " + std::string(200'000, '['))), "at most 100 levels"));
-    CHECK(contains(fault(R"({"name": "npm"})"), "is not a set of tactspace"));
+    CHECK(contains(set_fault(with_set(", \"x\": " + std::string(200'000, '['))),
+                   "at most 100 levels"));
+    CHECK(contains(set_fault(R"({"name": "npm"})"), "is not a set of tactspace"));
     const auto missing = read_set_file("no/such.tactspace.json");
     REQUIRE_FALSE(missing);
     CHECK(missing.error().message == "no/such.tactspace.json: there is no such file");
@@ -243,12 +235,12 @@ TEST_CASE("set file: ratings have a value for each pair of labels") {
     CHECK(parsed(ratings(R"("labels": ["a", "b", "c"], "condensed": [1, 2, 3])"))
               .ratings[0]
               .condensed == std::vector<double>{1.0, 2.0, 3.0});
-    CHECK(fault(ratings(R"("labels": ["a", "b", "c"], "condensed": [1, 2])")) ==
+    CHECK(set_fault(ratings(R"("labels": ["a", "b", "c"], "condensed": [1, 2])")) ==
           "s.json: /ratings/0/condensed: expected 3 values, one for each pair of 3 labels, got 2");
-    CHECK(contains(fault(ratings(R"("labels": ["a", "b"], "condensed": ["1"])")),
+    CHECK(contains(set_fault(ratings(R"("labels": ["a", "b"], "condensed": ["1"])")),
                    "/ratings/0/condensed/0: expected a number, got"));
-    CHECK(
-        contains(fault(ratings(R"("labels": ["a", 2], "condensed": [1])")), "/ratings/0/labels/1"));
+    CHECK(contains(set_fault(ratings(R"("labels": ["a", 2], "condensed": [1])")),
+                   "/ratings/0/labels/1"));
 }
 
 TEST_CASE("set file: a pair that was not rated survives as null") {
@@ -258,61 +250,6 @@ TEST_CASE("set file: a pair that was not rated survives as null") {
     const std::string text = print_set(set);
     CHECK(contains(text, "null"));
     CHECK(parsed(text) == set);
-}
-
-TEST_CASE("set file: recordings are read from files beside the set, at the model's rate and in g") {
-    const TemporaryFolder folder;
-    REQUIRE(fs::create_directory(folder.path / "measured"));
-    REQUIRE(write_wave_file(folder.path / "measured/a b.wav",
-                            {20'000.0, std::vector<double>(400, 0.5)}));
-    REQUIRE(write_text_waveform(folder.path / "t.txt", {kModelRateHz, {1.0, -2.0}}));
-    const fs::path file = folder.write("set.tactspace.json", R"({"tactspace": 1, "patterns": [
-        {"name": "m", "waveform": "measured/a b.wav", "scale_g": 2.0, "measures": "i", "new": 1},
-        {"name": "t", "waveform": "t.txt"}, {"name": "i"}]})");
-    const auto loaded = read_set_file(file);
-    REQUIRE_MESSAGE(loaded, (loaded ? "" : loaded.error().message));
-    const auto& measured = std::get<Measurement>(loaded->set.vibrations[0].source);
-    CHECK(measured.measures == "i");
-    CHECK(measured.scale_g == 2.0);
-    REQUIRE(measured.waveform->samples_g.size() == 200);
-    CHECK(std::abs(measured.waveform->samples_g[100] - 1.0) <= 1e-4);  // the ends ring a little
-    CHECK(loaded->remarks ==
-          std::vector<std::string>{"\"m\": resampled from 20,000 Hz to 10,000 Hz"});
-    CHECK(std::get<Measurement>(loaded->set.vibrations[1].source).waveform->samples_g ==
-          std::vector<double>{1.0, -2.0});
-
-    // Saved to another folder, even through a link, the set still finds them.
-    REQUIRE(fs::create_directories(folder.path / "else/where"));
-    fs::create_directory_symlink(folder.path / "else/where", folder.path / "link");
-    for (const char* place : {"set.tactspace.json", "else/where/set.json", "link/set2.json"}) {
-        CAPTURE(place);
-        REQUIRE(write_set_file(folder.path / place, loaded->set));
-        const auto again = read_set_file(folder.path / place);
-        REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
-        CHECK(again->set == loaded->set);
-    }
-    CHECK(contains(bytes_of(file), "\"waveform\": \"measured/a b.wav\""));
-    CHECK(contains(bytes_of(file), "\"new\": 1"));
-    CHECK(contains(bytes_of(folder.path / "else/where/set.json"), "\"../../measured/a b.wav\""));
-
-    // An autosave elsewhere names the files in full.
-    const auto elsewhere = parse_set(print_set(loaded->set), "autosave", "/");
-    REQUIRE(elsewhere);
-    CHECK(*elsewhere == loaded->set);
-}
-
-TEST_CASE("set file: a missing recording is named with its pattern") {
-    const TemporaryFolder folder;
-    const auto loaded = read_set_file(folder.write("s.json", R"({"tactspace": 1, "patterns": [
-        {"name": "i"}, {"name": "mine", "waveform": "gone.wav"}]})"));
-    REQUIRE_FALSE(loaded);
-    CHECK(loaded.error().message ==
-          (folder.path / "s.json").string() + ": /patterns/1/waveform of \"mine\": " +
-              fs::canonical(folder.path).string() + "/gone.wav: there is no such file");
-    const auto scale = read_set_file(folder.write(
-        "s.json", R"({"tactspace": 1, "patterns": [{"waveform": "a.wav", "scale_g": 0}]})"));
-    REQUIRE_FALSE(scale);
-    CHECK(contains(scale.error().message, "/patterns/0/scale_g: expected a number from 1e-06"));
 }
 
 TEST_CASE("set file: what could not be read again is not written, and the old file stays whole") {
@@ -346,82 +283,6 @@ TEST_CASE("set file: a set of which a pair was not rated is saved, and the old o
     const auto written = write_set_file(file, set);
     REQUIRE_MESSAGE(written, (written ? "" : written.error().message));
     CHECK(read_set_file(file)->set == set);
-}
-
-TEST_CASE("set file: recordings whose path is no UTF-8 are found again") {
-    const TemporaryFolder folder;
-    const std::string latin = "caf\xE9 100% \xFF";
-    const fs::path inside = folder.path / (latin + ".wav");
-    const fs::path outside = folder.path / latin / "b.txt";
-    REQUIRE(write_wave_file(inside, {kModelRateHz, {0.5, -0.25}}));
-    fs::create_directory(folder.path / latin);
-    REQUIRE(write_text_waveform(outside, {kModelRateHz, {1.0}}));
-    auto set = *load_sets(std::vector<fs::path>{inside, outside});
-    for (const fs::path& file : {folder.path / "s.json", folder.path / latin / "s.json"}) {
-        REQUIRE(write_set_file(file, set.set));
-        CHECK(contains(bytes_of(file), "caf%E9"));
-        const auto again = read_set_file(file);
-        REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
-        CHECK(std::get<Measurement>(again->set.vibrations[0].source) ==
-              std::get<Measurement>(set.set.vibrations[0].source));
-        CHECK(std::get<Measurement>(again->set.vibrations[1].source) ==
-              std::get<Measurement>(set.set.vibrations[1].source));
-    }
-    const auto kept = parse_set(print_set(set.set), "autosave", "/");
-    REQUIRE_MESSAGE(kept, (kept ? "" : kept.error().message));
-    CHECK(*kept == set.set);
-    CHECK(contains(fault(with_pattern(R"(, "waveform": "%G1", "percent_encoded": true)")),
-                   "/patterns/0/waveform: expected two digits"));
-    CHECK(contains(fault(with_pattern(R"(, "waveform": "a%2", "percent_encoded": true)")),
-                   "/patterns/0/waveform: expected two digits"));
-}
-
-TEST_CASE("set file: what a set names outside of its folder is heard, but never told") {
-    const TemporaryFolder folder;
-    folder.write("secret.txt", "root:x:0:0\n");
-    folder.write("secret.wav", "root:x:0:0 and much more than a header\n");
-    folder.write("loud.wav.json", R"({"scale_g": "root:x:0:0"})");
-    REQUIRE(write_wave_file(folder.path / "plain.wav", {kModelRateHz, {0.5}}));
-    fs::copy_file(folder.path / "plain.wav", folder.path / "loud.wav");
-    folder.write("set/own.txt", "root:x:0:0\n");
-    fs::create_symlink("../secret.txt", folder.path / "set/link.txt");
-    const auto read = [&](const std::string& name) {
-        return read_set_file(
-            folder.write("set/s.json", with_pattern(", \"waveform\": \"" + name + "\"")));
-    };
-    const std::vector<std::string> names{"../secret.txt",     "../secret.wav",
-                                         "../loud.wav",       "link.txt",
-                                         "../set/link.txt",   (folder.path / "secret.txt").string(),
-                                         "x/../../secret.txt"};
-    for (const std::string& name : names) {
-        CAPTURE(name);
-        const auto refused = read(name);
-        REQUIRE_FALSE(refused);
-        CHECK_FALSE(contains(refused.error().message, "root"));
-        CHECK(contains(refused.error().message, "outside of the set's folder"));
-    }
-    // Of its own files and by themselves they say what is wrong with them.
-    CHECK(contains(read("own.txt").error().message, "root:x"));
-    CHECK(contains(read("../set/own.txt").error().message, "root:x"));
-    CHECK(contains(load_set(folder.path / "secret.txt").error().message, "root:x"));
-    CHECK(contains(read("../gone.txt").error().message, "there is no such file"));
-    // What users have saved goes on opening.
-    CHECK(read("../plain.wav"));
-    CHECK(read((folder.path / "plain.wav").string()));
-}
-
-TEST_CASE("set file: a set that names a pipe or a device is refused at once") {
-    const TemporaryFolder folder;
-    REQUIRE(::mkfifo((folder.path / "pipe.txt").c_str(), 0600) == 0);
-    fs::create_symlink("/dev/zero", folder.path / "endless.txt");
-    for (const char* name : {"pipe.txt", "endless.txt"}) {
-        CAPTURE(name);
-        const auto set = read_set_file(
-            folder.write("s.json", with_pattern(std::string(", \"waveform\": \"") + name + "\"")));
-        REQUIRE_FALSE(set);
-        CHECK(contains(set.error().message, "expected a file"));
-    }
-    CHECK(contains(load_set(folder.path / "pipe.txt").error().message, "is a pipe"));
 }
 
 }  // namespace set_file_test
