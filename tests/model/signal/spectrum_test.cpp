@@ -86,4 +86,13 @@ TEST_CASE("spectrum: nothing of a filter's ringing comes round from the other en
     CHECK(zero_phase_filtered({}, kModelRateHz, [](double) { return 1.0; }).empty());
 }
 
+TEST_CASE("spectrum: half a spectrum gives its samples back") {
+    for (const std::size_t count : {1U, 2U, 37U, 64U}) {
+        const std::vector<double> samples = golden::noise(9, count, 1.0).samples_g;
+        CHECK(golden::worst_difference(samples_of(half_spectrum(samples), count), samples) < 1e-14);
+    }
+    CHECK(half_spectrum({}).empty());
+    CHECK(samples_of({}, 0).empty());
+}
+
 }  // namespace spectrum_test
