@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/coil.h"
 #include "tests/support/mutations.h"
 #include "tests/support/temporary_folder.h"
 
@@ -86,6 +87,36 @@ TEST_CASE("calibration file: after an accident it is refused, or kept as it was 
         CHECK(*again == *read);
     }
     CHECK(accepted > 20);
+}
+
+TEST_CASE("calibration file: it comes back as it went, with keys from the future") {
+    Calibration calibration = coil::table();
+    calibration.device = "audio:ALSA:card";
+    calibration.channel = 3;
+    calibration.actuator = "coil \"A\"";
+    calibration.rms_limit = 0.4;
+    calibration.points[1].between = true;
+    calibration.unknown_json = R"({"colour":"red"})";
+    const auto back = parse_calibration(print_calibration(calibration), "c.json");
+    REQUIRE(back);
+    CHECK(*back == calibration);
+}
+
+TEST_CASE("calibration file: a bad one is refused by its place") {
+    const auto fault = [](const char* text) {
+        const auto answer = parse_calibration(text, "c.json");
+        return answer ? std::string() : answer.error().message;
+    };
+    CHECK(fault("{}").find("expected a calibration") != std::string::npos);
+    CHECK(fault(R"({"tactspace_calibration": 1})").find("/points") != std::string::npos);
+    CHECK(fault(R"({"tactspace_calibration": 1, "points": []})").find("/points") !=
+          std::string::npos);
+    CHECK(fault(R"({"tactspace_calibration": 1, "points": [{"frequency_hz": 50}]})")
+              .find("g_per_full_scale") != std::string::npos);
+    CHECK(fault(R"({"tactspace_calibration": 1, "points": [
+                    {"frequency_hz": 50, "g_per_full_scale": 1},
+                    {"frequency_hz": 50, "g_per_full_scale": 1}]})")
+              .find("/points/1/frequency_hz") != std::string::npos);
 }
 
 }  // namespace calibration_file_test

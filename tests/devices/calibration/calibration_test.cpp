@@ -4,81 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <numbers>
 
-#include "devices/calibration/calibration_file.h"
 #include "devices/calibration/calibration_run.h"
 #include "devices/calibration/resonance.h"
 #include "model/common/random.h"
-#include "tests/support/tones.h"
+#include "tests/support/coil.h"
 
 namespace calibration_test {
 
 using namespace tact;
-
-namespace {
-
-constexpr double kTau = 2.0 * std::numbers::pi;
-
-// A voice coil on a spring: a resonance with this gain at 0 Hz, as a recurrence of the bilinear
-// transform. `gain_at` is what theory says of the same recurrence.
-struct Coil {
-    double resonance_hz = 80.0;
-    double q = 3.0;
-    double gain_g = 0.5;
-    double cubic = 0.0;  // of the output: distortion
-
-    struct Coefficients {
-        double b0, b1, b2, a1, a2;
-    };
-    Coefficients coefficients() const {
-        // H(s) = gain s^2 / (s^2 + s w/q + w^2): acceleration of a mass on a spring.
-        const double w = 2.0 * std::tan(kTau * resonance_hz / kModelRateHz / 2.0);
-        const double a0 = 4.0 + 2.0 * w / q + w * w;
-        return {4.0 * gain_g / a0, -8.0 * gain_g / a0, 4.0 * gain_g / a0, (2.0 * w * w - 8.0) / a0,
-                (4.0 - 2.0 * w / q + w * w) / a0};
-    }
-    std::vector<double> moved(const std::vector<double>& drive) const {
-        const Coefficients c = coefficients();
-        std::vector<double> out(drive.size());
-        double x1 = 0, x2 = 0, y1 = 0, y2 = 0;
-        for (std::size_t n = 0; n < drive.size(); ++n) {
-            const double y = c.b0 * drive[n] + c.b1 * x1 + c.b2 * x2 - c.a1 * y1 - c.a2 * y2;
-            x2 = x1;
-            x1 = drive[n];
-            y2 = y1;
-            y1 = y;
-            out[n] = y + cubic * y * y * y;
-        }
-        return out;
-    }
-    double gain_at(double f_hz) const {
-        const Coefficients c = coefficients();
-        const std::complex<double> z = std::polar(1.0, -kTau * f_hz / kModelRateHz);
-        return std::abs((c.b0 + c.b1 * z + c.b2 * z * z) / (1.0 + c.a1 * z + c.a2 * z * z));
-    }
-};
-
-// A recording that begins `before` samples earlier and has a noisy sensor.
-Waveform recorded(const Coil& coil, const CalibrationPlan& plan, std::size_t before,
-                  double noise_g) {
-    std::vector<double> drive(before, 0.0);
-    drive.insert(drive.end(), plan.drive.samples.begin(), plan.drive.samples.end());
-    drive.resize(drive.size() + 3000, 0.0);
-    Waveform waveform{kModelRateHz, coil.moved(drive)};
-    RandomStream random{7};
-    for (double& sample : waveform.samples_g) sample += noise_g * next_normal(random);
-    return waveform;
-}
-
-Calibration table() {
-    Calibration calibration;
-    calibration.points = {{50.0, 0.4}, {100.0, 1.6}, {200.0, 0.8}};
-    return calibration;
-}
-
-}  // namespace
+using namespace tact::coil;
 
 TEST_CASE("calibration: between points the response is straight in logarithms, beyond it ends") {
     const Calibration calibration = table();
@@ -212,22 +147,6 @@ TEST_CASE("calibration: where neighbours tell two resonances apart, what may be 
     CHECK(finer_table({}).points.empty());
 }
 
-TEST_CASE("calibration: no frequency is boosted by more than 20 dB over the strongest") {
-    Calibration calibration;
-    calibration.points = {{50.0, 0.01}, {70.0, 0.01}, {100.0, 1.0}, {200.0, 1.0}};
-    const auto middle_of = [&](double f_hz) {
-        const CalibratedDrive driven =
-            calibrated_drive(tone(f_hz, kModelRateHz, 20'000, 0.01), calibration);
-        double most = 0.0;
-        for (std::size_t n = 8000; n < 12'000; ++n) {
-            most = std::max(most, std::abs(driven.drive.samples[n]));
-        }
-        return most;
-    };
-    CHECK(std::abs(middle_of(150.0) - 0.01) < 1e-4);
-    CHECK(std::abs(middle_of(60.0) - 0.1) < 3e-3);  // not 1, which 0.01 g would take
-}
-
 TEST_CASE("calibration: whose it is, is said where it is another's") {
     Calibration calibration = table();
     calibration.device = "audio:ALSA:card";
@@ -289,90 +208,6 @@ TEST_CASE("calibration: what is not the plan's recording is refused with a sente
     CHECK(answer.error().message.find("whole calibration signal") != std::string::npos);
     other.rate_hz = 8000.0;
     CHECK_FALSE(calibration_from(plan, other));
-}
-
-TEST_CASE("calibration: driven by it, the coil does what was meant") {
-    const Coil coil;
-    CalibrationParams params;
-    params.per_octave = 12;
-    params.tone_s = 0.3;
-    params.settle_s = 0.15;
-    const CalibrationPlan plan = calibration_plan(params);
-    const auto result = calibration_from(plan, recorded(coil, plan, 500, 1e-5));
-    REQUIRE(result);
-    Calibration calibration;
-    calibration.points = result->points;
-    // Away from the ends, where the filter has settled.
-    const Waveform meant = mixed(1.0, tone(80.0, kModelRateHz, 10'000, 0.2), 1.0,
-                                 tone(250.0, kModelRateHz, 10'000, 0.1));
-    const CalibratedDrive driven = calibrated_drive(meant, calibration);
-    CHECK(driven.share_lost < 1e-3);
-    CHECK(driven.warnings.empty());
-    const std::vector<double> felt = coil.moved(driven.drive.samples);
-    for (const auto& [f_hz, amplitude_g] : {std::pair{80.0, 0.2}, {250.0, 0.1}}) {
-        double c = 0.0;
-        double s = 0.0;
-        for (std::size_t n = 2000; n < 8000; ++n) {  // whole cycles of both
-            c += felt[n] * std::cos(kTau * f_hz * static_cast<double>(n) / kModelRateHz) / 3000.0;
-            s += felt[n] * std::sin(kTau * f_hz * static_cast<double>(n) / kModelRateHz) / 3000.0;
-        }
-        CHECK(std::abs(std::hypot(c, s) / amplitude_g - 1.0) < 0.02);
-    }
-}
-
-TEST_CASE("calibration: too much is said before it is played") {
-    Calibration calibration = table();
-    calibration.excursion_limit_mm = 0.05;
-    calibration.rms_limit = 0.3;
-    const Waveform strong = tone(50.0, kModelRateHz, 10'000, 1.0);
-    const CalibratedDrive driven = calibrated_drive(strong, calibration);
-    CHECK(driven.peak > 2.4);  // 1 g at 0.4 g per full scale
-    CHECK(driven.peak < 2.7);
-    CHECK(driven.warnings.size() == 3);
-    // Begun slowly, 1 g of 50 Hz moves 0.0994 mm; begun at once, up to twice as far.
-    CHECK(driven.excursion_mm < 2.0 * 0.1);
-    Waveform slow = strong;
-    for (std::size_t n = 0; n < 10'000; ++n) {
-        slow.samples_g[n] *= 0.5 - 0.5 * std::cos(kTau * static_cast<double>(n) / 10'000.0);
-    }
-    CHECK(std::abs(peak_displacement_mm(slow) - 0.0994) < 0.001);
-    const Waveform high = tone(400.0, kModelRateHz, 10'000, 0.1);
-    CHECK(calibrated_drive(high, calibration).share_lost > 0.99);
-    CHECK(calibrated_drive({}, calibration).drive.samples.empty());
-    const CalibratedDrive silent =
-        calibrated_drive({kModelRateHz, std::vector<double>(500, 0.0)}, calibration);
-    CHECK(silent.peak == 0.0);
-    CHECK(silent.warnings.empty());
-}
-
-TEST_CASE("calibration file: it comes back as it went, with keys from the future") {
-    Calibration calibration = table();
-    calibration.device = "audio:ALSA:card";
-    calibration.channel = 3;
-    calibration.actuator = "coil \"A\"";
-    calibration.rms_limit = 0.4;
-    calibration.points[1].between = true;
-    calibration.unknown_json = R"({"colour":"red"})";
-    const auto back = parse_calibration(print_calibration(calibration), "c.json");
-    REQUIRE(back);
-    CHECK(*back == calibration);
-}
-
-TEST_CASE("calibration file: a bad one is refused by its place") {
-    const auto fault = [](const char* text) {
-        const auto answer = parse_calibration(text, "c.json");
-        return answer ? std::string() : answer.error().message;
-    };
-    CHECK(fault("{}").find("expected a calibration") != std::string::npos);
-    CHECK(fault(R"({"tactspace_calibration": 1})").find("/points") != std::string::npos);
-    CHECK(fault(R"({"tactspace_calibration": 1, "points": []})").find("/points") !=
-          std::string::npos);
-    CHECK(fault(R"({"tactspace_calibration": 1, "points": [{"frequency_hz": 50}]})")
-              .find("g_per_full_scale") != std::string::npos);
-    CHECK(fault(R"({"tactspace_calibration": 1, "points": [
-                    {"frequency_hz": 50, "g_per_full_scale": 1},
-                    {"frequency_hz": 50, "g_per_full_scale": 1}]})")
-              .find("/points/1/frequency_hz") != std::string::npos);
 }
 
 }  // namespace calibration_test

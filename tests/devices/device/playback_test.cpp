@@ -4,68 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <numbers>
 #include <vector>
+
+#include "tests/support/playback_stream.h"
 
 namespace playback_test {
 
 using namespace tact;
-
-namespace {
-
-constexpr double kRateHz = 48'000.0;
-constexpr std::size_t kPad = 4800;
-
-// A sine of 150 Hz that starts at its zero.
-Clip sine(double amplitude, std::size_t frames, bool loop, std::uint64_t serial) {
-    Clip clip;
-    for (std::size_t n = 0; n < frames; ++n) {
-        const double phase = 2.0 * std::numbers::pi * 150.0 * static_cast<double>(n) / kRateHz;
-        clip.samples.push_back(static_cast<float>(amplitude * std::sin(phase)));
-    }
-    clip.peak = static_cast<float>(amplitude);
-    clip.loop = loop;
-    clip.serial = serial;
-    return clip;
-}
-
-// A stream of four channels that plays on the second one.
-struct Stream {
-    Playback playback;
-    std::vector<float> heard;  // on the second channel
-    float elsewhere = 0.0F;    // the loudest on the others
-
-    Stream() {
-        playback.layout = {kRateHz, 4, 1, kCeiling};
-        playback.level = 1.0F;
-    }
-
-    void run(std::size_t frames, std::size_t block = 240) {
-        std::vector<float> buffer(4 * block, 9.0F);
-        for (std::size_t done = 0; done < frames; done += block) {
-            const std::size_t count = std::min(block, frames - done);
-            render(playback, buffer.data(), count, static_cast<double>(heard.size()) / kRateHz);
-            for (std::size_t n = 0; n < 4 * count; ++n) {
-                if (n % 4 == 1) {
-                    heard.push_back(buffer[n]);
-                } else {
-                    elsewhere = std::max(elsewhere, std::abs(buffer[n]));
-                }
-            }
-        }
-    }
-};
-
-double loudest(const std::vector<float>& samples, std::size_t from, std::size_t to) {
-    double most = 0.0;
-    for (std::size_t n = from; n < std::min(to, samples.size()); ++n) {
-        most = std::max(most, std::abs(static_cast<double>(samples[n])));
-    }
-    return most;
-}
-
-}  // namespace
+using namespace tact::playback_stream;
 
 TEST_CASE("playback: after 100 ms of silence a clip comes out whole, on its own channel only") {
     const Clip clip = sine(0.5, 9600, false, 1);
@@ -209,18 +155,6 @@ TEST_CASE("playback: an empty clip ends as it begins") {
     CHECK(loudest(stream.heard, 0, stream.heard.size()) == 0.0);
 }
 
-TEST_CASE("playback: gaps are counted while a clip sounds, and not in silence") {
-    const Clip clip = sine(0.5, 48'000, true, 1);
-    Stream stream;
-    std::vector<float> buffer(4 * 240);
-    render(stream.playback, buffer.data(), 240, 0.0, true);
-    CHECK(notes_of(stream.playback, 1).dropouts == 0);
-    stream.playback.wanted = &clip;
-    stream.run(2 * kPad);
-    render(stream.playback, buffer.data(), 240, 0.0, true);
-    CHECK(notes_of(stream.playback, 1).dropouts == 1);
-}
-
 TEST_CASE(
     "playback: what is for everywhere comes out of all channels alike, masking noise that is") {
     const Clip clip = sine(0.5, 2400, false, 1);
@@ -234,82 +168,6 @@ TEST_CASE(
         for (std::size_t channel = 0; channel < 4; ++channel) {
             REQUIRE(buffer[4 * n + channel] == wanted);
         }
-    }
-}
-
-TEST_CASE("playback: gaps belong to the play they are in, and the next one starts without any") {
-    const Clip first = sine(0.5, 4800, false, 1);
-    const Clip second = sine(0.5, 4800, false, 2);
-    Stream stream;
-    std::vector<float> buffer(4 * 240);
-    stream.playback.wanted = &first;
-    stream.run(kPad + 2400);
-    render(stream.playback, buffer.data(), 240, 1.0, true);
-    render(stream.playback, buffer.data(), 240, 1.005, true);
-    CHECK(notes_of(stream.playback, 1).dropouts == 2);
-    stream.playback.wanted = &second;
-    for (int call = 2; call < 50; ++call)
-        render(stream.playback, buffer.data(), 240, 1.0 + 0.005 * call);
-    CHECK(stream.playback.ended == 2);
-    CHECK(notes_of(stream.playback, 2).dropouts == 0);
-    CHECK(notes_of(stream.playback, 1).dropouts == 2);
-}
-
-TEST_CASE("playback: a gap that no flag tells of shows in the output's clock, jitter does not") {
-    const Clip clip = sine(0.5, 480'000, true, 1);
-    Stream stream;
-    stream.playback.wanted = &clip;
-    std::vector<float> buffer(4 * 240);
-    double late_s = 0.0;
-    for (int call = 0; call < 2000; ++call) {
-        if (call == 500 || call == 1500) late_s += 0.006;
-        const double jitter_s = call % 7 == 0 ? 0.001 : -0.001;
-        const double slow_s = 200e-6 * 0.005 * call;  // the card's own idea of a second
-        render(stream.playback, buffer.data(), 240, 0.005 * call + late_s + jitter_s + slow_s);
-    }
-    CHECK(notes_of(stream.playback, 1).dropouts == 2);
-}
-
-TEST_CASE(
-    "playback: one that waits begins to the frame where it was told to, and cuts nothing off") {
-    const Clip first = sine(0.5, 4800, false, 1);
-    for (const std::int64_t rest : {0, 1, 960, 24'000}) {
-        CAPTURE(rest);
-        Clip second = sine(0.25, 2400, false, 2);
-        second.samples.front() = 0.125F;
-        second.waits = true;
-        second.rest_frames = rest;
-        Stream stream;
-        stream.playback.wanted = &first;
-        stream.run(kPad + 480);
-        stream.playback.wanted = &second;
-        stream.run(48'000);
-        for (std::size_t n = 0; n < first.samples.size(); ++n) {
-            REQUIRE(stream.heard[kPad + n] == first.samples[n]);
-        }
-        const std::size_t begin = kPad + 4800 + static_cast<std::size_t>(rest);
-        CHECK(loudest(stream.heard, kPad + 4800, begin) == 0.0);
-        CHECK(stream.heard[begin] == 0.125F);
-        CHECK(stream.playback.ended == 2);
-    }
-}
-
-TEST_CASE("playback: between two signals lies the rest that was asked for, however short") {
-    const Drive pulse{kModelRateHz, std::vector<double>(1000, 0.4)};
-    Clip first = clip_of(pulse, kRateHz, false);
-    first.serial = 1;
-    for (const double rest_s : {0.0, 0.004, 0.02, 0.5}) {
-        CAPTURE(rest_s);
-        Clip second = clip_after(pulse, kRateHz, rest_s);
-        second.serial = 2;
-        Stream stream;
-        stream.playback.wanted = &first;
-        stream.run(kPad + 480);
-        stream.playback.wanted = &second;
-        stream.run(48'000);
-        const double apart_s = notes_of(stream.playback, 2).origin_s + second.lead_s -
-                               notes_of(stream.playback, 1).origin_s - first.lead_s;
-        CHECK(std::abs(apart_s - 0.1 - rest_s) < 1.5 / kRateHz);
     }
 }
 
