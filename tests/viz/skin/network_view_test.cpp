@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/drawn_view.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/presence.h"
 #include "viz/skin/network_caption.h"
@@ -36,24 +37,14 @@ struct Example {
     NetworkScene scene() const { return {.layers = layers, .names = names}; }
 };
 
-struct Drawn {
-    Image image;
-    NetworkAction action;
-    NetworkLayout layout;
-    int vertices = 0;
-};
+using Drawn = DrawnView<NetworkAction, NetworkLayout>;
 
 Drawn drawn(const NetworkScene& scene, const PictureOptions& options = {},
             const Rect& area = kArea) {
-    Drawn result;
-    const auto side = [&](float end) { return static_cast<int>(end + 10.0F); };
-    result.image =
-        draw_picture(side(area.max.x), side(area.max.y), options, [&](const Theme& theme) {
-            result.action = draw_network("network", theme, area, scene);
-            result.layout = network_layout(theme, area, scene);
-            result.vertices = ImGui::GetWindowDrawList()->VtxBuffer.Size;
-        });
-    return result;
+    return drawn_view<NetworkAction, NetworkLayout>(
+        options, area,
+        [&](const Theme& theme) { return draw_network("network", theme, area, scene); },
+        [&](const Theme& theme) { return network_layout(theme, area, scene); });
 }
 
 ImVec2 middle_of(const NetworkLayout& layout, const NetworkScene& scene, const NetworkCell& cell) {

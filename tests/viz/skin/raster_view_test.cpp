@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/physiology/spike_train.h"
+#include "tests/support/drawn_view.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/presence.h"
 #include "viz/skin/raster_bins.h"
@@ -44,24 +45,14 @@ struct Example {
     Example& operator=(const Example&) = delete;
 };
 
-struct Drawn {
-    Image image;
-    RasterAction action;
-    RasterLayout layout;
-    int vertices = 0;
-};
+using Drawn = DrawnView<RasterAction, RasterLayout>;
 
 Drawn drawn(const RasterScene& scene, const PictureOptions& options = {},
             const Rect& area = kArea) {
-    Drawn result;
-    const auto side = [&](float end) { return static_cast<int>(end + 10.0F); };
-    result.image =
-        draw_picture(side(area.max.x), side(area.max.y), options, [&](const Theme& theme) {
-            result.action = draw_raster("raster", theme, area, scene);
-            result.layout = raster_layout(theme, area, scene);
-            result.vertices = ImGui::GetWindowDrawList()->VtxBuffer.Size;
-        });
-    return result;
+    return drawn_view<RasterAction, RasterLayout>(
+        options, area,
+        [&](const Theme& theme) { return draw_raster("raster", theme, area, scene); },
+        [&](const Theme& theme) { return raster_layout(theme, area, scene); });
 }
 
 // Runs of drawn pixels along a row of the picture.

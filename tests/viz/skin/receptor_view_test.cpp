@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/physiology/spike_train.h"
+#include "tests/support/drawn_view.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/presence.h"
 #include "viz/drawing/colour.h"
@@ -44,24 +45,14 @@ struct Example {
     }
 };
 
-struct Drawn {
-    Image image;
-    ReceptorAction action;
-    ReceptorLayout layout;
-    int vertices = 0;
-};
+using Drawn = DrawnView<ReceptorAction, ReceptorLayout>;
 
 Drawn drawn(const ReceptorScene& scene, const PictureOptions& options = {},
             const Rect& area = kArea) {
-    Drawn result;
-    const auto side = [&](float end) { return static_cast<int>(end + 10.0F); };
-    result.image =
-        draw_picture(side(area.max.x), side(area.max.y), options, [&](const Theme& theme) {
-            result.action = draw_receptors("receptors", theme, area, scene);
-            result.layout = receptor_layout(theme, area, scene);
-            result.vertices = ImGui::GetWindowDrawList()->VtxBuffer.Size;
-        });
-    return result;
+    return drawn_view<ReceptorAction, ReceptorLayout>(
+        options, area,
+        [&](const Theme& theme) { return draw_receptors("receptors", theme, area, scene); },
+        [&](const Theme& theme) { return receptor_layout(theme, area, scene); });
 }
 
 Theme theme_of(const PictureOptions& options) {
