@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "tests/support/drawn_svg.h"
 #include "tests/support/svg_elements.h"
 #include "tests/support/temporary_folder.h"
 #include "viz/drawing/colour.h"
@@ -17,12 +18,6 @@ namespace tact::svg_test {
 namespace {
 
 constexpr double kWrittenPx = 0.011;  // lengths are written to 1/100 px
-
-// A picture of 200 x 100 px.
-std::string drawn(const std::function<void(ImDrawList&, const Theme&)>& draw) {
-    return draw_svg(200, 100, {},
-                    [&](const Theme& theme) { draw(*ImGui::GetWindowDrawList(), theme); });
-}
 
 // Without the ground, which is the first rectangle of a picture and not in <defs>.
 std::vector<SvgElement> rects_of(const std::string& svg) {
@@ -61,7 +56,7 @@ double area_of(const std::vector<ImVec2>& corners) {
 }  // namespace
 
 TEST_CASE("svg: an empty picture is its ground, in its size and colour") {
-    const std::string svg = drawn([](ImDrawList&, const Theme&) {});
+    const std::string svg = drawn_svg([](ImDrawList&, const Theme&) {});
     const auto all = elements_of(svg);
     REQUIRE(all.size() == 2);
     CHECK(all[0].name == "svg");
@@ -70,91 +65,9 @@ TEST_CASE("svg: an empty picture is its ground, in its size and colour") {
     check_rect(all[1], 0, 0, 200, 100);
 }
 
-TEST_CASE("svg: text is one element with its words and spaces, whatever signs it has") {
-    const std::string words = "a <b> & \"c\" \u2013 12.5 \u00B5m";
-    const std::string svg = drawn([&](ImDrawList& list, const Theme& theme) {
-        draw_text(list, theme.fonts.semibold, {10, 20}, rgb(0x123456), words);
-    });
-    const auto texts = elements_of(svg, "text");
-    REQUIRE(texts.size() == 1);
-    CHECK(texts[0].text == words);
-    CHECK(texts[0].value("fill") == "#123456");
-    CHECK(texts[0].value("font-weight") == "600");
-    CHECK(std::stod(texts[0].value("x")) == 10.0);
-    const auto places = texts[0].value("x");
-    CHECK(std::ranges::count(places, ' ') == 21 - 1);  // 21 characters
-}
-
-TEST_CASE("svg: letters are as large and stand as high as in the pixels") {
-    // The cap height of Inter is 0.727 em; H stands on the baseline.
-    float top = 0.0F;
-    float bottom = 0.0F;
-    const auto draw = [](const Theme& theme) {
-        draw_text(*ImGui::GetWindowDrawList(), theme.fonts.large, {40, 30}, theme.text, "H");
-    };
-    const PictureOptions large{.scale = 4.0F};
-    const Image image = draw_picture(200, 150, large, draw);
-    const ImU32 ground = pixel(image, 0, 0);
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            if (pixel(image, x, y) == ground) continue;
-            if (top == 0.0F) top = static_cast<float>(y);
-            bottom = static_cast<float>(y) + 1.0F;
-        }
-    }
-    const auto texts = elements_of(draw_svg(200, 150, large, draw), "text");
-    REQUIRE(texts.size() == 1);
-    CHECK(std::abs(texts[0].number("y") - bottom) <= 1.0);  // hinting snaps to a pixel
-    const double cap_px = 0.727 * texts[0].number("font-size");
-    CHECK(std::abs(cap_px - (bottom - top)) <= 1.5);
-}
-
-TEST_CASE("svg: two texts beside each other stay two, also on one line") {
-    const std::string svg = drawn([](ImDrawList& list, const Theme& theme) {
-        draw_text(list, theme.fonts.small, {10, 20}, theme.text, "12.5");
-        draw_text(list, theme.fonts.small, {60, 20}, theme.text, "12.5");
-        draw_text(list, theme.fonts.small, {10, 40}, theme.text, "ab");
-        draw_text(list, theme.fonts.small, {10, 60}, theme.text, "c");
-        draw_text(list, theme.fonts.small, {16, 60}, theme.accent, "d");
-    });
-    CHECK(elements_of(svg, "text").size() == 5);
-    CHECK(text_count(svg, "12.5") == 2);
-}
-
-TEST_CASE("svg: a halo is the stroke of its text, not four more texts") {
-    const std::string svg = drawn([](ImDrawList& list, const Theme& theme) {
-        draw_text_halo(list, theme.fonts.small, {30, 20}, rgb(0xFFFFFF), rgb(0x203040), 2.0F,
-                       "L-0-half");
-        draw_text_halo(list, theme.fonts.small, {30, 50}, rgb(0xFFFFFF), rgb(0x203040), 1.0F, "L");
-    });
-    const auto texts = elements_of(svg, "text");
-    REQUIRE(texts.size() == 2);
-    CHECK(texts[0].text == "L-0-half");
-    CHECK(texts[0].value("fill") == "#ffffff");
-    CHECK(texts[0].value("stroke") == "#203040");
-    CHECK(texts[0].number("stroke-width") == 4.0);
-    CHECK(texts[0].value("paint-order") == "stroke");
-    CHECK(texts[1].text == "L");
-    CHECK(texts[1].number("stroke-width") == 2.0);
-}
-
-TEST_CASE("svg: text that reads upwards is turned to the left around its own place") {
-    const std::string svg = drawn([](ImDrawList& list, const Theme& theme) {
-        draw_text_upwards(list, theme.fonts.small, {50, 90}, theme.text, "up and on");
-    });
-    const auto texts = elements_of(svg, "text");
-    REQUIRE(texts.size() == 1);
-    CHECK(texts[0].text == "up and on");
-    CHECK(texts[0].value("transform") == "rotate(-90)");
-    // Turned back, x runs up the screen from its lower edge and y to the right.
-    CHECK(std::stod(texts[0].value("x")) == -90.0);
-    CHECK(texts[0].number("y") > 50.0);
-    CHECK(texts[0].number("y") < 65.0);
-}
-
 TEST_CASE("svg: a disc of any size is a circle at its place") {
     for (const float radius : {1.6F, 4.0F, 11.25F, 40.0F}) {
-        const std::string svg = drawn([&](ImDrawList& list, const Theme& theme) {
+        const std::string svg = drawn_svg([&](ImDrawList& list, const Theme& theme) {
             draw_disc(list, theme, {70.5F, 45.25F}, radius, faded(rgb(0x56B4E9), 0.5F));
         });
         const auto circles = elements_of(svg, "circle");
@@ -168,7 +81,7 @@ TEST_CASE("svg: a disc of any size is a circle at its place") {
 }
 
 TEST_CASE("svg: what leaves its clip rectangle is cut, what does not is left alone") {
-    const std::string svg = drawn([](ImDrawList& list, const Theme& theme) {
+    const std::string svg = drawn_svg([](ImDrawList& list, const Theme& theme) {
         list.PushClipRect({20, 30}, {60, 50});
         list.AddRectFilled({0, 0}, {40, 100}, IM_COL32_WHITE);
         list.AddTriangleFilled({25, 35}, {55, 35}, {40, 45}, IM_COL32_WHITE);  // inside
@@ -199,27 +112,9 @@ TEST_CASE("svg: what leaves its clip rectangle is cut, what does not is left alo
     CHECK(groups[0].value("clip-path") == cut);
 }
 
-TEST_CASE("svg: text that a widget cuts off ends where it does there") {
-    const std::string svg = drawn([](ImDrawList& list, const Theme& theme) {
-        const ImVec4 fine{0, 0, 50, 100};
-        const std::string_view text = "a long hint";
-        list.AddText(theme.fonts.regular, theme.fonts.regular->FontSize, {10, 20}, theme.text,
-                     text.data(), text.data() + text.size(), 0.0F, &fine);
-    });
-    const auto texts = elements_of(svg, "text");
-    REQUIRE(texts.size() == 1);
-    CHECK(std::string_view("a long hint").starts_with(texts[0].text));
-    CHECK(std::stod(texts[0].value("x")) == 10.0);
-    const auto all = elements_of(svg);
-    const auto clip = std::ranges::find(all, "clipPath", &SvgElement::name);
-    REQUIRE(clip != all.end());
-    const SvgElement& rect = *(clip + 1);
-    CHECK(rect.number("x") + rect.number("width") == 50.0);
-}
-
 TEST_CASE("svg: a polyline is a stroke through its points, a single line, too") {
     const std::vector<ImVec2> points{{10, 80}, {30, 20}, {50.5F, 70}, {90, 70}, {120, 12.25F}};
-    const std::string svg = drawn([&](ImDrawList& list, const Theme&) {
+    const std::string svg = drawn_svg([&](ImDrawList& list, const Theme&) {
         list.AddPolyline(points.data(), static_cast<int>(points.size()), rgb(0xE69F00), 0, 1.5F);
         list.AddLine({150, 10}, {190, 90}, rgb(0x009E73), 2.0F);
     });
@@ -238,7 +133,7 @@ TEST_CASE("svg: a polyline is a stroke through its points, a single line, too") 
 }
 
 TEST_CASE("svg: a frame is a closed stroke and a full circle has its area") {
-    const std::string svg = drawn([](ImDrawList& list, const Theme&) {
+    const std::string svg = drawn_svg([](ImDrawList& list, const Theme&) {
         list.AddRect({10, 10}, {50, 40}, rgb(0xFFFFFF), 4.0F, 0, 1.0F);
         list.AddCircleFilled({120, 50}, 30.0F, rgb(0xD55E00));
     });
@@ -256,7 +151,7 @@ TEST_CASE("svg: a frame is a closed stroke and a full circle has its area") {
 TEST_CASE("svg: a drawn waveform is one shape, not a triangle a pixel") {
     std::vector<double> samples;
     for (int i = 0; i < 10'000; ++i) samples.push_back(std::sin(0.4 * i));
-    const std::string svg = drawn([&](ImDrawList& list, const Theme& theme) {
+    const std::string svg = drawn_svg([&](ImDrawList& list, const Theme& theme) {
         Plot plot;
         plot.area = {{10, 10}, {190, 90}};
         plot.x = {0.0, 1.0, Scale::linear, 10, 190};
@@ -272,7 +167,7 @@ TEST_CASE("svg: a drawn waveform is one shape, not a triangle a pixel") {
 }
 
 TEST_CASE("svg: cells that touch are not smoothed, so that no ground shines through") {
-    const std::string svg = drawn([](ImDrawList& list, const Theme&) {
+    const std::string svg = drawn_svg([](ImDrawList& list, const Theme&) {
         for (int i = 0; i < 40; ++i) {
             const ImVec2 corner{static_cast<float>(10 + 4 * (i % 8)),
                                 static_cast<float>(4 * (i / 8))};
@@ -286,7 +181,7 @@ TEST_CASE("svg: cells that touch are not smoothed, so that no ground shines thro
 }
 
 TEST_CASE("svg: very many cells are gathered by colour, and cover what they covered") {
-    const std::string svg = drawn([](ImDrawList& list, const Theme&) {
+    const std::string svg = drawn_svg([](ImDrawList& list, const Theme&) {
         list.AddRectFilled({0, 0}, {200, 100}, rgb(0x00FF00));  // under them, and first
         for (int i = 0; i < 20'000; ++i) {
             const ImVec2 corner{static_cast<float>(i % 200), static_cast<float>(i / 200)};
@@ -307,7 +202,7 @@ TEST_CASE("svg: very many cells are gathered by colour, and cover what they cove
 }
 
 TEST_CASE("svg: cells that cover each other keep their order") {
-    const std::string svg = drawn([](ImDrawList& list, const Theme&) {
+    const std::string svg = drawn_svg([](ImDrawList& list, const Theme&) {
         for (int i = 0; i < 3000; ++i) {
             const ImU32 colour = i == 2999 ? rgb(0xFF0000) : rgb(0x0000FF + (i % 2U) * 0x100U);
             list.AddRectFilled({10, 10}, {20, 20}, colour);
@@ -317,7 +212,7 @@ TEST_CASE("svg: cells that cover each other keep their order") {
 }
 
 TEST_CASE("svg: colours that change along a side become a gradient") {
-    const std::string svg = drawn([](ImDrawList& list, const Theme&) {
+    const std::string svg = drawn_svg([](ImDrawList& list, const Theme&) {
         const ImU32 left = rgb(0xFF0000);
         const ImU32 right = faded(rgb(0x0000FF), 0.0F);
         list.AddRectFilledMultiColor({20, 30}, {120, 60}, left, right, right, left);
@@ -342,12 +237,12 @@ TEST_CASE("svg: the same drawing gives the same bytes, and leaves the current co
         ImGui::TextUnformatted("Perceptual space");
         draw_disc(list, theme, {50, 60}, 20.3F, theme.accent);
     };
-    CHECK((drawn(draw) == drawn(draw)));
+    CHECK((drawn_svg(draw) == drawn_svg(draw)));
     CHECK(ImGui::GetCurrentContext() == before);
 }
 
 TEST_CASE("svg: coordinates that are no numbers are left out") {
-    const std::string svg = drawn([](ImDrawList& list, const Theme&) {
+    const std::string svg = drawn_svg([](ImDrawList& list, const Theme&) {
         list.AddLine({NAN, 10}, {20, 30}, IM_COL32_WHITE);
         list.AddTriangleFilled({INFINITY, 10}, {20, NAN}, {NAN, 30}, IM_COL32_WHITE);
     });
