@@ -11,6 +11,7 @@
 #include "app/measured/import_follow.h"
 #include "app/window/jobs.h"
 #include "model/io/set/set_file.h"
+#include "tests/support/compare_bench.h"
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
@@ -20,71 +21,6 @@ namespace compare_panel_test {
 using namespace tact;
 
 namespace {
-
-constexpr std::size_t kCount = 6;
-
-// A square of ratings of p1 .. p6 that no metric gives.
-std::string square_csv() {
-    std::string text;
-    for (std::size_t i = 1; i <= kCount; ++i) text += ",p" + std::to_string(i);
-    for (std::size_t i = 1; i <= kCount; ++i) {
-        text += "\np" + std::to_string(i);
-        for (std::size_t j = 1; j <= kCount; ++j) {
-            const std::size_t low = std::min(i, j);
-            const std::size_t high = std::max(i, j);
-            text += "," + std::to_string(i == j ? 0 : (7 * low + 5 * high * high) % 23 + 1);
-        }
-    }
-    return text + "\n";
-}
-
-struct Bench {
-    TemporaryFolder folder;
-    Program program;
-
-    explicit Bench(const PatternSet& set = short_patterns(kCount)) : program(set) {
-        make_jobs(program.app);
-        request_maps(program.app.work, program.app.shown_map, program.app.rendered);
-        if (set.vibrations.size() >= 2) program.wait_for_exact_map();
-    }
-
-    void load(const std::string& text, const std::string& name = "people.csv") {
-        load_ratings(program.app.ui, program.app.work, program.app.layout,
-                     {folder.write(name, text)});
-        program.settle();
-    }
-
-    // Frames until the comparison on screen is that of the map on screen.
-    void wait_for_comparison() {
-        program.wait_for_exact_map();
-        wait_until([this] {
-            return !shown_comparison(program.app.work, program.app.shown_map, program.app.comparing)
-                        .is_stale;
-        });
-    }
-
-    void wait_for_difference() {
-        wait_until([this] {
-            const App& app = program.app;
-            const auto pair = chosen_pair(app.work, app.shown_map);
-            return app.comparing.difference && pair &&
-                   app.comparing.difference->request.map == app.shown_map.transition.shown &&
-                   app.comparing.difference->request.a == pair->current &&
-                   app.comparing.difference->request.b == pair->partner;
-        });
-    }
-
-    template <class Condition>
-    void wait_until(Condition condition) {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(120);
-        while (!condition()) {
-            REQUIRE(std::chrono::steady_clock::now() < until);
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-            program.frame();
-        }
-        program.settle();
-    }
-};
 
 std::vector<double> numbers_in(const std::string& text) {
     std::istringstream stream(text);
@@ -101,7 +37,7 @@ double number(const nlohmann::json& value) {
 }  // namespace
 
 TEST_CASE("compare tab: without ratings it says what to load, and compares with PM meanwhile") {
-    Bench bench;
+    CompareBench bench;
     bench.program.click("tab:Compare");
     bench.wait_for_comparison();
     CHECK(bench.program.shows("button:load ratings"));
@@ -115,7 +51,7 @@ TEST_CASE("compare tab: without ratings it says what to load, and compares with 
 }
 
 TEST_CASE("compare tab: its numbers are those of the command line, to the last bit") {
-    Bench bench;
+    CompareBench bench;
     bench.load(square_csv());
     CHECK(bench.program.app.layout.bench == BenchTab::compare);
     bench.wait_for_comparison();
@@ -141,7 +77,7 @@ TEST_CASE("compare tab: its numbers are those of the command line, to the last b
 }
 
 TEST_CASE("compare tab: loading ratings is one step, kept with the set and renamed with it") {
-    Bench bench;
+    CompareBench bench;
     bench.load(square_csv());
     App& app = bench.program.app;
     REQUIRE(app.work.document.set.ratings.size() == 1);
@@ -160,7 +96,7 @@ TEST_CASE("compare tab: loading ratings is one step, kept with the set and renam
 }
 
 TEST_CASE("compare tab: a file that does not fit is refused in words and changes nothing") {
-    Bench bench;
+    CompareBench bench;
     App& app = bench.program.app;
     bench.load(",p1,x\np1,0,1\nx,1,0\n");
     CHECK(app.ui.status.is_error);
@@ -176,7 +112,7 @@ TEST_CASE("compare tab: a file that does not fit is refused in words and changes
 }
 
 TEST_CASE("compare tab: ratings of a pattern that is gone no longer fit, and it says so") {
-    Bench bench;
+    CompareBench bench;
     bench.load(square_csv());
     bench.program.press_key(key::kDelete);
     bench.wait_for_comparison();
@@ -187,7 +123,7 @@ TEST_CASE("compare tab: ratings of a pattern that is gone no longer fit, and it 
 }
 
 TEST_CASE("compare tab: two participants make a noise ceiling; unrated pairs are left out") {
-    Bench bench;
+    CompareBench bench;
     std::string lines = "participant,a,b,rating\n";
     for (int person = 1; person <= 2; ++person) {
         for (int i = 1; i <= 6; ++i) {
@@ -209,7 +145,7 @@ TEST_CASE("compare tab: two participants make a noise ceiling; unrated pairs are
 }
 
 TEST_CASE("compare tab: a row chooses the metric of the pairs and of the Shepard diagram") {
-    Bench bench;
+    CompareBench bench;
     bench.load(square_csv());
     bench.wait_for_comparison();
     bench.program.click("metric:mtm");
@@ -231,12 +167,12 @@ TEST_CASE("compare tab: a row chooses the metric of the pairs and of the Shepard
 }
 
 TEST_CASE("compare tab: a point of the scatter selects its pair, a listed pair opens its Why") {
-    Bench bench;
+    CompareBench bench;
     bench.load(square_csv());
     bench.wait_for_comparison();
     bench.program.click("compare:Pairs");
     const App& app = bench.program.app;
-    bench.program.click("pair point:" + std::to_string(pair_index(kCount, 2, 4)));
+    bench.program.click("pair point:" + std::to_string(pair_index(kRatedPatterns, 2, 4)));
     auto pair = chosen_pair(app.work, app.shown_map);
     REQUIRE(pair);
     // Another pair may be in the same place; then it is that one.
@@ -245,7 +181,7 @@ TEST_CASE("compare tab: a point of the scatter selects its pair, a listed pair o
     CHECK(people(pair->current, pair->partner) == people(2, 4));
 
     const auto worst = disagreements(app.comparing.comparison->metrics[0].matrix, people).front();
-    const auto [i, j] = pair_at(kCount, worst.pair);
+    const auto [i, j] = pair_at(kRatedPatterns, worst.pair);
     const std::string names = "p" + std::to_string(i + 1) + "|p" + std::to_string(j + 1);
     bench.program.click("disagreement:" + names);
     CHECK(app.layout.bench == BenchTab::why);
@@ -266,7 +202,7 @@ TEST_CASE("compare tab: disagreement is the difference of ranks among the rated 
 }
 
 TEST_CASE("compare tab: cancelled, it waits for a word or the next edit") {
-    Bench bench;
+    CompareBench bench;
     bench.program.app.layout.bench = BenchTab::compare;
     bench.program.frame();
     cancel_comparison(bench.program.app.work, bench.program.app.comparing);
@@ -284,7 +220,7 @@ TEST_CASE("compare tab: silence and equal patterns have words, not numbers") {
     for (Vibration& vibration : set.vibrations) {
         std::get<Pattern>(vibration.source).amplitude_g = 0.0;
     }
-    Bench bench(set);
+    CompareBench bench(set);
     bench.load(",p1,p2,p3,p4\np1,0,1,2,3\np2,1,0,4,5\np3,2,4,0,6\np4,3,5,6,0\n");
     bench.wait_for_comparison();
     const std::vector<double> pm = numbers_in(bench.program.at("metric:pm").value);
@@ -300,7 +236,7 @@ TEST_CASE("compare tab: silence and equal patterns have words, not numbers") {
 
 TEST_CASE("compare tab: no pattern or one has no pair, in every tab") {
     for (const std::size_t count : {0UL, 1UL}) {
-        Bench bench(short_patterns(count));
+        CompareBench bench(short_patterns(count));
         for (const char* tab : {"tab:Compare", "tab:Shepard", "tab:Why"}) bench.program.click(tab);
         CHECK_FALSE(bench.program.shows("why:pair"));
         bench.program.click("tab:Compare");
@@ -312,7 +248,7 @@ TEST_CASE("compare tab: no pattern or one has no pair, in every tab") {
 }
 
 TEST_CASE("overlay: the map of the ratings lies over the predicted one, and follows it into 2-D") {
-    Bench bench;
+    CompareBench bench;
     App& app = bench.program.app;
     CHECK_FALSE(bench.program.shows("check:overlay ratings"));
     bench.load(square_csv());
@@ -333,51 +269,8 @@ TEST_CASE("overlay: the map of the ratings lies over the predicted one, and foll
     CHECK(bench.program.shows("overlay"));
 }
 
-TEST_CASE("why tab: it explains the current pattern and its closest one, or the one clicked") {
-    Bench bench;
-    App& app = bench.program.app;
-    bench.program.click("tab:Why");
-    bench.wait_for_difference();
-    auto pair = chosen_pair(app.work, app.shown_map);
-    CHECK(pair->kind == PartnerKind::closest);
-    const Dissimilarity& pm = app.shown_map.transition.shown->prediction.pm;
-    for (std::size_t k = 1; k < kCount; ++k) CHECK(pm(0, pair->partner) <= pm(0, k));
-    choose_pair(app.work, 1, 3);
-    bench.wait_for_difference();
-    CHECK(bench.program.at("why:pair").value == "p2|p4");
-    const std::size_t k = pair_index(kCount, 1, 3);
-    const Prediction& prediction = app.shown_map.transition.shown->prediction;
-    const double share = prediction.nc_rank[k] / (prediction.nc_rank[k] + prediction.oc_rank[k]);
-    CHECK(contains(bench.program.at("why:parts").value,
-                   "neural coding " + std::to_string(std::lround(100.0 * share)) + " %"));
-    // The steps' mean is NC squared.
-    double mean = 0.0;
-    for (const double step : app.comparing.difference->apart) mean += step;
-    mean /= static_cast<double>(app.comparing.difference->apart.size());
-    const double nc = prediction.nc.condensed[k];
-    CHECK(std::abs(mean - nc * nc) <= 1e-12);
-    bench.program.click("link:both pipelines");
-    CHECK(app.work.selection.pinned == "p4");
-}
-
-TEST_CASE("why tab: a cell of the matrix makes the pair") {
-    Bench bench;
-    const ImVec2 middle = bench.program.at("view:Matrix").middle();
-    ImVec2 cell = middle;
-    for (float away = 0.0F; away < 150.0F && !bench.program.shows("pair"); away += 10.0F) {
-        cell = middle - ImVec2{away, 0.0F};
-        bench.program.hover(cell);
-    }
-    const std::string names = bench.program.at("pair").value;  // "p4   p2", then numbers
-    bench.program.window.click(cell);
-    bench.program.settle();
-    bench.program.click("tab:Why");
-    const std::string pair = bench.program.at("why:pair").value;
-    CHECK(pair == names.substr(0, 2) + "|" + names.substr(5, 2));
-}
-
 TEST_CASE("findings: they are checked on request, and can be cancelled") {
-    Bench bench;
+    CompareBench bench;
     bench.program.click("tab:Compare");
     bench.program.click("compare:Findings");
     CHECK(bench.program.app.comparing.findings == nullptr);
@@ -389,7 +282,7 @@ TEST_CASE("findings: they are checked on request, and can be cancelled") {
 }
 
 TEST_CASE("compare: ratings of the patterns alone can be held against either side of their twins") {
-    Bench bench(with_synthetic_twins(short_patterns(4), {}));
+    CompareBench bench(with_synthetic_twins(short_patterns(4), {}));
     bench.load(",p1,p2,p3,p4\np1,0,1,2,3\np2,1,0,4,5\np3,2,4,0,6\np4,3,5,6,0\n");
     bench.wait_for_comparison();
     REQUIRE(bench.program.app.comparing.comparison->people);

@@ -1,0 +1,53 @@
+// The Why tab, through the program's real frames.
+#include <cmath>
+
+#include "tests/support/compare_bench.h"
+
+namespace why_panel_test {
+
+using namespace tact;
+
+TEST_CASE("why tab: it explains the current pattern and its closest one, or the one clicked") {
+    CompareBench bench;
+    App& app = bench.program.app;
+    bench.program.click("tab:Why");
+    bench.wait_for_difference();
+    auto pair = chosen_pair(app.work, app.shown_map);
+    CHECK(pair->kind == PartnerKind::closest);
+    const Dissimilarity& pm = app.shown_map.transition.shown->prediction.pm;
+    for (std::size_t k = 1; k < kRatedPatterns; ++k) CHECK(pm(0, pair->partner) <= pm(0, k));
+    choose_pair(app.work, 1, 3);
+    bench.wait_for_difference();
+    CHECK(bench.program.at("why:pair").value == "p2|p4");
+    const std::size_t k = pair_index(kRatedPatterns, 1, 3);
+    const Prediction& prediction = app.shown_map.transition.shown->prediction;
+    const double share = prediction.nc_rank[k] / (prediction.nc_rank[k] + prediction.oc_rank[k]);
+    CHECK(contains(bench.program.at("why:parts").value,
+                   "neural coding " + std::to_string(std::lround(100.0 * share)) + " %"));
+    // The steps' mean is NC squared.
+    double mean = 0.0;
+    for (const double step : app.comparing.difference->apart) mean += step;
+    mean /= static_cast<double>(app.comparing.difference->apart.size());
+    const double nc = prediction.nc.condensed[k];
+    CHECK(std::abs(mean - nc * nc) <= 1e-12);
+    bench.program.click("link:both pipelines");
+    CHECK(app.work.selection.pinned == "p4");
+}
+
+TEST_CASE("why tab: a cell of the matrix makes the pair") {
+    CompareBench bench;
+    const ImVec2 middle = bench.program.at("view:Matrix").middle();
+    ImVec2 cell = middle;
+    for (float away = 0.0F; away < 150.0F && !bench.program.shows("pair"); away += 10.0F) {
+        cell = middle - ImVec2{away, 0.0F};
+        bench.program.hover(cell);
+    }
+    const std::string names = bench.program.at("pair").value;  // "p4   p2", then numbers
+    bench.program.window.click(cell);
+    bench.program.settle();
+    bench.program.click("tab:Why");
+    const std::string pair = bench.program.at("why:pair").value;
+    CHECK(pair == names.substr(0, 2) + "|" + names.substr(5, 2));
+}
+
+}  // namespace why_panel_test
