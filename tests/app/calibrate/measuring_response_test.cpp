@@ -7,9 +7,8 @@
 #include "app/play/calibrating.h"
 #include "app/play/playing.h"
 #include "devices/calibration/calibration_file.h"
-#include "devices/device/memory_device.h"
 #include "model/io/recordings/wave_file.h"
-#include "tests/support/program.h"
+#include "tests/support/felt_program.h"
 #include "tests/support/temporary_folder.h"
 
 namespace measuring_response_test {
@@ -24,18 +23,10 @@ struct Measuring : Program {
 
     Measuring() : Program(short_patterns(2)) {
         app.work.session.folder = folder.path / "state";
-        DeviceInfo info;
-        info.id = "audio/test/coil";
-        info.name = "coil";
-        info.channels = {"left", "right"};
-        app.play.listed = std::make_shared<const Listing>(Listing{info});
-        auto owned = std::make_unique<MemoryDevice>(true);
-        device = owned.get();
-        app.play.choice.id = info.id;
+        device = plug_in(app, "coil");
+        app.play.choice.id = app.play.listed->front().id;
         app.play.choice.channel = 2;
         app.play.opened = app.play.choice;
-        app.play.device = std::move(owned);
-        app.timeline.playhead.speed = 1.0;
         app.ui.dialog = Dialog::devices;
         settle();
         click("link:calibrate");

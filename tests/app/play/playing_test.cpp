@@ -10,56 +10,15 @@
 #include "app/window/jobs.h"
 #include "devices/device/memory_device.h"
 #include "devices/device/protection.h"
+#include "tests/support/felt_program.h"
 #include "tests/support/program.h"
 
 namespace playing_test {
 
 using namespace tact;
 
-namespace {
-
-struct Felt : Program {
-    MemoryDevice* device = nullptr;
-
-    explicit Felt(std::size_t patterns = 3) : Program(short_patterns(patterns)) {
-        DeviceInfo info;
-        info.id = "audio/test/memory";
-        info.name = "memory";
-        info.channels = {"left", "right"};
-        app.play.listed = std::make_shared<const Listing>(Listing{info});
-        auto owned = std::make_unique<MemoryDevice>(true);
-        device = owned.get();
-        app.play.choice = app.play.opened = remembered_choice(app.play, info.id);
-        app.play.device = std::move(owned);
-        app.timeline.playhead.speed = 1.0;
-        app.timeline.playhead.loop = false;
-        settle();
-    }
-
-    void space() {
-        window.press(key::kSpace, U' ');
-        settle();
-    }
-
-    Drive drive_of_pattern(std::size_t index) const {
-        return drive_of(waveform_of(app.work.document.set.vibrations[index]), 1.0);
-    }
-
-    bool plays(std::size_t index) const {
-        if (!device->playing()) return false;
-        const Drive whole = drive_of_pattern(index);
-        return *device->playing() == protected_drive(whole, device->looping(), true).drive;
-    }
-
-    void wait(double seconds) {
-        for (double s = 0.0; s < seconds; s += window.frame_s) frame();
-    }
-};
-
-}  // namespace
-
 TEST_CASE("playing: Space sends the current pattern to the device, at a low level, and stops it") {
-    Felt program;
+    FeltProgram program;
     program.space();
     REQUIRE(program.plays(0));
     CHECK(program.device->level() == 0.1);
@@ -71,7 +30,7 @@ TEST_CASE("playing: Space sends the current pattern to the device, at a low leve
 }
 
 TEST_CASE("playing: the playhead is where the device says that it is felt, and ends with it") {
-    Felt program;
+    FeltProgram program;
     program.space();
     program.device->pretend(0.042, 0.0, false);
     program.frame();
@@ -83,7 +42,7 @@ TEST_CASE("playing: the playhead is where the device says that it is felt, and e
 }
 
 TEST_CASE("playing: slow motion is silent, and slowing down silences") {
-    Felt program;
+    FeltProgram program;
     program.click("speed:1/10");
     program.space();
     CHECK_FALSE(program.device->playing());
@@ -96,7 +55,7 @@ TEST_CASE("playing: slow motion is silent, and slowing down silences") {
 }
 
 TEST_CASE("playing: Esc silences in the frame it is pressed in, and does nothing else there") {
-    Felt program;
+    FeltProgram program;
     program.app.layout.maximised = Pane::physiology;
     program.space();
     REQUIRE(program.plays(0));
@@ -110,7 +69,7 @@ TEST_CASE("playing: Esc silences in the frame it is pressed in, and does nothing
 }
 
 TEST_CASE("playing: Esc silences also in a dialog") {
-    Felt program;
+    FeltProgram program;
     program.app.ui.dialog = Dialog::devices;
     program.settle();
     program.click("button:test buzz");
@@ -122,7 +81,7 @@ TEST_CASE("playing: Esc silences also in a dialog") {
 }
 
 TEST_CASE("playing: a loop takes up an edit at its next round, not in the middle") {
-    Felt program;
+    FeltProgram program;
     program.app.timeline.playhead.loop = true;
     program.space();
     REQUIRE(program.device->looping());
@@ -141,7 +100,7 @@ TEST_CASE("playing: a loop takes up an edit at its next round, not in the middle
 }
 
 TEST_CASE("playing: A|B plays the pattern and its partner in turn, with a gap") {
-    Felt program;
+    FeltProgram program;
     program.app.work.selection.pinned = "p3";
     program.app.timeline.playhead.loop = true;
     program.click("transport:A|B");
@@ -163,7 +122,7 @@ TEST_CASE("playing: A|B plays the pattern and its partner in turn, with a gap") 
 }
 
 TEST_CASE("playing: all in sequence, each once, each shown while it is felt") {
-    Felt program;
+    FeltProgram program;
     play_all(program.app.ui, program.app.work, program.app.timeline, program.app.play);
     for (const std::size_t index : {0U, 1U, 2U}) {
         program.frame();
@@ -176,23 +135,8 @@ TEST_CASE("playing: all in sequence, each once, each shown while it is felt") {
     CHECK_FALSE(program.device->playing());
 }
 
-TEST_CASE("playing: a lost device says so once, and nothing plays") {
-    Felt program;
-    program.space();
-    program.device->pretend(0.0, 0.0, false, "memory is gone: nothing plays until it is back");
-    program.settle();
-    CHECK_FALSE(program.app.timeline.playhead.playing);
-    CHECK_FALSE(is_sounding(program.app.play));
-    CHECK(program.app.ui.status.is_error);
-    CHECK(program.app.ui.status.text == "memory is gone: nothing plays until it is back");
-    program.app.ui.status = {};
-    program.settle();
-    CHECK(program.app.ui.status.text.empty());
-    CHECK(device_trouble(program.app.play) == "memory is gone: nothing plays until it is back");
-}
-
 TEST_CASE("playing: the clip light stays on until it is clicked, the meter falls by itself") {
-    Felt program;
+    FeltProgram program;
     program.space();
     program.device->pretend(0.01, 0.8, true);
     program.frame();
@@ -208,7 +152,7 @@ TEST_CASE("playing: the clip light stays on until it is clicked, the meter falls
 }
 
 TEST_CASE("playing: the level is felt while it plays") {
-    Felt program;
+    FeltProgram program;
     program.space();
     const Place slider = program.at("level");
     program.window.move({slider.max.x - 2.0F, slider.middle().y});
@@ -220,59 +164,8 @@ TEST_CASE("playing: the level is felt while it plays") {
     CHECK(program.plays(0));
 }
 
-TEST_CASE("playing: without a device all is calm: silent playing, and one word of advice") {
-    Program program(short_patterns(2));
-    program.app.play.listed = std::make_shared<const Listing>();
-    program.app.timeline.playhead.speed = 1.0;
-    program.settle();
-    CHECK(program.at("device").value == "No device");
-    CHECK_FALSE(program.shows("level"));
-    CHECK_FALSE(program.shows("clip"));
-    program.window.press(key::kSpace, U' ');
-    program.settle();
-    CHECK(program.app.timeline.playhead.playing);
-    CHECK(program.app.ui.status.text.empty());
-    program.click("device");
-    CHECK(program.at("device advice").value.find("Plug in") == 0);
-}
-
-TEST_CASE("playing: a device that was chosen and is not there is not replaced by another") {
-    Felt program;
-    DeviceInfo other;
-    other.id = "audio/test/other";
-    other.name = "other";
-    choose_device(program.app.ui, program.app.timeline, program.app.play,
-                  remembered_choice(program.app.play, "audio/test/gone"));
-    program.app.play.listed = std::make_shared<const Listing>(Listing{other});
-    program.settle();
-    program.space();
-    CHECK_FALSE(is_sounding(program.app.play));
-    CHECK(program.app.timeline.playhead.playing);  // silently
-    CHECK(program.app.play.choice.id == "audio/test/gone");
-    CHECK(program.at("device").value.find("gone") == 0);
-    CHECK(program.app.ui.status.text.find("not there") != std::string::npos);
-}
-
-TEST_CASE("playing: how each device was used is remembered, in the session too") {
-    App app = make_app();
-    DeviceChoice pulse{"audio/ALSA/pulse", 2, 4, 0.02};
-    choose_device(app.ui, app.timeline, app.play, pulse);
-    choose_device(app.ui, app.timeline, app.play, {"audio/JACK/system", 3, 0, 0.0});
-    CHECK(remembered_choice(app.play, "audio/ALSA/pulse") == pulse);
-    app.play.full_scale_g = 2.5;
-    keep_devices(app.work, app.play);
-    App next = make_app();
-    next.work.session = app.work.session;
-    restore_devices(next.work, next.play);
-    CHECK(next.play.choice.id == "audio/JACK/system");
-    CHECK(next.play.choice.channel == 3);
-    CHECK(remembered_choice(next.play, "audio/ALSA/pulse") == pulse);
-    CHECK(next.play.full_scale_g == 2.5);
-    CHECK(next.play.level == kFirstLevel);  // every start is a quiet one
-}
-
 TEST_CASE("playing: in the map a double click plays, and so does resting on a point, if wanted") {
-    Felt program;
+    FeltProgram program;
     make_jobs(program.app);
     request_maps(program.app.work, program.app.shown_map, program.app.rendered);
     program.wait_for_exact_map();
@@ -295,7 +188,7 @@ TEST_CASE("playing: in the map a double click plays, and so does resting on a po
 }
 
 TEST_CASE("playing: Esc that comes before its frame stops the device, and no sequence goes on") {
-    Felt program;
+    FeltProgram program;
     program.app.play.gap_s = 0.0;
     play_all(program.app.ui, program.app.work, program.app.timeline, program.app.play);
     program.frame();
@@ -318,7 +211,7 @@ TEST_CASE("playing: Esc that comes before its frame stops the device, and no seq
 }
 
 TEST_CASE("playing: a calibrated drive is computed beside the frames, and then played") {
-    Felt program;
+    FeltProgram program;
     Calibration flat;
     flat.points = {{20.0, 2.0}, {500.0, 2.0}};
     program.app.play.calibration = std::make_shared<const Calibration>(flat);
@@ -340,7 +233,7 @@ TEST_CASE("playing: a calibrated drive is computed beside the frames, and then p
 }
 
 TEST_CASE("playing: what was being computed when it was silenced is not played") {
-    Felt program;
+    FeltProgram program;
     Calibration flat;
     flat.points = {{20.0, 2.0}, {500.0, 2.0}};
     program.app.play.calibration = std::make_shared<const Calibration>(flat);
@@ -353,46 +246,6 @@ TEST_CASE("playing: what was being computed when it was silenced is not played")
     }
     program.settle();
     CHECK_FALSE(program.device->playing());
-}
-
-TEST_CASE("playing: a controller is still when another window has the keys, sound plays on") {
-    Felt program;
-    program.space();
-    follow_focus(program.app.ui, program.app.timeline, program.app.play, true);
-    follow_focus(program.app.ui, program.app.timeline, program.app.play, false);
-    CHECK(program.device->playing());
-    Listing listed = *program.app.play.listed;
-    listed[0].kind = DeviceKind::hid;
-    program.app.play.listed = std::make_shared<const Listing>(listed);
-    follow_focus(program.app.ui, program.app.timeline, program.app.play,
-                 false);  // it was lost before
-    CHECK(program.device->playing());
-    follow_focus(program.app.ui, program.app.timeline, program.app.play, true);
-    follow_focus(program.app.ui, program.app.timeline, program.app.play, false);
-    CHECK_FALSE(program.device->playing());
-    CHECK_FALSE(is_sounding(program.app.play));
-}
-
-TEST_CASE("playing: another device, or another of its channels, begins at a low level again") {
-    Felt program;
-    PlayState& play = program.app.play;
-    play.level = 1.0;
-    DeviceChoice choice = play.choice;
-    choice.latency_offset_s = 0.01;  // it is the same actuator
-    choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
-    CHECK(play.level == 1.0);
-    choice.channel = 2;
-    choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
-    CHECK(play.level == kFirstLevel);
-    play.level = 1.0;
-    choice.id = "audio/test/another";
-    choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
-    CHECK(play.level == kFirstLevel);
-    // Who had it lower keeps it.
-    play.level = 0.05;
-    choice.id = "audio/test/a third";
-    choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
-    CHECK(play.level == 0.05);
 }
 
 }  // namespace playing_test

@@ -1,0 +1,119 @@
+// Which device is played on: chosen, lost, remembered, another.
+#include "app/play/playing.h"
+
+#include <doctest/doctest.h>
+
+#include "app/window/jobs.h"
+#include "tests/support/felt_program.h"
+
+namespace play_devices_test {
+
+using namespace tact;
+
+TEST_CASE("playing: a lost device says so once, and nothing plays") {
+    FeltProgram program;
+    program.space();
+    program.device->pretend(0.0, 0.0, false, "memory is gone: nothing plays until it is back");
+    program.settle();
+    CHECK_FALSE(program.app.timeline.playhead.playing);
+    CHECK_FALSE(is_sounding(program.app.play));
+    CHECK(program.app.ui.status.is_error);
+    CHECK(program.app.ui.status.text == "memory is gone: nothing plays until it is back");
+    program.app.ui.status = {};
+    program.settle();
+    CHECK(program.app.ui.status.text.empty());
+    CHECK(device_trouble(program.app.play) == "memory is gone: nothing plays until it is back");
+}
+
+TEST_CASE("playing: without a device all is calm: silent playing, and one word of advice") {
+    Program program(short_patterns(2));
+    program.app.play.listed = std::make_shared<const Listing>();
+    program.app.timeline.playhead.speed = 1.0;
+    program.settle();
+    CHECK(program.at("device").value == "No device");
+    CHECK_FALSE(program.shows("level"));
+    CHECK_FALSE(program.shows("clip"));
+    program.window.press(key::kSpace, U' ');
+    program.settle();
+    CHECK(program.app.timeline.playhead.playing);
+    CHECK(program.app.ui.status.text.empty());
+    program.click("device");
+    CHECK(program.at("device advice").value.find("Plug in") == 0);
+}
+
+TEST_CASE("playing: a device that was chosen and is not there is not replaced by another") {
+    FeltProgram program;
+    DeviceInfo other;
+    other.id = "audio/test/other";
+    other.name = "other";
+    choose_device(program.app.ui, program.app.timeline, program.app.play,
+                  remembered_choice(program.app.play, "audio/test/gone"));
+    program.app.play.listed = std::make_shared<const Listing>(Listing{other});
+    program.settle();
+    program.space();
+    CHECK_FALSE(is_sounding(program.app.play));
+    CHECK(program.app.timeline.playhead.playing);  // silently
+    CHECK(program.app.play.choice.id == "audio/test/gone");
+    CHECK(program.at("device").value.find("gone") == 0);
+    CHECK(program.app.ui.status.text.find("not there") != std::string::npos);
+}
+
+TEST_CASE("playing: how each device was used is remembered, in the session too") {
+    App app = make_app();
+    DeviceChoice pulse{"audio/ALSA/pulse", 2, 4, 0.02};
+    choose_device(app.ui, app.timeline, app.play, pulse);
+    choose_device(app.ui, app.timeline, app.play, {"audio/JACK/system", 3, 0, 0.0});
+    CHECK(remembered_choice(app.play, "audio/ALSA/pulse") == pulse);
+    app.play.full_scale_g = 2.5;
+    keep_devices(app.work, app.play);
+    App next = make_app();
+    next.work.session = app.work.session;
+    restore_devices(next.work, next.play);
+    CHECK(next.play.choice.id == "audio/JACK/system");
+    CHECK(next.play.choice.channel == 3);
+    CHECK(remembered_choice(next.play, "audio/ALSA/pulse") == pulse);
+    CHECK(next.play.full_scale_g == 2.5);
+    CHECK(next.play.level == kFirstLevel);  // every start is a quiet one
+}
+
+TEST_CASE("playing: a controller is still when another window has the keys, sound plays on") {
+    FeltProgram program;
+    program.space();
+    follow_focus(program.app.ui, program.app.timeline, program.app.play, true);
+    follow_focus(program.app.ui, program.app.timeline, program.app.play, false);
+    CHECK(program.device->playing());
+    Listing listed = *program.app.play.listed;
+    listed[0].kind = DeviceKind::hid;
+    program.app.play.listed = std::make_shared<const Listing>(listed);
+    follow_focus(program.app.ui, program.app.timeline, program.app.play,
+                 false);  // it was lost before
+    CHECK(program.device->playing());
+    follow_focus(program.app.ui, program.app.timeline, program.app.play, true);
+    follow_focus(program.app.ui, program.app.timeline, program.app.play, false);
+    CHECK_FALSE(program.device->playing());
+    CHECK_FALSE(is_sounding(program.app.play));
+}
+
+TEST_CASE("playing: another device, or another of its channels, begins at a low level again") {
+    FeltProgram program;
+    PlayState& play = program.app.play;
+    play.level = 1.0;
+    DeviceChoice choice = play.choice;
+    choice.latency_offset_s = 0.01;  // it is the same actuator
+    choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
+    CHECK(play.level == 1.0);
+    choice.channel = 2;
+    choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
+    CHECK(play.level == kFirstLevel);
+    play.level = 1.0;
+    choice.id = "audio/test/another";
+    choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
+    CHECK(play.level == kFirstLevel);
+    // Who had it lower keeps it.
+    play.level = 0.05;
+    choice.id = "audio/test/a third";
+    choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
+    CHECK(play.level == 0.05);
+}
+
+}  // namespace play_devices_test
