@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "model/io/set/set_file.h"
+#include "tests/support/physiology_program.h"
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
@@ -15,44 +16,6 @@ namespace physiology_panel_test {
 using namespace tact;
 
 namespace {
-
-// Strong and rich enough for all four types to fire, short enough for a test.
-PatternSet rich_patterns() {
-    PatternSet set = short_patterns(3);
-    for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
-        Pattern& pattern = std::get<Pattern>(set.vibrations[k].source);
-        pattern.amplitude_g = 1.5 + static_cast<double>(k);
-        pattern.carriers = {{70.0 + 10.0 * static_cast<double>(k), 0.5, 0.0}, {210.0, 0.5, 0.0}};
-        pattern.modulation.frequency_hz = 20.0;
-    }
-    return set;
-}
-
-struct Physiology : ProgramWithStages {
-    explicit Physiology(const PatternSet& set = rich_patterns()) : ProgramWithStages(set) {}
-
-    ImVec2 in_row(const std::string& id, float share) const {
-        const Place& row = at("plot:" + id);
-        return {row.min.x + share * (row.max.x - row.min.x), row.middle().y};
-    }
-
-    void wheel(ImVec2 where, float notches, bool ctrl) {
-        window.move(where);
-        settle();
-        if (ctrl) push(window.input, {window.now_s, KeyChange{key::kLeftControl, true, false, 0}});
-        push(window.input, {window.now_s, MouseWheel{0.0F, notches}});
-        settle();
-        if (ctrl) push(window.input, {window.now_s, KeyChange{key::kLeftControl, false, false, 0}});
-        settle();
-    }
-
-    std::vector<std::string> under_the_mouse(const std::string& what) const {
-        std::istringstream words(at("under the mouse:" + what).value);
-        std::vector<std::string> cells;
-        for (std::string word; words >> word;) cells.push_back(word);
-        return cells;
-    }
-};
 
 // What `tactspace stages` writes about a pattern of the set.
 struct Written {
@@ -84,7 +47,7 @@ struct Written {
 
 TEST_CASE("physiology: numbers under the cursor are those that the command line writes") {
     const PatternSet set = rich_patterns();
-    Physiology program(set);
+    PhysiologyProgram program(set);
     const Written written(set, "p1");
     struct Signal {
         const char* row;
@@ -110,7 +73,7 @@ TEST_CASE("physiology: numbers under the cursor are those that the command line 
 TEST_CASE(
     "physiology: a component, a receptor and a relay neuron say what the command line writes") {
     const PatternSet set = rich_patterns();
-    Physiology program(set);
+    PhysiologyProgram program(set);
     const Written written(set, "p1");
 
     // Somewhere on the spectrum there is a component to point at.
@@ -185,68 +148,8 @@ TEST_CASE(
     CHECK(value == std::stod(cell[5]));
 }
 
-TEST_CASE("physiology: all time axes begin and end at the same pixels, small and large") {
-    Physiology program;
-    const auto check = [&](const std::string& stage, std::vector<std::string> rows) {
-        program.click("stage:" + stage);
-        const Place first = program.at("plot:" + rows[0]);
-        for (const std::string& row : rows) {
-            CHECK(program.at("plot:" + row).min.x == first.min.x);
-            CHECK(program.at("plot:" + row).max.x == first.max.x);
-        }
-    };
-    check("all", {"vibration", "filtered FA1", "filtered SA2", "raster", "central FA2", "brain",
-                  "envelope"});
-    check("filtered", {"filtered FA1", "filtered FA2", "filtered SA2"});
-}
-
-TEST_CASE("physiology: a press in any plot moves the one playhead, dragging scrubs") {
-    Physiology program;
-    program.drag(program.in_row("brain", 0.2F), program.in_row("brain", 0.7F), 3);
-    CHECK(std::abs(program.app.timeline.playhead.at_s - 0.07) < 0.002);
-    program.drag(program.in_row("vibration", 0.5F), program.in_row("vibration", 0.3F), 3);
-    CHECK(std::abs(program.app.timeline.playhead.at_s - 0.03) < 0.002);
-    CHECK(program.app.work.history.undo_label() == nullptr);
-}
-
-TEST_CASE(
-    "physiology: Ctrl and wheel zoom where the mouse is, the wheel moves on, all views follow") {
-    Physiology program;
-    for (int k = 0; k < 5; ++k) program.wheel(program.in_row("envelope", 0.5F), 1.0F, true);
-    const TimeRange zoomed_in = program.app.timeline.range;
-    CHECK(zoomed_in.length_s() < 0.05);
-    CHECK(std::abs(0.5 * (zoomed_in.start_s + zoomed_in.end_s) - 0.05) < 0.002);
-    program.wheel(program.in_row("raster", 0.5F), -1.0F, false);
-    CHECK(program.app.timeline.range.start_s > zoomed_in.start_s);
-    CHECK(std::abs(program.app.timeline.range.length_s() - zoomed_in.length_s()) < 1e-12);
-    for (int k = 0; k < 40; ++k) program.wheel(program.in_row("brain", 0.5F), 1.0F, true);
-    CHECK(std::abs(program.app.timeline.range.length_s() - 0.005) < 1e-9);
-    program.click("show all");
-    CHECK(std::abs(program.app.timeline.range.length_s() - 0.1) < 1e-12);
-}
-
-TEST_CASE("physiology: Space plays and halts, at the chosen speed, and Esc stops") {
-    Physiology program;
-    program.click("speed:1/100");
-    program.window.press(key::kSpace, U' ');
-    program.settle();
-    CHECK(program.app.timeline.playhead.playing);
-    const double from_s = program.app.timeline.playhead.at_s;
-    for (int k = 0; k < 50; ++k) program.frame();
-    const double moved_s = program.app.timeline.playhead.at_s - from_s;
-    CHECK(std::abs(moved_s - 50 * 0.01 * program.window.frame_s) < 1e-9);
-    program.press_key(key::kEscape);
-    CHECK_FALSE(program.app.timeline.playhead.playing);
-    const double stopped_s = program.app.timeline.playhead.at_s;
-    for (int k = 0; k < 5; ++k) program.frame();
-    CHECK(program.app.timeline.playhead.at_s == stopped_s);
-    program.press('.');
-    CHECK(std::abs(program.app.timeline.playhead.at_s -
-                   (std::floor(stopped_s / 0.005) + 1) * 0.005) < 1e-12);
-}
-
 TEST_CASE("physiology: a stage opens large from the strip or by its name, Esc goes back") {
-    Physiology program;
+    PhysiologyProgram program;
     program.click("stage:spikes");
     CHECK(program.app.physiology.view.open == Stage::spikes);
     CHECK_FALSE(program.shows("plot:brain"));
@@ -259,7 +162,7 @@ TEST_CASE("physiology: a stage opens large from the strip or by its name, Esc go
 }
 
 TEST_CASE("physiology: the i of a stage explains it, and leads on to the next") {
-    Physiology program;
+    PhysiologyProgram program;
     program.click("explain:networks");
     CHECK(program.at("explanation").value == "networks");
     program.click("explain:next");
@@ -282,7 +185,7 @@ TEST_CASE("physiology: every stage has all that its explanation promises") {
 }
 
 TEST_CASE("physiology: a receptor selected in its grid stands out in the raster, and back") {
-    Physiology program;
+    PhysiologyProgram program;
     program.click("stage:receptors");
     const Place grid = program.at("grid FA1");
     for (float y = grid.min.y; y < grid.max.y && !program.app.physiology.view.selected; y += 3.0F) {
@@ -299,7 +202,7 @@ TEST_CASE("physiology: a receptor selected in its grid stands out in the raster,
 }
 
 TEST_CASE("physiology: a pinned pattern runs below, with the difference between them") {
-    Physiology program;
+    PhysiologyProgram program;
     program.click("compare with");
     program.click("pin:p2");
     program.wait_for_stages();
@@ -322,7 +225,7 @@ TEST_CASE("physiology: a pinned pattern runs below, with the difference between 
 TEST_CASE("physiology: a twin of the pattern differs from it nowhere") {
     PatternSet set = rich_patterns();
     set.vibrations[1].source = set.vibrations[0].source;
-    Physiology program(set);
+    PhysiologyProgram program(set);
     program.app.work.selection.pinned = "p2";
     program.frame();
     program.wait_for_stages();
@@ -336,7 +239,7 @@ TEST_CASE("physiology: silence, saturation, nothing at all and an edit under way
     PatternSet set = rich_patterns();
     std::get<Pattern>(set.vibrations[0].source).amplitude_g = 0.0;
     std::get<Pattern>(set.vibrations[1].source).amplitude_g = 50.0;
-    Physiology program(set);
+    PhysiologyProgram program(set);
     for (std::size_t k = 0; k < 3; ++k) {
         select_only(program.app.work, k);
         program.frame();
