@@ -112,6 +112,20 @@ struct Program {
         settle();
     }
 
+    void type(const std::string& text) {
+        window.type(text);
+        settle();
+    }
+
+    // As on a screen of this size, with text of this size.
+    void resize(ImVec2 size, float scale) {
+        ImGui::GetIO().DisplaySize = size;
+        ImGui::GetIO().Fonts->Clear();
+        app.ui.text_scale = scale;
+        make_theme(app);
+        settle();
+    }
+
     // Frames until the map on screen is the exact one of the document.
     void wait_for_exact_map() {
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);

@@ -8,6 +8,7 @@
 #include "devices/device/memory_device.h"
 #include "devices/device/playback.h"
 #include "tests/support/program.h"
+#include "tests/support/quick_study.h"
 #include "tests/support/temporary_folder.h"
 
 namespace study_actuator_test {
@@ -17,10 +18,8 @@ using namespace tact;
 namespace {
 
 PatternSet four_patterns() {
-    PatternSet set = short_patterns(4);
+    PatternSet set = quick_study();
     set.study.repetitions = 1;
-    set.study.gap_s = 0.05;
-    set.study.rest_s = 0.05;
     return set;
 }
 

@@ -5,6 +5,7 @@
 #include "app/study/study_follow.h"
 #include "devices/device/memory_device.h"
 #include "tests/support/program.h"
+#include "tests/support/quick_study.h"
 #include "tests/support/temporary_folder.h"
 
 namespace study_masking_test {
@@ -39,9 +40,7 @@ struct Masked : Program {
     std::shared_ptr<MemoryDevice> noise = std::make_shared<MemoryDevice>(true);
 
     static PatternSet set() {
-        PatternSet set = short_patterns(4);
-        set.study.gap_s = 0.05;
-        set.study.rest_s = 0.05;
+        PatternSet set = quick_study();
         set.study.masking = 0.3;
         return set;
     }

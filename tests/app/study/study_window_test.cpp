@@ -5,6 +5,7 @@
 #include "app/window/jobs.h"
 #include "devices/device/memory_device.h"
 #include "tests/support/program.h"
+#include "tests/support/quick_study.h"
 #include "tests/support/temporary_folder.h"
 
 namespace study_window_test {
@@ -14,10 +15,8 @@ using namespace tact;
 namespace {
 
 PatternSet study_set() {
-    PatternSet set = short_patterns(4);
+    PatternSet set = quick_study();
     set.study.repetitions = 1;
-    set.study.gap_s = 0.05;
-    set.study.rest_s = 0.05;
     set.study.attention.failures_allowed = 1;
     return set;
 }
@@ -48,10 +47,6 @@ struct StudyProgram : Program {
     }
     std::string page() const { return at("study page").value; }
     void key(int code) { press_key(code); }
-    void type(const std::string& text) {
-        window.type(text);
-        settle();
-    }
 
     // From the view to the first trial, by keyboard.
     void begin() {
@@ -205,11 +200,7 @@ TEST_CASE("study window: everything keeps within its pane, in small windows with
         for (const ImVec2 size : {ImVec2{1600, 1000}, ImVec2{1000, 640}}) {
             CAPTURE(scale);
             CAPTURE(size.x);
-            ImGui::GetIO().DisplaySize = size;
-            ImGui::GetIO().Fonts->Clear();
-            program.app.ui.text_scale = scale;
-            make_theme(program.app);
-            program.settle();
+            program.resize(size, scale);
             check_inside("pane:Study", {"entry:study_repetitions", "study:prediction",
                                         "study kind:Sort into groups", "study order:Adaptive"});
             check_inside("pane:Participants", {"button:run participant", "button:simulate",
@@ -235,11 +226,7 @@ TEST_CASE("study window: a trial fits into any window, at any size of text") {
         for (const ImVec2 size : {ImVec2{1600, 1000}, ImVec2{1000, 640}}) {
             CAPTURE(scale);
             CAPTURE(size.x);
-            ImGui::GetIO().DisplaySize = size;
-            ImGui::GetIO().Fonts->Clear();
-            program.app.ui.text_scale = scale;
-            make_theme(program.app);
-            program.settle();
+            program.resize(size, scale);
             CHECK(program.at("study:A").max.x <= program.at("study:B").min.x);
             CHECK(program.at("study:A").max.y <= program.at("study:slider").min.y);
             CHECK(program.at("study:slider").max.y <= program.at("study:go on").min.y);

@@ -61,14 +61,6 @@ void check_inside(const std::vector<Named>& things, const Place& pane) {
     }
 }
 
-void resize(Program& program, ImVec2 size, float scale) {
-    ImGui::GetIO().DisplaySize = size;
-    ImGui::GetIO().Fonts->Clear();
-    program.app.ui.text_scale = scale;
-    make_theme(program.app);
-    program.settle();
-}
-
 void check_layout(Program& program, const char* lower_right) {
     check_apart(named(program, {"title text:", "title detail:", "title right:"}));
     for (const char* pane : {"Patterns", "Editor", "Physiology", "Perceptual space", lower_right}) {
@@ -109,7 +101,7 @@ TEST_CASE("legible: titles, names, sliders and entries keep apart and inside the
         for (const float scale : {0.75F, 1.0F, 1.5F, 2.0F}) {
             CAPTURE(size.x);
             CAPTURE(scale);
-            resize(program, size, scale);
+            program.resize(size, scale);
             program.app.layout.bench = BenchTab::matrix;
             program.settle();
             check_layout(program, "Matrix");
@@ -128,7 +120,7 @@ TEST_CASE("legible: the title of a wide pane has all its parts, of a narrow one 
     program.settle();
     CHECK(program.at("title right:Perceptual space").value ==
           program.at("title:Perceptual space").value);
-    resize(program, {700.0F, 600.0F}, 2.0F);
+    program.resize({700.0F, 600.0F}, 2.0F);
     CHECK_FALSE(program.shows("title right:Perceptual space"));
     CHECK(program.shows("title text:Perceptual space"));
 }
@@ -139,7 +131,7 @@ TEST_CASE("legible: a narrow transport bar keeps Play, the time and the map's bu
     program.settle();
     CHECK(program.shows("transport:back"));
     CHECK(program.at("bar:computing").value == "map not computed");
-    resize(program, {760.0F, 600.0F}, 2.0F);
+    program.resize({760.0F, 600.0F}, 2.0F);
     CHECK_FALSE(program.shows("bar:whole"));
     CHECK(program.shows("transport:play"));
     CHECK(program.shows("playhead"));
@@ -148,7 +140,7 @@ TEST_CASE("legible: a narrow transport bar keeps Play, the time and the map's bu
 
 TEST_CASE("legible: a field too far down a large editor is reached by the wheel") {
     Program program(long_names());
-    resize(program, {1280.0F, 800.0F}, 2.0F);
+    program.resize({1280.0F, 800.0F}, 2.0F);
     const float before = program.at("entry:duration_s").min.y;
     const Place pane = program.at("pane:Editor");
     CHECK(before > pane.max.y);

@@ -1,51 +1,18 @@
 // Typing, stepping and nudging the numbers of the window.
 
 #include <array>
-#include <functional>
 
 #include "app/study/study_follow.h"
 #include "app/study/study_state.h"
 #include "app/window/frame.h"
 #include "tests/support/program.h"
+#include "tests/support/typed_numbers.h"
 
 namespace numbers_test {
 
 using namespace tact;
 
 namespace {
-
-// 1 s: bins of 1 Hz, as most sets have.
-PatternSet odd_numbers(std::size_t count) {
-    PatternSet set = short_patterns(count);
-    set.duration_s = 1.0;
-    for (Vibration& vibration : set.vibrations) {
-        auto& pattern = std::get<Pattern>(vibration.source);
-        pattern.duration_s = 1.0;
-        pattern.amplitude_g = 1.5;
-        pattern.carriers[0].frequency_hz = 180.0;
-        pattern.modulation.frequency_hz = 2.5;
-    }
-    return set;
-}
-
-void type(Program& program, const std::string& text) {
-    program.window.type(text);
-    program.settle();
-}
-
-void enter(Program& program, const std::string& entry, const std::string& text) {
-    program.click(entry);
-    type(program, text);
-    program.press_key(key::kEnter);
-}
-
-void hold(Program& program, int code, const std::function<void()>& then) {
-    push(program.window.input, {program.window.now_s, KeyChange{code, true, false, 0}});
-    program.settle();
-    then();
-    push(program.window.input, {program.window.now_s, KeyChange{code, false, false, 0}});
-    program.settle();
-}
 
 bool says(const Program& program, const char* part) {
     return program.app.ui.status.text.find(part) != std::string::npos;
@@ -72,7 +39,7 @@ std::size_t try_all(Program& program, const std::vector<std::string>& entries,
         if (program.app.ui.field.typing.entry == 0) continue;  // scrolled away, or disabled
         ++tried;
         program.app.ui.status = {};
-        type(program, text);
+        program.type(text);
         program.press_key(key::kEnter);
         CHECK(program.at(entry).value == before);
         CHECK(program.app.work.document.set == set);
@@ -134,7 +101,7 @@ TEST_CASE("numbers: a click selects all of it, and typing replaces it") {
 TEST_CASE("numbers: Esc brings back what was") {
     Program program(odd_numbers(1));
     program.click("entry:carrier_1_hz");
-    type(program, "350");
+    program.type("350");
     program.press_key(key::kEscape);
     CHECK(program.pattern(0).carriers[0].frequency_hz == 180.0);
     CHECK(undo_label(program).empty());
@@ -144,13 +111,13 @@ TEST_CASE("numbers: Esc brings back what was") {
 TEST_CASE("numbers: Tab takes the number and goes to the next one, never into a slider") {
     Program program(odd_numbers(1));
     program.click("entry:amplitude_g");
-    type(program, "2");
+    program.type("2");
     program.press_key(key::kTab);
     CHECK(program.pattern(0).amplitude_g == 2.0);
-    type(program, "222");
+    program.type("222");
     program.press_key(key::kTab);
     CHECK(program.pattern(0).carriers[0].frequency_hz == 222.0);
-    type(program, "7");
+    program.type("7");
     program.press_key(key::kEnter);
     CHECK(program.pattern(0).modulation.frequency_hz == 7.0);
 }
@@ -158,7 +125,7 @@ TEST_CASE("numbers: Tab takes the number and goes to the next one, never into a 
 TEST_CASE("numbers: a click elsewhere takes what was typed") {
     Program program(odd_numbers(2));
     program.click("entry:amplitude_g");
-    type(program, "2.25");
+    program.type("2.25");
     program.click("row:p2");
     CHECK(program.pattern(0).amplitude_g == 2.25);
     CHECK(program.pattern(1).amplitude_g == 1.5);
@@ -253,90 +220,10 @@ TEST_CASE("numbers: Enter in an entry of a dialog takes the number and leaves th
     CHECK(program.app.ui.dialog == Dialog::export_view);
     CHECK_FALSE(program.app.ui.chooser.is_open);
     program.click("export:width");
-    type(program, "99");
+    program.type("99");
     program.press_key(key::kEscape);
     CHECK(program.app.exports.picture_size.width == 1234);
     CHECK(program.app.ui.dialog == Dialog::export_view);
-}
-
-TEST_CASE("numbers: Up and Down step at once, Shift coarsely, and Esc takes all of it back") {
-    Program program(odd_numbers(1));
-    program.click("entry:amplitude_g");
-    program.press_key(key::kUp);
-    CHECK(program.pattern(0).amplitude_g == doctest::Approx(1.55).epsilon(1e-12));
-    program.press_key(key::kDown);
-    program.press_key(key::kDown);
-    CHECK(program.pattern(0).amplitude_g == doctest::Approx(1.45).epsilon(1e-12));
-    hold(program, key::kLeftShift, [&] { program.press_key(key::kUp); });
-    CHECK(program.pattern(0).amplitude_g == doctest::Approx(1.70).epsilon(1e-12));
-    program.press_key(key::kEscape);
-    CHECK(program.pattern(0).amplitude_g == 1.5);
-    program.press('z', true);
-    CHECK(program.pattern(0).amplitude_g == 1.5);
-    CHECK(program.app.work.selection.current == 0);
-}
-
-TEST_CASE("numbers: a nudge goes on from a typed value, beyond the slider too") {
-    Program program(odd_numbers(1));
-    enter(program, "entry:amplitude_g", "10");
-    program.press_key(key::kRight);
-    CHECK(program.pattern(0).amplitude_g == doctest::Approx(10.05).epsilon(1e-12));
-    enter(program, "entry:carrier_1_hz", "700");
-    program.press_key(key::kLeft);
-    CHECK(program.pattern(0).carriers[0].frequency_hz == 699.0);
-    // Off the grid it goes to the next multiple on its way, and never further than a step.
-    enter(program, "entry:modulation_hz", "2.25");
-    program.press_key(key::kRight);
-    CHECK(program.pattern(0).modulation.frequency_hz == 3.0);
-    enter(program, "entry:modulation_hz", "2.25");
-    program.press_key(key::kLeft);
-    CHECK(program.pattern(0).modulation.frequency_hz == 2.0);
-    enter(program, "entry:amplitude_g", "50");
-    program.press_key(key::kRight);
-    CHECK(program.pattern(0).amplitude_g == 50.0);
-}
-
-TEST_CASE("numbers: nudges in quick succession are one undo step, after a pause another") {
-    Program program(odd_numbers(1));
-    program.click("slider:amplitude_g");
-    const double start_g = program.pattern(0).amplitude_g;
-    program.window.now_s += 5.0;
-    for (int k = 0; k < 6; ++k) program.press_key(key::kRight);
-    const double first_g = program.pattern(0).amplitude_g;
-    program.window.now_s += 5.0;
-    for (int k = 0; k < 3; ++k) program.press_key(key::kRight);
-    program.press('z', true);
-    CHECK(program.pattern(0).amplitude_g == first_g);
-    program.press('z', true);
-    CHECK(program.pattern(0).amplitude_g == start_g);
-    program.press('z', true, true);
-    CHECK(program.pattern(0).amplitude_g == first_g);
-}
-
-TEST_CASE("numbers: nudges of one pattern and then of another are two steps, however quick") {
-    Program program(odd_numbers(2));
-    program.click("entry:amplitude_g");
-    program.press_key(key::kEnter);
-    program.press_key(key::kRight);
-    program.click("row:p2");
-    program.click("entry:amplitude_g");
-    program.press_key(key::kEnter);
-    program.press_key(key::kRight);
-    program.press('z', true);
-    CHECK(program.pattern(1).amplitude_g == 1.5);
-    CHECK(program.pattern(0).amplitude_g > 1.5);
-}
-
-TEST_CASE("numbers: the field that arrows nudge is marked, and forgotten with its pattern") {
-    Program program(odd_numbers(2));
-    CHECK_FALSE(program.shows("nudged by arrows"));
-    program.click("slider:modulation_hz");
-    REQUIRE(program.shows("nudged by arrows"));
-    CHECK(program.at("nudged by arrows").value == "modulation_hz");
-    program.click("row:p2");
-    CHECK_FALSE(program.shows("nudged by arrows"));
-    program.press_key(key::kRight);
-    CHECK(program.pattern(1).modulation.frequency_hz == 2.5);
 }
 
 TEST_CASE("numbers: digits typed at a field, locked or not, do not change the layout") {

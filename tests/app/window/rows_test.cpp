@@ -31,11 +31,6 @@ const Vibration& last_of(const Program& program) {
     return program.app.work.document.set.vibrations.back();
 }
 
-void type(Program& program, const std::string& text) {
-    program.window.type(text);
-    program.settle();
-}
-
 void click_with(Program& program, int modifier, const std::string& name) {
     push(program.window.input, {program.window.now_s, KeyChange{modifier, true, false, 0}});
     program.settle();
@@ -69,7 +64,7 @@ TEST_CASE("rows: every action in the menu of the last row does what it says, to 
         CHECK(program.app.work.clipboard.size() == 1);
         choose(program, last, "Rename");
         CHECK(program.shows("rename"));
-        type(program, "other");
+        program.type("other");
         program.press_key(key::kEnter);
         CHECK(last_of(program).name == "other");
     }
@@ -95,11 +90,11 @@ TEST_CASE("rows: the box of a name lets go when something else is clicked, and k
     Program program(short_patterns(3));
     program.press_key(key::kF1 + 1);
     REQUIRE(program.shows("rename"));
-    type(program, "first");
+    program.type("first");
     program.click("search");
     CHECK_FALSE(program.shows("rename"));
     CHECK(program.app.work.document.set.vibrations[0].name == "first");
-    type(program, "p3");
+    program.type("p3");
     CHECK(program.app.work.selection.search == "p3");
     CHECK(program.app.work.document.set.vibrations[0].name == "first");
     program.app.work.selection.search.clear();
@@ -107,11 +102,11 @@ TEST_CASE("rows: the box of a name lets go when something else is clicked, and k
     program.press_key(key::kEscape);
     program.click("row:p2");
     program.press_key(key::kF1 + 1);
-    type(program, "second");
+    program.type("second");
     program.click("row:p3");
     CHECK(program.app.work.document.set.vibrations[1].name == "second");
     program.press_key(key::kF1 + 1);
-    type(program, "never");
+    program.type("never");
     program.press_key(key::kEscape);
     CHECK_FALSE(program.shows("rename"));
     CHECK(last_of(program).name == "p3");

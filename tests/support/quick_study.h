@@ -1,0 +1,15 @@
+// Four short patterns to be asked about, with hardly a rest between them.
+#pragma once
+
+#include "tests/support/program.h"
+
+namespace tact {
+
+inline PatternSet quick_study() {
+    PatternSet set = short_patterns(4);
+    set.study.gap_s = 0.05;
+    set.study.rest_s = 0.05;
+    return set;
+}
+
+}  // namespace tact
