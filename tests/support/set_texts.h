@@ -2,6 +2,7 @@
 #pragma once
 
 #include <doctest/doctest.h>
+
 #include <string>
 
 #include "model/io/set/set_file.h"

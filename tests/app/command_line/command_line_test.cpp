@@ -4,11 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <numeric>
-#include <set>
 
 #include "model/evaluation/metric_matrix.h"
 #include "model/io/set/set_file.h"

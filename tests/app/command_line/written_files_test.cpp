@@ -2,6 +2,7 @@
 #include "app/command_line/command_line.h"
 
 #include <doctest/doctest.h>
+
 #include <array>
 #include <cmath>
 #include <fstream>

@@ -1,5 +1,4 @@
 // The Compare, Shepard and Why tabs, through the program's real frames.
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>

@@ -2,7 +2,6 @@
 // that are those of the command line.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <sstream>
 
 #include "model/io/set/set_file.h"

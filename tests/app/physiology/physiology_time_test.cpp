@@ -1,5 +1,6 @@
 // One playhead and one time axis in all plots of the physiology pane.
 #include <doctest/doctest.h>
+
 #include <cmath>
 
 #include "tests/support/physiology_program.h"

@@ -4,12 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
 #include "app/play/emergency_stop.h"
 #include "app/window/jobs.h"
-#include "devices/device/memory_device.h"
-#include "devices/device/protection.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/program.h"
 

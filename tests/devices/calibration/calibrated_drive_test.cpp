@@ -2,6 +2,7 @@
 #include "devices/calibration/calibration.h"
 
 #include <doctest/doctest.h>
+
 #include <cmath>
 
 #include "tests/support/coil.h"

@@ -2,6 +2,7 @@
 #include "devices/device/playback.h"
 
 #include <doctest/doctest.h>
+
 #include <cmath>
 #include <vector>
 

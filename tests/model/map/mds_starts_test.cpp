@@ -2,6 +2,7 @@
 #include "model/map/mds.h"
 
 #include <doctest/doctest.h>
+
 #include <algorithm>
 #include <cmath>
 

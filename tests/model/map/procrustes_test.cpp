@@ -4,7 +4,6 @@
 
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <algorithm>
 #include <cmath>
 
 #include "tests/support/made_up_maps.h"

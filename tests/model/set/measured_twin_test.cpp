@@ -1,9 +1,8 @@
 #include "model/set/measured_twin.h"
 
-#include <cmath>
-
 #include "model/common/random.h"
 #include "tests/support/golden.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/three_tones.h"
 
 namespace measured_twin_test {

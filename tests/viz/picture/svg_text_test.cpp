@@ -2,13 +2,13 @@
 #include "viz/picture/svg.h"
 
 #include <doctest/doctest.h>
+
 #include <cmath>
 
 #include "tests/support/drawn_svg.h"
 #include "tests/support/svg_elements.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
-#include "viz/drawing/plot.h"
 #include "viz/picture/picture.h"
 
 namespace tact::svg_text_test {

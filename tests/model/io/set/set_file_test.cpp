@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
 #include "model/io/set/load.h"
 #include "tests/support/set_texts.h"
 #include "tests/support/temporary_folder.h"

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 #include <sys/stat.h>
+
 #include <cmath>
 
 #include "model/io/recordings/text_waveform.h"
