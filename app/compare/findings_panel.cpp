@@ -5,6 +5,7 @@
 
 #include "app/compare/check_findings.h"
 #include "app/compare/compare_panels.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 
@@ -64,6 +65,7 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
     } else {
         dim_text(ui, "what the paper says comes out, on its own sets");
     }
+    (void)draw_failure(ui, "findings", failure_of(comparing.findings_job));
     if (!comparing.findings || area.empty()) return;
     ImGui::BeginChild("findings", ImGui::GetContentRegionAvail());
     if (ImGui::BeginTable("findings", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) {

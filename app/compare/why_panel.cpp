@@ -13,6 +13,7 @@
 #include "app/map/pair.h"
 #include "app/physiology/live_stages.h"
 #include "app/timeline/time_rows.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -298,7 +299,7 @@ void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
     if (fits) {
         timeline.range = fitted(timeline.range, shown_duration_s(work));
         draw_live(ui, work, timeline, *live, *pair);
-    } else {
+    } else if (!draw_failure(ui, "why", failure_of(comparing.difference_job))) {
         dim_text(ui, map_state(work, shown_map) == MapState::exact
                          ? "looking closer\u2026"
                          : "waiting for the exact map\u2026");

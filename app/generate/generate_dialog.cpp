@@ -12,6 +12,7 @@
 #include "app/generate/generating.h"
 #include "app/jobs/time_left.h"
 #include "app/ui/dialog.h"
+#include "app/ui/failure.h"
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
@@ -232,6 +233,7 @@ void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating) {
     std::shared_ptr<const GeneratePlan> shown = plan;
     if (!shown && generating.job) shown = generating.job->latest();
     draw_counts(ui, shown.get(), !plan);
+    (void)draw_failure(ui, "generate", failure_of(generating.job));
     draw_previews(ui, work, shown.get());
     if (generating.asking && plan && plan->fault.empty()) {
         draw_question(ui, work, generating, *plan);

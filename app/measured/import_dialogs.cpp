@@ -8,6 +8,7 @@
 
 #include "app/measured/import_follow.h"
 #include "app/ui/dialog.h"
+#include "app/ui/failure.h"
 #include "app/ui/recording_fields.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
@@ -113,7 +114,8 @@ void draw_file_row(Ui& ui, const Workspace& work, ImportState& importing, std::s
     const ImportedFile* file = answer_of(state, k);
     char text[64] = "";
     if (file == nullptr) {
-        std::snprintf(text, sizeof text, "reading\u2026");
+        const bool failed = !failure_of(importing.import_job).empty();
+        std::snprintf(text, sizeof text, "%s", failed ? "not read" : "reading\u2026");
     } else if (!file->fault.empty()) {
         std::snprintf(text, sizeof text, "cannot be read");
     } else if (file->twin) {
@@ -160,6 +162,7 @@ void draw_shown_file(Ui& ui, Workspace& work, ImportState& importing) {
     ImportState& state = importing;
     state.shown = std::min(state.shown, state.files.size() - 1);
     const ImportedFile* file = answer_of(state, state.shown);
+    if (file == nullptr && draw_failure(ui, "import", failure_of(state.import_job))) return;
     if (file == nullptr) return draw_empty_overlay(ui, "Reading\u2026", "");
     if (!file->fault.empty()) return draw_empty_overlay(ui, "Cannot be read", file->fault);
     const auto place =
@@ -276,7 +279,7 @@ void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
         const auto place =
             place_named(work.document.set, std::get<Measurement>(twin.vibration.source).measures);
         if (place) draw_overlay(ui, work, work.document.set.vibrations[*place], twin, true);
-    } else {
+    } else if (shown || !draw_failure(ui, "simulation", failure_of(state.simulation_job))) {
         draw_empty_overlay(ui, shown ? "No pattern selected" : "Computing\u2026",
                            shown ? "What measures another pattern has no twin itself." : "");
     }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/document/editing.h"
+#include "app/ui/failure.h"
 #include "app/ui/file_question.h"
 #include "model/io/set/measured_files.h"
 #include "model/text/atomic_file.h"
@@ -161,6 +162,17 @@ std::shared_ptr<const Answer> next_taken(Takes<Request, Answer>& takes) {
     return answer;
 }
 
+// Why the one that is being worked on has no answer, once; the next one begins.
+template <class Request, class Answer>
+std::string next_failed(Takes<Request, Answer>& takes) {
+    if (takes.waiting.empty()) return {};
+    std::string failure = failure_of(takes.job);
+    if (failure.empty()) return {};
+    takes.waiting.pop_front();
+    if (!takes.waiting.empty()) takes.job->submit(takes.waiting.front());
+    return failure;
+}
+
 void take_import(Ui& ui, Workspace& work, const ImportAnswer& answer) {
     std::vector<const Twin*> twins;
     for (const ImportedFile& file : answer.files) {
@@ -206,6 +218,12 @@ void follow_import(Ui& ui, Workspace& work, ImportState& importing) {
     }
     if (const auto taken = next_taken(state.import_takes)) take_import(ui, work, *taken);
     if (const auto taken = next_taken(state.simulation_takes)) take_simulated(ui, work, *taken);
+    if (const auto failure = next_failed(state.import_takes); !failure.empty()) {
+        complain(ui, "Not imported: " + failure + ".");
+    }
+    if (const auto failure = next_failed(state.simulation_takes); !failure.empty()) {
+        complain(ui, "Not simulated: " + failure + ".");
+    }
 }
 
 void import_recordings_dialog(Ui& ui, const Workspace& work) {

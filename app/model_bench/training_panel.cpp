@@ -10,6 +10,7 @@
 #include "app/model_bench/model_panel.h"
 #include "app/model_bench/training_follow.h"
 #include "app/model_bench/training_views.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "model/common/parallel.h"
 #include "model/text/numbers.h"
@@ -176,6 +177,7 @@ void draw_training(Ui& ui, Workspace& work, ModelBench& model_bench) {
         draw_progress(ui, model_bench);
     } else if (model_bench.training.job) {
         draw_begin(ui, work, model_bench);
+        (void)draw_failure(ui, "training", failure_of(model_bench.training.job));
     }
     const auto found = model_bench.training.found;  // kept while it is drawn
     if (found && found->fault.empty()) draw_training_result(ui, work, model_bench, *found);

@@ -10,6 +10,7 @@
 #include "app/physiology/physiology_panel.h"
 #include "app/physiology/stage_views.h"
 #include "app/timeline/time_rows.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -279,6 +280,9 @@ bool draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline, Physiolo
     }
     // The links above may have turned to another range.
     timeline.range = fitted(timeline.range, duration_s);
+    const bool failed = draw_failure(ui, "physiology", failure_of(physiology.stages_job)) ||
+                        draw_failure(ui, "physiology", failure_of(physiology.pinned_job));
+    if (patterns.empty() && failed) return tour_asked;
     if (patterns.empty()) {
         draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "Computing",
                    "The receptors and nerves of " + vibration->name + " are on their way.");

@@ -7,6 +7,7 @@
 #include "app/document/editing.h"
 #include "app/map/pair.h"
 #include "app/play/calibrating.h"
+#include "app/ui/failure.h"
 #include "devices/audio/audio_host.h"
 #include "devices/device_list.h"
 
@@ -123,9 +124,13 @@ void follow_edits(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& 
 bool take_drive(Ui& ui, Timeline& timeline, PlayState& play) {
     Sounding& sounding = *play.sounding;
     const auto made = play.drive_job ? play.drive_job->latest() : nullptr;
-    if (sounding.is_prepared || !made || made->request.number != play.drives_asked) {
-        return false;
+    if (sounding.is_prepared) return false;
+    if (const std::string failure = failure_of(play.drive_job); !failure.empty()) {
+        complain(ui, "This cannot be played: " + failure + ".");
+        silence(timeline, play);
+        return true;
     }
+    if (!made || made->request.number != play.drives_asked) return false;
     sounding.is_prepared = true;
     if (!made->remark.empty()) say(ui, made->remark);
     play_drive(ui, timeline, play, made->drive, sounding.loops);

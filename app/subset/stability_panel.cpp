@@ -6,6 +6,7 @@
 #include "app/document/editing.h"
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_views.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 
@@ -43,6 +44,8 @@ void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y);
         if (link(ui, "cancel stability", "Cancel")) state.stability_job->cancel();
         note_item(ui.rects, "link:cancel stability");
+    } else if (draw_failure(ui, "stability", failure_of(state.stability_job))) {
+        return;
     } else if (!possible) {
         const std::string why = pick == nullptr
                                     ? "Nothing is picked yet: see Pick."
