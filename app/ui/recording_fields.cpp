@@ -34,10 +34,14 @@ bool draw_unit(Ui& ui, AccelerationOptions& options) {
     choice("m/s2", "m/s\u00b2", AccelerationUnit::m_per_s2);
     choice("V", "V", AccelerationUnit::volt);
     ImGui::NewLine();
-    if (options.unit == AccelerationUnit::volt) {
+    // A file that says volts itself needs them as much.
+    if (options.unit.value_or(AccelerationUnit::volt) == AccelerationUnit::volt) {
+        const bool is_known = options.unit.has_value();
         changed |=
             draw_number_entry(ui, "import:sensitivity", "Sensitivity", options.sensitivity_v_per_g,
-                              limits::kSensitivityVPerG, "V/g, of the sensor");
+                              limits::kSensitivityVPerG,
+                              is_known ? "V/g, of the sensor"
+                                       : "V/g, of the sensor: needed where the file is in volts");
         changed |= draw_number_entry(ui, "import:offset", "Offset", options.offset_v,
                                      limits::kOffsetV, "V, of the sensor at 0 g");
     }

@@ -77,6 +77,46 @@ TEST_CASE("import: recordings find their patterns, and come in as one step that 
     CHECK(count(program) == 6);
 }
 
+TEST_CASE(
+    "import: a file that says volts itself is refused with a sentence, beside what it lacks") {
+    const TemporaryFolder folder;
+    Program program(short_patterns(2));
+    App& app = program.app;
+    std::string text = "t,x (V)\n";
+    for (int n = 0; n < 1000; ++n) {
+        text += shortest_digits(1e-4 * n) + "," + (n % 2 == 0 ? "1" : "-1") + "\n";
+    }
+    import_recordings(app.ui, app.work, app.importing, {folder.write("p1.csv", text)});
+    wait_until(program, [&] { return app.importing.answer != nullptr; });
+    CHECK(contains(app.importing.answer->files[0].fault, "sensitivity in V/g"));
+    program.settle();
+    REQUIRE(program.shows("import:sensitivity"));
+    app.importing.fields.options.sensitivity_v_per_g = 0.1;
+    look_at_recordings(app.ui, app.work, app.importing);
+    wait_until(program, [&] { return app.importing.answer->files[0].fault.empty(); });
+    CHECK(app.importing.answer->files[0].twin);
+    stop_import(app.importing);
+}
+
+TEST_CASE("import: of work that fails the sentence is told, and the next one begins") {
+    const TemporaryFolder folder;
+    Program program(short_patterns(4));
+    App& app = program.app;
+    app.work.session.folder = folder.path / "state";
+    import_recordings(app.ui, app.work, app.importing, recorded(program, folder));
+    take_recordings(app.ui, app.work, app.importing);
+    take_recordings(app.ui, app.work, app.importing);
+    app.importing.import_takes.job = std::make_unique<LatestJob<ImportRequest, ImportAnswer>>(
+        JobPolicy::finish,
+        [](const ImportRequest&, std::stop_token, std::atomic<float>&)
+            -> std::optional<ImportAnswer> { throw std::runtime_error("the disk is gone"); });
+    app.importing.import_takes.job->submit(app.importing.import_takes.waiting.front());
+    wait_until(program, [&] { return !is_taking(app.importing); });
+    CHECK(contains(app.ui.status.text, "Not imported: the work failed: the disk is gone"));
+    CHECK(count(program) == 4);
+    stop_import(app.importing);
+}
+
 TEST_CASE("import: saved, the waveforms lie beside the set and the set reads again") {
     const TemporaryFolder folder;
     Program program(short_patterns(4));
