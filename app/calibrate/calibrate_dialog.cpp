@@ -14,6 +14,7 @@
 #include "app/calibrate/measuring_response.h"
 #include "app/play/playing.h"
 #include "app/ui/dialog.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/charts/response_view.h"
 #include "viz/drawing/marks.h"
@@ -167,8 +168,16 @@ void draw_response_plot(Ui& ui, const CalibrationResult& result) {
     note_item(ui.rects, "calibrate:summary", text);
     if (refused.empty()) return;
     wrapped_dim(ui,
-                "Left out, drawn as rings: 10 % of distortion or more, or less than 20 dB above "
-                "the noise.");
+                "Left out, drawn as rings: 10 % of distortion or more, or an amplitude whose "
+                "standard error by the noise is 3 % or more.");
+}
+
+// Where the table may err, which no number of it tells.
+void draw_doubts(Ui& ui, const CalibrationResult& result) {
+    for (std::size_t k = 0; k < result.remarks.size(); ++k) {
+        coloured_text(ui.theme.warning, result.remarks[k] + ".");
+        note_item(ui.rects, "calibrate:remark " + std::to_string(k), result.remarks[k]);
+    }
 }
 
 void draw_result_part(Ui& ui, const CalibrateState& calibrating) {
@@ -178,8 +187,10 @@ void draw_result_part(Ui& ui, const CalibrateState& calibrating) {
     if (answer != nullptr && answer->fault.empty()) {
         draw_response_plot(ui, answer->result);
         for (const std::string& remark : answer->remarks) wrapped_dim(ui, "It was " + remark);
+        draw_doubts(ui, answer->result);
         return;
     }
+    if (answer == nullptr && draw_failure(ui, "calibrate", failure_of(state.job))) return;
     const ImVec2 size{ImGui::GetContentRegionAvail().x, kPlotPx * ui.theme.scale};
     const Rect area = rect_at(ImGui::GetCursorScreenPos(), size);
     ImGui::Dummy(size);

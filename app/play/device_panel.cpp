@@ -11,6 +11,7 @@
 #include "app/play/calibrating.h"
 #include "app/play/play_panels.h"
 #include "app/timeline/time_rows.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -189,10 +190,13 @@ void draw_summary(Ui& ui, const Rendering& rendering) {
     note_item(ui.rects, "rendering:summary", text);
     ImGui::PushFont(ui.theme.fonts.small);
     for (const std::string& remark : remarks_on(rendering)) dim_text(ui, remark);
-    dim_text(ui, std::string("This kind keeps ") + traits(rendering.by.kind).keeps +
-                     (is_calibrated(rendering.by)
-                          ? ". Computed from its measured response, at a level of 100 %."
-                          : ". Computed from how it is told, not measured."));
+    const std::string origin =
+        std::string("This kind keeps ") + traits(rendering.by.kind).keeps +
+        (is_calibrated(rendering.by) ? ". Computed from its measured response"
+                                     : ". Computed from how it is told, not measured") +
+        ", at a level of " + percent(rendering.by.level) + ", not that of the bar.";
+    dim_text(ui, origin);
+    note_item(ui.rects, "rendering:origin", origin);
     ImGui::PopFont();
     ImGui::PopTextWrapPos();
 }
@@ -201,6 +205,8 @@ void draw_report(Ui& ui, const Workspace& work, Timeline& timeline,
                  const RenderingState& rendered) {
     const Vibration* const current = current_vibration(work);
     const std::shared_ptr<const LiveRendering> live = rendered.shown;
+    const bool failed = draw_failure(ui, "device", failure_of(rendered.job));
+    if (failed && !live) return;
     if (current == nullptr || !live) {
         const Rect area = rest_of_pane();
         if (area.empty()) return;

@@ -30,7 +30,8 @@ std::shared_ptr<const Waveform> known(const Vibration& vibration, std::size_t pl
 }  // namespace
 
 std::string words_on(const RenderedBy& by) {
-    const std::string level = by.level == 1.0 ? "" : " at a level of " + shortest_digits(by.level);
+    const std::string level =
+        by.level == 1.0 ? "" : " at a level of " + significant_digits(100.0 * by.level, 3) + " %";
     return std::string("as a ") + traits(by.kind).name + " plays them" + level + ", " +
            (is_calibrated(by) ? "calibrated" : "uncalibrated");
 }

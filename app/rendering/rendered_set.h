@@ -19,8 +19,8 @@ struct RenderedSet {
     PatternSet played;
 };
 
-// "as a Joy-Con plays them at a level of 0.3, uncalibrated": what results of it are labelled with.
-// A level of 1 is not worth a word.
+// "as a Joy-Con plays them at a level of 30 %, uncalibrated": what results of it are labelled with.
+// The whole level is not worth a word.
 std::string words_on(const RenderedBy& by);
 
 // "full scale stands for 1.00 g", "by the calibration of coil, 2026-11-21": where its strength is

@@ -140,6 +140,21 @@ TEST_CASE("measuring a response: what is no recording of the signal is said, and
     CHECK_FALSE(program.app.play.calibration);
 }
 
+TEST_CASE("measuring a response: what is doubtful of the table is said beside it") {
+    Measuring program;
+    read_calibration_recording(program.app.ui, program.app.calibrating, program.recorded(0.5));
+    program.wait_for_answer();
+    CHECK_FALSE(program.shows("calibrate:remark 0"));
+    ResponseAnswer doubted = *program.app.calibrating.job->latest();
+    doubted.result.remarks = {"between 50 and 71 Hz strengths may be wrong by 2.0 dB"};
+    program.app.calibrating.job = std::make_unique<LatestJob<ResponseQuestion, ResponseAnswer>>(
+        JobPolicy::finish, [doubted](const ResponseQuestion&, std::stop_token,
+                                     std::atomic<float>&) { return std::optional(doubted); });
+    program.app.calibrating.job->submit(doubted.question);
+    while (!program.shows("calibrate:remark 0")) program.frame();
+    CHECK(program.at("calibrate:remark 0").value == doubted.result.remarks.front());
+}
+
 TEST_CASE("measuring a response: a change of the signal asks anew, what was said is no answer") {
     Measuring program;
     read_calibration_recording(program.app.ui, program.app.calibrating, program.recorded(0.5));

@@ -56,7 +56,7 @@ TEST_CASE(
     const Ran printed = run_program(words);
     REQUIRE(printed.exit_code == 0);
     CHECK(contains(printed.out,
-                   "the patterns as a Joy-Con plays them at a level of 0.5, uncalibrated: full "
+                   "the patterns as a Joy-Con plays them at a level of 50 %, uncalibrated: full "
                    "scale stands for 1.00 g\n"));
     words.insert(words.end(), {"--out", out});
     CHECK(output_of(words).empty());

@@ -97,7 +97,7 @@ TEST_CASE(
         CHECK(vibration == set.vibrations[*tact::place_named(set, vibration.name)]);
     }
     CHECK(output_of(words).starts_with(
-        "the patterns as a DualShock 4 plays them at a level of 0.4, uncalibrated: full scale "
+        "the patterns as a DualShock 4 plays them at a level of 40 %, uncalibrated: full scale "
         "stands for 1.00 g\n"));
     std::vector<std::string> by_ratings = words;
     by_ratings.insert(by_ratings.end(), {"--ratings", "any.csv"});

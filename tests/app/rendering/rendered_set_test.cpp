@@ -4,6 +4,7 @@
 #include "app/rendering/rendering_state.h"
 #include "app/window/jobs.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rendered_set_test {
 
@@ -84,6 +85,13 @@ TEST_CASE("stages: of what a device plays they begin with its waveform") {
     CHECK(stages_request(set, 1, by) != stages_request(set, 1));
 }
 
+TEST_CASE("rendered set: weaker than full, it says at which level") {
+    RenderedBy by;
+    CHECK(words_on(by) == "as a Joy-Con plays them, uncalibrated");
+    by.level = 0.3;
+    CHECK(words_on(by) == "as a Joy-Con plays them at a level of 30 %, uncalibrated");
+}
+
 TEST_CASE("device tab: the report stands there, and the switch makes the map that of the device") {
     Program program(short_patterns(4));
     App& app = program.app;
@@ -98,6 +106,7 @@ TEST_CASE("device tab: the report stands there, and the switch makes the map tha
         program.frame();
     }
     CHECK(program.at("rendering:summary").value.find("of its energy is lost") != std::string::npos);
+    CHECK(contains(program.at("rendering:origin").value, "not measured, at a level of 100 %"));
     CHECK(program.shows("plot:intended"));
     CHECK(program.shows("plot:rendered"));
     CHECK(program.shows("band:41\u201375 Hz"));
