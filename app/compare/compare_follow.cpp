@@ -22,6 +22,14 @@ bool wants_comparison(const Layout& layout, const ShownMap& shown_map) {
            shown_map.show_people;
 }
 
+// Of the map on screen, in the order of the people's own map.
+std::vector<Eigen::Index> rated_rows(const RatedPeople& said, Eigen::Index patterns) {
+    if (said.rated.part) return {said.rated.rated.begin(), said.rated.rated.end()};
+    std::vector<Eigen::Index> rows(static_cast<std::size_t>(patterns));
+    std::iota(rows.begin(), rows.end(), Eigen::Index{0});
+    return rows;
+}
+
 std::optional<std::vector<Finding>> find(std::stop_token stop, std::atomic<float>& progress) {
     CheckOptions options;
     options.stop = stop;
@@ -124,12 +132,25 @@ std::optional<Eigen::MatrixXd> people_over_map(const ShownMap& shown_map,
     if (!comparing.comparison || comparing.comparison->request.map != shown_map.transition.shown)
         return std::nullopt;
     if (!comparing.comparison->people) return std::nullopt;
-    const Eigen::MatrixXd& people = comparing.comparison->people->shown.points;
-    if (people.rows() != shown_map.transition.to.rows() ||
-        people.cols() != shown_map.transition.to.cols()) {
+    const ComparedPeople& said = *comparing.comparison->people;
+    const Eigen::MatrixXd& people = said.shown.points;
+    const Eigen::MatrixXd& map = shown_map.transition.to;
+    const std::vector<Eigen::Index> rows = rated_rows(said.said, map.rows());
+    const bool is_of_these = !rows.empty() && rows.back() < map.rows();
+    if (!is_of_these || people.rows() != static_cast<Eigen::Index>(rows.size()) ||
+        people.cols() != map.cols()) {
         return std::nullopt;
     }
-    return procrustes(people, shown_map.transition.to).aligned;
+    Eigen::MatrixXd over =
+        Eigen::MatrixXd::Constant(map.rows(), map.cols(), std::numeric_limits<double>::quiet_NaN());
+    over(rows, Eigen::all) = procrustes(people, map(rows, Eigen::all)).aligned;
+    return over;
+}
+
+std::string people_over_map_text(const Comparing& comparing) {
+    if (!comparing.comparison || !comparing.comparison->people) return {};
+    const RatedPeople& said = comparing.comparison->people->said;
+    return "rings: " + people_text(*comparing.comparison->request.map->request.set, said);
 }
 
 }  // namespace tact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "app/compare/compare_state.h"
@@ -35,9 +36,11 @@ bool comparison_waits(const Workspace& work, const Comparing& comparing);
 void ask_for_comparison(const Workspace& work, Comparing& comparing);
 void cancel_comparison(const Workspace& work, Comparing& comparing);
 
-// The map of the ratings, laid over the one on screen: one row a pattern of the shown map. None
-// without ratings of its patterns, or while their comparison is under way.
+// The map of the ratings, laid over the one on screen: one row a pattern of the shown map, NaN for
+// those that nobody rated. None without ratings of its patterns, or while their comparison is under
+// way.
 std::optional<Eigen::MatrixXd> people_over_map(const ShownMap& shown_map,
                                                const Comparing& comparing);
+std::string people_over_map_text(const Comparing& comparing);  // whose it is
 
 }  // namespace tact

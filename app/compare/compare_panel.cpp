@@ -4,14 +4,15 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <set>
 
 #include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
 #include "app/compare/metric_choice.h"
+#include "app/compare/people_text.h"
 #include "app/document/rating_files.h"
 #include "app/document/shown_side.h"
 #include "app/measured/import_follow.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/charts/scatter_view.h"
 #include "viz/drawing/marks.h"
@@ -51,36 +52,27 @@ void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
                  "rating with the participant. Names must be those of the patterns.");
 }
 
-std::string people_text(const Workspace& work) {
-    const auto& ratings = work.document.set.ratings;
-    std::set<std::string> voices;
-    for (const Ratings& one : ratings) voices.insert(one.name);
-    std::string text = ratings.front().file.empty() ? "Ratings of the set" : ratings.front().file;
-    text += voices.size() == 1 ? ": 1 participant" : ": " + std::to_string(voices.size());
-    if (voices.size() > 1) text += " participants";
-    if (ratings.size() > voices.size()) text += ", " + std::to_string(ratings.size()) + " passes";
-    return text;
+bool has_nobody(const Comparison& comparison) {
+    return comparison.people && comparison.people->said.synthetic;
 }
 
 // What is the same for all metrics: who was asked, how far they can be relied on, chance.
-void draw_people(Ui& ui, const Workspace& work, const Comparison& comparison) {
+void draw_people(Ui& ui, const Comparison& comparison) {
     const RatedPeople& people = comparison.people->said;
-    const std::size_t pairs = people.rated.people.dissimilarity.condensed.size();
-    std::string text = people_text(work) + ", " + std::to_string(people.rated_pairs) + " of " +
-                       std::to_string(pairs) + " pairs. ";
     const AlienationChance& chance = people.rated.k_chance;
-    text += "K by chance " + digits(chance.mean, 2) + " (" + digits(chance.middle.low, 2) + " to " +
-            digits(chance.middle.high, 2) + ").";
-    const Reliability& reliability = people.reliability;
-    std::string ceiling = "Noise ceiling unknown: it takes two voices.";
-    if (reliability.voices > 1) {
-        ceiling = "Noise ceiling: rho " + digits(reliability.one_with_others, 2) +
-                  " of one voice with the others; reliability of their mean " +
-                  digits(reliability.spearman_brown, 2) + ".";
-    }
+    const PatternSet& set = *comparison.request.map->request.set;
+    const std::string text = people_text(set, people) + ". K by chance " + digits(chance.mean, 2) +
+                             " (" + digits(chance.middle.low, 2) + " to " +
+                             digits(chance.middle.high, 2) + ").";
+    const std::string ceiling = ceiling_text(people.reliability, people.synthetic);
+    const std::string unrated = remark_on_unrated(people.unrated, set.vibrations.size());
     ImGui::PushFont(ui.theme.fonts.small);
-    coloured_text(ui.theme.dim_text, text);
+    coloured_text(people.synthetic ? ui.theme.warning : ui.theme.dim_text, text);
     note_item(ui.rects, "compare:people", text);
+    if (!unrated.empty()) {
+        coloured_text(ui.theme.warning, unrated + ".");
+        note_item(ui.rects, "compare:unrated", unrated);
+    }
     coloured_text(ui.theme.dim_text, ceiling);
     note_item(ui.rects, "compare:ceiling", ceiling);
     ImGui::PopFont();
@@ -132,19 +124,21 @@ std::string row_value(const ComparedMetric& row) {
     return text;
 }
 
-std::string tip_of(const ComparedMetric& row) {
+std::string tip_of(const ComparedMetric& row, bool synthetic) {
     const MetricTraits& metric = traits(row.metric);
     std::string tip = std::string(metric.name) + ": " + metric.description + ". " + metric.source;
     if (!row.evaluation) return tip + ".";
     const Evaluation& e = *row.evaluation;
-    tip += ".\ntau-b " + digits(e.tau_b, 3) + ", K over maps that fit as well " +
-           digits(e.k_spread.low, 2) + " to " + digits(e.k_spread.high, 2) + ", 1 - K/chance " +
-           digits(e.k_corrected, 2) + ", stress-1 " + digits(e.stress1, 3);
+    tip += ".\n" + of_people("tau-b ", synthetic) + digits(e.tau_b, 3) +
+           ", K over maps that fit as well " + digits(e.k_spread.low, 2) + " to " +
+           digits(e.k_spread.high, 2) + ", 1 - K/chance " + digits(e.k_corrected, 2) +
+           ", stress-1 " + digits(e.stress1, 3);
     for (const std::string& remark : e.remarks) tip += "\n" + remark;
     return tip;
 }
 
-void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Best& best) {
+void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Best& best,
+              bool synthetic) {
     const MetricTraits& metric = traits(row.metric);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -154,7 +148,7 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
         comparing.panel.shepard_of_people = false;
     }
     note_item(ui.rects, std::string("metric:") + metric.key, row_value(row));
-    draw_tooltip(ui, tip_of(row).c_str());
+    draw_tooltip(ui, tip_of(row, synthetic).c_str());
     if (metric.is_reference) {
         ImGui::SameLine();
         ImGui::PushFont(ui.theme.fonts.small);
@@ -175,7 +169,7 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     draw_cell(ui, digits(row.rho_with_pm, 2), Mark::none);
 }
 
-void draw_head(const Ui& ui, bool has_people) {
+void draw_head(Ui& ui, bool has_people, bool synthetic) {
     struct Column {
         const char* name;
         const char* tip;
@@ -202,7 +196,11 @@ void draw_head(const Ui& ui, bool has_people) {
     for (const Column& column : kColumns) {
         if (!has_people && column.of_people) continue;
         ImGui::TableNextColumn();
-        dim_text(ui, column.name);
+        // An interval and a p stand to the right of what they belong to.
+        const std::string name = column.name;
+        const std::string shown = of_people(name, synthetic && (name == "rho" || name == "K"));
+        dim_text(ui, shown);
+        note_item(ui.rects, "compare:head " + name, shown);
         draw_tooltip(ui, column.tip);
     }
     ImGui::PopFont();
@@ -230,6 +228,7 @@ void draw_remarks(Ui& ui, const Comparison& comparison) {
 
 void draw_table(Ui& ui, Comparing& comparing, const Comparison& comparison) {
     const std::string verdict = verdict_on_pm(comparison);
+    const bool synthetic = has_nobody(comparison);
     if (!verdict.empty()) {
         coloured_text(ui.theme.warning, verdict);
         note_item(ui.rects, "compare:verdict", verdict);
@@ -240,8 +239,10 @@ void draw_table(Ui& ui, Comparing& comparing, const Comparison& comparison) {
     constexpr ImGuiTableFlags kFlags =
         ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
     if (ImGui::BeginTable("metrics", has_people ? 7 : 2, kFlags)) {
-        draw_head(ui, has_people);
-        for (const ComparedMetric& row : comparison.metrics) draw_row(ui, comparing, row, best);
+        draw_head(ui, has_people, synthetic);
+        for (const ComparedMetric& row : comparison.metrics) {
+            draw_row(ui, comparing, row, best, synthetic);
+        }
         ImGui::EndTable();
     }
     draw_remarks(ui, comparison);
@@ -254,6 +255,7 @@ void draw_disagreement(Ui& ui, Workspace& work, Layout& layout, const Comparison
     const auto [i, j] = pair_at(vibrations.size(), apart.pair);
     const std::string names = vibrations[i].name + " \u2013 " + vibrations[j].name;
     const bool closer = apart.ratings_rank < apart.metric_rank;
+    const std::string felt = has_nobody(comparison) ? "synthetic ratings say " : "felt ";
     ImGui::PushID(static_cast<int>(apart.pair));
     if (ImGui::Selectable(names.c_str())) {
         choose_pair(work, i, j);
@@ -262,7 +264,7 @@ void draw_disagreement(Ui& ui, Workspace& work, Layout& layout, const Comparison
     note_item(ui.rects, "disagreement:" + vibrations[i].name + "|" + vibrations[j].name);
     draw_tooltip(ui, "Why does the model tell them as it does?");
     ImGui::PushFont(ui.theme.fonts.small);
-    dim_text(ui, std::string(closer ? "felt closer" : "felt farther") + ": rank " +
+    dim_text(ui, felt + (closer ? "closer" : "farther") + ": rank " +
                      significant(apart.ratings_rank) + ", predicted " +
                      significant(apart.metric_rank));
     ImGui::PopFont();
@@ -297,25 +299,28 @@ void draw_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_m
     const std::vector<double>& rank = row.ranks;
     const float list_px = std::min(0.42F * area.width(), 220.0F * ui.theme.scale);
     const Rect left{area.min, {area.max.x - list_px - ui.theme.gap_px, area.max.y}};
-    const std::string corner = "rho " + digits(row.evaluation->rho, 2);
+    const bool synthetic = has_nobody(comparison);
+    const std::string corner = of_people("rho ", synthetic) + digits(row.evaluation->rho, 2);
+    const std::string y_title = of_people("rated dissimilarity", synthetic);
+    const std::string rated = of_people("rated ", synthetic);
     const std::string x_title = std::string("rank by ") + traits(row.metric).name;
     const auto& vibrations = comparison.request.map->request.set->vibrations;
     ScatterScene scene;
     scene.x = rank;
     scene.y = people.condensed;
     scene.x_title = x_title;
-    scene.y_title = "rated dissimilarity";
+    scene.y_title = y_title;
     scene.corner = corner;
     scene.selected = scatter_selection(work, shown_map, vibrations);
     scene.readout = [&](std::size_t k) {
         const auto [i, j] = pair_at(vibrations.size(), k);
         return std::vector<std::string>{
             vibrations[i].name + " \u2013 " + vibrations[j].name,
-            "rated " + significant(people.condensed[k]) + ", rank " + significant(rank[k])};
+            rated + significant(people.condensed[k]) + ", rank " + significant(rank[k])};
     };
     scene.stale = shown_comparison(work, shown_map, comparing).is_stale;
     const ScatterAction action = draw_scatter("pairs", ui.theme, left, scene);
-    note_rect(ui.rects, "view:Pairs", left.min, left.max);
+    note_rect(ui.rects, "view:Pairs", left.min, left.max, y_title + ", " + corner);
     for (std::size_t k = 0; k < rank.size() && !ui.rects.file.empty() && rank.size() < 200; ++k) {
         const ImVec2 at = scatter_point(ui.theme, left, scene, k);
         note_rect(ui.rects, "pair point:" + std::to_string(k), at, at);
@@ -375,7 +380,9 @@ bool draw_comparison_state(Ui& ui, const Workspace& work, const ShownMap& shown_
         note_item(ui.rects, "button:compare metrics");
     }
     draw_progress(ui, work, comparing);
+    const bool failed = draw_failure(ui, "compare", failure_of(comparing.comparison_job));
     if (shown.comparison && !few) return true;
+    if (failed) return false;
     const Rect area = rest_of_pane();
     if (area.empty()) return false;
     draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area,
@@ -398,7 +405,7 @@ void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap&
     // Kept while it is drawn.
     const std::shared_ptr<const Comparison> comparison = comparing.comparison;
     if (comparison->people && !work.document.set.ratings.empty()) {
-        draw_people(ui, work, *comparison);
+        draw_people(ui, *comparison);
         if (!comparison->people->said.unrated.empty()) draw_sides(ui, work);
     }
     if (!comparison->people) draw_no_ratings(ui, work, *comparison);

@@ -47,7 +47,7 @@ std::optional<ComparedPeople> people_of(const LiveMap& map, const EvaluationPara
         return std::nullopt;
     }
     ComparedPeople people{*std::move(said), {}};
-    const Mapped& mean = people.said.rated.people;
+    const Mapped& mean = rated_part(people.said.rated).people;
     const int dimensions = map.request.dimensions;
     people.shown = dimensions == params.dimensions
                        ? mean.space
@@ -118,8 +118,10 @@ std::string verdict_on_pm(const Comparison& comparison) {
     }
     const std::optional<Metric> best = unbeaten_by_pm(agreements);
     if (!best) return {};
+    const bool synthetic = comparison.people && comparison.people->said.synthetic;
     return std::string("PM does not beat ") + traits(*best).name +
-           " on this set, which takes no model of the nerves.";
+           " on this set, which takes no model of the nerves" +
+           (synthetic ? "; by synthetic ratings." : ".");
 }
 
 std::vector<Disagreement> disagreements(const Dissimilarity& metric, const Dissimilarity& ratings) {

@@ -48,7 +48,7 @@ struct ComparedMetric {
 
 struct ComparedPeople {
     RatedPeople said;
-    PerceptualSpace shown;  // in as many dimensions as the map on screen
+    PerceptualSpace shown;  // of the rated patterns, in as many dimensions as the map on screen
 };
 
 struct Comparison {

@@ -6,8 +6,10 @@
 #include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
 #include "app/compare/metric_choice.h"
+#include "app/compare/people_text.h"
 #include "app/map/map_follow.h"
 #include "app/map/pair.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "model/map/smacof.h"
 #include "viz/charts/scatter_view.h"
@@ -45,8 +47,10 @@ std::optional<ShownFit> shown_fit(const Workspace& work, const ShownMap& shown_m
         return ShownFit{&row.matrix, &row.space, traits(row.metric).name, stale, comparison};
     }
     if (!comparison->people) return std::nullopt;
-    const Mapped& people = comparison->people->said.rated.people;
-    return ShownFit{&people.dissimilarity, &people.space, "ratings", stale, comparison};
+    const RatedPeople& said = comparison->people->said;
+    const Mapped& people = said.rated.people;
+    return ShownFit{&people.dissimilarity, &people.space, of_people("ratings", said.synthetic),
+                    stale, comparison};
 }
 
 std::string corner_text(const ShownFit& fit) {
@@ -93,7 +97,7 @@ void draw_fit(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& com
             "where the order wants it " + significant(fitted[k])};
     };
     const ScatterAction action = draw_scatter("shepard", ui.theme, area, scene);
-    note_rect(ui.rects, "view:Shepard", area.min, area.max, corner);
+    note_rect(ui.rects, "view:Shepard", area.min, area.max, corner + ", " + x_title);
     choose_clicked(work, vibrations, action.clicked);
 }
 
@@ -145,6 +149,7 @@ void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
     draw_metric_choice(ui, work, comparing, true);
     const bool has_map = shown_map.transition.shown && shown_map.transition.to.rows() >= 2 &&
                          work.document.set.vibrations.size() >= 2;
+    if (!has_map && draw_failure(ui, "shepard", failure_of(shown_map.full_job))) return;
     if (!has_map) {
         const Rect area = rest_of_pane();
         if (area.empty()) return;

@@ -32,12 +32,14 @@ void load_ratings(Ui& ui, Workspace& work, Layout& layout,
         if (of_intended) study = std::move(of_intended);
     }
     if (!study) return complain(ui, file + ": " + study.error().message);
-    work.document.set.ratings = kept_ratings(*study, file);
+    work.document.set.ratings = kept_ratings(*study, ratings_source(file, loaded->left_out.size()));
     document_changed(work);
     commit_step(ui, work, "Load ratings");
     layout.bench = BenchTab::compare;
     std::string text = "Ratings loaded from " + file;
     for (const std::string& remark : loaded->remarks) text += "; " + remark;
+    const std::string unrated = remark_on_unrated(unrated_patterns(*study), study->labels.size());
+    if (!unrated.empty()) text += "; " + unrated;
     say(ui, text + ".");
 }
 

@@ -18,6 +18,7 @@ struct MapMarks {
     std::vector<SpaceLink> links{};           // pairs that are too close
     std::vector<Eigen::Matrix3d> spread{};    // how sure each place is
     std::optional<Eigen::MatrixXd> people{};  // the map of the ratings, laid over this one
+    std::string people_text{};                // whose it is
 };
 
 // What a scene borrows while it is drawn.

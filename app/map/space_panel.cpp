@@ -9,6 +9,7 @@
 #include "app/map/map_follow.h"
 #include "app/map/map_look.h"
 #include "app/map/space_panel.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -179,12 +180,29 @@ void note_points(Ui& ui, const ShownMap& shown_map, const Rect& area,
     }
 }
 
+// At the top: the foot has the axes and what the mouse can do.
+void draw_remarks(const Ui& ui, const Rect& area, const std::string& verdict,
+                  const std::string& people) {
+    ImVec2 corner = area.min;
+    const auto line = [&](ImU32 colour, const std::string& text) {
+        if (text.empty()) return;
+        const ImFont* font = ui.theme.fonts.small;
+        draw_text(*ImGui::GetWindowDrawList(), font, corner, colour,
+                  shortened(font, text, area.width()));
+        corner.y += text_size(font, text).y;
+    };
+    line(ui.theme.warning, verdict);
+    line(ui.theme.dim_text, people);
+}
+
 }  // namespace
 
 SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
                                  const MapMarks& marks) {
     if (!ui.as_picture) draw_controls(ui, work, shown_map);
     const MapState state = map_state(work, shown_map);
+    const bool failed =
+        state != MapState::too_large && draw_failure(ui, "space", failure_of(shown_map.full_job));
     const Rect area = rest_of_pane();
     if (area.empty()) return {};
     const bool has_points = shown_map.transition.shown && shown_map.transition.to.rows() >= 2 &&
@@ -199,7 +217,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     }
     if (!has_points || state == MapState::none || state == MapState::too_large ||
         work.document.set.vibrations.size() < 2) {
-        draw_nothing(ui, work, shown_map, area, state);
+        if (!failed) draw_nothing(ui, work, shown_map, area, state);
         return {};
     }
     const auto places = places_in_document(work, shown_map);
@@ -219,7 +237,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     if (people) {
         scene.ghosts = &*people;
         scene.ghost_opacity = 1.0;
-        note_rect(ui.rects, "overlay", area.min, area.max);
+        note_rect(ui.rects, "overlay", area.min, area.max, marks.people_text);
     }
     const SpaceAction action = draw_space("space", ui.theme, area, scene, shown_map.camera);
     const SpacePaneAction done = taken(work, action, places);
@@ -231,12 +249,8 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     if (!ui.as_picture) draw_point_menu(ui, work, shown_map, action, places);
     draw_map_legend(ui, shown_map, area);
     note_points(ui, shown_map, area, labels, points);
-    const std::string verdict = verdict_text(shown_map.transition.shown->space, shown.size());
-    if (!verdict.empty()) {
-        // At the top: the foot has the axes and what the mouse can do.
-        draw_text(*ImGui::GetWindowDrawList(), ui.theme.fonts.small, area.min, ui.theme.warning,
-                  shortened(ui.theme.fonts.small, verdict, area.width()));
-    }
+    draw_remarks(ui, area, verdict_text(shown_map.transition.shown->space, shown.size()),
+                 marks.people_text);
     return done;
 }
 

@@ -84,6 +84,11 @@ void use_model(Ui& ui, Workspace& work, const PerceptualModelParams& model,
     say(ui, "In use: " + what + ". Undo brings the others back.");
 }
 
+std::string words_on(const std::string& name, const ModelFile& content) {
+    const std::string remark = remark_on_synthetic(content);
+    return "the parameters " + name + (remark.empty() ? "" : ", " + remark);
+}
+
 void load_model_dialog(Ui& ui, const Workspace& work) {
     ask_for_file(ui,
                  {.purpose = ChooserPurpose::load_model,
@@ -98,7 +103,7 @@ void load_model(Ui& ui, Workspace& work, ModelBench& model_bench, const fs::path
     if (!content) return complain(ui, content.error().message);
     const std::string name = name_of_kept(path);
     const auto kept = keep_model(ui, work, model_bench, name, *content);
-    use_model(ui, work, content->model, "the parameters " + name);
+    use_model(ui, work, content->model, words_on(name, *content));
     if (!kept) complain(ui, "In use, but not kept for other sets: " + kept.error().message);
 }
 

@@ -29,6 +29,9 @@ Expected<Done> keep_model(Ui& ui, const Workspace& work, ModelBench& model_bench
 void use_model(Ui& ui, Workspace& work, const PerceptualModelParams& model,
                const std::string& what);
 
+// What is said of a kept model when it comes into use: its name, and that nobody was asked.
+std::string words_on(const std::string& name, const ModelFile& content);
+
 // From a file, to be kept and used.
 void load_model_dialog(Ui& ui, const Workspace& work);
 void load_model(Ui& ui, Workspace& work, ModelBench& model_bench,

@@ -22,6 +22,12 @@ const KeptModel* kept_as(Ui& ui, const Workspace& work, ModelBench& model_bench)
     return found == kept.end() ? nullptr : &*found;
 }
 
+std::string shown_name(const KeptModel& model) {
+    const bool synthetic = !remark_on_synthetic(model.content).empty();
+    const bool says_so = model.name.find("synthetic") != std::string::npos;
+    return model.name + (synthetic && !says_so ? ", synthetic ratings" : "");
+}
+
 void draw_list(Ui& ui, Workspace& work, ModelBench& model_bench, const KeptModel* current) {
     const bool is_published = work.document.set.model == PerceptualModelParams{};
     if (ImGui::Selectable(kPublished, is_published))
@@ -32,11 +38,11 @@ void draw_list(Ui& ui, Workspace& work, ModelBench& model_bench, const KeptModel
     for (const KeptModel& one : kept) {
         const bool is_current = current != nullptr && current->file == one.file;
         ImGui::PushID(one.file.c_str());
-        if (ImGui::Selectable(one.name.c_str(), is_current)) {
-            use_model(ui, work, one.content.model, "the parameters " + one.name);
+        if (ImGui::Selectable(shown_name(one).c_str(), is_current)) {
+            use_model(ui, work, one.content.model, words_on(one.name, one.content));
         }
         ImGui::PopID();
-        note_item(ui.rects, "model option:" + one.name);
+        note_item(ui.rects, "model option:" + one.name, shown_name(one));
         draw_tooltip(ui, one.file.c_str());
     }
     ImGui::Separator();
@@ -50,11 +56,13 @@ void draw_model_choice(Ui& ui, Workspace& work, ModelBench& model_bench) {
     const KeptModel* current = kept_as(ui, work, model_bench);
     const bool is_published = work.document.set.model == PerceptualModelParams{};
     const std::string shown = is_published         ? kPublished
-                              : current != nullptr ? current->name
+                              : current != nullptr ? shown_name(*current)
                                                    : "Changed by hand";
     std::string provenance;
+    std::string remark;
     if (!is_published && current != nullptr && current->content.training) {
         provenance = provenance_text(*current->content.training);
+        remark = remark_on_synthetic(current->content);
     }
     draw_label(ui, "Model", 160.0F * ui.theme.scale);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -71,6 +79,9 @@ void draw_model_choice(Ui& ui, Workspace& work, ModelBench& model_bench) {
     coloured_text(ui.theme.dim_text, provenance);
     ImGui::PopFont();
     note_item(ui.rects, "model:provenance", provenance);
+    if (remark.empty()) return;
+    coloured_text(ui.theme.warning, "These parameters were " + remark + ".");
+    note_item(ui.rects, "model:synthetic", remark);
 }
 
 }  // namespace tact

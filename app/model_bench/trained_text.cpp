@@ -58,7 +58,8 @@ std::string provenance_text(const TrainingRecord& record) {
         sets += (k == 0 ? "" : "; ") + set.name + " (" +
                 counted(set.patterns, "pattern", "patterns") + ", " +
                 counted(set.rated_pairs, "pair", "pairs") + ", " +
-                counted(set.participants, "person", "people") + ")";
+                counted(set.participants, "person", "people") +
+                (set.synthetic ? ", synthetic: nobody was asked)" : ")");
     }
     if (record.sets.size() > kNamedSets) {
         sets += " and " + std::to_string(record.sets.size() - kNamedSets) + " more";

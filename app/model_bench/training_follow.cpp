@@ -212,7 +212,9 @@ void use_trained(Ui& ui, Workspace& work, ModelBench& model_bench) {
     if (!found || !found->fault.empty()) return;
     const ModelFile content{found->training.model, found->record};
     const auto kept = keep_model(ui, work, model_bench, proposed_name(*found), content);
-    use_model(ui, work, content.model, "the trained parameters");
+    const std::string remark = remark_on_synthetic(content);
+    use_model(ui, work, content.model,
+              "the trained parameters" + (remark.empty() ? "" : ", " + remark));
     if (!kept) complain(ui, "In use, but not kept for other sets: " + kept.error().message);
 }
 
@@ -232,7 +234,9 @@ void save_trained(Ui& ui, const ModelBench& model_bench, const fs::path& path) {
     if (!found) return;
     const auto written = write_model_file(path, {found->training.model, found->record});
     if (!written) return complain(ui, written.error().message);
-    say(ui, "Parameters saved to " + path.string() + ", for --model on the command line too.");
+    const std::string remark = remark_on_synthetic({found->training.model, found->record});
+    say(ui, "Parameters" + (remark.empty() ? "" : " " + remark + ",") + " saved to " +
+                path.string() + ", for --model on the command line too.");
 }
 
 }  // namespace tact

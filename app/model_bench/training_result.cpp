@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/compare/people_text.h"
 #include "app/model_bench/trained_text.h"
 #include "app/model_bench/training_follow.h"
 #include "app/model_bench/training_views.h"
@@ -46,13 +47,20 @@ void small_text(const Ui& ui, const std::string& text) {
     ImGui::PopFont();
 }
 
-void draw_headline(Ui& ui, const Training& training) {
+void draw_headline(Ui& ui, const FoundTraining& found) {
+    const Training& training = found.training;
     const std::string headline =
-        std::string(objective_name(training)) + " " + digits(training.best.value);
+        of_people(objective_name(training), is_partly_synthetic(found.record)) + " " +
+        digits(training.best.value);
     draw_heading(ui, headline.c_str());
     note_item(ui.rects, "train:result", digits(training.best.value));
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     dim_text(ui, "was " + digits(training.value_before));
+    const std::string remark = remark_on_synthetic({training.model, found.record});
+    if (!remark.empty()) {
+        coloured_text(ui.theme.warning, "These parameters were " + remark + ".");
+        note_item(ui.rects, "train:synthetic", headline);
+    }
     const std::uint64_t equal = training.best.combinations;
     char near[32];
     std::snprintf(near, sizeof near, "%.2g %%", 100.0 * training.share_near_best);
@@ -257,7 +265,7 @@ void draw_training_result(Ui& ui, Workspace& work, ModelBench& model_bench,
     const bool stale = is_training_stale(work, model_bench);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     if (std::exchange(model_bench.training.scroll_to_result, false)) ImGui::SetScrollHereY(0.0F);
-    draw_headline(ui, found.training);
+    draw_headline(ui, found);
     draw_actions(ui, work, model_bench, found, stale);
     const ImVec2 numbers = ImGui::GetCursorScreenPos();
     draw_profiles(ui, found.training);

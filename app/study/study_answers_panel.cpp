@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 
+#include "app/compare/people_text.h"
 #include "app/document/pattern_looks.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "model/map/procrustes.h"
 #include "viz/charts/matrix_view.h"
@@ -72,7 +74,10 @@ void draw_values(const Ui& ui, const StudyState& studying, const StudyAnswers& a
     MatrixScene scene;
     scene.condensed = matrix.condensed;
     scene.labels = answers.results->study.labels;
-    scene.quantity = "dissimilarity";
+    const bool synthetic =
+        shown ? answers.records[*shown].header.synthetic : answers.results->synthetic;
+    const std::string quantity = of_people("dissimilarity", synthetic);
+    scene.quantity = quantity;
     scene.largest = studying.rule.scaling == RatingScaling::none ? 100.0 : 0.0;
     draw_matrix("study matrix", ui.theme, area, scene);
 }
@@ -84,7 +89,9 @@ void draw_study_answers(Ui& ui, const Workspace& work, ShownMap& shown_map, Stud
     if (answers && studying.shown && *studying.shown >= answers->records.size()) {
         studying.shown.reset();
     }
-    if (!answers || !answers->results) {
+    const bool waits = !answers || !answers->results;
+    if (waits && draw_failure(ui, "study answers", failure_of(studying.job))) return;
+    if (waits) {
         const Rect area = rest_of_pane();
         if (area.empty()) return;
         return draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "No answers yet",

@@ -199,7 +199,9 @@ void use_as_ratings(Ui& ui, Workspace& work, Layout& layout, Comparing& comparin
     if (!study) return complain(ui, study.error().message);
     const std::string source = std::string(results.synthetic ? kSyntheticRatings : "") +
                                answers->question.folder.filename().string();
-    work.document.set.ratings = kept_ratings(*study, source);
+    const auto left_out = static_cast<std::size_t>(std::ranges::count_if(
+        results.people, [](const ParticipantSummary& person) { return !person.excluded.empty(); }));
+    work.document.set.ratings = kept_ratings(*study, ratings_source(source, left_out));
     document_changed(work);
     commit_step(ui, work, "Use the study as ratings");
     layout.bench = BenchTab::compare;

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/compare/people_text.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -77,11 +79,10 @@ std::string agreement_text(const StudyAnswers& answers) {
         (results.people.size() == 1 ? " participant counts." : " participants count.");
     if (results.synthetic) text += " Synthetic: nobody was asked.";
     if (results.order == StudyOrder::adaptive) text += " Adaptive order, not the full design.";
-    const Reliability& agreement = results.agreement;
-    if (agreement.voices < 2) return text + " Agreement is known of two and more.";
-    text += agreement.is_of_one_person ? " One person's repetitions: " : " Noise ceiling: ";
-    text += "rho " + significant(agreement.one_with_others, 2) + " of one with the others";
-    return text + "; reliability of the mean " + significant(agreement.spearman_brown, 2) + ".";
+    const std::string unrated =
+        remark_on_unrated(unrated_patterns(results.study), results.study.labels.size());
+    if (!unrated.empty()) text += " " + unrated + ".";
+    return text + " " + ceiling_text(results.agreement, results.synthetic);
 }
 
 void draw_settling(Ui& ui, const StudyAnswers& answers) {
@@ -92,7 +93,8 @@ void draw_settling(Ui& ui, const StudyAnswers& answers) {
         text = "The latest participant's map has settled: more would change little.";
     if (settling.change.empty()) text = "Too few answers to tell whether the map has settled.";
     if (!settling.change.empty()) {
-        text += " K " + significant(settling.change.front(), 2) +
+        text += " " + of_people("K ", answers.results->synthetic) +
+                significant(settling.change.front(), 2) +
                 " since so many trials as there "
                 "are patterns.";
     }
@@ -101,7 +103,7 @@ void draw_settling(Ui& ui, const StudyAnswers& answers) {
 }
 
 std::string state_of(const ParticipantSummary& person) {
-    if (!person.excluded.empty()) return person.excluded;
+    if (!person.excluded.empty()) return (person.synthetic ? "synthetic, " : "") + person.excluded;
     std::string text = person.synthetic ? "synthetic" : "counts";
     if (person.is_outlier) text += ", outlier";
     return text;
@@ -192,7 +194,8 @@ void draw_table(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& pl
     ImGui::PushFont(ui.theme.fonts.small);
     for (const Column& column : kHeads) {
         ImGui::TableNextColumn();
-        dim_text(ui, column.name);
+        const std::string name = column.name;
+        dim_text(ui, of_people(name, answers.results->synthetic && name == "rho"));
         if (*column.tip != '\0') draw_tooltip(ui, column.tip);
     }
     ImGui::PopFont();
@@ -256,6 +259,7 @@ void draw_people(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
                  StudyState& studying) {
     draw_buttons(ui, work, timeline, shown_map, play, studying);
     draw_device(ui, play, studying);
+    (void)draw_failure(ui, "study", failure_of(studying.job));
     const std::shared_ptr<const StudyAnswers> answers = studying.answers;
     if (!answers) return;
     if (!answers->fault.empty()) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "app/compare/people_text.h"
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/pictures/pictures.h"
@@ -185,8 +186,9 @@ void continue_subset_export(Ui& ui, const ShownMap& shown_map, SubsetState& pick
         answer.best = *shown;
     }
     const LiveMap& map = *pick->request.map;
+    const char* rating = has_synthetic(map.request.set->ratings) ? "Synthetic rating" : "Rating";
     const std::string quantity =
-        pick->request.by_ratings ? "Rating" : traits(pick->request.metric).name;
+        pick->request.by_ratings ? rating : traits(pick->request.metric).name;
     const auto& by = map.request.rendered_by;
     const std::string origin = by && !pick->request.by_ratings ? words_on(*by) : "";
     const SubsetReport report{*map.request.set,

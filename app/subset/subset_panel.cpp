@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/compare/compare_follow.h"
+#include "app/compare/people_text.h"
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/map/map_follow.h"
@@ -13,6 +14,7 @@
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_panel.h"
 #include "app/subset/subset_views.h"
+#include "app/ui/failure.h"
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
@@ -100,7 +102,9 @@ const std::string& name_of(const Pick& pick, std::size_t member) {
 }
 
 std::string quantity_of(const Pick& pick) {
-    return pick.request.by_ratings ? "rating" : traits(pick.request.metric).name;
+    const auto& ratings = pick.request.map->request.set->ratings;
+    if (pick.request.by_ratings) return of_people("rating", has_synthetic(ratings));
+    return traits(pick.request.metric).name;
 }
 
 void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
@@ -268,7 +272,10 @@ bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         if (link(ui, "pick again", "Pick again")) state.asked = {};
         note_item(ui.rects, "link:pick again");
     }
+    const bool failed = draw_failure(ui, "subset", failure_of(state.pick_job));
+    (void)draw_failure(ui, "curve", failure_of(state.curve_job));
     if (shown_pick(shown_map, picking) != nullptr) return true;
+    if (failed) return false;
     const bool has_fault = state.pick && !state.pick->fault.empty() && !is_picking(picking);
     const Rect area = rest_of_pane();
     if (area.empty()) return false;

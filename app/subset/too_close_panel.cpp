@@ -4,10 +4,12 @@
 #include <cstdio>
 
 #include "app/compare/compare_follow.h"
+#include "app/compare/people_text.h"
 #include "app/document/editing.h"
 #include "app/map/pair.h"
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_views.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
@@ -91,8 +93,11 @@ std::string summary_of(const SubsetState& picking, const TooClosePairs& pairs) {
     }
     if (pairs.pairs.empty()) return "No pair is too close.";
     const std::string total = grouped_digits(pairs.count) + (pairs.count == 1 ? " pair" : " pairs");
-    if (pairs.count == pairs.pairs.size()) return total + ", the closest first";
-    return "The closest " + grouped_digits(pairs.pairs.size()) + " of " + total;
+    const bool nobody =
+        pairs.by == TooClose::ratings && has_synthetic(pairs.of->request.set->ratings);
+    const std::string by = nobody ? ", by synthetic ratings" : "";
+    if (pairs.count == pairs.pairs.size()) return total + ", the closest first" + by;
+    return "The closest " + grouped_digits(pairs.pairs.size()) + " of " + total + by;
 }
 
 void draw_pair(Ui& ui, Workspace& work, SubsetState& picking, const TooClosePairs& pairs,
@@ -227,6 +232,7 @@ void draw_open_pair(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
         coloured_note(ui.theme.dim_text, obstacle);
         note_item(ui.rects, "separation obstacle", obstacle);
     }
+    (void)draw_failure(ui, "separation", failure_of(picking.separation_job));
     draw_found(ui, work, picking, asked);
 }
 

@@ -7,6 +7,12 @@ namespace tact {
 
 bool is_synthetic(const Ratings& ratings) { return ratings.file.starts_with(kSyntheticRatings); }
 
+std::string ratings_source(const std::string& file, std::size_t left_out) {
+    if (left_out == 0) return file;
+    return file + " (" + std::to_string(left_out) +
+           (left_out == 1 ? " participant left out)" : " participants left out)");
+}
+
 std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& file) {
     const bool is_many = study.judgements.size() > kMostKeptRatings;
     const std::string marked =

@@ -20,6 +20,9 @@ bool is_synthetic(const Ratings& ratings);
 
 inline constexpr std::size_t kMostKeptRatings = 1000;  // of a set file
 
+// What is kept as the ratings' file: who of it does not count stays known.
+std::string ratings_source(const std::string& file, std::size_t left_out);
+
 // `file`: where the study was read from; may be empty. Who was not asked is marked so.
 std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& file);
 

@@ -278,6 +278,36 @@ TEST_CASE("training panel: ratings nobody gave are called synthetic") {
     bench.train();
     CHECK(bench.app.model_bench.training.found->record.sets.front().name ==
           "drawn, synthetic ratings");
+    CHECK(bench.program.at("train:synthetic").value.starts_with("synthetic mean rho"));
+}
+
+TEST_CASE(
+    "model bench: a kept model that was fitted to what nobody said says so where it is chosen") {
+    const TemporaryFolder folder;
+    Program program(short_patterns(3));
+    App& app = program.app;
+    app.work.session.folder = folder.path / "state";
+    ModelFile content;
+    content.model.nc_weight = 0.3;
+    content.training = TrainingRecord{};
+    TrainedOn drawn;
+    drawn.name = "drawn";
+    drawn.participants = 20;
+    drawn.synthetic = true;
+    content.training->sets = {drawn};
+    const auto file = folder.path / "mine.model.json";
+    REQUIRE(write_model_file(file, content));
+    load_model(app.ui, app.work, app.model_bench, file);
+    const std::string nobody = "trained on synthetic ratings: nobody was asked";
+    CHECK(contains(app.ui.status.text, nobody));
+    app.layout.maximised = Pane::matrix;
+    app.layout.bench = BenchTab::model;
+    program.settle();
+    CHECK(program.at("model:choice").value == "mine, synthetic ratings");
+    CHECK(program.at("model:synthetic").value == nobody);
+    CHECK(contains(program.at("model:provenance").value, "20 people, synthetic: nobody was asked"));
+    program.click("model:choice");
+    CHECK(program.at("model option:mine").value == "mine, synthetic ratings");
 }
 
 TEST_CASE("training panel: each person in turn is left out, on request") {

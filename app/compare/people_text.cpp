@@ -1,0 +1,77 @@
+#include "app/compare/people_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <string_view>
+
+#include "model/set/set_ratings.h"
+
+namespace tact {
+
+namespace {
+
+std::string two_digits(double rho) {
+    if (std::isnan(rho)) return "\u2013";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f", rho);
+    return text;
+}
+
+std::string without_label(const std::string& file) {
+    const std::string_view label = kSyntheticRatings;
+    return file.starts_with(label) ? file.substr(label.size()) : file;
+}
+
+}  // namespace
+
+std::string of_people(const std::string& quantity, bool synthetic) {
+    return synthetic ? "synthetic " + quantity : quantity;
+}
+
+bool has_synthetic(const std::vector<Ratings>& ratings) {
+    return std::ranges::any_of(ratings, [](const Ratings& one) { return is_synthetic(one); });
+}
+
+std::string people_text(const PatternSet& set, const RatedPeople& people) {
+    std::set<std::string> voices;
+    std::set<std::string> nobody;
+    for (const Ratings& one : set.ratings) {
+        voices.insert(one.name);
+        if (is_synthetic(one)) nobody.insert(one.name);
+    }
+    const std::string file = set.ratings.empty() ? "" : without_label(set.ratings.front().file);
+    std::string text = file.empty() ? "Ratings of the set" : file;
+    text += ": " + std::to_string(voices.size());
+    text += voices.size() == 1 ? " participant" : " participants";
+    if (nobody.size() == voices.size() && !nobody.empty()) text += ", synthetic: nobody was asked";
+    if (nobody.size() < voices.size() && !nobody.empty()) {
+        text += ", " + std::to_string(nobody.size()) + " of them synthetic";
+    }
+    if (set.ratings.size() > voices.size()) {
+        text += ", " + std::to_string(set.ratings.size()) + " passes";
+    }
+    const std::size_t patterns = people.rated.people.dissimilarity.size;
+    if (!people.unrated.empty()) {
+        text += ", " + std::to_string(patterns - people.unrated.size()) + " of " +
+                std::to_string(patterns) + " patterns rated";
+    }
+    return text + ", " + std::to_string(people.rated_pairs) + " of " +
+           std::to_string(pair_count(patterns)) + " pairs";
+}
+
+std::string ceiling_text(const Reliability& reliability, bool synthetic) {
+    if (reliability.voices < 2) return "Noise ceiling unknown: it takes two voices.";
+    const std::string voices = std::to_string(reliability.voices);
+    const std::string mean = reliability.is_of_one_person
+                                 ? "one person's " + voices + " repetitions"
+                                 : voices + " participants";
+    const std::string one = reliability.is_of_one_person ? "repetition" : "participant";
+    return "Noise ceiling: a metric can reach " + of_people("rho ", synthetic) +
+           two_digits(reliability.ceiling_of_mean) + " with the mean of " + mean +
+           " (reliability " + two_digits(reliability.spearman_brown) + "); one " + one +
+           " reaches " + two_digits(reliability.one_with_others) + " with the mean of the others.";
+}
+
+}  // namespace tact

@@ -1,0 +1,30 @@
+// What is said of those who rated, wherever a number is made from their ratings.
+//
+// Whose they are, how many count and how many do not, and how far a metric can agree with them
+// stand together; that nobody was asked is said beside every number itself.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/evaluation/metric_comparison.h"
+#include "model/set/pattern_set.h"
+#include "model/study/ratings.h"
+
+namespace tact {
+
+// "rho", or "synthetic rho".
+std::string of_people(const std::string& quantity, bool synthetic);
+
+// Whether nobody was asked for some of them.
+bool has_synthetic(const std::vector<Ratings>& ratings);
+
+// "people.csv (2 participants left out): 18 participants, 6 of them synthetic, 72 passes, 9 of 12
+// patterns rated, 36 of 66 pairs", of the set's own ratings.
+std::string people_text(const PatternSet& set, const RatedPeople& people);
+
+// What a metric can reach with the mean of the ratings, and what one person reaches: two ceilings,
+// of which only the first is one for the metrics.
+std::string ceiling_text(const Reliability& reliability, bool synthetic);
+
+}  // namespace tact
