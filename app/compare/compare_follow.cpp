@@ -1,8 +1,12 @@
 #include "app/compare/compare_follow.h"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 
 #include "app/compare/check_findings.h"
+#include "app/compare/compare_panels.h"
+#include "app/compare/people_text.h"
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "model/map/procrustes.h"
@@ -71,6 +75,12 @@ void make_compare_jobs(const Ui& ui, RenderingState& rendered, Comparing& compar
         JobPolicy::supersede, ComparisonWork{}, ui.wake);
     comparing.difference_job = std::make_unique<LatestJob<DifferenceRequest, LiveDifference>>(
         JobPolicy::finish, compute_live_difference, ui.wake);
+    comparing.fit_job = std::make_unique<LatestJob<FitRequest, ShepardFit>>(
+        JobPolicy::supersede,
+        [](const FitRequest& request, std::stop_token, std::atomic<float>&) {
+            return std::optional(shepard_fit(request));
+        },
+        ui.wake);
     rendered.job = std::make_unique<LatestJob<RenderingRequest, LiveRendering>>(
         JobPolicy::finish, compute_live_rendering, ui.wake);
     comparing.findings_job = std::make_unique<LatestJob<int, std::vector<Finding>>>(

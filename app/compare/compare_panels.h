@@ -16,6 +16,7 @@ void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap&
 void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing);
 void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
                     const ShownMap& shown_map, const Comparing& comparing);
+ShepardFit shepard_fit(const FitRequest& request);  // sorts all pairs
 void draw_findings(Ui& ui, Comparing& comparing, const Rect& area);
 
 }  // namespace tact

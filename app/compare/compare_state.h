@@ -17,13 +17,21 @@ namespace tact {
 
 enum class CompareView { table, scatter, findings };
 
-// The points of the Shepard diagram, kept while its map stays what it is.
-struct ShepardFit {
+// What the Shepard diagram is asked of: a matrix and its map, both held by the owner.
+struct FitRequest {
     std::shared_ptr<const void> owner;
-    const PerceptualSpace* of = nullptr;  // in the owner
-    std::vector<double> distances;        // in the map, of all pairs
+    const Dissimilarity* matrix = nullptr;
+    const PerceptualSpace* space = nullptr;
+
+    bool operator==(const FitRequest&) const = default;
+};
+
+// The points of the Shepard diagram.
+struct ShepardFit {
+    FitRequest request;
+    std::vector<double> distances;  // in the map, of all pairs
     std::vector<double> disparities;
-    ScatterSummary summary;  // of both: sorting half a million pairs is not for every frame
+    ScatterSummary summary;  // of both
 };
 
 struct ComparePanelState {
@@ -34,7 +42,8 @@ struct ComparePanelState {
     std::uint64_t cancelled_at = 0;      // ... of this revision
     std::uint64_t compute_large_of = 0;  // the document whose many patterns were asked for
     std::shared_ptr<const LiveMap> of;   // what was asked for last
-    ShepardFit fit;
+    FitRequest fit_asked;
+    std::shared_ptr<const ShepardFit> fit;  // kept while its map stays what it is
 };
 
 struct Comparing {
@@ -43,6 +52,7 @@ struct Comparing {
     std::unique_ptr<LatestJob<DifferenceRequest, LiveDifference>> difference_job;
     std::shared_ptr<const LiveDifference> difference;
     DifferenceRequest difference_asked;
+    std::unique_ptr<LatestJob<FitRequest, ShepardFit>> fit_job;
     std::unique_ptr<LatestJob<int, std::vector<Finding>>> findings_job;  // asked for by number
     std::shared_ptr<const std::vector<Finding>> findings;
     ComparePanelState panel;

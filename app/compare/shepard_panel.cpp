@@ -61,29 +61,41 @@ std::string corner_text(const ShownFit& fit) {
     return text;
 }
 
-// Sorting the pairs of a large set takes longer than a frame may: only for another map.
-const ShepardFit& followed_fit(ShepardFit& kept, const ShownFit& fit) {
-    if (kept.owner == fit.owner && kept.of == fit.space) return kept;
-    kept.owner = fit.owner;
-    kept.of = fit.space;
-    kept.distances = distances(fit.space->points);
-    kept.disparities = disparities(fit.matrix->condensed, kept.distances);
-    kept.summary = summary_of(fit.matrix->condensed, kept.distances, kept.disparities);
-    return kept;
+// Sorting the pairs of a large set takes longer than a frame may: it is then made beside the
+// window, and until it is there this is null.
+std::shared_ptr<const ShepardFit> followed_fit(Comparing& comparing, const ShownFit& fit) {
+    constexpr std::size_t kMostInFrame = 20'000;
+    ComparePanelState& panel = comparing.panel;
+    const FitRequest request{fit.owner, fit.matrix, fit.space};
+    if (panel.fit && panel.fit->request == request) return panel.fit;
+    if (!comparing.fit_job || fit.matrix->condensed.size() <= kMostInFrame) {
+        return panel.fit = std::make_shared<const ShepardFit>(shepard_fit(request));
+    }
+    if (panel.fit_asked != request) comparing.fit_job->submit(panel.fit_asked = request);
+    panel.fit = comparing.fit_job->latest();
+    return panel.fit && panel.fit->request == request ? panel.fit : nullptr;
+}
+
+void draw_no_fit(Ui& ui, const Comparing& comparing, const Rect& area) {
+    if (draw_failure(ui, "shepard", failure_of(comparing.fit_job))) return;
+    draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "Fitting the distances",
+               "All pairs are brought into the order of their dissimilarity.");
+    note_rect(ui.rects, "shepard:waits", area.min, area.max);
 }
 
 void draw_fit(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
               const ShownFit& fit, const std::vector<Vibration>& vibrations, const Rect& area) {
-    const ShepardFit& kept = followed_fit(comparing.panel.fit, fit);
-    const std::vector<double>& apart = kept.distances;
-    const std::vector<double>& fitted = kept.disparities;
+    const std::shared_ptr<const ShepardFit> kept = followed_fit(comparing, fit);
+    if (!kept) return draw_no_fit(ui, comparing, area);
+    const std::vector<double>& apart = kept->distances;
+    const std::vector<double>& fitted = kept->disparities;
     const std::string corner = corner_text(fit);
     const std::string x_title = "dissimilarity by " + fit.name;
     ScatterScene scene;
     scene.x = fit.matrix->condensed;
     scene.y = apart;
     scene.fitted = fitted;
-    scene.summary = &kept.summary;
+    scene.summary = &kept->summary;
     scene.x_title = x_title;
     scene.y_title = "distance in the map";
     scene.corner = corner;
@@ -107,6 +119,14 @@ bool is_open_set(const Workspace& work, const std::vector<Vibration>& vibrations
 }
 
 }  // namespace
+
+ShepardFit shepard_fit(const FitRequest& request) {
+    ShepardFit made{request, distances(request.space->points), {}, {}};
+    const std::vector<double>& given = request.matrix->condensed;
+    made.disparities = disparities(given, made.distances);
+    made.summary = summary_of(given, made.distances, made.disparities);
+    return made;
+}
 
 std::optional<std::size_t> scatter_selection(const Workspace& work, const ShownMap& shown_map,
                                              const std::vector<Vibration>& vibrations) {

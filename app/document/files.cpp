@@ -1,6 +1,7 @@
 #include "app/document/files.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "app/document/editing.h"
 #include "app/document/unsaved.h"
@@ -8,6 +9,7 @@
 #include "app/session/document_file.h"
 #include "app/ui/file_question.h"
 #include "assets/assets.h"
+#include "model/common/thrown.h"
 #include "model/io/set/load.h"
 #include "model/io/set/measured_files.h"
 #include "model/io/set/set_file.h"
@@ -214,6 +216,36 @@ void load_tables(Ui& ui, Workspace& work, const std::filesystem::path& path) {
     say(ui, std::string(thresholds ? "Thresholds" : "Slopes") + " loaded from " + path.string());
 }
 
+namespace {
+
+// Why the document could not be kept; empty: it is.
+std::string fault_of(const Session& session, const Document& document) {
+    try {
+        const Expected<Done> written = autosave(session, document);
+        return written ? std::string() : written.error().message;
+    } catch (...) {
+        return thrown_error().message;
+    }
+}
+
+// Where to, without the locks: those are the program's to hold and to let go.
+Session place_of(const Session& session) {
+    Session place;
+    place.folder = session.folder;
+    place.autosave = session.autosave;
+    return place;
+}
+
+// Once, not after each change.
+void tell_if_unkept(Ui& ui, Workspace& work, const std::string& fault) {
+    if (!fault.empty() && fault != work.told_unkept) {
+        complain(ui, "Unsaved changes cannot be kept aside, save them: " + fault);
+    }
+    work.told_unkept = fault;
+}
+
+}  // namespace
+
 void autosave_if_due(Ui& ui, Workspace& work) {
     if (work.unsaved_revision != work.revision) {
         work.unsaved = !(work.document.set == work.document.saved);
@@ -221,16 +253,20 @@ void autosave_if_due(Ui& ui, Workspace& work) {
         work.autosave_due_s = ui.time_s + kAutosaveRestS;
         work.autosave_pending = true;
     }
-    // A drag writes once it rests.
-    if (!work.autosave_pending || ui.time_s < work.autosave_due_s) return;
+    const bool has_ended = is_autosaving(work) && work.keeping.wait_for(std::chrono::seconds(0)) ==
+                                                      std::future_status::ready;
+    if (has_ended) tell_if_unkept(ui, work, work.keeping.get());
+    // A drag writes once it rests; what changes while an autosave is under way is kept by the next.
+    if (!work.autosave_pending || ui.time_s < work.autosave_due_s || is_autosaving(work)) return;
     work.autosave_pending = false;
-    const Expected<Done> written = autosave(work.session, work.document);
-    const std::string fault = written ? std::string() : written.error().message;
-    // Once, not after each change.
-    if (!fault.empty() && fault != work.told_unkept) {
-        complain(ui, "Unsaved changes cannot be kept aside, save them: " + fault);
-    }
-    work.told_unkept = fault;
+    const bool has_text = work.unsaved && !work.session.folder.empty();
+    if (!has_text) return tell_if_unkept(ui, work, fault_of(work.session, work.document));
+    work.keeping =
+        std::async(std::launch::async, [place = place_of(work.session), document = work.document] {
+            return fault_of(place, document);
+        });
 }
+
+bool is_autosaving(const Workspace& work) { return work.keeping.valid(); }
 
 }  // namespace tact

@@ -35,6 +35,9 @@ bool show_document(Ui& ui, Workspace& work, Document document,
                    std::string text);  // false: the open one stays
 
 // Writes the autosave when it is due.
+// Printing and writing a large set takes longer than a frame may: beside the window, of the set as
+// it is now, one after the other.
 void autosave_if_due(Ui& ui, Workspace& work);
+bool is_autosaving(const Workspace& work);
 
 }  // namespace tact

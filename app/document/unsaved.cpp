@@ -25,7 +25,12 @@ std::string with_stop(std::string text) {
     return text;
 }
 
+void wait_for_autosave(const Workspace& work) {
+    if (work.keeping.valid()) work.keeping.wait();
+}
+
 Expected<fs::path> keep_unsaved(Workspace& work) {
+    wait_for_autosave(work);
     if (work.document.set == work.document.saved) return fs::path{};
     if (const Expected<Done> kept = autosave(work.session, work.document); !kept)
         return kept.error();

@@ -23,4 +23,7 @@ std::string with_stop(std::string text);
 // The file as it is now holds what was never seen here.
 bool is_changed_outside(const Document& document, const std::filesystem::path& file);
 
+// Until the autosave under way is on the disk: what is written or moved next comes after it.
+void wait_for_autosave(const Workspace& work);
+
 }  // namespace tact

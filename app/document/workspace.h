@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <future>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/document/changes.h"
@@ -32,7 +34,8 @@ struct Workspace {
     std::uint64_t unsaved_revision = 0;  // ... as of this revision
     bool autosave_pending = false;
     double autosave_due_s = 0.0;
-    std::string told_unkept;  // why unsaved changes are in memory alone
+    std::future<std::string> keeping;  // an autosave under way: why it could not be written
+    std::string told_unkept;           // why unsaved changes are in memory alone
 };
 
 }  // namespace tact

@@ -58,6 +58,14 @@ struct ShownPaths {
     std::vector<std::vector<std::size_t>> paths;
 };
 
+// The largest value of the matrix on screen, kept while that stays: it is looked for among all
+// pairs.
+struct ShownLargest {
+    std::shared_ptr<const LiveMap> of;
+    MatrixQuantity quantity = MatrixQuantity::pm;
+    double value = 0.0;
+};
+
 struct ShownMap {
     std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> preview_job;
     std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> full_job;
@@ -70,6 +78,7 @@ struct ShownMap {
     MapLook look;
     ShownClusters clusters;
     ShownPaths paths;
+    ShownLargest largest;
     std::size_t menu_of = 0;  // the pattern whose menu is open in the map
     SpaceCamera camera;
     int dimensions = 3;

@@ -5,6 +5,7 @@
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/map/matrix_panel.h"
+#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/charts/matrix_view.h"
 #include "viz/drawing/marks.h"
@@ -19,6 +20,17 @@ const Dissimilarity& shown_matrix(const ShownMap& shown_map) {
     if (shown_map.quantity == MatrixQuantity::nc) return prediction.nc;
     if (shown_map.quantity == MatrixQuantity::oc) return prediction.oc;
     return prediction.pm;
+}
+
+double shown_largest(ShownMap& shown_map) {
+    ShownLargest& kept = shown_map.largest;
+    const auto& map = shown_map.transition.shown;
+    if (kept.of == map && kept.quantity == shown_map.quantity) return kept.value;
+    kept = {map, shown_map.quantity, 0.0};
+    for (const double value : shown_matrix(shown_map).condensed) {
+        if (value > kept.value) kept.value = value;
+    }
+    return kept.value;
 }
 
 const char* quantity_name(MatrixQuantity quantity) {
@@ -97,11 +109,13 @@ std::optional<Pair> pair_in_map(const Workspace& work, const PatternSet& mapped)
 
 void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     if (!ui.as_picture) draw_choice(ui, shown_map);
+    const bool failed = draw_failure(ui, "matrix", failure_of(shown_map.full_job));
     Rect area = rest_of_pane();
     if (area.empty()) return;
     const bool has_pairs =
         shown_map.transition.shown && !shown_map.transition.shown->prediction.pm.condensed.empty();
     if (!has_pairs || map_state(work, shown_map) == MapState::too_large) {
+        if (failed) return;
         const bool few = work.document.set.vibrations.size() < 2;
         draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area,
                    few ? "No pairs to compare" : "No matrix yet",
@@ -123,6 +137,7 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     scene.condensed = shown_matrix(shown_map).condensed;
     scene.labels = labels;
     scene.quantity = quantity_name(shown_map.quantity);
+    scene.largest = shown_largest(shown_map);
     const PatternSet& set = work.document.set;
     const Vibration* current = current_vibration(work);
     if (current != nullptr) scene.selected = place_named(mapped, current->name);

@@ -13,6 +13,7 @@
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
 
 namespace tact {
 
@@ -107,9 +108,10 @@ struct TimeTexts {
 };
 
 TimeTexts time_texts(const Workspace& work, const Timeline& timeline) {
-    char at[32];
+    // As finely as the read-outs of the curves, and a thousandth at least.
+    const double step_s = std::min(1e-3, timeline.range.length_s() / 500.0);
+    const std::string at = stepped(timeline.playhead.at_s, step_s > 0.0 ? step_s : 1e-3) + " s";
     char whole[48];
-    std::snprintf(at, sizeof at, "%.3f s", timeline.playhead.at_s);
     std::snprintf(whole, sizeof whole, "of %.3f s", shown_duration_s(work));
     const TimeRange& range = timeline.range;
     const bool zoomed_in =

@@ -67,7 +67,7 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
                               theme.hairline_px, theme.warning);
         }
     }
-    list.AddPolyline(line.data(), static_cast<int>(line.size()), theme.dim_text, 0, theme.trace_px);
+    draw_path(list, line, theme.dim_text, theme.trace_px);
     for (std::size_t k = 0; k < line.size(); ++k) {
         const bool chosen = curve.points[k].count == static_cast<std::size_t>(picking.count);
         const bool lit = chosen || hovered == k;

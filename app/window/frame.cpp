@@ -275,7 +275,7 @@ double next_wake_s(const App& app) {
         is_training(app.model_bench)) {
         wake_s = 0.1;  // progress
     }
-    if (app.work.autosave_pending) wake_s = std::min(wake_s, 0.5);
+    if (app.work.autosave_pending || is_autosaving(app.work)) wake_s = std::min(wake_s, 0.5);
     wake_s = std::min(wake_s, study_wake_s(app.ui, app.studying));
     // A little later than it fades, lest the clock's last digit asks for it twice.
     if (status_left_s(app) > 0.0) wake_s = std::min(wake_s, status_left_s(app) + 0.01);

@@ -26,6 +26,7 @@ void stop_jobs(App& app) {
     stop_training(app.model_bench);
     app.comparing.findings_job.reset();
     app.rendered.job.reset();
+    app.comparing.fit_job.reset();
     app.comparing.difference_job.reset();
     app.comparing.comparison_job.reset();
     app.shown_map.full_job.reset();

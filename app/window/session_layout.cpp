@@ -131,6 +131,7 @@ void restore_layout(App& app) {
 
 bool may_close(App& app) {
     if (is_study_running(app.studying)) leave_study(app);
+    wait_for_autosave(app.work);
     const Expected<Done> kept = autosave(app.work.session, app.work.document);
     if (kept) return true;
     ask(app.ui, {.title = "Unsaved changes",
@@ -155,6 +156,7 @@ void end_session(App& app) {
     keep_layout(app);
     keep_devices(app.work, app.play);
     // Nobody is left to read a status line; the next start says what could not be kept.
+    wait_for_autosave(app.work);
     (void)autosave(app.work.session, app.work.document);
     (void)close_session(app.work.session);
 }

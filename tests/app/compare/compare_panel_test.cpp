@@ -4,6 +4,8 @@
 #include <sstream>
 
 #include "app/compare/compare_follow.h"
+#include "app/compare/compare_panels.h"
+#include "app/compare/people_text.h"
 #include "app/document/rating_files.h"
 #include "app/document/shown_side.h"
 #include "app/map/pair.h"

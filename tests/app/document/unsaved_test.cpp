@@ -91,6 +91,42 @@ bool refuses_others(Program& program) {
 
 }  // namespace
 
+TEST_CASE("unsaved: an autosave is of the set as it was, and a frame goes on meanwhile") {
+    Edited program;
+    App& app = program.app;
+    const fs::path file = app.work.session.autosave;
+    while (!is_autosaving(app.work)) program.frame();
+    const PatternSet as_it_was = app.work.document.set;
+    edit_patterns(app.work, [](Pattern& pattern) { pattern.amplitude_g = 3.0; });  // a drag goes on
+    wait_for_autosave(app.work);
+    Session later = app.work.session;
+    const Restored restored = restore(later);
+    REQUIRE(restored.document);
+    CHECK(restored.document->set == as_it_was);
+    CHECK(app.work.document.set != as_it_was);
+}
+
+TEST_CASE("unsaved: what is kept at the end comes after the autosave that was under way") {
+    Edited program;
+    App& app = program.app;
+    while (!is_autosaving(app.work)) program.frame();
+    program.edit();
+    REQUIRE(may_close(app));
+    Session later = app.work.session;
+    const Restored restored = restore(later);
+    REQUIRE(restored.document);
+    CHECK(restored.document->set == app.work.document.set);
+}
+
+TEST_CASE("unsaved: an autosave that the disk has no room for is told once it has failed") {
+    Edited program;
+    App& app = program.app;
+    program.lock_folder();
+    while (app.work.told_unkept.empty()) program.frame();
+    CHECK(app.ui.status.is_error);
+    CHECK(contains(app.ui.status.text, "Unsaved changes cannot be kept aside"));
+}
+
 TEST_CASE("unsaved: with a file where the state folder should be, no document takes its place") {
     const TemporaryFolder folder;
     const StateHome home(folder.write("a file", ""));
