@@ -7,9 +7,9 @@
 #include <string>
 
 #include "app/measured/import_follow.h"
+#include "app/measured/recording_fields.h"
 #include "app/ui/dialog.h"
 #include "app/ui/failure.h"
-#include "app/ui/recording_fields.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/jobs/latest_job.h"
-#include "app/ui/recording_fields.h"
+#include "app/measured/recording_fields.h"
 #include "model/io/recordings/acceleration_file.h"
 #include "model/set/measured_twin.h"
 

@@ -132,17 +132,23 @@ int on_history(ImGuiInputTextCallbackData* field) {
     return 0;
 }
 
-void draw_places(FileChooser& chooser) {
+bool button(TabOrder& order, const char* label) {
+    const bool pressed = ImGui::Button(label);
+    note_stop(order);
+    return pressed;
+}
+
+void draw_places(FileChooser& chooser, TabOrder& order) {
     const fs::path here = chooser.listing.folder;
-    if (ImGui::Button("Up")) go(chooser, here.parent_path());
+    if (button(order, "Up")) go(chooser, here.parent_path());
     ImGui::SameLine();
-    if (ImGui::Button("Home")) go(chooser, home_folder());
+    if (button(order, "Home")) go(chooser, home_folder());
     for (const fs::path& place : chooser.bookmarks) {
         if (place.empty() || place == home_folder()) continue;
         ImGui::SameLine();
         ImGui::PushID(place.c_str());
         const std::string label = place.has_filename() ? place.filename().string() : place.string();
-        if (ImGui::Button(label.c_str())) go(chooser, place);
+        if (button(order, label.c_str())) go(chooser, place);
         ImGui::PopID();
     }
     ImGui::TextWrapped("%s", chooser.listing.folder.c_str());
@@ -225,7 +231,7 @@ const char* name_hint(ChooserUse use) {
     return "";
 }
 
-Chosen draw_name(FileChooser& chooser) {
+Chosen draw_name(FileChooser& chooser, TabOrder& order) {
     const bool was_empty = chooser.name.empty();
     if (std::exchange(chooser.focus_name, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
@@ -234,6 +240,7 @@ Chosen draw_name(FileChooser& chooser) {
                                                       ImGuiInputTextFlags_CallbackHistory |
                                                       ImGuiInputTextFlags_AutoSelectAll,
                                                   on_history, &chooser);
+    note_stop(order);
     if (was_empty && ImGui::IsItemActive() && is_pressed(ImGuiKey_Backspace)) {
         go(chooser, chooser.listing.folder.parent_path());
     }
@@ -242,13 +249,13 @@ Chosen draw_name(FileChooser& chooser) {
     return ImGui::GetIO().KeyCtrl && chooser.folders_too ? whole_folder(chooser) : accept(chooser);
 }
 
-Chosen draw_buttons(FileChooser& chooser) {
+Chosen draw_buttons(FileChooser& chooser, TabOrder& order) {
     Chosen chosen;
-    if (ImGui::Button(chooser.use == ChooserUse::open ? "Open" : "Save")) chosen = accept(chooser);
+    if (button(order, chooser.use == ChooserUse::open ? "Open" : "Save")) chosen = accept(chooser);
     if (chooser.folders_too) {
         ImGui::SameLine();
         const bool saves = chooser.use == ChooserUse::save_folder;
-        if (ImGui::Button(saves ? "Save into this folder" : "Open this folder")) {
+        if (button(order, saves ? "Save into this folder" : "Open this folder")) {
             chosen = whole_folder(chooser);
         }
         if (ImGui::IsItemHovered()) {
@@ -257,19 +264,20 @@ Chosen draw_buttons(FileChooser& chooser) {
         }
     }
     ImGui::SameLine();
-    if (ImGui::Button("Cancel") || is_pressed(ImGuiKey_Escape)) chooser.is_open = false;
+    if (button(order, "Cancel") || is_pressed(ImGuiKey_Escape)) chooser.is_open = false;
     return chosen;
 }
 
-Chosen draw_replace_question(FileChooser& chooser) {
+Chosen draw_replace_question(FileChooser& chooser, TabOrder& order) {
     const fs::path path = chooser.replacing;
     const bool of_folder = chooser.use == ChooserUse::save_folder;
     ImGui::TextWrapped(of_folder ? "%s exists there. Replace it, and others of this export?"
                                  : "%s exists. Replace it?",
                        path.filename().c_str());
-    const bool yes = ImGui::Button("Replace") || is_pressed(ImGuiKey_Enter);
+    const bool enter = is_pressed(ImGuiKey_Enter) && !order.is_on_button;
+    const bool yes = button(order, "Replace") || enter;
     ImGui::SameLine();
-    const bool no = ImGui::Button("Keep it") || is_pressed(ImGuiKey_Escape);
+    const bool no = button(order, "Keep it") || is_pressed(ImGuiKey_Escape);
     if (yes || no) {
         chooser.replacing.clear();
         chooser.focus_name = true;
@@ -278,16 +286,16 @@ Chosen draw_replace_question(FileChooser& chooser) {
     return of_folder ? path.parent_path() : path;
 }
 
-Chosen draw_content(FileChooser& chooser) {
+Chosen draw_content(FileChooser& chooser, TabOrder& order) {
     const bool asks = !chooser.replacing.empty();
     ImGui::BeginDisabled(asks);
-    draw_places(chooser);
+    draw_places(chooser, order);
     Chosen chosen = draw_list(chooser);
-    if (!asks && !chosen) chosen = draw_name(chooser);
+    if (!asks && !chosen) chosen = draw_name(chooser, order);
     ImGui::EndDisabled();
-    if (asks) return draw_replace_question(chooser);
+    if (asks) return draw_replace_question(chooser, order);
     ImGui::TextWrapped("%s", chooser.remark.c_str());
-    if (const Chosen pressed = draw_buttons(chooser)) chosen = pressed;
+    if (const Chosen pressed = draw_buttons(chooser, order)) chosen = pressed;
     return chosen;
 }
 
@@ -302,7 +310,7 @@ void show(FileChooser& chooser, const fs::path& folder, const std::string& name)
     chooser.name = chooser.offered = name;
 }
 
-Chosen draw(FileChooser& chooser) {
+Chosen draw(FileChooser& chooser, TabOrder& order) {
     if (!chooser.is_open) return std::nullopt;
     const std::string label = chooser.title + "###file chooser";
     if (std::exchange(chooser.appears, false)) ImGui::OpenPopup(label.c_str());
@@ -318,7 +326,7 @@ Chosen draw(FileChooser& chooser) {
         label.c_str(), &chooser.is_open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
     ImGui::PopStyleColor();
     if (is_visible) {
-        chosen = draw_content(chooser);
+        chosen = draw_content(chooser, order);
         if (chosen) chooser.is_open = false;
         if (!chooser.is_open) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();

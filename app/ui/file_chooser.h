@@ -2,7 +2,8 @@
 //
 // Typing always goes into the name field, so that everything works by keyboard: up and down walk
 // through the folder, Enter opens, Backspace in the empty field goes to the parent, Esc leaves;
-// a typed path may be absolute, relative or start with ~. Ctrl-Enter takes the folder itself.
+// a typed path may be absolute, relative or start with ~. Ctrl-Enter takes the folder itself. Tab
+// goes to the buttons.
 //
 // Input     a folder to start in and the kinds of file wanted
 // Output    the path chosen, once
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "app/ui/folder_listing.h"
+#include "app/ui/tab_order.h"
 
 namespace tact {
 
@@ -46,6 +48,6 @@ struct FileChooser {
 void show(FileChooser& chooser, const std::filesystem::path& folder, const std::string& name = "");
 
 // Draws the dialog if it is open. The path chosen, in the frame in which it is.
-std::optional<std::filesystem::path> draw(FileChooser& chooser);
+std::optional<std::filesystem::path> draw(FileChooser& chooser, TabOrder& order);
 
 }  // namespace tact

@@ -8,8 +8,8 @@
 
 #include <string>
 
-#include "app/ui/number_entry.h"
 #include "app/ui/ui.h"
+#include "model/text/typed_number.h"
 
 namespace tact {
 

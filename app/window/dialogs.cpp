@@ -91,7 +91,7 @@ void draw_keys(App& app) {
 }
 
 void draw_chooser(App& app) {
-    const auto chosen = draw(app.ui.chooser);
+    const auto chosen = draw(app.ui.chooser, app.ui.rects.tab_order);
     if (!chosen) return;
     switch (app.ui.chooser_purpose) {
         case ChooserPurpose::open_document:

@@ -8,7 +8,7 @@
 #include "model/design_space/spectral_lines.h"
 #include "model/pattern/same_vibration.h"
 #include "model/text/numbers.h"
-#include "model/text/unused_names.h"
+#include "model/text/unique_names.h"
 
 namespace tact {
 

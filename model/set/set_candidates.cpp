@@ -5,7 +5,7 @@
 
 #include "model/pattern/same_vibration.h"
 #include "model/text/numbers.h"
-#include "model/text/unused_names.h"
+#include "model/text/unique_names.h"
 
 namespace tact {
 

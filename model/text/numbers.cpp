@@ -6,11 +6,15 @@
 
 namespace tact {
 
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlank = " \t\r\n";
+    const std::size_t begin = text.find_first_not_of(kBlank);
+    if (begin == text.npos) return {};
+    return text.substr(begin, text.find_last_not_of(kBlank) - begin + 1);
+}
+
 std::optional<double> finite_number_in(std::string_view text) {
-    constexpr std::string_view kBlanks = " \t\r";
-    const std::size_t begin = text.find_first_not_of(kBlanks);
-    if (begin == text.npos) return std::nullopt;
-    text = text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+    text = trimmed(text);
     // from_chars takes no plus sign; other programs write one.
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     double value = 0.0;

@@ -7,6 +7,9 @@
 
 namespace tact {
 
+// Without the blanks around it.
+std::string_view trimmed(std::string_view text);
+
 // The finite number that a text consists of, blanks around it and a plus sign allowed; none for
 // anything else, NaN and infinity among it.
 std::optional<double> finite_number_in(std::string_view text);

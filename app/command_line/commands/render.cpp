@@ -14,7 +14,7 @@
 #include "model/io/tables/matrix_file.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
-#include "model/text/unused_names.h"
+#include "model/text/unique_names.h"
 
 namespace tact {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "model/text/equal_names.h"
 #include "model/text/numbers.h"
+#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "model/io/set/study_json.h"
-#include "model/text/equal_names.h"
+#include "model/text/unique_names.h"
 
 namespace tact {
 

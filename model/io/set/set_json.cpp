@@ -6,9 +6,9 @@
 #include "model/io/set/design_space_json.h"
 #include "model/io/set/model_json.h"
 #include "model/io/set/study_json.h"
-#include "model/text/equal_names.h"
 #include "model/text/numbers.h"
 #include "model/text/percent_code.h"
+#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "model/text/equal_names.h"
 #include "model/text/natural_order.h"
 #include "model/text/numbers.h"
+#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -51,7 +51,8 @@ struct Fixture {
     }
     void settle() {
         window.settle([this] {
-            if (const auto path = draw(chooser)) {
+            TabOrder order;
+            if (const auto path = draw(chooser, order)) {
                 chosen = path;
                 ++answers;
             }

@@ -1,4 +1,4 @@
-#include "model/text/equal_names.h"
+#include "model/text/unique_names.h"
 
 #include <string_view>
 #include <unordered_map>
@@ -13,6 +13,15 @@ std::optional<std::pair<std::size_t, std::size_t>> first_equal(
         if (!is_new) return std::pair{place->second, k};
     }
     return std::nullopt;
+}
+
+std::string UnusedNames::unused(const std::string& wanted) {
+    std::string name = wanted;
+    while (!taken.insert(name).second) {
+        int& number = last_number.try_emplace(wanted, 1).first->second;
+        name = wanted + " " + std::to_string(++number);
+    }
+    return name;
 }
 
 }  // namespace tact

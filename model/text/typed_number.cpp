@@ -1,4 +1,4 @@
-#include "app/ui/number_entry.h"
+#include "model/text/typed_number.h"
 
 #include <algorithm>
 #include <array>
@@ -54,13 +54,6 @@ std::optional<UnitMeaning> meaning_of(std::string_view unit) {
         return one;
     }
     return std::nullopt;
-}
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlanks = " \t\r\n";
-    const std::size_t begin = text.find_first_not_of(kBlanks);
-    if (begin == text.npos) return {};
-    return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
 // A text as a change or none, a number, and what is behind it.

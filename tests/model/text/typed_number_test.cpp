@@ -1,4 +1,4 @@
-#include "app/ui/number_entry.h"
+#include "model/text/typed_number.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <string>
 
-namespace number_entry_test {
+namespace typed_number_test {
 
 using namespace tact;
 
@@ -118,4 +118,4 @@ TEST_CASE("number entry: the unit is what the format writes behind the number") 
     CHECK(shown_number("%.3g g", 1.23456) == "1.23 g");
 }
 
-}  // namespace number_entry_test
+}  // namespace typed_number_test

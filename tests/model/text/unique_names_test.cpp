@@ -1,8 +1,8 @@
-#include "model/text/equal_names.h"
+#include "model/text/unique_names.h"
 
 #include <doctest/doctest.h>
 
-namespace equal_names_test {
+namespace unique_names_test {
 
 using namespace tact;
 
@@ -13,4 +13,4 @@ TEST_CASE("equal names: the first that comes again is found, with where it was")
     CHECK(first_equal({"", ""}) == std::pair<std::size_t, std::size_t>{0, 1});
 }
 
-}  // namespace equal_names_test
+}  // namespace unique_names_test

@@ -1,4 +1,4 @@
-#include "app/ui/recording_fields.h"
+#include "app/measured/recording_fields.h"
 
 #include <imgui.h>
 
