@@ -104,6 +104,16 @@ DoubleDouble sine_of(const Reduced& angle, std::size_t quarter_turn) {
 constexpr std::size_t kNone = 0;
 constexpr std::size_t kQuarter = kStepsOfTurn / 4;
 
+double root_of_squares(double a, double b) {
+    const DoubleDouble squares = exact_product(a, a) + exact_product(b, b);
+    const double root = std::sqrt(squares.high);
+    const DoubleDouble of_root = exact_product(root, root);
+    const double apart = squares.high - of_root.high;  // exact: they are as good as equal
+    const DoubleDouble low = exact_sum(squares.low, -of_root.low);
+    const DoubleDouble short_of = quick_sum(apart, low.high);
+    return root + (short_of.high + (short_of.low + low.low)) / (2.0 * root);
+}
+
 bool is_tiny(double angle_rad) { return std::abs(angle_rad) < 0x1p-27; }
 
 }  // namespace
@@ -147,23 +157,23 @@ double atan(double value) {
 double hypot(double a, double b) {
     a = std::abs(a);
     b = std::abs(b);
-    if (std::isinf(a) || std::isinf(b)) return HUGE_VAL;
     const double larger = a > b ? a : b;
+    if (larger >= 0x1p-400 && larger <= 0x1p400) return root_of_squares(a, b);
+    if (std::isinf(a) || std::isinf(b)) return HUGE_VAL;
     if (!(larger > 0.0)) return a + b;  // 0 or NaN
     // By a power of two, so that no square over- or underflows.
-    const int exponent = larger > 0x1p400 || larger < 0x1p-400 ? std::ilogb(larger) : 0;
-    a = std::ldexp(a, -exponent);
-    b = std::ldexp(b, -exponent);
-    const DoubleDouble squares = exact_product(a, a) + exact_product(b, b);
-    const double root = std::sqrt(squares.high);
-    const DoubleDouble short_of = squares - exact_product(root, root);
-    return std::ldexp(root + short_of.high / (2.0 * root), exponent);
+    const int exponent = std::ilogb(larger);
+    return std::ldexp(root_of_squares(std::ldexp(a, -exponent), std::ldexp(b, -exponent)),
+                      exponent);
 }
 
 double abs(std::complex<double> value) { return hypot(value.real(), value.imag()); }
 
 std::complex<double> polar(double length, double angle_rad) {
-    return {length * cos(angle_rad), length * sin(angle_rad)};
+    if (!std::isfinite(angle_rad)) return {std::nan(""), std::nan("")};
+    const Reduced angle = reduced(angle_rad);
+    const double sine = is_tiny(angle_rad) ? angle_rad : sine_of(angle, kNone).high;
+    return {length * sine_of(angle, kQuarter).high, length * sine};
 }
 
 std::complex<double> sqrt(std::complex<double> value) {

@@ -16,8 +16,9 @@
 // bits, on a processor without FMA. A program's own definition comes before the library's: this is
 // the sincos of the whole process.
 extern "C" void sincos(double angle_rad, double* sine, double* cosine) noexcept {
-    *sine = tact::portable::sin(angle_rad);
-    *cosine = tact::portable::cos(angle_rad);
+    const std::complex<double> point = tact::portable::polar(1.0, angle_rad);
+    *sine = point.imag();
+    *cosine = point.real();
 }
 
 namespace tact {

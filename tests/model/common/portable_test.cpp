@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "model/common/random.h"
 #include "tests/support/golden.h"
 
 namespace portable_test {
@@ -111,6 +112,42 @@ TEST_CASE("portable: a sine is odd, and with its cosine on the circle, near and 
         CHECK(std::abs(sine * sine + cosine * cosine - 1.0) <= 4e-16);
         CHECK(std::abs(sine - std::sin(angle)) <= 0x1p-52 * std::abs(sine));
         CHECK(portable::polar(2.0, angle) == std::complex<double>(2.0 * cosine, 2.0 * sine));
+    }
+}
+
+TEST_CASE(
+    "portable: a point on the circle has the sine and the cosine of its angle, odd ones too") {
+    for (const double angle : {0.0, -0.0, 5e-324, 1e-9, -0.7, 1.6, 6.6e6, -6.8e6, 1e12, 1e300}) {
+        CAPTURE(angle);
+        const std::complex<double> point = portable::polar(1.0, angle);
+        CHECK(same(point.real(), portable::cos(angle)));
+        CHECK(same(point.imag(), portable::sin(angle)));
+    }
+    for (const double angle : {kInf, -kInf, kNan}) {
+        CHECK(std::isnan(portable::polar(1.0, angle).real()));
+        CHECK(std::isnan(portable::polar(1.0, angle).imag()));
+    }
+}
+
+TEST_CASE(
+    "portable: a length is the same digits however large, and within 0.505 units of the true") {
+    RandomStream random{11};
+    for (int turn = 0; turn < 20'000; ++turn) {
+        const double a = std::ldexp(next_even(random), turn % 60 - 30);
+        const double b = next_even(random);
+        CAPTURE(a);
+        CAPTURE(b);
+        const double length = portable::hypot(a, b);
+        // Across the sizes from which on squares are scaled, and near the ends of what there is.
+        for (const int k : {-900, -401, -400, -399, 399, 400, 401, 900}) {
+            CHECK(portable::hypot(std::ldexp(a, k), std::ldexp(b, k)) == std::ldexp(length, k));
+        }
+        CHECK(portable::hypot(-b, a) == length);
+        // Eleven more bits, so that they are off by a thousandth of a unit.
+        const auto wide = [](double x) { return static_cast<long double>(x); };
+        const long double truth = std::sqrt(wide(a) * wide(a) + wide(b) * wide(b));
+        const double unit = std::ldexp(1.0, std::ilogb(length) - 52);
+        CHECK(std::abs(wide(length) - truth) <= 0.505L * wide(unit));
     }
 }
 
