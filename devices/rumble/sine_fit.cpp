@@ -1,6 +1,6 @@
 #include "devices/rumble/sine_fit.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <functional>
 
