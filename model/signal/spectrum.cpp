@@ -8,7 +8,7 @@
 #include <complex>
 #include <memory>
 #include <mutex>
-#include <type_traits>
+#include <utility>
 
 #include "model/common/portable.h"
 
@@ -28,13 +28,40 @@ namespace {
 // FFTW's planner is not thread-safe; executing a plan is.
 std::mutex planner_mutex;
 
-struct PlanDeleter {
-    void operator()(fftw_plan plan) const {
+struct Plan {
+    fftw_plan plan = nullptr;
+
+    Plan() = default;
+    Plan(const Plan&) = delete;
+    Plan& operator=(const Plan&) = delete;
+    ~Plan() {
+        if (!plan) return;
         const std::scoped_lock lock(planner_mutex);
         fftw_destroy_plan(plan);
     }
 };
-using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanDeleter>;
+
+// To plan takes as long as to execute, and the patterns of a set have one length: the last plan of
+// each direction is kept. It is executed on arrays other than its own, of the same alignment.
+struct KeptPlan {
+    std::size_t samples = 0;
+    std::shared_ptr<const Plan> plan;
+};
+KeptPlan kept_forward;
+KeptPlan kept_backward;
+
+std::shared_ptr<const Plan> plan_of(KeptPlan& kept, std::size_t samples,
+                                    const std::function<fftw_plan()>& make) {
+    const auto made = std::make_shared<Plan>();
+    std::shared_ptr<const Plan> former;  // goes after the lock, which its end takes
+    const std::scoped_lock lock(planner_mutex);
+    if (kept.samples != samples) {
+        made->plan = make();
+        former = std::exchange(kept.plan, made);
+        kept.samples = samples;
+    }
+    return kept.plan;
+}
 
 template <class Value>
 struct FftwDeleter {
@@ -61,15 +88,13 @@ std::vector<std::complex<double>> half_spectrum(std::span<const double> samples)
     const std::size_t bins = n / 2 + 1;
     const auto input = fftw_array<double>(n);
     const auto output = fftw_array<std::complex<double>>(bins);
-    Plan plan;
-    {
-        const std::scoped_lock lock(planner_mutex);
-        plan.reset(fftw_plan_dft_r2c_1d(static_cast<int>(n), input.get(),
-                                        reinterpret_cast<fftw_complex*>(output.get()),
-                                        FFTW_ESTIMATE | FFTW_NO_SIMD));
-    }
+    const auto plan = plan_of(kept_forward, n, [&] {
+        return fftw_plan_dft_r2c_1d(static_cast<int>(n), input.get(),
+                                    reinterpret_cast<fftw_complex*>(output.get()),
+                                    FFTW_ESTIMATE | FFTW_NO_SIMD);
+    });
     std::copy(samples.begin(), samples.end(), input.get());
-    fftw_execute(plan.get());
+    fftw_execute_dft_r2c(plan->plan, input.get(), reinterpret_cast<fftw_complex*>(output.get()));
     return {output.get(), output.get() + bins};
 }
 
@@ -78,15 +103,13 @@ std::vector<double> samples_of(std::span<const std::complex<double>> half, std::
     if (samples == 0) return {};
     const auto input = fftw_array<std::complex<double>>(half.size());
     const auto output = fftw_array<double>(samples);
-    Plan plan;
-    {
-        const std::scoped_lock lock(planner_mutex);
-        plan.reset(fftw_plan_dft_c2r_1d(static_cast<int>(samples),
-                                        reinterpret_cast<fftw_complex*>(input.get()), output.get(),
-                                        FFTW_ESTIMATE | FFTW_NO_SIMD));
-    }
+    const auto plan = plan_of(kept_backward, samples, [&] {
+        return fftw_plan_dft_c2r_1d(static_cast<int>(samples),
+                                    reinterpret_cast<fftw_complex*>(input.get()), output.get(),
+                                    FFTW_ESTIMATE | FFTW_NO_SIMD);
+    });
     std::copy(half.begin(), half.end(), input.get());
-    fftw_execute(plan.get());
+    fftw_execute_dft_c2r(plan->plan, reinterpret_cast<fftw_complex*>(input.get()), output.get());
     std::vector<double> result(output.get(), output.get() + samples);
     for (double& sample : result) sample /= static_cast<double>(samples);
     return result;

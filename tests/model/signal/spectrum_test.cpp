@@ -1,5 +1,6 @@
 #include "model/signal/spectrum.h"
 
+#include <complex>
 #include <numbers>
 #include <thread>
 
@@ -51,6 +52,29 @@ TEST_CASE("spectrum: the same bits from several threads at once") {
         }
     }
     for (const auto& result : results) CHECK(result == expected);
+}
+
+TEST_CASE("spectrum: the same bits whatever lengths others ask for before and meanwhile") {
+    const std::size_t lengths[] = {1000, 997, 2500, 1000};
+    std::vector<std::vector<std::complex<double>>> alone;
+    for (const std::size_t n : lengths) {
+        alone.push_back(half_spectrum(golden::noise(9, n, 1.0).samples_g));
+    }
+    CHECK(alone[0] == alone[3]);
+    bool same[4] = {true, true, true, true};
+    std::vector<std::jthread> threads;
+    for (std::size_t k = 0; k < 4; ++k) {
+        threads.emplace_back([&, k] {
+            const auto samples = golden::noise(9, lengths[k], 1.0).samples_g;
+            const auto back = samples_of(alone[k], lengths[k]);
+            for (int turn = 0; turn < 200; ++turn) {
+                same[k] = same[k] && half_spectrum(samples) == alone[k];
+                same[k] = same[k] && samples_of(alone[k], lengths[k]) == back;
+            }
+        });
+    }
+    threads.clear();
+    for (const bool one : same) CHECK(one);
 }
 
 TEST_CASE("spectrum: a filter without delay takes what its gain says, where it was") {
