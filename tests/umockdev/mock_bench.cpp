@@ -78,7 +78,12 @@ MockBench::MockBench(std::vector<MockPad> pads) {
 }
 
 MockBench::~MockBench() {
-    g_main_loop_quit(loop_);
+    // In the loop's own turn: one that does not run yet would forget that it is to end.
+    const auto quit = [](gpointer loop) -> gboolean {
+        g_main_loop_quit(static_cast<GMainLoop*>(loop));
+        return G_SOURCE_REMOVE;
+    };
+    g_main_context_invoke(context_, quit, loop_);
     thread_.join();
     for (const Plugged& plugged : plugged_) {
         umockdev_testbed_detach_ioctl(testbed_, ("/dev/" + plugged.pad.node).c_str(), nullptr);
