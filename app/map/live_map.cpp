@@ -6,6 +6,7 @@
 
 #include "model/common/parallel.h"
 #include "model/dtw/dtw_kernel.h"
+#include "model/subset/separation.h"
 
 namespace tact {
 
@@ -118,8 +119,9 @@ std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, st
     if (!prediction) return std::nullopt;
     progress = kPredictionShare;
 
-    LiveMap map{request, std::move(*prediction), {}, 0.0, set};
+    LiveMap map{request, std::move(*prediction), {}, 0.0, set, {}};
     const Dissimilarity& pm = map.prediction.pm;
+    map.sorted_pm = sorted_values(pm);
     if (request.preview) {
         map.space = preview_space(pm, request.dimensions, last_.get(), stop);
     } else {

@@ -49,6 +49,8 @@ struct LiveMap {
     PerceptualSpace space;
     double seconds = 0.0;                      // it took; 0: not to be told
     std::shared_ptr<const PatternSet> played;  // what was compared: the set, or what a device plays
+    // PM of all pairs, ascending: of half a million, no frame could wait for it.
+    std::vector<double> sorted_pm;
 };
 
 // Pairs of all maps that are kept for undo: 32 bytes each, besides their patterns' codes.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "app/document/editing.h"
@@ -71,6 +72,21 @@ void draw_full_scale(Ui& ui, Workspace& work, RenderingState& rendered) {
                                "Uncalibrated: nobody has measured it."};
     const FieldEdit edit = draw_field(ui, kField, rendered.by.full_scale_g);
     if (edit.changed && rendered.on) predictions_changed(work);
+}
+
+void take_level(Workspace& work, RenderingState& rendered, double level) {
+    if (std::exchange(rendered.by.level, level) != level && rendered.on) predictions_changed(work);
+}
+
+void draw_level(Ui& ui, Workspace& work, RenderingState& rendered, const PlayState& play) {
+    const std::string words = "At the level of the bar, " + percent(play.level);
+    if (ImGui::Checkbox((words + "###level").c_str(), &rendered.at_bar_level)) {
+        take_level(work, rendered, rendered.at_bar_level ? play.level : 1.0);
+    }
+    note_item(ui.rects, "rendering:at bar level", rendered.at_bar_level ? "on" : "off");
+    draw_tooltip(ui,
+                 "What is played now, a weak motor's dead zone and all. Else patterns are taken at "
+                 "full level, with the strength that they say.");
 }
 
 // The largest of both, so that what is weaker looks weaker.
@@ -179,7 +195,7 @@ std::vector<std::string> remarks_on(const Rendering& rendering) {
     return remarks;
 }
 
-void draw_summary(Ui& ui, const Rendering& rendering) {
+void draw_summary(Ui& ui, const Rendering& rendering, bool at_bar_level) {
     std::string text = percent(rendering.share_lost) + " of its energy is lost";
     if (rendering.share_added > 0.005) {
         text += ", and " + percent(rendering.share_added) + " as much appears where less was meant";
@@ -194,7 +210,8 @@ void draw_summary(Ui& ui, const Rendering& rendering) {
         std::string("This kind keeps ") + traits(rendering.by.kind).keeps +
         (is_calibrated(rendering.by) ? ". Computed from its measured response"
                                      : ". Computed from how it is told, not measured") +
-        ", at a level of " + percent(rendering.by.level) + ", not that of the bar.";
+        ", at a level of " + percent(rendering.by.level) +
+        (at_bar_level ? ", that of the bar." : ", not that of the bar.");
     dim_text(ui, origin);
     note_item(ui.rects, "rendering:origin", origin);
     ImGui::PopFont();
@@ -216,7 +233,7 @@ void draw_report(Ui& ui, const Workspace& work, Timeline& timeline,
         return;
     }
     const bool stale = live->request != RenderingRequest{*current, rendered.by};
-    draw_summary(ui, live->rendering);
+    draw_summary(ui, live->rendering, rendered.at_bar_level);
     const float rows = static_cast<float>(live->rendering.bands.size()) + 1.0F;
     const float line = ui.theme.fonts.small == nullptr
                            ? ImGui::GetTextLineHeightWithSpacing()
@@ -232,12 +249,17 @@ void draw_report(Ui& ui, const Workspace& work, Timeline& timeline,
 
 }  // namespace
 
+void follow_level(Workspace& work, RenderingState& rendered, const PlayState& play) {
+    if (rendered.at_bar_level) take_level(work, rendered, play.level);
+}
+
 void draw_device_panel(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                        const PlayState& play) {
     // Longer than a low pane.
     ImGui::BeginChild("device report", ImGui::GetContentRegionAvail());
     draw_kind(ui, work, rendered);
     draw_switch(ui, work, rendered);
+    draw_level(ui, work, rendered, play);
     if (is_calibrated(rendered.by)) {
         const std::string text = calibration_text(play);
         ImGui::PushTextWrapPos(0.0F);

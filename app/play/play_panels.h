@@ -11,6 +11,9 @@
 
 namespace tact {
 
+// Where the report is to be of what is played now, its level is that of the bar.
+void follow_level(Workspace& work, RenderingState& rendered, const PlayState& play);
+
 void draw_device_panel(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                        const PlayState& play);
 void draw_devices(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,

@@ -30,6 +30,7 @@ struct LiveRendering {
 struct RenderingState {
     bool on = false;  // maps, matrices and stages are of what the device plays
     RenderedBy by;
+    bool at_bar_level = false;  // else as at full level
     std::unique_ptr<LatestJob<RenderingRequest, LiveRendering>> job;
     RenderingRequest asked;
     std::shared_ptr<const LiveRendering> shown;  // of the current vibration, or of one before it

@@ -61,7 +61,7 @@ void find_pairs(TooClosePairs& pairs, const SubsetState& state) {
         return keep_closest(pairs, pm);
     }
     if (pairs.by == TooClose::share) {
-        pairs.threshold = quantile(*pairs.values, pairs.share);
+        pairs.threshold = quantile(pairs.of->sorted_pm, pairs.share);
         return keep_closest(pairs, pm);
     }
     if (pairs.picked.size() < 2) return;
@@ -80,14 +80,8 @@ const TooClosePairs& too_close_pairs(const ShownMap& shown_map, SubsetState& pic
     TooClosePairs& pairs = picking.pairs;
     TooClosePairs asked = question_of(shown_map, picking);
     if (is_same_question(pairs, asked)) return pairs;
-    // Sorted once for a map: of half a million pairs a slider could not wait for it.
-    if (pairs.of == asked.of) asked.values = pairs.values;
     pairs = std::move(asked);
     if (!pairs.of) return pairs;
-    if (!pairs.values) {
-        pairs.values =
-            std::make_shared<const std::vector<double>>(sorted_values(pairs.of->prediction.pm));
-    }
     find_pairs(pairs, picking);
     return pairs;
 }

@@ -84,11 +84,10 @@ struct TooClosePairs {
     TooClose by = TooClose::share;
     double share = 0.0;
     std::string reference;
-    std::vector<std::size_t> picked;                    // rows; empty unless by them
-    std::shared_ptr<const std::vector<double>> values;  // of the map's pairs, ascending
-    double threshold = 0.0;                             // in the matrix's own unit
-    std::size_t count = 0;                              // of all such pairs ...
-    std::vector<ConfusablePair> pairs;                  // ... of which the closest are kept
+    std::vector<std::size_t> picked;    // rows; empty unless by them
+    double threshold = 0.0;             // in the matrix's own unit
+    std::size_t count = 0;              // of all such pairs ...
+    std::vector<ConfusablePair> pairs;  // ... of which the closest are kept
 };
 
 struct SubsetState {

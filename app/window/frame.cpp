@@ -240,6 +240,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     draw_palette(app, pressed);
     run_waiting(app);
     follow_changes(app);
+    follow_level(app.work, app.rendered, app.play);
     follow_map(app.work, app.shown_map, app.rendered);
     follow_current(app.work, app.rendered, app.physiology);
     follow_comparing(app.work, app.layout, app.shown_map, app.rendered, app.comparing);

@@ -92,6 +92,35 @@ TEST_CASE("rendered set: weaker than full, it says at which level") {
     CHECK(words_on(by) == "as a Joy-Con plays them at a level of 30 %, uncalibrated");
 }
 
+TEST_CASE("device tab: at the level of the bar it reports what is played, and follows the bar") {
+    Program program(short_patterns(2));
+    App& app = program.app;
+    make_jobs(app);
+    document_changed(app.work);
+    program.wait_for_exact_map();
+    program.click("tab:Device");
+    const auto wait_for = [&program](const char* words) {
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (!program.shows("rendering:origin") ||
+               !contains(program.at("rendering:origin").value, words)) {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            program.frame();
+        }
+    };
+    wait_for("at a level of 100 %, not that of the bar");
+    const double full = peak_g(app.rendered.shown->rendering.waveform);
+    program.click("rendering:at bar level");
+    REQUIRE(app.play.level < 1.0);
+    wait_for("that of the bar.");
+    CHECK(app.rendered.by.level == app.play.level);
+    app.play.level = 0.5;
+    wait_for("at a level of 50 %, that of the bar");
+    CHECK(peak_g(app.rendered.shown->rendering.waveform) < full);
+    program.click("rendering:at bar level");
+    wait_for("at a level of 100 %");
+    CHECK(app.rendered.by.level == 1.0);
+}
+
 TEST_CASE("device tab: the report stands there, and the switch makes the map that of the device") {
     Program program(short_patterns(4));
     App& app = program.app;

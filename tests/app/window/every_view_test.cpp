@@ -10,6 +10,7 @@
 #include "app/window/frame.h"
 #include "model/common/quantile.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/subset/separation.h"
 #include "tests/support/program.h"
 
 namespace every_view_test {
@@ -40,6 +41,7 @@ std::shared_ptr<const LiveMap> made_map(const App& app) {
         map.prediction.nc_rank.push_back(static_cast<double>(pairs - k));
         map.prediction.oc_rank.push_back(static_cast<double>(k + 1));
     }
+    map.sorted_pm = sorted_values(map.prediction.pm);
     return std::make_shared<const LiveMap>(std::move(map));
 }
 
