@@ -22,15 +22,6 @@ namespace tact {
 
 namespace {
 
-std::string digits(double value, int decimals) {
-    if (std::isnan(value)) return "\u2013";
-    char text[48];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    std::string result = text;
-    if (result.front() == '-') result.replace(0, 1, "\u2212");
-    return result;
-}
-
 void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
     const float gap = 2.0F * ui.theme.scale;
     const auto view = [&](CompareView which, const char* name) {
@@ -50,10 +41,6 @@ void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
     draw_tooltip(ui,
                  "A CSV of what people said of these patterns: a square with names, or a line a "
                  "rating with the participant. Names must be those of the patterns.");
-}
-
-bool has_nobody(const Comparison& comparison) {
-    return comparison.people && comparison.people->said.synthetic;
 }
 
 // What is the same for all metrics: who was asked, how far they can be relied on, chance.
@@ -249,87 +236,6 @@ void draw_table(Ui& ui, Comparing& comparing, const Comparison& comparison) {
     ImGui::EndChild();
 }
 
-void draw_disagreement(Ui& ui, Workspace& work, Layout& layout, const Comparison& comparison,
-                       const Disagreement& apart) {
-    const auto& vibrations = comparison.request.map->request.set->vibrations;
-    const auto [i, j] = pair_at(vibrations.size(), apart.pair);
-    const std::string names = vibrations[i].name + " \u2013 " + vibrations[j].name;
-    const bool closer = apart.ratings_rank < apart.metric_rank;
-    const std::string felt = has_nobody(comparison) ? "synthetic ratings say " : "felt ";
-    ImGui::PushID(static_cast<int>(apart.pair));
-    if (ImGui::Selectable(names.c_str())) {
-        choose_pair(work, i, j);
-        layout.bench = BenchTab::why;
-    }
-    note_item(ui.rects, "disagreement:" + vibrations[i].name + "|" + vibrations[j].name);
-    draw_tooltip(ui, "Why does the model tell them as it does?");
-    ImGui::PushFont(ui.theme.fonts.small);
-    dim_text(ui, felt + (closer ? "closer" : "farther") + ": rank " +
-                     significant(apart.ratings_rank) + ", predicted " +
-                     significant(apart.metric_rank));
-    ImGui::PopFont();
-    ImGui::PopID();
-}
-
-void draw_list(Ui& ui, Workspace& work, Layout& layout, const Comparison& comparison,
-               const ComparedMetric& row, const Rect& area) {
-    ImGui::SetCursorScreenPos(area.min);
-    ImGui::BeginChild("disagreements", area.size());
-    ImGui::PushFont(ui.theme.fonts.semibold);
-    ImGui::TextUnformatted("Farthest apart");
-    ImGui::PopFont();
-    for (const Disagreement& apart : row.farthest)
-        draw_disagreement(ui, work, layout, comparison, apart);
-    ImGui::EndChild();
-}
-
-void draw_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_map,
-                Comparing& comparing, const Comparison& comparison) {
-    draw_metric_choice(ui, work, comparing, false);
-    const Rect area = rest_of_pane();
-    if (area.width() < 40.0F || area.height() < 40.0F) return;
-    if (!comparison.people) {
-        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "No ratings to compare with",
-                   "Load what people said: each pair is then a point, prediction against rating.");
-        return;
-    }
-    const ComparedMetric& row =
-        comparison.metrics[static_cast<std::size_t>(comparing.panel.metric)];
-    const Dissimilarity& people = comparison.people->said.rated.people.dissimilarity;
-    const std::vector<double>& rank = row.ranks;
-    const float list_px = std::min(0.42F * area.width(), 220.0F * ui.theme.scale);
-    const Rect left{area.min, {area.max.x - list_px - ui.theme.gap_px, area.max.y}};
-    const bool synthetic = has_nobody(comparison);
-    const std::string corner = of_people("rho ", synthetic) + digits(row.evaluation->rho, 2);
-    const std::string y_title = of_people("rated dissimilarity", synthetic);
-    const std::string rated = of_people("rated ", synthetic);
-    const std::string x_title = std::string("rank by ") + traits(row.metric).name;
-    const auto& vibrations = comparison.request.map->request.set->vibrations;
-    ScatterScene scene;
-    scene.x = rank;
-    scene.y = people.condensed;
-    scene.x_title = x_title;
-    scene.y_title = y_title;
-    scene.corner = corner;
-    scene.selected = scatter_selection(work, shown_map, vibrations);
-    scene.readout = [&](std::size_t k) {
-        const auto [i, j] = pair_at(vibrations.size(), k);
-        return std::vector<std::string>{
-            vibrations[i].name + " \u2013 " + vibrations[j].name,
-            rated + significant(people.condensed[k]) + ", rank " + significant(rank[k])};
-    };
-    scene.stale = shown_comparison(work, shown_map, comparing).is_stale;
-    const ScatterAction action = draw_scatter("pairs", ui.theme, left, scene);
-    note_rect(ui.rects, "view:Pairs", left.min, left.max, y_title + ", " + corner);
-    for (std::size_t k = 0; k < rank.size() && !ui.rects.file.empty() && rank.size() < 200; ++k) {
-        const ImVec2 at = scatter_point(ui.theme, left, scene, k);
-        note_rect(ui.rects, "pair point:" + std::to_string(k), at, at);
-    }
-    choose_clicked(work, vibrations, action.clicked);
-    draw_list(ui, work, layout, comparison, row,
-              {{left.max.x + ui.theme.gap_px, area.min.y}, area.max});
-}
-
 // People rate intended patterns: beside their twins each of the two sides can be held against that.
 void draw_sides(Ui& ui, Workspace& work) {
     const bool has_twins = std::ranges::any_of(work.document.set.vibrations, measures_another);
@@ -410,7 +316,7 @@ void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap&
     }
     if (!comparison->people) draw_no_ratings(ui, work, *comparison);
     if (comparing.panel.view == CompareView::table) return draw_table(ui, comparing, *comparison);
-    draw_pairs(ui, work, layout, shown_map, comparing, *comparison);
+    draw_compared_pairs(ui, work, layout, shown_map, comparing, *comparison);
 }
 
 }  // namespace tact

@@ -17,6 +17,8 @@ void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
 void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
                     const ShownMap& shown_map, const Comparing& comparing);
 ShepardFit shepard_fit(const FitRequest& request);  // sorts all pairs
+void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_map,
+                         Comparing& comparing, const Comparison& comparison);
 void draw_findings(Ui& ui, Comparing& comparing, const Rect& area);
 
 }  // namespace tact

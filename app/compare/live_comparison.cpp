@@ -146,4 +146,8 @@ std::vector<Disagreement> disagreements(const Dissimilarity& metric, const Dissi
     return all;
 }
 
+bool has_nobody(const Comparison& comparison) {
+    return comparison.people && comparison.people->said.synthetic;
+}
+
 }  // namespace tact

@@ -82,4 +82,7 @@ std::string verdict_on_pm(const Comparison& comparison);
 // Rated pairs by how far a metric's rank is from that of the ratings, the farthest first.
 std::vector<Disagreement> disagreements(const Dissimilarity& metric, const Dissimilarity& ratings);
 
+// Whether nobody was asked for some of the ratings.
+bool has_nobody(const Comparison& comparison);
+
 }  // namespace tact

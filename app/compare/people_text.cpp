@@ -12,19 +12,21 @@ namespace tact {
 
 namespace {
 
-std::string two_digits(double rho) {
-    if (std::isnan(rho)) return "\u2013";
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2f", rho);
-    return text;
-}
-
 std::string without_label(const std::string& file) {
     const std::string_view label = kSyntheticRatings;
     return file.starts_with(label) ? file.substr(label.size()) : file;
 }
 
 }  // namespace
+
+std::string digits(double value, int decimals) {
+    if (std::isnan(value)) return "\u2013";
+    char text[48];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    std::string result = text;
+    if (result.front() == '-') result.replace(0, 1, "\u2212");
+    return result;
+}
 
 std::string of_people(const std::string& quantity, bool synthetic) {
     return synthetic ? "synthetic " + quantity : quantity;
@@ -69,9 +71,9 @@ std::string ceiling_text(const Reliability& reliability, bool synthetic) {
                                  : voices + " participants";
     const std::string one = reliability.is_of_one_person ? "repetition" : "participant";
     return "Noise ceiling: a metric can reach " + of_people("rho ", synthetic) +
-           two_digits(reliability.ceiling_of_mean) + " with the mean of " + mean +
-           " (reliability " + two_digits(reliability.spearman_brown) + "); one " + one +
-           " reaches " + two_digits(reliability.one_with_others) + " with the mean of the others.";
+           digits(reliability.ceiling_of_mean, 2) + " with the mean of " + mean + " (reliability " +
+           digits(reliability.spearman_brown, 2) + "); one " + one + " reaches " +
+           digits(reliability.one_with_others, 2) + " with the mean of the others.";
 }
 
 }  // namespace tact

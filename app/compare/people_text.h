@@ -13,6 +13,9 @@
 
 namespace tact {
 
+// "0.87", with a true minus; a dash where there is no number.
+std::string digits(double value, int decimals);
+
 // "rho", or "synthetic rho".
 std::string of_people(const std::string& quantity, bool synthetic);
 

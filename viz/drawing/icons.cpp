@@ -1,0 +1,51 @@
+#include "viz/drawing/icons.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tact {
+
+namespace {
+
+void draw_triangle(ImDrawList& list, ImVec2 centre, float size, float way, ImU32 colour) {
+    const float half = size * 0.5F;
+    list.AddTriangleFilled({centre.x - way * half, centre.y - half},
+                           {centre.x + way * half, centre.y},
+                           {centre.x - way * half, centre.y + half}, colour);
+}
+
+}  // namespace
+
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 colour) {
+    const float bar = size * 0.22F;
+    const float half = size * 0.5F;
+    const auto upright = [&](float x) {
+        list.AddRectFilled({x - bar * 0.5F, at.y - half}, {x + bar * 0.5F, at.y + half}, colour);
+    };
+    switch (icon) {
+        case Icon::play:
+            return draw_triangle(list, at, size, 1.0F, colour);
+        case Icon::pause:
+            upright(at.x - size * 0.25F);
+            return upright(at.x + size * 0.25F);
+        case Icon::stop:
+            return list.AddRectFilled({at.x - half * 0.85F, at.y - half * 0.85F},
+                                      {at.x + half * 0.85F, at.y + half * 0.85F}, colour);
+        case Icon::to_start:
+            upright(at.x - half);
+            return draw_triangle(list, {at.x + bar * 0.5F, at.y}, size * 0.9F, -1.0F, colour);
+        case Icon::back:
+            upright(at.x + half);
+            return draw_triangle(list, {at.x - bar, at.y}, size * 0.7F, -1.0F, colour);
+        case Icon::forward:
+            upright(at.x - half);
+            return draw_triangle(list, {at.x + bar, at.y}, size * 0.7F, 1.0F, colour);
+        case Icon::loop:
+            list.PathArcTo(at, half, -0.3F, 4.9F, 18);
+            list.PathStroke(colour, ImDrawFlags_None, std::max(1.0F, size * 0.13F));
+            const ImVec2 tip{at.x + half * std::cos(4.9F), at.y + half * std::sin(4.9F)};
+            return draw_triangle(list, tip, size * 0.5F, 1.0F, colour);
+    }
+}
+
+}  // namespace tact

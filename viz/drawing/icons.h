@@ -1,0 +1,13 @@
+// The signs of a player: play, pause, stop, steps.
+#pragma once
+
+#include <imgui.h>
+
+namespace tact {
+
+enum class Icon { play, pause, stop, to_start, back, forward, loop };
+
+// Around `at`, `size` px high.
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 colour);
+
+}  // namespace tact
