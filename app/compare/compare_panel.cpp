@@ -185,9 +185,9 @@ void draw_head(Ui& ui, bool has_people, bool synthetic) {
         ImGui::TableNextColumn();
         // An interval and a p stand to the right of what they belong to.
         const std::string name = column.name;
-        const std::string shown = of_people(name, synthetic && (name == "rho" || name == "K"));
-        dim_text(ui, shown);
-        note_item(ui.rects, "compare:head " + name, shown);
+        const bool labelled = synthetic && (name == "rho" || name == "K");
+        dim_text(ui, labelled ? name + "\nsynthetic" : name);  // columns are narrow
+        note_item(ui.rects, "compare:head " + name, of_people(name, labelled));
         draw_tooltip(ui, column.tip);
     }
     ImGui::PopFont();
