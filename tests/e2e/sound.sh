@@ -26,7 +26,8 @@ play() {
 }
 
 # arrives NAME DURATION LINES...: what is played is what is recorded. On a busy computer there may be
-# gaps, and then another try; but never one that the program does not tell, nor one that it only tells.
+# gaps, and then another try; but never one that the program does not tell. A server may tell of one
+# that its own clock made up for.
 # A recorder that loses samples leaves no silence where they were: then the play is heard once more.
 arrives() {
     local name=$1 round told gap_ms whole
@@ -42,7 +43,6 @@ arrives() {
         "$capture" lines "$scratch/raw" 4 2 "$@" || whole=no
         # Of a single period, 5 ms, that came just too late PulseAudio leaves no trace.
         [ "$told" -gt 0 ] || [ "$gap_ms" -le 6 ] || fail "$name has a gap of $gap_ms ms, and it says that it has none"
-        [ "$told" -eq 0 ] || [ "$whole" = no ] || fail "$name arrives whole, and it says that it has $told gaps"
         [ "$told" -gt 0 ] || [ "$whole" = no ] || return 0
         echo "once more: it tells $told gaps, the longest silence is of $gap_ms ms"
     done
