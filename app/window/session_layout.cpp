@@ -79,7 +79,7 @@ void tell_of_start(App& app) {
 
 Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>& paths) {
     app.work.session = open_session(state_folder());
-    app.ui.dismissed_hints = app.ui.dismissed_hints;
+    app.ui.dismissed_hints = app.work.session.dismissed_hints;
     app.ui.dark = app.work.session.theme != "light";
     app.ui.text_scale = std::clamp(static_cast<float>(app.work.session.text_scale), 0.75F, 2.0F);
     restore_layout(app);
@@ -150,7 +150,7 @@ void quit(App& app) {
 
 void end_session(App& app) {
     app.work.session.theme = app.ui.dark ? "dark" : "light";
-    app.ui.dismissed_hints = app.ui.dismissed_hints;
+    app.work.session.dismissed_hints = app.ui.dismissed_hints;
     app.work.session.text_scale = static_cast<double>(app.ui.text_scale);
     app.work.session.document = app.work.document.path;
     keep_layout(app);

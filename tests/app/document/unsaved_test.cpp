@@ -5,7 +5,6 @@
 #include <sys/resource.h>
 
 #include <csignal>
-#include <cstdlib>
 
 #include "app/document/files.h"
 #include "app/session/autosave.h"
@@ -13,6 +12,7 @@
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/program.h"
+#include "tests/support/state_home.h"
 #include "tests/support/temporary_folder.h"
 
 namespace unsaved_test {
@@ -21,19 +21,6 @@ using namespace tact;
 namespace fs = std::filesystem;
 
 namespace {
-
-// XDG_STATE_HOME for the time of a test.
-struct StateHome {
-    explicit StateHome(const fs::path& folder) { ::setenv("XDG_STATE_HOME", folder.c_str(), 1); }
-    ~StateHome() {
-        if (before) ::setenv("XDG_STATE_HOME", before->c_str(), 1);
-        if (!before) ::unsetenv("XDG_STATE_HOME");
-    }
-    std::optional<std::string> before = [] {
-        const char* set = std::getenv("XDG_STATE_HOME");
-        return set == nullptr ? std::nullopt : std::optional<std::string>(set);
-    }();
-};
 
 // No file of this process grows.
 struct FullDisk {
