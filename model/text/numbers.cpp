@@ -7,7 +7,7 @@
 namespace tact {
 
 std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlank = " \t\r\n";
+    constexpr std::string_view kBlank = " \t\r";
     const std::size_t begin = text.find_first_not_of(kBlank);
     if (begin == text.npos) return {};
     return text.substr(begin, text.find_last_not_of(kBlank) - begin + 1);

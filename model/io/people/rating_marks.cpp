@@ -15,7 +15,7 @@ namespace {
 std::optional<bool> yes_no_in(const std::string& field) {
     constexpr std::array kYes{"1", "TRUE", "True", "true", "yes"};
     constexpr std::array kNo{"", "0", "FALSE", "False", "false", "no", "NA"};
-    const std::string text = trimmed(field);
+    const std::string text{trimmed(field)};
     if (std::ranges::find(kYes, text) != kYes.end()) return true;
     if (std::ranges::find(kNo, text) != kNo.end()) return false;
     return std::nullopt;

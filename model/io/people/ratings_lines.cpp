@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/io/people/ratings_text.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -81,8 +82,8 @@ std::string add_rating(Passes& of, Pair pair, double rating) {
 // One line; what is wrong with it, or empty.
 std::string take_line(Lines& lines, const LineColumns& columns,
                       const std::vector<std::string>& fields) {
-    const std::string a = trimmed(fields[*columns.a]);
-    const std::string b = trimmed(fields[*columns.b]);
+    const std::string a{trimmed(fields[*columns.a])};
+    const std::string b{trimmed(fields[*columns.b])};
     if (a.empty() || b.empty()) return "expected the names of two patterns";
     const std::string& cell = fields[columns.scaled.value_or(*columns.rating)];
     const auto rating = rating_in(cell);
@@ -92,8 +93,8 @@ std::string take_line(Lines& lines, const LineColumns& columns,
     const std::size_t first = place_of(lines, a);
     const std::size_t second = place_of(lines, b);
     if (lines.labels.size() > kMaxRatedPatterns) return "expected at most 500 patterns";
-    Rater& rater =
-        rater_of(lines, columns.participant ? trimmed(fields[*columns.participant]) : "");
+    Rater& rater = rater_of(
+        lines, std::string(columns.participant ? trimmed(fields[*columns.participant]) : ""));
     if (lines.people.size() > kMaxParticipants) return "expected at most 1,000 participants";
     note_marks(rater.marks, *marks);
     if (lines.fingerprint.empty()) lines.fingerprint = marks->fingerprint;

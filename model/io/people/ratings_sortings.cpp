@@ -5,6 +5,7 @@
 
 #include "model/io/people/ratings_text.h"
 #include "model/study/cluster_sorting.h"
+#include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -46,9 +47,9 @@ struct Sorters {
 // One line; what is wrong with it, or empty.
 std::string take_sorted(Sorters& sorters, const SortingColumns& columns,
                         const std::vector<std::string>& fields) {
-    const std::string label = trimmed(fields[*columns.pattern]);
-    const std::string round = trimmed(fields[*columns.round]);
-    const std::string group = trimmed(fields[*columns.group]);
+    const std::string label{trimmed(fields[*columns.pattern])};
+    const std::string round{trimmed(fields[*columns.round])};
+    const std::string group{trimmed(fields[*columns.group])};
     if (label.empty() || round.empty() || group.empty()) {
         return "expected a round, a group and the name of a pattern";
     }
@@ -57,7 +58,7 @@ std::string take_sorted(Sorters& sorters, const SortingColumns& columns,
     const auto [entry, is_new] = sorters.place.emplace(label, sorters.labels.size());
     if (is_new) sorters.labels.push_back(label);
     if (sorters.labels.size() > kMaxRatedPatterns) return "expected at most 500 patterns";
-    const std::string name = columns.participant ? trimmed(fields[*columns.participant]) : "";
+    const std::string name{columns.participant ? trimmed(fields[*columns.participant]) : ""};
     const auto [who, is_another] = sorters.place_of_person.emplace(name, sorters.people.size());
     if (is_another) sorters.people.push_back({name, {}, {}, {}});
     if (sorters.people.size() > kMaxParticipants) return "expected at most 1,000 participants";

@@ -55,7 +55,7 @@ void take_square(RatingsText& into, const std::vector<std::vector<double>>& rows
 Expected<RatingsText> labelled_square(RatingsText into, const std::vector<CsvRecord>& records) {
     std::vector<std::string>& labels = into.study.labels;
     for (std::size_t k = 1; k < records[0].fields.size(); ++k) {
-        labels.push_back(trimmed(records[0].fields[k]));
+        labels.emplace_back(trimmed(records[0].fields[k]));
     }
     if (const auto equal = first_equal(labels)) {
         return at_line(
@@ -65,7 +65,7 @@ Expected<RatingsText> labelled_square(RatingsText into, const std::vector<CsvRec
     std::vector<std::vector<double>> rows;
     for (std::size_t i = 1; i < records.size(); ++i) {
         const CsvRecord& record = records[i];
-        const std::string name = trimmed(record.fields[0]);
+        const std::string name{trimmed(record.fields[0])};
         if (i > labels.size()) {
             return at_line(into, record.line, "expected as many rows as columns, got more");
         }
@@ -191,7 +191,7 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
 
 // A rating, NaN where the cell says that there is none, nothing where it is neither.
 std::optional<double> rating_in(const std::string& field) {
-    const std::string text = trimmed(field);
+    const std::string text{trimmed(field)};
     for (const char* unknown : {"", "NaN", "nan", "NA", "na", "-"}) {
         if (text == unknown) return std::numeric_limits<double>::quiet_NaN();
     }
@@ -204,18 +204,11 @@ std::string expected_rating(const std::string& field) {
 
 void find_columns(const CsvRecord& head, std::initializer_list<NamedColumn> wanted) {
     for (std::size_t k = 0; k < head.fields.size(); ++k) {
-        const std::string name = trimmed(head.fields[k]);
+        const std::string name{trimmed(head.fields[k])};
         for (const NamedColumn& column : wanted) {
             if (name == column.name) *column.place = k;
         }
     }
-}
-
-std::string trimmed(const std::string& text) {
-    constexpr const char* kBlanks = " \t\r";
-    const std::size_t begin = text.find_first_not_of(kBlanks);
-    if (begin == text.npos) return {};
-    return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
 }  // namespace tact

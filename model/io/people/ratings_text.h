@@ -89,7 +89,4 @@ std::optional<double> rating_in(const std::string& field);
 // What to say where there is neither.
 std::string expected_rating(const std::string& field);
 
-// Without the blanks around it.
-std::string trimmed(const std::string& text);
-
 }  // namespace tact

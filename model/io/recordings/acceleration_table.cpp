@@ -38,13 +38,6 @@ std::string lower(std::string text) {
     return text;
 }
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlanks = " \t\r";
-    const std::size_t begin = text.find_first_not_of(kBlanks);
-    if (begin == text.npos) return {};
-    return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
-
 std::optional<double> number_in(std::string field, char separator) {
     if (separator != ',') std::ranges::replace(field, ',', '.');
     return finite_number_in(field);
