@@ -7,6 +7,7 @@
 //     capture read CHANNELS RAW STAMPS          from standard input, stamped as it arrives
 //     capture jack CHANNELS RAW STAMPS          as JACK's client "actuator", until SIGTERM
 //     capture lines RAW CHANNELS CHANNEL DURATION HZ:AMPLITUDE...    a sum of sines, and whole
+//     capture middle RAW CHANNELS CHANNEL DURATION HZ:AMPLITUDE...   the same, 0.3 s from its ends
 //     capture gap RAW CHANNELS CHANNEL          prints the longest silence within, in whole ms
 //     capture signal NUMBER PID                 sends it, prints when
 //     capture now                               prints when
@@ -138,7 +139,8 @@ int check_lines(const Fit& fit, const std::vector<Line>& expected) {
     return fit.snr_db < 90.0 ? failed("less than 90 dB of SNR") : 0;
 }
 
-int lines(const std::vector<std::string>& words) {
+// Without so much of both ends.
+int lines(const std::vector<std::string>& words, std::size_t edge) {
     const std::vector<float> samples = samples_in(words[0]);
     const auto channels = static_cast<std::size_t>(std::stoi(words[1]));
     const auto channel = static_cast<std::size_t>(std::stoi(words[2])) - 1;
@@ -159,8 +161,6 @@ int lines(const std::vector<std::string>& words) {
     std::printf("%.4f s  ", length_s);
     // The filter rings for some ms before a sudden start and after a sudden end.
     if (std::abs(length_s - duration_s) > 0.012) return failed("it is not whole");
-    // And that of an actuator's protection, by up to 3 % of a tone near its ends.
-    const std::size_t edge = 14'400;
     return check_lines(fitted({one.begin() + static_cast<std::ptrdiff_t>(heard.first + edge),
                                one.begin() + static_cast<std::ptrdiff_t>(heard.last - edge)},
                               expected),
@@ -300,7 +300,8 @@ int main(int argc, char** argv) {
     const std::vector<std::string> rest(words.begin() + (words.empty() ? 0 : 1), words.end());
     if (what == "read" && rest.size() == 3) return read_input(rest);
     if (what == "jack" && rest.size() == 3) return record_jack(rest);
-    if (what == "lines" && rest.size() >= 5) return lines(rest);
+    if (what == "lines" && rest.size() >= 5) return lines(rest, 1200);
+    if (what == "middle" && rest.size() >= 5) return lines(rest, 14'400);
     if (what == "gap" && rest.size() == 3) return gap(rest);
     if (what == "signal" && rest.size() == 2) return send_signal(rest);
     if (what == "now" && rest.empty()) return tell_now();
