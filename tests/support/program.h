@@ -126,6 +126,13 @@ struct Program {
         settle();
     }
 
+    // Starts the jobs, and waits for the exact map.
+    void compute_map() {
+        make_jobs(app);
+        request_maps(app.work, app.shown_map, app.rendered);
+        wait_for_exact_map();
+    }
+
     // Frames until the map on screen is the exact one of the document.
     void wait_for_exact_map() {
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);

@@ -19,9 +19,7 @@ void set_modulation(Program& program, double frequency_hz) {
 TEST_CASE("map: it follows the document, exact in the end") {
     Program program(short_patterns(6));
     CHECK(map_state(program.app.work, program.app.shown_map) == MapState::none);
-    make_jobs(program.app);
-    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
-    program.wait_for_exact_map();
+    program.compute_map();
     CHECK(program.app.shown_map.transition.to.rows() == 6);
     set_modulation(program, 40.0);
     CHECK(map_state(program.app.work, program.app.shown_map) == MapState::stale);
@@ -46,9 +44,7 @@ TEST_CASE("map: its numbers are those of a run on the set alone, whatever was sh
 
 TEST_CASE("map: undo puts every point back where it was") {
     Program program(short_patterns(6));
-    make_jobs(program.app);
-    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
-    program.wait_for_exact_map();
+    program.compute_map();
     const Eigen::MatrixXd before = program.app.shown_map.transition.to;
     set_modulation(program, 60.0);
     commit_step(program.app.ui, program.app.work, "Change modulation");
@@ -62,9 +58,7 @@ TEST_CASE("map: undo puts every point back where it was") {
 
 TEST_CASE("map: points ease from where they were to where they are") {
     Program program(short_patterns(5));
-    make_jobs(program.app);
-    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
-    program.wait_for_exact_map();
+    program.compute_map();
     App& app = program.app;
     app.shown_map.transition.since_s = app.ui.time_s;
     app.shown_map.transition.from = Eigen::MatrixXd::Zero(app.shown_map.transition.to.rows(),
@@ -93,9 +87,7 @@ TEST_CASE("map: a very large set waits for a word") {
 
 TEST_CASE("map: 2-D is asked for and shown") {
     Program program(short_patterns(6));
-    make_jobs(program.app);
-    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
-    program.wait_for_exact_map();
+    program.compute_map();
     program.click("radio:2-D");
     program.wait_for_exact_map();
     CHECK(program.app.shown_map.transition.to.cols() == 2);

@@ -162,9 +162,7 @@ TEST_CASE("playing: the level is felt while it plays") {
 
 TEST_CASE("playing: in the map a double click plays, and so does resting on a point, if wanted") {
     FeltProgram program;
-    make_jobs(program.app);
-    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
-    program.wait_for_exact_map();
+    program.compute_map();
     program.wait(1.0);
     const ImVec2 point = program.at("point:p2").middle();
     program.hover(point);

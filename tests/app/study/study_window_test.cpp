@@ -237,9 +237,7 @@ TEST_CASE("study window: a trial fits into any window, at any size of text") {
 
 TEST_CASE("study window: a simulated participant says everywhere that it is none") {
     StudyProgram program;
-    make_jobs(program.app);
-    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
-    program.wait_for_exact_map();
+    program.compute_map();
     program.press('5');
     program.click("button:simulate");
     program.wait_for("participant:synthetic P1");

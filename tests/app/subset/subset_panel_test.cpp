@@ -22,9 +22,7 @@ struct SubsetBench {
     App& app = program.app;
 
     SubsetBench() {
-        make_jobs(app);
-        request_maps(app.work, app.shown_map, app.rendered);
-        program.wait_for_exact_map();
+        program.compute_map();
         app.layout.bench = BenchTab::subset;
         app.picking.count = 4;
         wait_for_pick();

@@ -70,9 +70,7 @@ TEST_CASE("failure: without its map the space, the matrix and the Shepard diagra
 TEST_CASE("failure: it goes with the first answer") {
     Failing program;
     App& app = program.app;
-    make_jobs(app);
-    request_maps(app.work, app.shown_map, app.rendered);
-    program.wait_for_exact_map();
+    program.compute_map();
     fail(app.shown_map.full_job);
     CHECK(program.says("space"));
     make_map_jobs(app.ui, app.work, app.shown_map);
@@ -105,9 +103,7 @@ TEST_CASE("failure: a job that failed is asked again with the next change") {
 TEST_CASE("failure: of stages, comparison, difference and findings each pane says it") {
     Failing program;
     App& app = program.app;
-    make_jobs(app);
-    request_maps(app.work, app.shown_map, app.rendered);
-    program.wait_for_exact_map();
+    program.compute_map();
     app.physiology.stages.reset();
     fail(app.physiology.stages_job);
     CHECK(program.says("physiology"));
@@ -129,9 +125,7 @@ TEST_CASE("failure: of stages, comparison, difference and findings each pane say
 TEST_CASE("failure: of picking, its curve, separation, stability and training each pane says it") {
     Failing program;
     App& app = program.app;
-    make_jobs(app);
-    request_maps(app.work, app.shown_map, app.rendered);
-    program.wait_for_exact_map();
+    program.compute_map();
     app.layout.bench = BenchTab::subset;
     program.settle();
     fail(app.picking.pick_job);

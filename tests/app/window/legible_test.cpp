@@ -92,9 +92,7 @@ void check_layout(Program& program, const char* lower_right) {
 
 TEST_CASE("legible: titles, names, sliders and entries keep apart and inside their panes") {
     Program program(long_names());
-    make_jobs(program.app);
-    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
-    program.wait_for_exact_map();
+    program.compute_map();
     program.app.shown_map.cancelled = true;    // the bar has most to say then
     program.app.timeline.range = {0.0, 0.05};  // and here
     for (const ImVec2 size : {ImVec2{1280.0F, 800.0F}, ImVec2{1600.0F, 1000.0F}}) {
@@ -114,9 +112,7 @@ TEST_CASE("legible: titles, names, sliders and entries keep apart and inside the
 
 TEST_CASE("legible: the title of a wide pane has all its parts, of a narrow one the name") {
     Program program(long_names());
-    make_jobs(program.app);
-    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
-    program.wait_for_exact_map();
+    program.compute_map();
     program.settle();
     CHECK(program.at("title right:Perceptual space").value ==
           program.at("title:Perceptual space").value);
