@@ -86,18 +86,17 @@ void draw_playing(Ui& ui, Timeline& timeline, PlayState& play, const CalibrateSt
 
 void draw_signal_part(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
                       CalibrateState& calibrating) {
-    CalibrateState& state = calibrating;
     heading(ui, "1  Play the signal while the sensor records");
     bool changed = false;
-    ImGui::BeginDisabled(state.is_playing);
+    ImGui::BeginDisabled(calibrating.is_playing);
     draw_kind(ui, calibrating, changed);
     ImGui::EndDisabled();
     if (changed) look_at_recording(ui, calibrating);
-    const std::string most = percent(state.params.levels.back());
-    wrapped_dim(ui, significant(signal_s(state.params), 3) + " s on " + device_text(play) +
+    const std::string most = percent(calibrating.params.levels.back());
+    wrapped_dim(ui, significant(signal_s(calibrating.params), 3) + " s on " + device_text(play) +
                         ", up to " + most + " of full scale whatever the level of the bar. Begin " +
                         "recording before it, and end after it.");
-    if (state.is_playing) return draw_playing(ui, timeline, play, calibrating);
+    if (calibrating.is_playing) return draw_playing(ui, timeline, play, calibrating);
     ImGui::BeginDisabled(!can_sound(play));
     if (ImGui::Button("Play the signal")) play_calibration_signal(ui, timeline, play, calibrating);
     ImGui::EndDisabled();
@@ -109,20 +108,19 @@ void draw_signal_part(Ui& ui, const Workspace& work, Timeline& timeline, PlaySta
 }
 
 void draw_recording_part(Ui& ui, const Workspace& work, CalibrateState& calibrating) {
-    CalibrateState& state = calibrating;
     heading(ui, "2  Open what it recorded");
     if (ImGui::Button("Open recording..."))
         open_calibration_recording_dialog(ui, work, calibrating);
     note_item(ui.rects, "button:open recording");
     draw_tooltip(ui, "A table (.csv, .txt) or .wav of one or three axes");
-    if (state.recording.empty()) return;
+    if (calibrating.recording.empty()) return;
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     const float room = ImGui::GetContentRegionAvail().x;
-    const std::string name = state.recording.filename().string();
+    const std::string name = calibrating.recording.filename().string();
     dim_text(ui, shortened(ui.theme.fonts.regular, name, room));
     note_item(ui.rects, "calibrate:recording", name);
-    const bool is_wave = extension_of(state.recording) == ".wav";
-    if (draw_recording_fields(ui, state.fields, is_wave)) look_at_recording(ui, calibrating);
+    const bool is_wave = extension_of(calibrating.recording) == ".wav";
+    if (draw_recording_fields(ui, calibrating.fields, is_wave)) look_at_recording(ui, calibrating);
 }
 
 std::string point_text(const ResponsePoint& point) {
@@ -167,9 +165,7 @@ void draw_response_plot(Ui& ui, const CalibrationResult& result) {
     ImGui::PopTextWrapPos();
     note_item(ui.rects, "calibrate:summary", text);
     if (refused.empty()) return;
-    wrapped_dim(ui,
-                "Left out, drawn as rings: 10 % of distortion or more, or an amplitude whose "
-                "standard error by the noise is 3 % or more.");
+    wrapped_dim(ui, "Left out, drawn as rings: " + words_on_left_out() + ".");
 }
 
 // Where the table may err, which no number of it tells.
@@ -181,20 +177,19 @@ void draw_doubts(Ui& ui, const CalibrationResult& result) {
 }
 
 void draw_result_part(Ui& ui, const CalibrateState& calibrating) {
-    const CalibrateState& state = calibrating;
     heading(ui, "3  g at full scale");
-    const ResponseAnswer* const answer = current_answer(state);
+    const ResponseAnswer* const answer = current_answer(calibrating);
     if (answer != nullptr && answer->fault.empty()) {
         draw_response_plot(ui, answer->result);
         for (const std::string& remark : answer->remarks) wrapped_dim(ui, "It was " + remark);
         draw_doubts(ui, answer->result);
         return;
     }
-    if (answer == nullptr && draw_failure(ui, "calibrate", failure_of(state.job))) return;
+    if (answer == nullptr && draw_failure(ui, "calibrate", failure_of(calibrating.job))) return;
     const ImVec2 size{ImGui::GetContentRegionAvail().x, kPlotPx * ui.theme.scale};
     const Rect area = rect_at(ImGui::GetCursorScreenPos(), size);
     ImGui::Dummy(size);
-    const bool waits = state.recording.empty();
+    const bool waits = calibrating.recording.empty();
     const bool failed = answer != nullptr;
     draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area,
                waits    ? "No recording yet"

@@ -104,23 +104,22 @@ void read_calibration_recording(const Ui& ui, CalibrateState& calibrating, const
 }
 
 void look_at_recording(const Ui& ui, CalibrateState& calibrating) {
-    CalibrateState& state = calibrating;
-    if (state.recording.empty()) return;
-    if (!state.job) {
-        state.job = std::make_unique<LatestJob<ResponseQuestion, ResponseAnswer>>(
+    if (calibrating.recording.empty()) return;
+    if (!calibrating.job) {
+        calibrating.job = std::make_unique<LatestJob<ResponseQuestion, ResponseAnswer>>(
             JobPolicy::supersede, answered, ui.wake);
     }
-    state.job->submit({++state.asked, state.params, state.recording, options_of(state.fields)});
+    calibrating.job->submit({++calibrating.asked, calibrating.params, calibrating.recording,
+                             options_of(calibrating.fields)});
 }
 
 void follow_calibrate(Ui& ui, const PlayState& play, CalibrateState& calibrating) {
-    CalibrateState& state = calibrating;
-    if (state.comes_back && !ui.chooser.is_open && ui.dialog == Dialog::none) {
-        state.comes_back = false;
+    if (calibrating.comes_back && !ui.chooser.is_open && ui.dialog == Dialog::none) {
+        calibrating.comes_back = false;
         ui.dialog = Dialog::calibrate;
     }
-    if (state.job) state.answer = state.job->latest();
-    state.is_playing = state.is_playing && is_sounding(play);
+    if (calibrating.job) calibrating.answer = calibrating.job->latest();
+    calibrating.is_playing = calibrating.is_playing && is_sounding(play);
 }
 
 const ResponseAnswer* current_answer(const CalibrateState& state) {

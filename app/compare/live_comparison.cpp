@@ -118,7 +118,7 @@ std::string verdict_on_pm(const Comparison& comparison) {
     }
     const std::optional<Metric> best = unbeaten_by_pm(agreements);
     if (!best) return {};
-    const bool synthetic = comparison.people && comparison.people->said.synthetic;
+    const bool synthetic = has_nobody(comparison);
     return std::string("PM does not beat ") + traits(*best).name +
            " on this set, which takes no model of the nerves" +
            (synthetic ? "; by synthetic ratings." : ".");

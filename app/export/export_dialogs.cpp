@@ -107,22 +107,21 @@ void draw_seconds(Ui& ui, const Workspace& work, const char* id, const char* lab
 
 void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
     if (!begin_dialog(ui, "Export animation")) return;
-    ExportState& state = exports;
     constexpr std::array<PictureView, 2> kMoving{PictureView::physiology, PictureView::window};
-    draw_views(ui, work, kMoving, state.moving_view, state.frame_size);
-    draw_seconds(ui, work, "from", "From", state.from_s);
-    draw_seconds(ui, work, "to", "To", state.to_s);
+    draw_views(ui, work, kMoving, exports.moving_view, exports.frame_size);
+    draw_seconds(ui, work, "from", "From", exports.from_s);
+    draw_seconds(ui, work, "to", "To", exports.to_s);
     draw_label(ui, "Frames");
-    enter_whole(ui, entry_of(ui, "frames", "Frames", {1.0, kMostFrames}), state.frames);
-    note_item(ui.rects, "export:frames", std::to_string(state.frames));
+    enter_whole(ui, entry_of(ui, "frames", "Frames", {1.0, kMostFrames}), exports.frames);
+    note_item(ui.rects, "export:frames", std::to_string(exports.frames));
     const double duration_s = shown_duration_s(work);
-    const bool is_good = state.from_s >= 0.0 && state.from_s < state.to_s &&
-                         state.to_s <= duration_s && state.frames >= 1 &&
-                         state.frames <= kMostFrames;
+    const bool is_good = exports.from_s >= 0.0 && exports.from_s < exports.to_s &&
+                         exports.to_s <= duration_s && exports.frames >= 1 &&
+                         exports.frames <= kMostFrames;
     char text[128];
     if (is_good) {
-        const FrameSequence sequence{{}, state.from_s, state.to_s, state.frames};
-        std::snprintf(text, sizeof text, "a film of %.3g s, %s", state.frames / kFilmFramesPerS,
+        const FrameSequence sequence{{}, exports.from_s, exports.to_s, exports.frames};
+        std::snprintf(text, sizeof text, "a film of %.3g s, %s", exports.frames / kFilmFramesPerS,
                       film_speed(sequence).c_str());
     } else {
         std::snprintf(text, sizeof text, "times from 0 to %.4g s, frames from 1 to %d", duration_s,
@@ -130,7 +129,7 @@ void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) 
     }
     ImGui::SameLine();
     dim_text(ui, text);
-    draw_size(ui, state.frame_size);
+    draw_size(ui, exports.frame_size);
     if (!draw_ends(ui, "Choose a folder...", is_good)) return;
     choose_frames(ui, work);
 }

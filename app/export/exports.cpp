@@ -54,9 +54,8 @@ void export_view_dialog(Ui& ui) { ui.dialog = Dialog::export_view; }
 
 void export_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
     const double duration_s = shown_duration_s(work);
-    ExportState& state = exports;
-    if (state.to_s <= 0.0 || state.to_s > duration_s) state.to_s = duration_s;
-    if (state.from_s >= state.to_s) state.from_s = 0.0;
+    if (exports.to_s <= 0.0 || exports.to_s > duration_s) exports.to_s = duration_s;
+    if (exports.from_s >= exports.to_s) exports.from_s = 0.0;
     ui.dialog = Dialog::export_animation;
 }
 

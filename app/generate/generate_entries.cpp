@@ -64,21 +64,20 @@ std::vector<std::string> words_in(const std::string& text) {
 
 std::optional<std::string> draw_entry(Ui& ui, GenerateState& generating, const std::string& id,
                                       const std::string& shown, float width) {
-    GenerateState& state = generating;
-    const bool typing = state.typing == id;
-    std::string text = typing ? state.text : shown;
+    const bool typing = generating.typing == id;
+    std::string text = typing ? generating.text : shown;
     ImGui::SetNextItemWidth(width);
     ImGui::InputText(("##" + id).c_str(), &text);
     note_item(ui.rects, "generate:" + id, text);
-    if (ImGui::IsItemActivated()) state.draft_before_typing = state.draft;
+    if (ImGui::IsItemActivated()) generating.draft_before_typing = generating.draft;
     if (!ImGui::IsItemActive()) {
         const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-        if (typing && ImGui::IsItemDeactivated() && escaped) state.takes_back = true;
-        if (typing) state.typing.clear();
+        if (typing && ImGui::IsItemDeactivated() && escaped) generating.takes_back = true;
+        if (typing) generating.typing.clear();
         return std::nullopt;
     }
-    state.typing = id;
-    state.text = text;
+    generating.typing = id;
+    generating.text = text;
     return text == shown ? std::nullopt : std::optional(text);
 }
 

@@ -156,21 +156,20 @@ void draw_rhythm_popup(Ui& ui, GenerateState& generating) {
     const float width = 360.0F * ui.theme.scale;
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, 1e4F});
     if (!ImGui::BeginPopup("rhythms")) return;
-    GenerateState& state = generating;
-    auto& rhythms = state.draft.rhythms;
+    auto& rhythms = generating.draft.rhythms;
     const auto has = [&rhythms](const std::string& text) {
         return std::ranges::find(rhythms, text) != rhythms.end();
     };
     Pattern shown;
     for (const Factor factor : {Factor{Parameter::unit}, Factor{Parameter::duration},
                                 Factor{Parameter::attack}, Factor{Parameter::release}}) {
-        set_value(shown, state.draft, factor, 0.0);
+        set_value(shown, generating.draft, factor, 0.0);
     }
     const RhythmListAction action =
-        draw_rhythm_list(ui, state.rhythms, shown, has, "Add all of them");
+        draw_rhythm_list(ui, generating.rhythms, shown, has, "Add all of them");
     if (action.pressed) toggle_rhythm(rhythms, *action.pressed);
     if (action.all) {
-        for (const std::string& text : state.rhythms.texts) {
+        for (const std::string& text : generating.rhythms.texts) {
             if (!has(text) && rhythms.size() < limits::kMaxLevels) rhythms.push_back(text);
         }
     }

@@ -62,18 +62,17 @@ DesignSpace space_around(const Pattern& pattern) {
 }
 
 void open_generate(Ui& ui, const Workspace& work, GenerateState& generating) {
-    GenerateState& state = generating;
     const auto& own = work.document.set.generator;
     // What was tried out without adding anything is not lost.
-    if (!state.begun || state.draft_of != own) {
-        state.draft = own ? *own : first_draft(work);
-        state.draft_of = own;
-        state.begun = true;
+    if (!generating.begun || generating.draft_of != own) {
+        generating.draft = own ? *own : first_draft(work);
+        generating.draft_of = own;
+        generating.begun = true;
     }
-    state.asking.reset();
-    state.typing.clear();
-    if (!state.job) {
-        state.job = std::make_unique<LatestJob<GenerateRequest, GeneratePlan>>(
+    generating.asking.reset();
+    generating.typing.clear();
+    if (!generating.job) {
+        generating.job = std::make_unique<LatestJob<GenerateRequest, GeneratePlan>>(
             JobPolicy::supersede,
             [](const GenerateRequest& request, std::stop_token stop, std::atomic<float>&) {
                 return plan_of(request, std::move(stop));
@@ -103,20 +102,18 @@ std::optional<GeneratePlan> plan_of(const GenerateRequest& request, std::stop_to
 }
 
 void follow_generate(const Ui& ui, const Workspace& work, GenerateState& generating) {
-    GenerateState& state = generating;
-    if (ui.dialog != Dialog::generate || !state.job) return;
-    GenerateRequest wanted{state.draft, work.committed};
-    if (wanted == state.asked) return;
-    state.asked = wanted;
-    state.job->submit(std::move(wanted));
+    if (ui.dialog != Dialog::generate || !generating.job) return;
+    GenerateRequest wanted{generating.draft, work.committed};
+    if (wanted == generating.asked) return;
+    generating.asked = wanted;
+    generating.job->submit(std::move(wanted));
 }
 
 std::shared_ptr<const GeneratePlan> current_plan(const Workspace& work,
                                                  const GenerateState& generating) {
-    const GenerateState& state = generating;
-    auto plan = state.job ? state.job->latest() : nullptr;
+    auto plan = generating.job ? generating.job->latest() : nullptr;
     const bool current =
-        plan && plan->request.space == state.draft && plan->request.set == work.committed;
+        plan && plan->request.space == generating.draft && plan->request.set == work.committed;
     return current ? plan : nullptr;
 }
 

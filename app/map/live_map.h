@@ -53,7 +53,7 @@ struct LiveMap {
     std::vector<double> sorted_pm;
 };
 
-// Pairs of all maps that are kept for undo: 32 bytes each, besides their patterns' codes.
+// Pairs of all maps that are kept for undo: 48 bytes each, besides their patterns' codes.
 inline constexpr std::size_t kKeptPairs = 500'000;
 
 // The work of one job. It keeps its answers: an edit of one pattern costs one row of the last, a

@@ -100,18 +100,17 @@ const ImportedFile* answer_of(const ImportState& state, std::size_t k) {
 
 void draw_file_row(Ui& ui, const Workspace& work, ImportState& importing, std::size_t k,
                    bool& changed) {
-    ImportState& state = importing;
     ImGui::PushID(static_cast<int>(k));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    const std::string name = state.files[k].filename().string();
+    const std::string name = importing.files[k].filename().string();
     ImGui::AlignTextToFramePadding();
-    if (ImGui::Selectable(name.c_str(), state.shown == k)) state.shown = k;
+    if (ImGui::Selectable(name.c_str(), importing.shown == k)) importing.shown = k;
     note_item(ui.rects, "import:file " + std::to_string(k), name);
     ImGui::TableNextColumn();
-    changed |= draw_pattern_choice(ui, work, state.patterns[k], k);
+    changed |= draw_pattern_choice(ui, work, importing.patterns[k], k);
     ImGui::TableNextColumn();
-    const ImportedFile* file = answer_of(state, k);
+    const ImportedFile* file = answer_of(importing, k);
     char text[64] = "";
     if (file == nullptr) {
         const bool failed = !failure_of(importing.import_job).empty();
@@ -152,21 +151,20 @@ bool draw_files(Ui& ui, const Workspace& work, ImportState& importing) {
 }
 
 bool draw_options(Ui& ui, ImportState& importing) {
-    ImportState& state = importing;
     const bool has_wave = std::ranges::any_of(
-        state.files, [](const auto& file) { return extension_of(file) == ".wav"; });
-    return draw_recording_fields(ui, state.fields, has_wave);
+        importing.files, [](const auto& file) { return extension_of(file) == ".wav"; });
+    return draw_recording_fields(ui, importing.fields, has_wave);
 }
 
 void draw_shown_file(Ui& ui, Workspace& work, ImportState& importing) {
-    ImportState& state = importing;
-    state.shown = std::min(state.shown, state.files.size() - 1);
-    const ImportedFile* file = answer_of(state, state.shown);
-    if (file == nullptr && draw_failure(ui, "import", failure_of(state.import_job))) return;
+    importing.shown = std::min(importing.shown, importing.files.size() - 1);
+    const ImportedFile* file = answer_of(importing, importing.shown);
+    if (file == nullptr && draw_failure(ui, "import", failure_of(importing.import_job))) return;
     if (file == nullptr) return draw_empty_overlay(ui, "Reading\u2026", "");
     if (!file->fault.empty()) return draw_empty_overlay(ui, "Cannot be read", file->fault);
-    const auto place =
-        file->twin ? place_named(work.document.set, state.patterns[state.shown]) : std::nullopt;
+    const auto place = file->twin
+                           ? place_named(work.document.set, importing.patterns[importing.shown])
+                           : std::nullopt;
     if (!place) {
         return draw_empty_overlay(ui, "No pattern chosen",
                                   "Which one was played when this was recorded?");
@@ -205,13 +203,12 @@ void drop_left_out(ImportState& state) {
 
 void draw_import_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     if (!begin_dialog(ui, "Import recordings")) return;
-    ImportState& state = importing;
     push_field_colours(ui);
     dim_text(ui, "Recordings by an accelerometer, and the pattern each measures");
     const bool changed = draw_files(ui, work, importing);
     if (draw_options(ui, importing) || changed) look_at_recordings(ui, work, importing);
     draw_shown_file(ui, work, importing);
-    const std::size_t count = importable(state);
+    const std::size_t count = importable(importing);
     const std::string action =
         count == 1 ? "Import 1 recording" : "Import " + std::to_string(count) + " recordings";
     const bool more = ImGui::Button("Add files...");
@@ -222,11 +219,11 @@ void draw_import_dialog(Ui& ui, Workspace& work, ImportState& importing) {
         ui.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
-        state.adding = true;
+        importing.adding = true;
         return import_recordings_dialog(ui, work);
     }
     if (!draw_ends(ui, action.c_str(), count > 0)) return;
-    drop_left_out(state);
+    drop_left_out(importing);
     take_recordings(ui, work, importing);
 }
 
@@ -255,35 +252,34 @@ bool is_sound(const ActuatorParams& actuator) {
 
 void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     if (!begin_dialog(ui, "Simulate measurement")) return;
-    ImportState& state = importing;
     push_field_colours(ui);
     ImGui::PushTextWrapPos(0.0F);
     dim_text(ui,
              "What an accelerometer on a resonant actuator might record. It is computed, no "
              "recording: its twins are called synthetic wherever they are shown.");
     ImGui::PopTextWrapPos();
-    const bool changed = draw_actuator(ui, state.actuator);
-    const bool sound = is_sound(state.actuator);
+    const bool changed = draw_actuator(ui, importing.actuator);
+    const bool sound = is_sound(importing.actuator);
     if (changed && sound) look_at_simulation(ui, work, importing);
     draw_chips_label(ui, "Of");
-    if (draw_chip(ui, "all", "all patterns", state.simulate_all)) state.simulate_all = true;
+    if (draw_chip(ui, "all", "all patterns", importing.simulate_all)) importing.simulate_all = true;
     note_item(ui.rects, "import:all");
     ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
-    if (draw_chip(ui, "selected", "the selected ones", !state.simulate_all)) {
-        state.simulate_all = false;
+    if (draw_chip(ui, "selected", "the selected ones", !importing.simulate_all)) {
+        importing.simulate_all = false;
     }
     note_item(ui.rects, "import:selected");
-    const auto& shown = state.simulated;
+    const auto& shown = importing.simulated;
     if (shown && !shown->twins.empty()) {
         const Twin& twin = shown->twins.front();
         const auto place =
             place_named(work.document.set, std::get<Measurement>(twin.vibration.source).measures);
         if (place) draw_overlay(ui, work, work.document.set.vibrations[*place], twin, true);
-    } else if (shown || !draw_failure(ui, "simulation", failure_of(state.simulation_job))) {
+    } else if (shown || !draw_failure(ui, "simulation", failure_of(importing.simulation_job))) {
         draw_empty_overlay(ui, shown ? "No pattern selected" : "Computing\u2026",
                            shown ? "What measures another pattern has no twin itself." : "");
     }
-    const bool any = state.simulate_all || (shown && !shown->twins.empty());
+    const bool any = importing.simulate_all || (shown && !shown->twins.empty());
     ImGui::PopStyleColor(2);
     if (draw_ends(ui, "Add synthetic twins", sound && any)) take_simulation(ui, work, importing);
 }

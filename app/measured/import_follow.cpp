@@ -122,23 +122,21 @@ void take(Ui& ui, Workspace& work, std::uint64_t document, const std::vector<con
 
 ImportRequest import_request(const Workspace& work, ImportState& importing,
                              const fs::path& keep_in) {
-    ImportState& state = importing;
-    return {++state.asked,
+    return {++importing.asked,
             work.document_number,
-            state.files,
-            state.patterns,
-            options_of(state.fields),
+            importing.files,
+            importing.patterns,
+            options_of(importing.fields),
             std::make_shared<const PatternSet>(work.document.set),
             keep_in};
 }
 
 SimulationRequest simulation_request(const Workspace& work, ImportState& importing,
                                      std::vector<std::size_t> places, const fs::path& keep_in) {
-    ImportState& state = importing;
-    return {++state.asked,
+    return {++importing.asked,
             work.document_number,
             std::move(places),
-            state.actuator,
+            importing.actuator,
             std::make_shared<const PatternSet>(work.document.set),
             keep_in};
 }
@@ -204,24 +202,24 @@ bool is_taking(const ImportState& importing) {
 }
 
 void follow_import(Ui& ui, Workspace& work, ImportState& importing) {
-    ImportState& state = importing;
-    if (state.import_job) {
-        if (auto answer = state.import_job->latest()) state.answer = std::move(answer);
+    if (importing.import_job) {
+        if (auto answer = importing.import_job->latest()) importing.answer = std::move(answer);
     }
-    if (state.simulation_job) {
-        if (auto answer = state.simulation_job->latest()) state.simulated = std::move(answer);
+    if (importing.simulation_job) {
+        if (auto answer = importing.simulation_job->latest())
+            importing.simulated = std::move(answer);
     }
     // The chooser was left without a file.
-    if (state.adding && !ui.chooser.is_open && ui.dialog == Dialog::none) {
-        state.adding = false;
+    if (importing.adding && !ui.chooser.is_open && ui.dialog == Dialog::none) {
+        importing.adding = false;
         ui.dialog = Dialog::import_recordings;
     }
-    if (const auto taken = next_taken(state.import_takes)) take_import(ui, work, *taken);
-    if (const auto taken = next_taken(state.simulation_takes)) take_simulated(ui, work, *taken);
-    if (const auto failure = next_failed(state.import_takes); !failure.empty()) {
+    if (const auto taken = next_taken(importing.import_takes)) take_import(ui, work, *taken);
+    if (const auto taken = next_taken(importing.simulation_takes)) take_simulated(ui, work, *taken);
+    if (const auto failure = next_failed(importing.import_takes); !failure.empty()) {
         complain(ui, "Not imported: " + failure + ".");
     }
-    if (const auto failure = next_failed(state.simulation_takes); !failure.empty()) {
+    if (const auto failure = next_failed(importing.simulation_takes); !failure.empty()) {
         complain(ui, "Not simulated: " + failure + ".");
     }
 }
@@ -245,17 +243,16 @@ void import_recordings(Ui& ui, const Workspace& work, ImportState& importing,
     if (work.document.set.vibrations.empty()) {
         return complain(ui, "A recording is imported as a measurement of a pattern: there is none");
     }
-    ImportState& state = importing;
-    if (!std::exchange(state.adding, false)) {
-        state.files.clear();
-        state.patterns.clear();
-        state.answer.reset();
+    if (!std::exchange(importing.adding, false)) {
+        importing.files.clear();
+        importing.patterns.clear();
+        importing.answer.reset();
     }
-    state.shown = state.files.size();
+    importing.shown = importing.files.size();
     for (const fs::path& file : files) {
         const auto place = guessed_intended(work.document.set, valid_utf8(file.stem().string()));
-        state.files.push_back(file);
-        state.patterns.push_back(place ? work.document.set.vibrations[*place].name : "");
+        importing.files.push_back(file);
+        importing.patterns.push_back(place ? work.document.set.vibrations[*place].name : "");
     }
     ui.dialog = Dialog::import_recordings;
     look_at_recordings(ui, work, importing);
@@ -274,12 +271,11 @@ void simulate_measurement_dialog(Ui& ui, const Workspace& work, ImportState& imp
 }
 
 void look_at_recordings(const Ui& ui, const Workspace& work, ImportState& importing) {
-    ImportState& state = importing;
     using Job = LatestJob<ImportRequest, ImportAnswer>;
-    if (!state.import_job) {
-        state.import_job = std::make_unique<Job>(JobPolicy::supersede, import_all, ui.wake);
+    if (!importing.import_job) {
+        importing.import_job = std::make_unique<Job>(JobPolicy::supersede, import_all, ui.wake);
     }
-    state.import_job->submit(import_request(work, importing, {}));
+    importing.import_job->submit(import_request(work, importing, {}));
 }
 
 void take_recordings(Ui& ui, const Workspace& work, ImportState& importing) {
@@ -289,12 +285,13 @@ void take_recordings(Ui& ui, const Workspace& work, ImportState& importing) {
 }
 
 void look_at_simulation(const Ui& ui, const Workspace& work, ImportState& importing) {
-    ImportState& state = importing;
     using Job = LatestJob<SimulationRequest, SimulationAnswer>;
-    if (!state.simulation_job) {
-        state.simulation_job = std::make_unique<Job>(JobPolicy::supersede, simulate_all, ui.wake);
+    if (!importing.simulation_job) {
+        importing.simulation_job =
+            std::make_unique<Job>(JobPolicy::supersede, simulate_all, ui.wake);
     }
-    state.simulation_job->submit(simulation_request(work, importing, {work.selection.current}, {}));
+    importing.simulation_job->submit(
+        simulation_request(work, importing, {work.selection.current}, {}));
 }
 
 void take_simulation(Ui& ui, const Workspace& work, ImportState& importing) {

@@ -29,16 +29,15 @@ std::string percent(double share) {
 }
 
 void draw_kind(Ui& ui, Workspace& work, RenderingState& rendered) {
-    RenderingState& state = rendered;
     const float wide = 190.0F * ui.theme.scale;
     ImGui::SetNextItemWidth(std::min(wide, ImGui::GetContentRegionAvail().x));
-    const char* shown = traits(state.by.kind).name;
+    const char* shown = traits(rendered.by.kind).name;
     if (ImGui::BeginCombo("##kind", shown, ImGuiComboFlags_HeightLargest)) {
         for (const ActuatorKind kind : kActuatorKinds) {
-            const bool chosen = state.by.kind == kind;
+            const bool chosen = rendered.by.kind == kind;
             if (ImGui::Selectable(traits(kind).name, chosen) && !chosen) {
-                state.by.kind = kind;
-                if (state.on) predictions_changed(work);
+                rendered.by.kind = kind;
+                if (rendered.on) predictions_changed(work);
             }
             note_item(ui.rects, std::string("choose:") + traits(kind).key);
             draw_tooltip(ui, (std::string("Keeps ") + traits(kind).keeps + ".").c_str());

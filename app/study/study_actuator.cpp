@@ -124,20 +124,19 @@ void lose_actuator(Ui& ui, const Workspace& work, const PlayState& play, StudySt
 }
 
 void follow_actuator(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying) {
-    StudyState& state = studying;
-    StudyActuator& actuator = state.actuator;
-    if (!state.run || !actuator.is_there) return;
-    const DeviceStatus status = state.device->status();
-    if (state.run->playing) count_dropouts(actuator, status.dropouts);
+    StudyActuator& actuator = studying.actuator;
+    if (!studying.run || !actuator.is_there) return;
+    const DeviceStatus status = studying.device->status();
+    if (studying.run->playing) count_dropouts(actuator, status.dropouts);
     std::string trouble = status.trouble;
     if (trouble.empty() && !status.connected) trouble = status.name + " is gone";
     if (trouble.empty()) {
         actuator.known_trouble.clear();
-    } else if (state.run->playing || trouble != actuator.known_trouble) {
+    } else if (studying.run->playing || trouble != actuator.known_trouble) {
         return lose_actuator(ui, work, play, studying, trouble);
     }
-    if (!state.run->playing) return;
-    const double left_s = state.run->playing_until_s - ui.time_s;
+    if (!studying.run->playing) return;
+    const double left_s = studying.run->playing_until_s - ui.time_s;
     if (left_s > kEarlyS && !status.playing)
         act(ui, work, play, studying, {.what = What::cut_short});
 }

@@ -18,19 +18,18 @@ namespace tact {
 namespace {
 
 void draw_choice(Ui& ui, StudyState& studying) {
-    StudyState& state = studying;
     const auto choose = [&](StudyShow which, const char* name) {
-        if (draw_radio(ui, name, state.show == which)) state.show = which;
+        if (draw_radio(ui, name, studying.show == which)) studying.show = which;
         note_item(ui.rects, std::string("study show:") + name);
     };
     choose(StudyShow::matrix, "Matrix");
     ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
     choose(StudyShow::map, "Map");
-    if (!state.shown) return;
+    if (!studying.shown) return;
     flow_on(ImGui::CalcTextSize("Show the mean").x, 2.0F * ui.theme.gap_px);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    if (link(ui, "show mean", "Show the mean")) state.shown.reset();
+    if (link(ui, "show mean", "Show the mean")) studying.shown.reset();
     note_item(ui.rects, "link:show mean");
 }
 

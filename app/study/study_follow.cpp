@@ -30,22 +30,21 @@ namespace fs = std::filesystem;
 namespace {
 
 void follow_question(const Ui& ui, const Workspace& work, StudyState& studying) {
-    StudyState& state = studying;
-    StudyQuestion question = state.asked;
-    question.number = state.folder_revision;
+    StudyQuestion question = studying.asked;
+    question.number = studying.folder_revision;
     question.folder = study_folder(work, studying);
-    if (question.folder != state.asked.folder) state.shown.reset();
-    question.kind = state.kind;
-    question.rule = state.rule;
+    if (question.folder != studying.asked.folder) studying.shown.reset();
+    question.kind = studying.kind;
+    question.rule = studying.rule;
     question.rule.attention = work.document.set.study.attention;
     question.set = work.committed;
-    if (!state.job) {
-        state.job = std::make_unique<LatestJob<StudyQuestion, StudyAnswers>>(JobPolicy::supersede,
-                                                                             read_answers, ui.wake);
+    if (!studying.job) {
+        studying.job = std::make_unique<LatestJob<StudyQuestion, StudyAnswers>>(
+            JobPolicy::supersede, read_answers, ui.wake);
     }
-    if (question != state.asked) state.job->submit(question);
-    state.asked = question;
-    state.answers = state.job->latest();
+    if (question != studying.asked) studying.job->submit(question);
+    studying.asked = question;
+    studying.answers = studying.job->latest();
 }
 
 }  // namespace
@@ -160,7 +159,6 @@ std::vector<double> study_durations_s(const PatternSet& set,
 
 void simulate_participant(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                           const PlayState& play, StudyState& studying) {
-    const StudyState& state = studying;
     const auto& map = shown_map.transition.shown;
     const std::vector<std::string> names = study_names(work);
     if (!map || names.size() < 3 || names_of(*map->request.set) != names_of(work.document.set)) {
@@ -185,7 +183,7 @@ void simulate_participant(Ui& ui, const Workspace& work, const ShownMap& shown_m
     const auto written = write_study_file(folder / study_file_name(code), record);
     if (!written) return complain(ui, written.error().message);
     ++studying.folder_revision;
-    say(ui, "Simulated a participant" + std::string(state.kind == StudyKind::sorting
+    say(ui, "Simulated a participant" + std::string(studying.kind == StudyKind::sorting
                                                         ? " who sorted."
                                                         : " who rated all pairs."));
 }
@@ -233,13 +231,12 @@ void export_study(Ui& ui, const StudyState& studying, const fs::path& file) {
 }
 
 void follow_study(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying) {
-    StudyState& state = studying;
-    if (state.run && state.run->playing && ui.time_s >= state.run->playing_until_s) {
+    if (studying.run && studying.run->playing && ui.time_s >= studying.run->playing_until_s) {
         act(ui, work, play, studying, {});
     }
     follow_actuator(ui, work, play, studying);
     follow_masking(ui, work, play, studying);
-    if (state.is_open && !state.run) follow_question(ui, work, studying);
+    if (studying.is_open && !studying.run) follow_question(ui, work, studying);
 }
 
 bool is_study_running(const StudyState& studying) { return studying.run.has_value(); }
@@ -264,13 +261,12 @@ double study_duration_s(const Workspace& work) {
 }
 
 double study_wake_s(const Ui& ui, const StudyState& studying) {
-    const StudyState& state = studying;
-    if (state.run) {
-        const double next_s = next_change_s(*state.run, ui.time_s) + 0.005;
-        const bool looks = state.masks || state.actuator.is_there;
+    if (studying.run) {
+        const double next_s = next_change_s(*studying.run, ui.time_s) + 0.005;
+        const bool looks = studying.masks || studying.actuator.is_there;
         return looks ? std::min(next_s, kMaskingLookS) : next_s;
     }
-    const bool is_busy = state.is_open && state.job && state.job->busy();
+    const bool is_busy = studying.is_open && studying.job && studying.job->busy();
     return is_busy ? 0.1 : std::numeric_limits<double>::infinity();
 }
 

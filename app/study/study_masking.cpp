@@ -65,16 +65,15 @@ Expected<DeviceInfo> masking_output(const PlayState& play, const std::string& he
 }
 
 void begin_masking(const PlayState& play, StudyState& studying, const StudyDesign& design) {
-    StudyState& state = studying;
-    stop_masking(state);
+    stop_masking(studying);
     if (design.masking <= 0.0) return;
     Expected<Done> begun = open_masking(play, studying, design.headphones);
     if (begun) {
-        state.masking->set_level(design.masking);
-        begun = state.masking->play({kRateHz, pink_noise(kRateHz, kLoopS, 1)}, true);
+        studying.masking->set_level(design.masking);
+        begun = studying.masking->play({kRateHz, pink_noise(kRateHz, kLoopS, 1)}, true);
     }
-    state.masks = static_cast<bool>(begun);
-    if (!begun) state.masking_fault = kOff + begun.error().message + ".";
+    studying.masks = static_cast<bool>(begun);
+    if (!begun) studying.masking_fault = kOff + begun.error().message + ".";
 }
 
 void stop_masking(StudyState& state) {
@@ -84,29 +83,27 @@ void stop_masking(StudyState& state) {
 }
 
 void follow_masking(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying) {
-    StudyState& state = studying;
-    if (!state.run || !state.masks) return;
-    const DeviceStatus status = state.masking->status();
+    if (!studying.run || !studying.masks) return;
+    const DeviceStatus status = studying.masking->status();
     if (status.trouble.empty() && status.connected) return;
-    state.masks = false;
+    studying.masks = false;
     const std::string why = status.trouble.empty() ? "its output is gone" : status.trouble;
-    state.masking_fault = "The masking noise stopped: " + why + ".";
+    studying.masking_fault = "The masking noise stopped: " + why + ".";
     const bool is_at_work =
-        state.run->page != StudyPage::consent && state.run->page != StudyPage::finished;
-    if (is_at_work && !state.run->is_asking)
+        studying.run->page != StudyPage::consent && studying.run->page != StudyPage::finished;
+    if (is_at_work && !studying.run->is_asking)
         act(ui, work, play, studying, {StudyEvent::What::ask, 0, 0.0, {}, {}});
 }
 
 std::string masking_words(const StudyState& studying, const StudyDesign& design) {
-    const StudyState& state = studying;
     if (design.masking <= 0.0) return {};
-    if (!state.masks) {
-        const std::string& fault = state.masking_fault;
+    if (!studying.masks) {
+        const std::string& fault = studying.masking_fault;
         const bool is_off = fault.starts_with(kOff);
         return "none: " + (is_off ? fault.substr(std::string(kOff).size()) : fault);
     }
     return "pink noise at " + significant(100.0 * design.masking, 2) + " % of full scale on " +
-           state.masking->status().name;
+           studying.masking->status().name;
 }
 
 }  // namespace tact

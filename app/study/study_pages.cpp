@@ -100,28 +100,27 @@ void draw_progress(Ui& ui, const StudyState& studying, const Rect& area) {
 }
 
 void draw_foot(Ui& ui, const StudyState& studying, const Rect& area) {
-    const StudyState& state = studying;
     const Theme& theme = ui.theme;
     centred_text(theme.fonts.small, theme.dim_text, area, area.max.y - 24.0F * theme.scale,
-                 keys_of(*state.run));
-    std::string warning = state.run->trouble;
+                 keys_of(*studying.run));
+    std::string warning = studying.run->trouble;
     if (!warning.empty()) warning = "Not on the disk, please call the experimenter. " + warning;
-    if (warning.empty()) warning = state.actuator.fault;
+    if (warning.empty()) warning = studying.actuator.fault;
     if (warning.empty()) {
-        const DeviceStatus status = state.device->status();
+        const DeviceStatus status = studying.device->status();
         warning = status.trouble;
         if (!status.connected && warning.empty()) {
             warning = "Rehearsal: no actuator is connected, nothing can be felt.";
         }
         // Where the experimenter is still at hand.
-        const bool is_first = state.run->page == StudyPage::consent;
-        if (is_first && warning.empty()) warning = strength_words(state.actuator);
+        const bool is_first = studying.run->page == StudyPage::consent;
+        if (is_first && warning.empty()) warning = strength_words(studying.actuator);
     }
-    if (!state.masking_fault.empty() && state.run->trouble.empty()) {
-        warning += (warning.empty() ? "" : " ") + state.masking_fault;
+    if (!studying.masking_fault.empty() && studying.run->trouble.empty()) {
+        warning += (warning.empty() ? "" : " ") + studying.masking_fault;
     }
     if (warning.empty()) return;
-    centred_text(theme.fonts.regular, state.run->trouble.empty() ? theme.warning : theme.error,
+    centred_text(theme.fonts.regular, studying.run->trouble.empty() ? theme.warning : theme.error,
                  area, area.max.y - 52.0F * theme.scale, warning);
     note_rect(ui.rects, "study:warning", area.min, area.max, warning);
 }
@@ -155,38 +154,37 @@ void draw_entry(Ui& ui, const char* label, const char* id, std::string& text) {
 
 void draw_consent(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                   const Rect& area, std::span<const KeyPress> pressed) {
-    StudyState& state = studying;
     ImGui::SetCursorScreenPos(area.min);
     ImGui::PushFont(ui.theme.fonts.large);
     ImGui::TextUnformatted("Welcome");
     ImGui::PopFont();
     wrapped({{area.min.x, area.min.y + 44.0F * ui.theme.scale}, area.max},
-            consent_of(state.run->record.header.design));
+            consent_of(studying.run->record.header.design));
     const float y = ImGui::GetCursorScreenPos().y + 20.0F * ui.theme.scale;
     ImGui::SetCursorScreenPos({area.min.x, y});
     ImGui::BeginGroup();
-    draw_entry(ui, "Code", "code", state.code);
+    draw_entry(ui, "Code", "code", studying.code);
     ImGui::SameLine();
     dim_text(ui, "no name, please");
-    draw_entry(ui, "Age", "age", state.age);
-    draw_entry(ui, "Gender", "gender", state.gender);
-    draw_entry(ui, "Hand", "hand", state.hand);
+    draw_entry(ui, "Age", "age", studying.age);
+    draw_entry(ui, "Gender", "gender", studying.gender);
+    draw_entry(ui, "Hand", "hand", studying.hand);
     ImGui::SameLine();
     dim_text(ui, "that writes");
     ImGui::Spacing();
-    ImGui::Checkbox("I agree and take part", &state.agrees);
-    note_item(ui.rects, "check:agree", state.agrees ? "on" : "off");
+    ImGui::Checkbox("I agree and take part", &studying.agrees);
+    note_item(ui.rects, "check:agree", studying.agrees ? "on" : "off");
     ImGui::EndGroup();
     if (was_pressed(pressed, key::kEnter)) {
-        if (state.agrees) {
+        if (studying.agrees) {
             act(ui, work, play, studying, {What::go_on, 0, 0.0, {}, {}});
         } else {
-            state.agrees = true;
+            studying.agrees = true;
         }
-        if (!state.run) return;
+        if (!studying.run) return;
     }
     const float foot = ImGui::GetCursorScreenPos().y + 20.0F * ui.theme.scale;
-    ImGui::BeginDisabled(!state.agrees || study_file_name(state.code).empty());
+    ImGui::BeginDisabled(!studying.agrees || study_file_name(studying.code).empty());
     draw_go_on(ui, work, play, studying, {{area.min.x, foot}, {area.max.x, foot}}, "Begin");
     ImGui::EndDisabled();
 }

@@ -24,30 +24,28 @@ namespace {
 constexpr double kLookS = 0.01;  // between two looks at a device that still plays
 
 void end_run(Ui& ui, StudyState& studying) {
-    StudyState& state = studying;
-    const std::string code = state.run->record.header.participant.code;
-    const bool is_complete = state.run->page == StudyPage::finished;
-    const bool has_file = state.log.has_value();
-    state.device->stop();
-    stop_masking(state);
-    state.run.reset();
-    state.log.reset();
-    state.set.reset();
-    ++state.folder_revision;
+    const std::string code = studying.run->record.header.participant.code;
+    const bool is_complete = studying.run->page == StudyPage::finished;
+    const bool has_file = studying.log.has_value();
+    studying.device->stop();
+    stop_masking(studying);
+    studying.run.reset();
+    studying.log.reset();
+    studying.set.reset();
+    ++studying.folder_revision;
     if (!has_file) return say(ui, "Nobody took part; nothing was written.");
     say(ui, code + (is_complete ? " has finished." : " can go on where it was left."));
 }
 
 // The participant's file, with its first line on the disk.
 Expected<Done> begin_file(const Workspace& work, StudyState& studying) {
-    StudyState& state = studying;
-    const StudyHeader& header = state.run->record.header;
+    const StudyHeader& header = studying.run->record.header;
     const fs::path folder = study_folder(work, studying);
     if (folder.empty()) return Error{"expected a folder for participants, choose one first"};
     if (const auto made = make_folder(folder); !made) return made;
     auto log = StudyLog::begin(folder / study_file_name(header.participant.code), header);
     if (!log) return log.error();
-    state.log.emplace(*std::move(log));
+    studying.log.emplace(*std::move(log));
     return Done{};
 }
 
@@ -58,19 +56,18 @@ Expected<Done> write_line(StudyState& state, const std::string& line) {
 
 void act_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
             const StudyDeeds& deeds) {
-    StudyState& state = studying;
-    if (deeds.silence) state.device->stop();
+    if (deeds.silence) studying.device->stop();
     if (deeds.play) {
-        StudyActuator& actuator = state.actuator;
+        StudyActuator& actuator = studying.actuator;
         actuator.dropouts = 0;
-        actuator.seen_dropouts = state.device->status().dropouts;
-        const auto played = state.device->play(actuator.drives[*deeds.play], false);
+        actuator.seen_dropouts = studying.device->status().dropouts;
+        const auto played = studying.device->play(actuator.drives[*deeds.play], false);
         if (!played && actuator.is_there)
             return lose_actuator(ui, work, play, studying, played.error().message);
     }
     if (deeds.begin_file || deeds.line) {
         const Expected<Done> done =
-            deeds.line ? write_line(state, *deeds.line) : begin_file(work, studying);
+            deeds.line ? write_line(studying, *deeds.line) : begin_file(work, studying);
         act(ui, work, play, studying,
             {done ? What::saved : What::not_saved,
              0,
@@ -94,12 +91,11 @@ void look_at_map(StudyState& state) {
 
 void start_run(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
                StudyState& studying, StudyRecord record) {
-    StudyState& state = studying;
-    state.set = std::make_shared<const PatternSet>(work.document.set);
-    std::vector<double> durations = study_durations_s(*state.set, record.header.patterns);
-    state.run = study_run(std::move(record), std::move(durations));
-    state.held.reset();
-    state.settling.reset();
+    studying.set = std::make_shared<const PatternSet>(work.document.set);
+    std::vector<double> durations = study_durations_s(*studying.set, record.header.patterns);
+    studying.run = study_run(std::move(record), std::move(durations));
+    studying.held.reset();
+    studying.settling.reset();
     silence(timeline, play);
     timeline.playhead.playing = false;
     ui.status = {};
@@ -120,7 +116,6 @@ bool refuses_silence(Ui& ui, const PlayState& play, const StudyState& studying) 
 void begin_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
                        StudyState& studying) {
     if (refuses_silence(ui, play, studying)) return;
-    StudyState& state = studying;
     StudyRecord record;
     record.header = study_header(work, play, studying, unused_code(work, studying));
     if (record.header.patterns.size() < 3) {
@@ -128,18 +123,18 @@ void begin_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlaySt
     }
     const std::size_t patterns = record.header.patterns.size();
     for (const int groups : record.header.design.groups) {
-        if (state.kind == StudyKind::sorting && static_cast<std::size_t>(groups) > patterns) {
+        if (studying.kind == StudyKind::sorting && static_cast<std::size_t>(groups) > patterns) {
             return complain(ui, "A round asks for " + std::to_string(groups) + " groups of " +
                                     std::to_string(patterns) + " patterns.");
         }
     }
-    state.code = record.header.participant.code;
-    state.age.clear();
-    state.gender.clear();
-    state.hand.clear();
-    state.agrees = false;
-    state.actuator = study_actuator(play, studying, work.document.set, record.header.patterns);
-    record.header.device = study_device(play, studying, state.actuator);
+    studying.code = record.header.participant.code;
+    studying.age.clear();
+    studying.gender.clear();
+    studying.hand.clear();
+    studying.agrees = false;
+    studying.actuator = study_actuator(play, studying, work.document.set, record.header.patterns);
+    record.header.device = study_device(play, studying, studying.actuator);
     begin_masking(play, studying, record.header.design);
     start_run(ui, work, timeline, play, studying, std::move(record));
 }
@@ -155,19 +150,18 @@ Expected<Done> note_device(StudyState& state, StudyRecord& record, const StudyDe
 
 void go_on_with(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
                 StudyState& studying, StudyRecord record) {
-    StudyState& state = studying;
     const fs::path file =
         study_folder(work, studying) / study_file_name(record.header.participant.code);
     auto log = StudyLog::resume(file, record);
     if (!log) return complain(ui, log.error().message);
-    state.log.emplace(*std::move(log));
-    state.actuator = study_actuator(play, studying, work.document.set, record.header.patterns);
+    studying.log.emplace(*std::move(log));
+    studying.actuator = study_actuator(play, studying, work.document.set, record.header.patterns);
     begin_masking(play, studying, record.header.design);
-    StudyDevice device = study_device(play, studying, state.actuator);
+    StudyDevice device = study_device(play, studying, studying.actuator);
     device.masking = masking_words(studying, record.header.design);
-    if (const auto noted = note_device(state, record, device); !noted) {
-        state.log.reset();
-        stop_masking(state);
+    if (const auto noted = note_device(studying, record, device); !noted) {
+        studying.log.reset();
+        stop_masking(studying);
         return complain(ui, noted.error().message);
     }
     start_run(ui, work, timeline, play, studying, std::move(record));
@@ -219,13 +213,12 @@ namespace {
 
 void step_run(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
               StudyEvent event, const DeviceStatus& status) {
-    StudyState& state = studying;
-    const bool was_paused = is_paused(*state.run);
+    const bool was_paused = is_paused(*studying.run);
     event.at = utc_now();
-    event.played = play_so_far(state, status);
-    StudyStep step = stepped(*std::move(state.run), event, ui.time_s);
-    state.run = std::move(step.run);
-    if (is_paused(*state.run) && !was_paused) look_at_map(state);
+    event.played = play_so_far(studying, status);
+    StudyStep step = stepped(*std::move(studying.run), event, ui.time_s);
+    studying.run = std::move(step.run);
+    if (is_paused(*studying.run) && !was_paused) look_at_map(studying);
     act_on(ui, work, play, studying, step.deeds);
 }
 
@@ -233,33 +226,34 @@ void step_run(Ui& ui, const Workspace& work, const PlayState& play, StudyState& 
 
 void act(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
          const StudyEvent& event) {
-    StudyState& state = studying;
-    if (!state.run) return;
-    const DeviceStatus status = state.device->status();
+    if (!studying.run) return;
+    const DeviceStatus status = studying.device->status();
     // It began later than it was told to, and is felt to its end.
-    const bool is_late = state.run->playing && ui.time_s >= state.run->playing_until_s;
-    if (is_late && state.actuator.is_there && status.playing) {
+    const bool is_late = studying.run->playing && ui.time_s >= studying.run->playing_until_s;
+    if (is_late && studying.actuator.is_there && status.playing) {
         step_run(ui, work, play, studying, {.what = What::plays_on, .value = kLookS}, status);
     }
-    if (event.what == What::go_on && state.run->page == StudyPage::consent) {
-        StudyHeader& header = state.run->record.header;
-        header.participant = {state.code, {}};
-        for (const auto& [key, value] :
-             {std::pair{"age", state.age}, {"gender", state.gender}, {"hand", state.hand}}) {
+    if (event.what == What::go_on && studying.run->page == StudyPage::consent) {
+        StudyHeader& header = studying.run->record.header;
+        header.participant = {studying.code, {}};
+        for (const auto& [key, value] : {std::pair{"age", studying.age},
+                                         {"gender", studying.gender},
+                                         {"hand", studying.hand}}) {
             if (!value.empty()) header.participant.fields.emplace_back(key, value);
         }
         header.device.masking = masking_words(studying, header.design);
-        header.seed = participant_seed(header.design.seed, state.code);
-        if (!state.agrees) return;
+        header.seed = participant_seed(header.design.seed, studying.code);
+        if (!studying.agrees) return;
         // Its order of trials is the code's.
-        state.run = study_run(std::move(state.run->record), std::move(state.run->duration_s));
+        studying.run =
+            study_run(std::move(studying.run->record), std::move(studying.run->duration_s));
     }
-    if (event.what == What::play && may_play(*state.run, ui.time_s)) {
-        state.pressed_button = event.index;
+    if (event.what == What::play && may_play(*studying.run, ui.time_s)) {
+        studying.pressed_button = event.index;
     }
-    const StudyDesign& design = state.run->record.header.design;
-    if (event.what == What::stay && !state.masks) begin_masking(play, studying, design);
-    if (event.what == What::stay) state.actuator.fault.clear();
+    const StudyDesign& design = studying.run->record.header.design;
+    if (event.what == What::stay && !studying.masks) begin_masking(play, studying, design);
+    if (event.what == What::stay) studying.actuator.fault.clear();
     step_run(ui, work, play, studying, event, status);
 }
 

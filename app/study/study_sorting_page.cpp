@@ -120,29 +120,28 @@ void release(Ui& ui, const Workspace& work, const PlayState& play, StudyState& s
 
 void draw_token(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                 const SortingLayout& layout, std::size_t pattern, const Rect& place) {
-    StudyState& state = studying;
     const Theme& theme = ui.theme;
-    const std::string name = token_name(*state.run, pattern);
+    const std::string name = token_name(*studying.run, pattern);
     ImGui::SetCursorScreenPos(place.min);
     ImGui::InvisibleButton(("token " + name).c_str(), place.size());
     const bool is_held = ImGui::IsItemActive();
     const bool is_lit = is_held || ImGui::IsItemHovered();
     const bool is_released = ImGui::IsItemDeactivated();
-    if (ImGui::IsItemActivated()) state.held = pattern;
+    if (ImGui::IsItemActivated()) studying.held = pattern;
     note_rect(ui.rects, "study:token " + name, place.min, place.max,
-              state.run->groups[pattern] == kUnsorted
+              studying.run->groups[pattern] == kUnsorted
                   ? "unsorted"
-                  : std::to_string(state.run->groups[pattern] + 1));
+                  : std::to_string(studying.run->groups[pattern] + 1));
     const ImVec2 shift =
         is_held ? ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0F) : ImVec2{0, 0};
     const Rect at{place.min + shift, place.max + shift};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at.min, at.max, is_lit ? theme.hover : theme.field, theme.pane_rounding_px);
-    if (state.run->playing == pattern) {
+    if (studying.run->playing == pattern) {
         list.AddRectFilled(at.min, {at.min.x + played_share(ui, studying) * at.width(), at.max.y},
                            faded(theme.accent, 0.45F), theme.pane_rounding_px);
     }
-    const bool is_chosen = state.held == pattern;
+    const bool is_chosen = studying.held == pattern;
     list.AddRect(at.min, at.max, is_chosen ? theme.accent : theme.line, theme.pane_rounding_px, 0,
                  (is_chosen ? 2.0F : 1.0F) * theme.scale);
     centred_text(theme.fonts.large, theme.text, at,
@@ -152,23 +151,23 @@ void draw_token(Ui& ui, const Workspace& work, const PlayState& play, StudyState
 
 void take_keys(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                std::span<const KeyPress> pressed, std::size_t boxes) {
-    StudyState& state = studying;
-    const std::vector<std::size_t>& order = state.run->training;
-    const auto place = state.held ? std::ranges::find(order, *state.held) : order.end();
+    const std::vector<std::size_t>& order = studying.run->training;
+    const auto place = studying.held ? std::ranges::find(order, *studying.held) : order.end();
     const auto at = static_cast<std::size_t>(place - order.begin());
-    if (was_pressed(pressed, key::kRight)) state.held = order[(at + 1) % order.size()];
-    if (place == order.end() && was_pressed(pressed, key::kRight)) state.held = order.front();
+    if (was_pressed(pressed, key::kRight)) studying.held = order[(at + 1) % order.size()];
+    if (place == order.end() && was_pressed(pressed, key::kRight)) studying.held = order.front();
     if (was_pressed(pressed, key::kLeft)) {
-        state.held = order[(at + order.size() - 1) % order.size()];
+        studying.held = order[(at + order.size() - 1) % order.size()];
     }
-    if (!state.held) return;
+    if (!studying.held) return;
     if (was_pressed(pressed, key::kSpace))
-        act(ui, work, play, studying, {What::play, *state.held, 0.0, {}, {}});
+        act(ui, work, play, studying, {What::play, *studying.held, 0.0, {}, {}});
     if (was_typed(pressed, U'0'))
-        act(ui, work, play, studying, {What::put, *state.held, -1.0, {}, {}});
+        act(ui, work, play, studying, {What::put, *studying.held, -1.0, {}, {}});
     for (std::size_t k = 0; k < std::min(boxes, kMostKeys); ++k) {
         if (was_typed(pressed, key_of(k))) {
-            act(ui, work, play, studying, {What::put, *state.held, static_cast<double>(k), {}, {}});
+            act(ui, work, play, studying,
+                {What::put, *studying.held, static_cast<double>(k), {}, {}});
         }
     }
 }

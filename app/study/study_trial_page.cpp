@@ -122,14 +122,13 @@ Rect training_cell(const Ui& ui, const Rect& area, std::size_t k, std::size_t co
 
 void take_training_keys(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                         std::span<const KeyPress> pressed) {
-    StudyState& state = studying;
-    const std::size_t count = state.run->training.size();
-    const std::size_t at = state.held.value_or(0);
-    if (was_pressed(pressed, key::kRight)) state.held = state.held ? (at + 1) % count : 0;
-    if (was_pressed(pressed, key::kLeft)) state.held = (at + count - 1) % count;
+    const std::size_t count = studying.run->training.size();
+    const std::size_t at = studying.held.value_or(0);
+    if (was_pressed(pressed, key::kRight)) studying.held = studying.held ? (at + 1) % count : 0;
+    if (was_pressed(pressed, key::kLeft)) studying.held = (at + count - 1) % count;
     if (was_pressed(pressed, key::kSpace)) {
-        if (!state.held) state.held = 0;
-        feel(ui, work, play, studying, *state.held);
+        if (!studying.held) studying.held = 0;
+        feel(ui, work, play, studying, *studying.held);
     }
 }
 

@@ -20,14 +20,13 @@ const std::vector<Vibration>& mapped(const ShownMap& shown_map) {
 
 // What is asked for now, without the pairs themselves.
 TooClosePairs question_of(const ShownMap& shown_map, const SubsetState& picking) {
-    const SubsetState& state = picking;
     TooClosePairs asked;
     asked.of = shown_map.transition.shown;
-    asked.by = state.too_close;
-    asked.share = state.share;
-    asked.reference = state.reference_a + "\n" + state.reference_b;
+    asked.by = picking.too_close;
+    asked.share = picking.share;
+    asked.reference = picking.reference_a + "\n" + picking.reference_b;
     const Subset* subset =
-        state.too_close == TooClose::picked ? shown_subset(shown_map, picking) : nullptr;
+        picking.too_close == TooClose::picked ? shown_subset(shown_map, picking) : nullptr;
     if (subset != nullptr) asked.picked = subset->members;
     return asked;
 }

@@ -21,13 +21,12 @@ std::string percent(double share) {
 }
 
 void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
-    SubsetState& state = picking;
-    const bool busy = state.stability_job && state.stability_job->busy();
+    const bool busy = picking.stability_job && picking.stability_job->busy();
     const Pick* pick = shown_pick(shown_map, picking);
     const bool possible = pick != nullptr && !pick->request.by_ratings &&
-                          pick->request.metric == Metric::pm && state.stability_job;
+                          pick->request.metric == Metric::pm && picking.stability_job;
     ImGui::BeginDisabled(busy || !possible);
-    if (ImGui::Button("Draw 100 models")) state.stability_job->submit({state.pick, 100});
+    if (ImGui::Button("Draw 100 models")) picking.stability_job->submit({picking.pick, 100});
     note_item(ui.rects, "button:draw models");
     ImGui::EndDisabled();
     draw_tooltip(ui,
@@ -38,13 +37,13 @@ void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
         ImGui::AlignTextToFramePadding();
         char text[32];
         std::snprintf(text, sizeof text, "drawing, %d %%",
-                      static_cast<int>(100.0F * state.stability_job->progress()));
+                      static_cast<int>(100.0F * picking.stability_job->progress()));
         dim_text(ui, text);
         ImGui::SameLine();
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y);
-        if (link(ui, "cancel stability", "Cancel")) state.stability_job->cancel();
+        if (link(ui, "cancel stability", "Cancel")) picking.stability_job->cancel();
         note_item(ui.rects, "link:cancel stability");
-    } else if (draw_failure(ui, "stability", failure_of(state.stability_job))) {
+    } else if (draw_failure(ui, "stability", failure_of(picking.stability_job))) {
         return;
     } else if (!possible) {
         const std::string why = pick == nullptr

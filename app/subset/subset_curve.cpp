@@ -93,18 +93,17 @@ bool has_curve(const SubsetState& picking) { return picking.curve || is_busy(pic
 
 void draw_curve(Ui& ui, SubsetState& picking, const Rect& area) {
     if (area.width() < 90.0F || area.height() < 70.0F) return;
-    const SubsetState& state = picking;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (state.curve && state.curve->points.size() > 1) {
+    if (picking.curve && picking.curve->points.size() > 1) {
         draw_points(ui, picking, area);
-        const bool stale = state.curve->request != state.curve_asked;
+        const bool stale = picking.curve->request != picking.curve_asked;
         if (stale) draw_stale(list, ui.theme, area, ImGui::GetTime());
         return;
     }
     if (!is_busy(picking)) return;
     char text[32];
     std::snprintf(text, sizeof text, "%d %% done",
-                  static_cast<int>(100.0F * state.curve_job->progress()));
+                  static_cast<int>(100.0F * picking.curve_job->progress()));
     draw_empty(list, ui.theme, area, "Trying other counts", text);
 }
 

@@ -116,12 +116,11 @@ std::size_t possible_count(const SubsetProblem& problem, std::size_t objects, in
 
 PickRequest request_of(const Workspace& work, const ShownMap& shown_map,
                        const SubsetState& picking) {
-    const SubsetState& state = picking;
-    PickRequest request{shown_map.transition.shown, {}, state.by_ratings, state.metric};
+    PickRequest request{shown_map.transition.shown, {}, picking.by_ratings, picking.metric};
     if (work.document.set.ratings.empty()) request.by_ratings = false;
     const PatternSet& set = *shown_map.transition.shown->request.set;
-    request.problem = subset_problem(set, 2, state.objective);
-    request.problem.count = possible_count(request.problem, set.vibrations.size(), state.count);
+    request.problem = subset_problem(set, 2, picking.objective);
+    request.problem.count = possible_count(request.problem, set.vibrations.size(), picking.count);
     return request;
 }
 
@@ -140,14 +139,13 @@ void take(const std::unique_ptr<Job>& job, std::shared_ptr<const Answer>& answer
 }  // namespace
 
 void make_subset_jobs(const Ui& ui, SubsetState& picking) {
-    SubsetState& state = picking;
-    state.pick_job =
+    picking.pick_job =
         std::make_unique<LatestJob<PickRequest, Pick>>(JobPolicy::supersede, pick_subset, ui.wake);
-    state.curve_job = std::make_unique<LatestJob<PickRequest, PickCurve>>(JobPolicy::supersede,
-                                                                          follow_curve, ui.wake);
-    state.separation_job = std::make_unique<LatestJob<SeparationRequest, FoundSeparations>>(
+    picking.curve_job = std::make_unique<LatestJob<PickRequest, PickCurve>>(JobPolicy::supersede,
+                                                                            follow_curve, ui.wake);
+    picking.separation_job = std::make_unique<LatestJob<SeparationRequest, FoundSeparations>>(
         JobPolicy::supersede, find_separations, ui.wake);
-    state.stability_job = std::make_unique<LatestJob<StabilityRequest, FoundStability>>(
+    picking.stability_job = std::make_unique<LatestJob<StabilityRequest, FoundStability>>(
         JobPolicy::supersede, find_stability, ui.wake);
 }
 
@@ -184,25 +182,24 @@ void stop_subset_jobs(SubsetState& picking) {
 
 void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
                    SubsetState& picking) {
-    SubsetState& state = picking;
-    if (!state.pick_job) return;
-    take(state.pick_job, state.pick);
-    take(state.curve_job, state.curve);
-    take(state.separation_job, state.separations);
-    take(state.stability_job, state.stability);
+    if (!picking.pick_job) return;
+    take(picking.pick_job, picking.pick);
+    take(picking.curve_job, picking.curve);
+    take(picking.separation_job, picking.separations);
+    take(picking.stability_job, picking.stability);
     const bool has_pairs = map_state(work, shown_map) == MapState::exact &&
                            shown_map.transition.shown->prediction.pm.size > 1;
     if (layout.bench != BenchTab::subset || !has_pairs) return;
     PickRequest request = request_of(work, shown_map, picking);
-    if (request == state.asked) return;
-    state.asked = request;
-    state.cancelled = false;
-    state.alternative.reset();
-    state.pick_job->submit(request);
+    if (request == picking.asked) return;
+    picking.asked = request;
+    picking.cancelled = false;
+    picking.alternative.reset();
+    picking.pick_job->submit(request);
     request = curve_request(std::move(request));
-    if (request == state.curve_asked) return;
-    state.curve_asked = request;
-    state.curve_job->submit(std::move(request));
+    if (request == picking.curve_asked) return;
+    picking.curve_asked = request;
+    picking.curve_job->submit(std::move(request));
 }
 
 const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking) {
@@ -216,11 +213,10 @@ const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking) {
 }
 
 bool is_pick_stale(const Workspace& work, const ShownMap& shown_map, const SubsetState& picking) {
-    const SubsetState& state = picking;
-    if (map_state(work, shown_map) != MapState::exact || !state.pick) return true;
+    if (map_state(work, shown_map) != MapState::exact || !picking.pick) return true;
     // A map that has just come is asked about at the end of its frame.
-    return state.pick->request != state.asked ||
-           state.pick->request.map != shown_map.transition.shown;
+    return picking.pick->request != picking.asked ||
+           picking.pick->request.map != shown_map.transition.shown;
 }
 
 const Subset* shown_subset(const ShownMap& shown_map, const SubsetState& picking) {
@@ -234,9 +230,8 @@ const Subset* shown_subset(const ShownMap& shown_map, const SubsetState& picking
 bool is_picking(const SubsetState& picking) { return picking.pick_job && picking.pick_job->busy(); }
 
 bool is_subset_busy(const SubsetState& picking) {
-    const SubsetState& state = picking;
-    return state.pick_job && (state.pick_job->busy() || state.curve_job->busy() ||
-                              state.separation_job->busy() || state.stability_job->busy());
+    return picking.pick_job && (picking.pick_job->busy() || picking.curve_job->busy() ||
+                                picking.separation_job->busy() || picking.stability_job->busy());
 }
 
 void cancel_picking(SubsetState& picking) {

@@ -8,10 +8,9 @@ namespace tact {
 MapMarks subset_marks(const Layout& layout, const ShownMap& shown_map, SubsetState& picking) {
     MapMarks marks;
     if (layout.bench != BenchTab::subset || !shown_map.transition.shown) return marks;
-    const SubsetState& state = picking;
-    const bool confusable = state.view == SubsetView::confusable;
+    const bool confusable = picking.view == SubsetView::confusable;
     const Subset* subset = shown_subset(shown_map, picking);
-    if (subset && (!confusable || state.too_close == TooClose::picked)) {
+    if (subset && (!confusable || picking.too_close == TooClose::picked)) {
         marks.chosen = subset->members;
     } else if (const auto opened = opened_rows(shown_map, picking); opened && confusable) {
         marks.chosen = {opened->first, opened->second};
@@ -22,20 +21,19 @@ MapMarks subset_marks(const Layout& layout, const ShownMap& shown_map, SubsetSta
         }
     }
     const Stability* stability = shown_stability(picking);
-    if (state.view == SubsetView::stability && stability &&
-        state.pick->request.map == shown_map.transition.shown) {
+    if (picking.view == SubsetView::stability && stability &&
+        picking.pick->request.map == shown_map.transition.shown) {
         marks.spread.assign(stability->spread.begin(), stability->spread.end());
     }
     return marks;
 }
 
 std::set<std::string> too_close_names(const Layout& layout, const SubsetState& picking) {
-    const SubsetState& state = picking;
-    if (layout.bench != BenchTab::subset || state.view != SubsetView::confusable) return {};
-    if (!state.pairs.of) return {};
-    const auto& all = state.pairs.of->request.set->vibrations;
+    if (layout.bench != BenchTab::subset || picking.view != SubsetView::confusable) return {};
+    if (!picking.pairs.of) return {};
+    const auto& all = picking.pairs.of->request.set->vibrations;
     std::set<std::string> names;
-    for (const ConfusablePair& pair : state.pairs.pairs) {
+    for (const ConfusablePair& pair : picking.pairs.pairs) {
         names.insert(all[pair.a].name);
         names.insert(all[pair.b].name);
     }

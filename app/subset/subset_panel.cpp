@@ -25,14 +25,13 @@ namespace tact {
 namespace {
 
 void draw_views(Ui& ui, const Workspace& work, const ShownMap& shown_map, SubsetState& picking) {
-    SubsetState& state = picking;
     bool is_first = true;
     for (const auto& [view, name] : {std::pair{SubsetView::pick, "Pick"},
                                      {SubsetView::confusable, "Too close"},
                                      {SubsetView::stability, "How sure"}}) {
         if (!is_first) flow_on(chip_width(ui, name), 2.0F * ui.theme.scale);
         is_first = false;
-        if (draw_chip(ui, name, name, state.view == view)) state.view = view;
+        if (draw_chip(ui, name, name, picking.view == view)) picking.view = view;
         note_item(ui.rects, std::string("subset:") + name);
     }
     if (shown_pick(shown_map, picking) == nullptr) return;
@@ -45,7 +44,6 @@ void draw_views(Ui& ui, const Workspace& work, const ShownMap& shown_map, Subset
 }
 
 void draw_count(Ui& ui, SubsetState& picking) {
-    SubsetState& state = picking;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Pick");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
@@ -55,16 +53,15 @@ void draw_count(Ui& ui, SubsetState& picking) {
                               .format = "%.9g",
                               .rules = {{2.0, 1000.0}},
                               .width_px = 96.0F * ui.theme.scale},
-                             state.count);
-    note_item(ui.rects, "subset:count", std::to_string(state.count));
+                             picking.count);
+    note_item(ui.rects, "subset:count", std::to_string(picking.count));
     draw_tooltip(ui, "How many patterns the subset has.");
 }
 
 void draw_objective(Ui& ui, SubsetState& picking) {
-    SubsetState& state = picking;
     const auto choose = [&](const char* name, SubsetObjective objective, const char* help) {
         flow_on(radio_width(ui, name), 1.5F * ui.theme.gap_px);
-        if (draw_radio(ui, name, state.objective == objective)) state.objective = objective;
+        if (draw_radio(ui, name, picking.objective == objective)) picking.objective = objective;
         note_item(ui.rects, std::string("radio:") + name);
         draw_tooltip(ui, help);
     };
@@ -75,22 +72,22 @@ void draw_objective(Ui& ui, SubsetState& picking) {
 }
 
 void draw_source(Ui& ui, const Workspace& work, SubsetState& picking) {
-    SubsetState& state = picking;
     const bool has_ratings = !work.document.set.ratings.empty();
-    const char* shown = state.by_ratings && has_ratings ? "Ratings" : traits(state.metric).name;
+    const char* shown = picking.by_ratings && has_ratings ? "Ratings" : traits(picking.metric).name;
     const float s = ui.theme.scale;
     const bool beside = flow_on(84.0F * s, 1.5F * ui.theme.gap_px);
     const float room = beside ? ImGui::GetContentRegionAvail().x : 120.0F * s;
     ImGui::SetNextItemWidth(std::min(120.0F * s, room));
     if (ImGui::BeginCombo("##source", shown)) {
         for (const Metric metric : kMetrics) {
-            const bool chosen = !state.by_ratings && state.metric == metric;
+            const bool chosen = !picking.by_ratings && picking.metric == metric;
             if (ImGui::Selectable(traits(metric).name, chosen)) {
-                state.metric = metric;
-                state.by_ratings = false;
+                picking.metric = metric;
+                picking.by_ratings = false;
             }
         }
-        if (has_ratings && ImGui::Selectable("Ratings", state.by_ratings)) state.by_ratings = true;
+        if (has_ratings && ImGui::Selectable("Ratings", picking.by_ratings))
+            picking.by_ratings = true;
         ImGui::EndCombo();
     }
     note_item(ui.rects, "subset:source", shown);
@@ -235,18 +232,18 @@ std::string exchange_text(const Pick& pick, const Subset& other) {
 void draw_alternatives(Ui& ui, SubsetState& picking, const Pick& pick) {
     const auto& all = pick.answer.alternatives;
     if (all.empty()) return;
-    SubsetState& state = picking;
     ImGui::Dummy({1.0F, 0.5F * ui.theme.gap_px});
     ImGui::PushFont(ui.theme.fonts.small);
     dim_text(ui, pick.answer.are_alternatives_proven ? "Next best" : "Others that are good");
     ImGui::PopFont();
     const auto line = [&](const std::string& text, std::optional<std::size_t> which, int id) {
         ImGui::PushID(id);
-        if (ImGui::Selectable(text.c_str(), state.alternative == which)) state.alternative = which;
+        if (ImGui::Selectable(text.c_str(), picking.alternative == which))
+            picking.alternative = which;
         note_item(ui.rects, "alternative:" + std::to_string(id), text);
         ImGui::PopID();
     };
-    if (state.alternative) line("Back to the best", std::nullopt, 0);
+    if (picking.alternative) line("Back to the best", std::nullopt, 0);
     for (std::size_t k = 0; k < all.size(); ++k) {
         const bool as_good = all[k].weakest_dissimilarity == pick.answer.best.weakest_dissimilarity;
         const std::string value = as_good ? "as far" : grouped(all[k].weakest_dissimilarity);
@@ -257,26 +254,25 @@ void draw_alternatives(Ui& ui, SubsetState& picking, const Pick& pick) {
 // True where there is a subset to draw.
 bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                      SubsetState& picking) {
-    SubsetState& state = picking;
     if (is_picking(picking)) {
         char text[32];
         std::snprintf(text, sizeof text, "picking, %d %%",
-                      static_cast<int>(100.0F * state.pick_job->progress()));
+                      static_cast<int>(100.0F * picking.pick_job->progress()));
         dim_text(ui, text);
         ImGui::SameLine();
         if (link(ui, "cancel picking", "Cancel")) cancel_picking(picking);
         note_item(ui.rects, "link:cancel picking");
-    } else if (state.cancelled) {
+    } else if (picking.cancelled) {
         dim_text(ui, "Cancelled.");
         ImGui::SameLine();
-        if (link(ui, "pick again", "Pick again")) state.asked = {};
+        if (link(ui, "pick again", "Pick again")) picking.asked = {};
         note_item(ui.rects, "link:pick again");
     }
-    const bool failed = draw_failure(ui, "subset", failure_of(state.pick_job));
-    (void)draw_failure(ui, "curve", failure_of(state.curve_job));
+    const bool failed = draw_failure(ui, "subset", failure_of(picking.pick_job));
+    (void)draw_failure(ui, "curve", failure_of(picking.curve_job));
     if (shown_pick(shown_map, picking) != nullptr) return true;
     if (failed) return false;
-    const bool has_fault = state.pick && !state.pick->fault.empty() && !is_picking(picking);
+    const bool has_fault = picking.pick && !picking.pick->fault.empty() && !is_picking(picking);
     const Rect area = rest_of_pane();
     if (area.empty()) return false;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -287,9 +283,9 @@ bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         draw_empty(list, ui.theme, area, "Picking",
                    "Of many patterns it takes some seconds to prove that no others are better.");
     } else {
-        draw_empty(
-            list, ui.theme, area, "Nothing picked yet",
-            has_fault ? state.pick->fault : "The subset is picked once the space above is exact.");
+        draw_empty(list, ui.theme, area, "Nothing picked yet",
+                   has_fault ? picking.pick->fault
+                             : "The subset is picked once the space above is exact.");
     }
     return false;
 }

@@ -20,25 +20,23 @@ namespace tact {
 namespace {
 
 void draw_share_slider(Ui& ui, SubsetState& picking) {
-    SubsetState& state = picking;
     flow_on(150.0F * ui.theme.scale, ui.theme.gap_px);
     ImGui::SetNextItemWidth(150.0F * ui.theme.scale);
-    auto percent = static_cast<float>(100.0 * state.share);
+    auto percent = static_cast<float>(100.0 * picking.share);
     if (ImGui::SliderFloat("##share", &percent, 0.5F, 30.0F, "closest %.1f %%",
                            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
-        state.share = static_cast<double>(percent) / 100.0;
+        picking.share = static_cast<double>(percent) / 100.0;
     }
-    note_item(ui.rects, "subset:share", std::to_string(state.share));
+    note_item(ui.rects, "subset:share", std::to_string(picking.share));
 }
 
 void draw_reference(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                     SubsetState& picking) {
-    SubsetState& state = picking;
     if (const auto pair = chosen_pair(work, shown_map)) {
         flow_on(button_width("Take the chosen pair"), ui.theme.gap_px);
         if (ImGui::Button("Take the chosen pair")) {
-            state.reference_a = work.document.set.vibrations[pair->current].name;
-            state.reference_b = work.document.set.vibrations[pair->partner].name;
+            picking.reference_a = work.document.set.vibrations[pair->current].name;
+            picking.reference_b = work.document.set.vibrations[pair->partner].name;
         }
         note_item(ui.rects, "button:reference");
         draw_tooltip(ui,
@@ -46,17 +44,17 @@ void draw_reference(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                      "farther apart are listed.");
     }
     ImGui::PushFont(ui.theme.fonts.small);
-    dim_text(ui, state.reference_a.empty() ? "No pair taken yet."
-                                           : state.reference_a + " \u2013 " + state.reference_b);
+    dim_text(ui, picking.reference_a.empty()
+                     ? "No pair taken yet."
+                     : picking.reference_a + " \u2013 " + picking.reference_b);
     ImGui::PopFont();
 }
 
 void draw_threshold(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                     SubsetState& picking) {
-    SubsetState& state = picking;
     const auto choose = [&](const char* name, TooClose by, const char* help, bool first) {
         if (!first) flow_on(radio_width(ui, name), 1.5F * ui.theme.gap_px);
-        if (draw_radio(ui, name, state.too_close == by)) state.too_close = by;
+        if (draw_radio(ui, name, picking.too_close == by)) picking.too_close = by;
         note_item(ui.rects, std::string("radio:") + name);
         draw_tooltip(ui, help);
     };
@@ -71,7 +69,7 @@ void draw_threshold(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         choose("Rated closest", TooClose::ratings, "The pairs that people rated most alike.",
                false);
     }
-    if (state.too_close == TooClose::reference) {
+    if (picking.too_close == TooClose::reference) {
         draw_reference(ui, work, shown_map, picking);
     } else {
         draw_share_slider(ui, picking);
@@ -84,11 +82,10 @@ const std::string& name_of(const TooClosePairs& pairs, std::size_t row) {
 
 // What the list has, or why it has nothing.
 std::string summary_of(const SubsetState& picking, const TooClosePairs& pairs) {
-    const SubsetState& state = picking;
     if (pairs.by == TooClose::picked && pairs.picked.size() < 2) {
         return "Nothing is picked yet: see Pick.";
     }
-    if (pairs.by == TooClose::reference && state.reference_a.empty()) {
+    if (pairs.by == TooClose::reference && picking.reference_a.empty()) {
         return "Click a pattern in the map, then another one, and take them.";
     }
     if (pairs.pairs.empty()) return "No pair is too close.";
@@ -137,7 +134,6 @@ void draw_pair_list(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
 // Which of the two is changed. One that may not says why.
 void draw_change_choice(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                         SubsetState& picking, std::pair<std::size_t, std::size_t> rows) {
-    SubsetState& state = picking;
     const std::size_t changed = row_to_change(work, shown_map, picking, rows);
     ImGui::AlignTextToFramePadding();
     dim_text(ui, "Change");
@@ -148,7 +144,7 @@ void draw_change_choice(Ui& ui, const Workspace& work, const ShownMap& shown_map
         flow_on(radio_width(ui, text.c_str()), ui.theme.gap_px);
         ImGui::BeginDisabled(!why.empty());
         if (draw_radio(ui, text.c_str(), changed == row)) {
-            state.change_second = row == rows.second;
+            picking.change_second = row == rows.second;
         }
         ImGui::EndDisabled();
         note_item(ui.rects, row == rows.second ? "radio:change second" : "radio:change first",
@@ -184,13 +180,12 @@ void draw_separation(Ui& ui, Workspace& work, const FoundSeparations& found, std
 }
 
 void draw_search(Ui& ui, SubsetState& picking) {
-    SubsetState& state = picking;
     char text[32];
     std::snprintf(text, sizeof text, "searching, %d %%",
-                  static_cast<int>(100.0F * state.separation_job->progress()));
+                  static_cast<int>(100.0F * picking.separation_job->progress()));
     dim_text(ui, text);
     ImGui::SameLine();
-    if (link(ui, "cancel separation", "Cancel")) state.separation_job->cancel();
+    if (link(ui, "cancel separation", "Cancel")) picking.separation_job->cancel();
     note_item(ui.rects, "link:cancel separation");
 }
 

@@ -19,6 +19,10 @@ bool begin_dialog(const Ui& ui, const char* title, float width_px) {
         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
 }
 
+bool is_popup_open() {
+    return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
 ImU32 dialog_field(const Theme& theme) { return theme.is_dark ? theme.pane : theme.field; }
 
 void end_dialog(Ui& ui) {

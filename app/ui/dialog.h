@@ -10,6 +10,9 @@ namespace tact {
 // A dialog in the middle of the window; ImGui::EndPopup() where true.
 bool begin_dialog(const Ui& ui, const char* title, float width_px = 620.0F);
 
+// Of any kind: a dialog, a menu, a list.
+bool is_popup_open();
+
 // Of fields on the ground of dialogs and lists that open: the stock one is that ground, in the
 // dark.
 ImU32 dialog_field(const Theme& theme);

@@ -38,8 +38,9 @@ std::optional<std::size_t> focused_among(const std::vector<TabStop>& stops) {
     return static_cast<std::size_t>(found - stops.begin());
 }
 
-// Once around. Without a focus, the first one, or the last.
-std::size_t next_stop(const std::vector<TabStop>& stops, const TabOrder& order) {
+// Once around. Without a focus, the first one, or the last. `by_number`: from one that was typed to
+// the next, as in a table.
+std::size_t next_stop(const std::vector<TabStop>& stops, const TabOrder& order, bool by_number) {
     const int step = order.step;
     const std::size_t count = stops.size();
     const auto from = order.has_begun ? focused_among(stops) : std::nullopt;
@@ -47,7 +48,7 @@ std::size_t next_stop(const std::vector<TabStop>& stops, const TabOrder& order) 
     const auto after = [&](std::size_t k) { return (k + count + (step > 0 ? 1 : -1)) % count; };
     const auto pane = [&](std::size_t k) { return stops[k].window->RootWindow; };
     std::size_t to = after(*from);
-    if (order.by_number) {
+    if (by_number) {
         std::size_t number = to;
         while (number != *from && pane(number) == pane(*from) && !stops[number].is_typed_in) {
             number = after(number);
@@ -113,11 +114,12 @@ void note_stop(TabOrder& order) {
 
 void move_focus(Ui& ui) {
     TabOrder& order = ui.rects.tab_order;
-    const std::vector<TabStop> stops = reachable(order.stops);
-    const NumberTyping& typing = ui.field.typing;
-    order.by_number = typing.entry != 0 && typing.text != typing.first;
+    const std::vector<TabStop> stops =
+        ui.keyboard_mode ? reachable(order.stops) : std::vector<TabStop>();
     if (order.step != 0 && !stops.empty()) {
-        focus_on(stops[next_stop(stops, order)]);
+        const NumberTyping& typing = ui.field.typing;
+        const bool by_number = typing.entry != 0 && typing.text != typing.first;
+        focus_on(stops[next_stop(stops, order, by_number)]);
     }
     const auto focused = focused_among(stops);
     const bool has_begun = order.has_begun || order.step != 0;
@@ -126,7 +128,7 @@ void move_focus(Ui& ui) {
     order = {};
     order.has_begun = has_begun && !is_new;
     order.over = over;
-    order.is_on_button = ui.keyboard_mode && focused && !stops[*focused].is_typed_in;
+    order.is_on_button = focused && !stops[*focused].is_typed_in;
     if (ui.keyboard_mode && !ui.as_picture) frame_focus(ui);
 }
 

@@ -28,7 +28,6 @@ struct TabOrder {
     std::vector<TabStop> stops;  // of this frame
     int step = 0;                // 1: on, -1: back
     bool by_pane = false;
-    bool by_number = false;     // from one that was typed to the next one, as in a table
     bool is_on_button = false;  // Enter presses that, and nothing else
     bool has_begun = false;     // Tab goes on from what was used last; else from the first one
     unsigned over = 0;          // ImGui's name of what lies over the panes; 0: nothing

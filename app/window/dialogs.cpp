@@ -152,10 +152,8 @@ namespace {
 
 // A question or a participant comes first: what is dropped would change the set beneath them.
 bool is_in_the_middle(const App& app) {
-    const bool is_popup_open =
-        ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     return is_study_running(app.studying) || app.ui.dialog != Dialog::none ||
-           app.ui.chooser.is_open || app.palette.open || app.ui.question || is_popup_open;
+           app.ui.chooser.is_open || app.palette.open || app.ui.question || is_popup_open();
 }
 
 }  // namespace

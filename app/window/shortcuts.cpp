@@ -4,6 +4,7 @@
 
 #include <cctype>
 
+#include "app/ui/dialog.h"
 #include "app/window/commands.h"
 
 namespace tact {
@@ -34,10 +35,6 @@ bool is_text_active() { return ImGui::GetIO().WantTextInput; }
 bool is_meant_for_locked(const App& app, const Shortcut& shortcut) {
     return !app.ui.field.locked.empty() && !shortcut.ctrl && shortcut.sign >= '0' &&
            shortcut.sign <= '9';
-}
-
-bool is_popup_open() {
-    return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
 // Changes the document, or which part of it is edited.

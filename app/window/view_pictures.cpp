@@ -183,6 +183,7 @@ std::shared_ptr<StillView> still_view(const App& app) {
     still.model_bench.panel = app.model_bench.panel;
     still.rendered.on = app.rendered.on;
     still.rendered.by = app.rendered.by;
+    still.rendered.at_bar_level = app.rendered.at_bar_level;
     still.rendered.shown = app.rendered.shown;
     still.work.selection.search = app.work.selection.search;
     still.ui.dismissed_hints = app.ui.dismissed_hints;
