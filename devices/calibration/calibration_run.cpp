@@ -1,6 +1,5 @@
 #include "devices/calibration/calibration_run.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <cassert>
@@ -12,6 +11,7 @@
 
 #include "devices/calibration/plan_alignment.h"
 #include "devices/calibration/resonance.h"
+#include "model/common/decompositions.h"
 
 namespace tact {
 
@@ -99,8 +99,7 @@ struct Fit {
 // The model of the head comment. `samples` and `phase` of one length.
 Fit fitted(std::span<const double> samples, std::span<const double> phase) {
     constexpr int kColumns = 2 * kHarmonics + 1;
-    Eigen::Matrix<double, kColumns, kColumns> normal =
-        Eigen::Matrix<double, kColumns, kColumns>::Zero();
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(kColumns, kColumns);
     Eigen::Vector<double, kColumns> right = Eigen::Vector<double, kColumns>::Zero();
     Eigen::Vector<double, kColumns> row;
     const auto fill = [&row](double p) {
@@ -115,7 +114,7 @@ Fit fitted(std::span<const double> samples, std::span<const double> phase) {
         normal.noalias() += row * row.transpose();
         right += samples[n] * row;
     }
-    const Eigen::Vector<double, kColumns> solved = normal.ldlt().solve(right);
+    const Eigen::Vector<double, kColumns> solved = solved_symmetric(normal, right);
     double rest = 0.0;
     for (std::size_t n = 0; n < samples.size(); ++n) {
         fill(phase[n]);

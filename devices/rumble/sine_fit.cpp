@@ -1,8 +1,9 @@
 #include "devices/rumble/sine_fit.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <functional>
+
+#include "model/common/decompositions.h"
 
 namespace tact {
 
@@ -50,7 +51,7 @@ Eigen::VectorXd solved(const Stretch& stretch, const Eigen::MatrixXd& columns,
                        const Eigen::VectorXd& signal) {
     const Eigen::MatrixXd weighted = column(stretch.weights).asDiagonal() * columns;
     const Eigen::MatrixXd normal = weighted.transpose() * columns;
-    const Eigen::VectorXd best = normal.ldlt().solve(weighted.transpose() * signal);
+    const Eigen::VectorXd best = solved_symmetric(normal, weighted.transpose() * signal);
     return best.allFinite() ? best : Eigen::VectorXd::Zero(columns.cols());
 }
 

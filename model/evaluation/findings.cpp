@@ -1,6 +1,5 @@
 #include "model/evaluation/findings.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -11,6 +10,7 @@
 #include <variant>
 
 #include "assets/assets.h"
+#include "model/common/decompositions.h"
 #include "model/map/mds.h"
 #include "model/map/random_stress.h"
 #include "model/text/csv.h"
@@ -79,7 +79,8 @@ Outcome fast_modulation_is_like_none(const KnownSets& sets) {
 double explained(const Eigen::VectorXd& values, const Eigen::MatrixXd& columns) {
     const Eigen::VectorXd centred = values.array() - values.mean();
     const Eigen::MatrixXd axes = columns.rowwise() - columns.colwise().mean();
-    const Eigen::VectorXd fit = axes * axes.colPivHouseholderQr().solve(centred);
+    const Eigen::VectorXd fit =
+        axes * solved_symmetric(axes.transpose() * axes, axes.transpose() * centred);
     return 1.0 - (centred - fit).squaredNorm() / centred.squaredNorm();
 }
 

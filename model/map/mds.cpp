@@ -1,6 +1,5 @@
 #include "model/map/mds.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "model/common/decompositions.h"
 #include "model/common/parallel.h"
 #include "model/common/random.h"
 #include "model/map/principal_axes.h"
@@ -80,13 +80,13 @@ MatrixXd classical(std::size_t n, std::span<const double> values, int dimensions
     const Index k = std::max(dimensions, 1);
     MatrixXd points = MatrixXd::Zero(static_cast<Index>(n), k);
     if (n < 2) return points;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(inner_products(n, values));
+    const SymmetricEigen eigen = symmetric_eigen(inner_products(n, values));
     const Index last = points.rows() - 1;  // eigenvalues rise
-    const double least = kVanished * solver.eigenvalues()(last);
+    const double least = kVanished * eigen.values(last);
     for (Index c = 0; c < std::min(k, points.rows()); ++c) {
-        const double value = solver.eigenvalues()(last - c);
+        const double value = eigen.values(last - c);
         if (value <= least) break;
-        points.col(c) = std::sqrt(value) * solver.eigenvectors().col(last - c);
+        points.col(c) = std::sqrt(value) * eigen.vectors.col(last - c);
     }
     mirror_to_positive(points);
     return points;
@@ -96,9 +96,7 @@ MatrixXd classical(std::size_t n, std::span<const double> values, int dimensions
 // order and adds c to every eigenvalue of B but that of the centre (Lingoes 1971). With the least c
 // that leaves none negative, points with exactly these distances exist.
 MatrixXd exact_map(std::size_t n, std::vector<double> values, int dimensions) {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(inner_products(n, values),
-                                                         Eigen::EigenvaluesOnly);
-    const double c = std::max(0.0, -solver.eigenvalues()(0));
+    const double c = std::max(0.0, -symmetric_eigenvalues(inner_products(n, values))(0));
     for (double& value : values) value = std::sqrt(value * value + 2 * c);
     return classical(n, values, dimensions);
 }

@@ -1,8 +1,9 @@
 #include "model/map/principal_axes.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "model/common/decompositions.h"
 
 namespace tact {
 
@@ -42,9 +43,9 @@ void lay_through_objects(MatrixXd& points, Index first, Index count) {
 MatrixXd on_principal_axes(const MatrixXd& points) {
     if (points.rows() == 0 || points.cols() == 0) return points;
     const MatrixXd centred = points.rowwise() - points.colwise().mean();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(centred.transpose() * centred);
-    const Eigen::VectorXd variance = solver.eigenvalues().reverse();
-    MatrixXd result = centred * solver.eigenvectors().rowwise().reverse();
+    const SymmetricEigen eigen = symmetric_eigen(centred.transpose() * centred);
+    const Eigen::VectorXd variance = eigen.values.reverse();
+    MatrixXd result = centred * eigen.vectors.rowwise().reverse();
     const double close = kEqualVariance * variance(0);
     for (Index first = 0; first < result.cols();) {
         Index end = first + 1;

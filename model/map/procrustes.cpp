@@ -1,8 +1,9 @@
 #include "model/map/procrustes.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cassert>
+
+#include "model/common/decompositions.h"
 
 namespace tact {
 
@@ -32,11 +33,10 @@ ProcrustesFit procrustes(const Eigen::MatrixXd& moving, const Eigen::MatrixXd& t
         fit.aligned = transformed(fit, moving);
         return fit;
     }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd((x / x_size).transpose() * (y / y_size),
-                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
-    fit.correlation = std::clamp(svd.singularValues().sum(), 0.0, 1.0);
+    const SingularValues svd = singular_values((x / x_size).transpose() * (y / y_size));
+    fit.correlation = std::clamp(svd.values.sum(), 0.0, 1.0);
     const double size = scale ? fit.correlation * y_size : x_size;
-    fit.turn = size / x_size * (svd.matrixU() * svd.matrixV().transpose());
+    fit.turn = size / x_size * (svd.left * svd.right.transpose());
     fit.aligned = transformed(fit, moving);
     return fit;
 }

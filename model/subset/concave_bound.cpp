@@ -1,12 +1,13 @@
 #include "model/subset/concave_bound.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
+
+#include "model/common/decompositions.h"
 
 namespace tact {
 
@@ -150,9 +151,8 @@ double concave_shift(const Eigen::MatrixXd& distances, std::span<const std::size
     among.array() += means.mean();
     const double size = among.cwiseAbs().rowwise().sum().maxCoeff();
     among.array() -= 2.0 * size / static_cast<double>(m);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(among, Eigen::EigenvaluesOnly);
     constexpr double kRounding = 1e-11;
-    return solver.eigenvalues()(m - 1) + kRounding * size;
+    return symmetric_eigenvalues(among)(m - 1) + kRounding * size;
 }
 
 Relaxation relaxed(const Eigen::MatrixXd& distances, std::span<const std::size_t> chosen,

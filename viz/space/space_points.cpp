@@ -1,4 +1,3 @@
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -63,13 +62,17 @@ void draw_links(const SpaceStage& stage) {
 void draw_spread(const SpaceStage& stage, const SpaceCamera& camera) {
     if (stage.scene.spread.size() != stage.discs.size()) return;
     constexpr double kHalf = 1.17741;
+    constexpr double kLeast = 1e-9;  // px2: of a point that stays where it is
     constexpr int kCorners = 32;
     const std::size_t shown = std::min(stage.front_to_back.size(), kMostSpreads);
     for (const std::size_t i : std::span(stage.front_to_back).first(shown)) {
-        const Eigen::LLT<Eigen::Matrix2d> root(seen_covariance(stage, camera, i) +
-                                               1e-9 * Eigen::Matrix2d::Identity());
-        if (root.info() != Eigen::Success) continue;
-        const Eigen::Matrix2d half = kHalf * Eigen::Matrix2d(root.matrixL());
+        const Eigen::Matrix2d covariance = seen_covariance(stage, camera, i);
+        // Its Cholesky root; a spread that is a line has a corner of nearly 0.
+        const double x = std::sqrt(covariance(0, 0) + kLeast);
+        const double y = covariance(1, 0) / x;
+        const double rest = covariance(1, 1) + kLeast - y * y;
+        if (!(rest > 0.0)) continue;
+        const Eigen::Matrix2d half{{kHalf * x, 0.0}, {kHalf * y, kHalf * std::sqrt(rest)}};
         std::array<ImVec2, kCorners> corners;
         for (int k = 0; k < kCorners; ++k) {
             const double angle = 2.0 * std::acos(-1.0) * k / kCorners;
