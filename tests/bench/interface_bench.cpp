@@ -213,8 +213,8 @@ void show_made_up_map(App& app) {
     app.layout.bench = BenchTab::subset;
     app.picking.view = SubsetView::confusable;
     app.picking.share = 0.0005;
-    app.picking.look.colour = PatternParameter::carrier;
-    app.picking.look.path = PatternParameter::modulation;
+    app.shown_map.look.colour = PatternParameter::carrier;
+    app.shown_map.look.path = PatternParameter::modulation;
 }
 
 // In a real window, from the start of a frame until it is on the screen, while the playhead runs a
