@@ -82,11 +82,14 @@ Expected<PatternSet> loaded_side(const CommonOptions& options, Labels& labels) {
         const Expected<ModelFile> file = read_model_file(options.model);
         if (!file) return file.error();
         loaded->set.model = file->model;
-        const std::string remark = remark_on_synthetic(*file);
-        labels.synthetic_model = !remark.empty();
-        if (!remark.empty()) {
-            std::cerr << "tactspace: " << options.model.string() << ": " << remark << "\n";
-        }
+        loaded->set.model_origin = origin_of(*file);
+    }
+    const std::string remark = remark_on_synthetic(loaded->set.model_origin);
+    labels.synthetic_model = !remark.empty();
+    if (!remark.empty()) {
+        const std::string whose =
+            options.model.empty() ? "the set's model" : options.model.string();
+        std::cerr << "tactspace: " << whose << ": " << remark << "\n";
     }
     labels.only = options.only;
     PatternSet side = one_side(loaded->set, options.only);

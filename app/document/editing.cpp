@@ -137,6 +137,13 @@ void choose_pair(Workspace& work, std::size_t current, std::size_t partner) {
 
 void document_changed(Workspace& work) { ++work.revision; }
 
+void model_changed(Workspace& work) {
+    PatternSet& set = work.document.set;
+    set.model_origin.changed_by_hand = !set.model_origin.trained_on.empty();
+    if (set.model == PerceptualModelParams{}) set.model_origin = {};
+    document_changed(work);
+}
+
 void predictions_changed(Workspace& work) { ++work.revision; }
 
 void commit_step(Ui& ui, Workspace& work, const std::string& label) {

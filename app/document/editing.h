@@ -32,6 +32,8 @@ void choose_pair(Workspace& work, std::size_t current, std::size_t partner);
 
 // The document was changed, perhaps in the middle of a drag: the maps follow.
 void document_changed(Workspace& work);
+// The same of the model's parameters, by hand: they are no longer as they were trained.
+void model_changed(Workspace& work);
 // All that is predicted is asked for anew, though the document stays what it is.
 void predictions_changed(Workspace& work);
 

@@ -211,7 +211,7 @@ void load_tables(Ui& ui, Workspace& work, const std::filesystem::path& path) {
     if (!curves) return complain(ui, path.filename().string() + ": " + curves.error().message);
     PhysiologyTables& tables = work.document.set.model.coding.tables;
     (thresholds ? tables.threshold : tables.slope) = *curves;
-    document_changed(work);
+    model_changed(work);
     commit_step(ui, work, thresholds ? "Load thresholds" : "Load slopes");
     say(ui, std::string(thresholds ? "Thresholds" : "Slopes") + " loaded from " + path.string());
 }

@@ -75,10 +75,14 @@ const std::vector<KeptModel>& kept_models(Ui& ui, const Workspace& work, ModelBe
     return state.kept;
 }
 
-void use_model(Ui& ui, Workspace& work, const PerceptualModelParams& model,
-               const std::string& what) {
-    if (work.document.set.model == model) return say(ui, "These parameters are in use already.");
-    work.document.set.model = model;
+void use_model(Ui& ui, Workspace& work, const ModelFile& content, const std::string& what) {
+    PatternSet& set = work.document.set;
+    const ModelOrigin origin = origin_of(content);
+    if (set.model == content.model && set.model_origin == origin) {
+        return say(ui, "These parameters are in use already.");
+    }
+    set.model = content.model;
+    set.model_origin = origin;
     document_changed(work);
     commit_step(ui, work, "Use " + what);
     say(ui, "In use: " + what + ". Undo brings the others back.");
@@ -103,7 +107,7 @@ void load_model(Ui& ui, Workspace& work, ModelBench& model_bench, const fs::path
     if (!content) return complain(ui, content.error().message);
     const std::string name = name_of_kept(path);
     const auto kept = keep_model(ui, work, model_bench, name, *content);
-    use_model(ui, work, content->model, words_on(name, *content));
+    use_model(ui, work, *content, words_on(name, *content));
     if (!kept) complain(ui, "In use, but not kept for other sets: " + kept.error().message);
 }
 

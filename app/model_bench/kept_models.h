@@ -26,8 +26,7 @@ Expected<Done> keep_model(Ui& ui, const Workspace& work, ModelBench& model_bench
                           const std::string& name, const ModelFile& content);
 
 // The document's model, as one step. `what`: "the paper's parameters".
-void use_model(Ui& ui, Workspace& work, const PerceptualModelParams& model,
-               const std::string& what);
+void use_model(Ui& ui, Workspace& work, const ModelFile& content, const std::string& what);
 
 // What is said of a kept model when it comes into use: its name, and that nobody was asked.
 std::string words_on(const std::string& name, const ModelFile& content);

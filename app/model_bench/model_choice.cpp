@@ -4,7 +4,6 @@
 
 #include "app/model_bench/kept_models.h"
 #include "app/model_bench/model_panel.h"
-#include "app/model_bench/trained_text.h"
 #include "app/ui/widgets.h"
 
 namespace tact {
@@ -39,7 +38,7 @@ void draw_list(Ui& ui, Workspace& work, ModelBench& model_bench, const KeptModel
         const bool is_current = current != nullptr && current->file == one.file;
         ImGui::PushID(one.file.c_str());
         if (ImGui::Selectable(shown_name(one).c_str(), is_current)) {
-            use_model(ui, work, one.content.model, words_on(one.name, one.content));
+            use_model(ui, work, one.content, words_on(one.name, one.content));
         }
         ImGui::PopID();
         note_item(ui.rects, "model option:" + one.name, shown_name(one));
@@ -55,15 +54,14 @@ void draw_list(Ui& ui, Workspace& work, ModelBench& model_bench, const KeptModel
 void draw_model_choice(Ui& ui, Workspace& work, ModelBench& model_bench) {
     const KeptModel* current = kept_as(ui, work, model_bench);
     const bool is_published = work.document.set.model == PerceptualModelParams{};
+    const ModelOrigin origin = is_published         ? ModelOrigin{}
+                               : current != nullptr ? origin_of(current->content)
+                                                    : work.document.set.model_origin;
+    const bool is_as_trained = !origin.trained_on.empty() && !origin.changed_by_hand;
     const std::string shown = is_published         ? kPublished
                               : current != nullptr ? shown_name(*current)
+                              : is_as_trained      ? "As this set came"
                                                    : "Changed by hand";
-    std::string provenance;
-    std::string remark;
-    if (!is_published && current != nullptr && current->content.training) {
-        provenance = provenance_text(*current->content.training);
-        remark = remark_on_synthetic(current->content);
-    }
     draw_label(ui, "Model", 160.0F * ui.theme.scale);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     const bool open = ImGui::BeginCombo("##model", shown.c_str());
@@ -74,12 +72,15 @@ void draw_model_choice(Ui& ui, Workspace& work, ModelBench& model_bench) {
     note_item(ui.rects, "model:choice", shown);
     if (!open)
         draw_tooltip(ui, "Parameters for this set: the paper's, or kept ones that you trained.");
-    if (provenance.empty()) return;
+    if (origin.trained_on.empty()) return;
     ImGui::PushFont(ui.theme.fonts.small);
+    const std::string provenance =
+        origin.trained_on + (origin.changed_by_hand ? " Changed by hand since." : "");
     coloured_text(ui.theme.dim_text, provenance);
     ImGui::PopFont();
     note_item(ui.rects, "model:provenance", provenance);
-    if (remark.empty()) return;
+    if (!origin.synthetic) return;
+    const std::string remark = remark_on_synthetic(origin);
     coloured_text(ui.theme.warning, "These parameters were " + remark + ".");
     note_item(ui.rects, "model:synthetic", remark);
 }

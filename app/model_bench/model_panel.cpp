@@ -17,7 +17,7 @@ using Model = PerceptualModelParams;
 
 void change_model(Workspace& work, const std::function<void(Model&)>& change) {
     change(work.document.set.model);
-    document_changed(work);
+    model_changed(work);
 }
 
 void commit_model(Ui& ui, Workspace& work, const std::string& what) {

@@ -65,7 +65,7 @@ void draw_knot(Ui& ui, Workspace& work, const ModelBench& model_bench, std::size
     const auto write = [&](double to) {
         PhysiologyTables& tables = work.document.set.model.coding.tables;
         curve_of(tables, state.threshold, state.type).value[k] = to;
-        document_changed(work);
+        model_changed(work);
     };
     const std::string step = std::string("Change ") + traits(state.type).name +
                              (state.threshold ? " threshold" : " slope");
@@ -105,7 +105,7 @@ void draw_table_fields(Ui& ui, Workspace& work, ModelBench& model_bench,
     flow_on(ImGui::CalcTextSize(kReset).x, ui.theme.padding_px);
     if (link(ui, "reset table", kReset)) {
         curve_of(work.document.set.model.coding.tables, state.threshold, state.type) = known;
-        document_changed(work);
+        model_changed(work);
         commit_step(ui, work, std::string("Reset ") + traits(state.type).name + " table");
     }
     note_item(ui.rects, "reset:table");

@@ -10,17 +10,12 @@ namespace {
 
 constexpr std::size_t kLayerParameters = 2;
 constexpr std::size_t kMixParameters = 2;  // the last ones
-constexpr std::size_t kNamedSets = 3;
 
 std::string fixed(double value, int digits) {
     if (std::isnan(value)) return "-";
     char text[64];
     std::snprintf(text, sizeof text, "%.*f", digits, value);
     return text;
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 }  // namespace
@@ -49,26 +44,6 @@ std::vector<std::string> parameter_texts(const TrainingGrid& grid, const GridPoi
     auto texts = parameter_texts(nearest_model(grid, point, none), 1.0 / grid.units);
     if (point.channel == kAny) std::fill(texts.begin(), texts.end() - kMixParameters, "any");
     return texts;
-}
-
-std::string provenance_text(const TrainingRecord& record) {
-    std::string sets;
-    for (std::size_t k = 0; k < std::min(record.sets.size(), kNamedSets); ++k) {
-        const TrainedOn& set = record.sets[k];
-        sets += (k == 0 ? "" : "; ") + set.name + " (" +
-                counted(set.patterns, "pattern", "patterns") + ", " +
-                counted(set.rated_pairs, "pair", "pairs") + ", " +
-                counted(set.participants, "person", "people") +
-                (set.synthetic ? ", synthetic: nobody was asked)" : ")");
-    }
-    if (record.sets.size() > kNamedSets) {
-        sets += " and " + std::to_string(record.sets.size() - kNamedSets) + " more";
-    }
-    const std::string day = record.date.substr(0, record.date.find('T'));
-    const bool absolute = record.objective == TrainingObjective::mean_absolute_rho;
-    return "Trained on " + sets + (day.empty() ? "" : ", " + day) + ": mean " +
-           (absolute ? "|rho| " : "rho ") + fixed(record.value, 3) + ", was " +
-           fixed(record.value_before, 3) + ".";
 }
 
 }  // namespace tact

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/io/set/model_file.h"
+#include "model/perceptual_model/perceptual_model_params.h"
 #include "model/training/training.h"
 
 namespace tact {
@@ -18,8 +18,5 @@ std::vector<std::string> parameter_texts(const PerceptualModelParams& model, dou
 // Of a class of equally good combinations: the smallest of its proportion, "any" for what does not
 // matter as OC alone decides.
 std::vector<std::string> parameter_texts(const TrainingGrid& grid, const GridPoint& point);
-
-// "Trained on four (4 patterns, 6 pairs, 20 people), 2026-11-21: mean rho 0.712, was 0.621."
-std::string provenance_text(const TrainingRecord& record);
 
 }  // namespace tact

@@ -213,8 +213,7 @@ void use_trained(Ui& ui, Workspace& work, ModelBench& model_bench) {
     const ModelFile content{found->training.model, found->record};
     const auto kept = keep_model(ui, work, model_bench, proposed_name(*found), content);
     const std::string remark = remark_on_synthetic(content);
-    use_model(ui, work, content.model,
-              "the trained parameters" + (remark.empty() ? "" : ", " + remark));
+    use_model(ui, work, content, "the trained parameters" + (remark.empty() ? "" : ", " + remark));
     if (!kept) complain(ui, "In use, but not kept for other sets: " + kept.error().message);
 }
 

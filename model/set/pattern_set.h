@@ -57,12 +57,22 @@ struct Ratings {
 // No NaN, which would make two equal sets differ.
 inline constexpr double kUnrated = std::numeric_limits<double>::infinity();
 
+// Of trained parameters of the model.
+struct ModelOrigin {
+    std::string trained_on;        // a sentence; empty: they were not
+    bool synthetic = false;        // nobody was asked, for some of the ratings at least
+    bool changed_by_hand = false;  // since
+
+    bool operator==(const ModelOrigin&) const = default;
+};
+
 struct PatternSet {
     std::string name;
     double duration_s = 1.0;  // of every new pattern
     std::vector<Vibration> vibrations;
     std::vector<Ratings> ratings;
     PerceptualModelParams model;
+    ModelOrigin model_origin{};
     StudyDesign study;  // how people are asked
     std::string unknown_json;
     std::optional<DesignSpace> generator;  // that candidates were made by last

@@ -85,15 +85,56 @@ Json json_of(const TrainingRecord& record) {
     return fields;
 }
 
+constexpr std::size_t kNamedSets = 3;
+
+std::string rho_text(double rho) {
+    if (std::isnan(rho)) return "-";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f", rho);
+    return text;
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string words_on(const TrainingRecord& record) {
+    std::string sets;
+    for (std::size_t k = 0; k < std::min(record.sets.size(), kNamedSets); ++k) {
+        const TrainedOn& set = record.sets[k];
+        sets += (k == 0 ? "" : "; ") + set.name + " (" +
+                counted(set.patterns, "pattern", "patterns") + ", " +
+                counted(set.rated_pairs, "pair", "pairs") + ", " +
+                counted(set.participants, "person", "people") +
+                (set.synthetic ? ", synthetic: nobody was asked)" : ")");
+    }
+    if (record.sets.size() > kNamedSets) {
+        sets += " and " + std::to_string(record.sets.size() - kNamedSets) + " more";
+    }
+    const std::string day = record.date.substr(0, record.date.find('T'));
+    const bool absolute = record.objective == TrainingObjective::mean_absolute_rho;
+    return "Trained on " + sets + (day.empty() ? "" : ", " + day) + ": mean " +
+           (absolute ? "|rho| " : "rho ") + rho_text(record.value) + ", was " +
+           rho_text(record.value_before) + ".";
+}
+
 }  // namespace
 
 bool is_partly_synthetic(const TrainingRecord& record) {
     return std::ranges::any_of(record.sets, &TrainedOn::synthetic);
 }
 
+std::string remark_on_synthetic(const ModelOrigin& origin) {
+    return origin.synthetic ? "trained on synthetic ratings: nobody was asked" : "";
+}
+
 std::string remark_on_synthetic(const ModelFile& file) {
-    if (!file.training || !is_partly_synthetic(*file.training)) return {};
-    return "trained on synthetic ratings: nobody was asked";
+    return remark_on_synthetic(origin_of(file));
+}
+
+ModelOrigin origin_of(const ModelFile& file) {
+    if (!file.training) return {};
+    return {words_on(*file.training), is_partly_synthetic(*file.training), false};
 }
 
 std::string fingerprint_of(const TrainingSet& set) {

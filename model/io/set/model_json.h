@@ -4,7 +4,8 @@
 //      "threshold": [...]}, ...}}, "envelope": {"scale": "raw"}, "nc_weight": 0.3}
 //
 // Names are those of the structs and enumerators in perceptual_model_params.h; receptors go by
-// name.
+// name. Beside them in a set file, where they were trained: "trained_on", a sentence, "synthetic":
+// true where nobody was asked, and "changed_by_hand": true if they were since.
 #pragma once
 
 #include "model/perceptual_model/perceptual_model_params.h"

@@ -300,6 +300,9 @@ PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::s
     Json unknown = Json::object();
     Json of_model = Json::object();
     JsonObject model = object_field(object, "model");
+    set.model_origin.trained_on = text_field(model, "trained_on", {});
+    set.model_origin.synthetic = yes_no_field(model, "synthetic", false);
+    set.model_origin.changed_by_hand = yes_no_field(model, "changed_by_hand", false);
     set.model = model_of(model, of_model);
     note_unknown(unknown, "model", of_model);
     Json of_study = Json::object();
@@ -324,7 +327,10 @@ Json json_of(const PatternSet& set, const fs::path& folder) {
         document["patterns"].push_back(json_of(vibration, set.duration_s, folder));
     }
     for (const Ratings& ratings : set.ratings) document["ratings"].push_back(json_of(ratings));
-    const Json model = json_of(set.model);
+    Json model = json_of(set.model);
+    if (!set.model_origin.trained_on.empty()) model["trained_on"] = set.model_origin.trained_on;
+    if (set.model_origin.synthetic) model["synthetic"] = true;
+    if (set.model_origin.changed_by_hand) model["changed_by_hand"] = true;
     if (!model.empty()) document["model"] = model;
     const Json study = json_of(set.study);
     if (!study.empty()) document["study"] = study;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/evaluation/metric.h"
+#include "model/io/set/set_file.h"
 #include "tests/support/five_patterns.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
@@ -72,6 +73,20 @@ TEST_CASE(
     CHECK(row.at("synthetic_model") == false);
     words[words.size() - 2] = (study.folder.path / "no" / "such").string();
     CHECK(contains(refusal_of(words), "cannot be written"));
+}
+
+TEST_CASE("compare: a set whose model was fitted to what nobody said says so, as --model does") {
+    const Study study;
+    auto loaded = *tact::read_set_file(study.set);
+    loaded.set.model.nc_weight = 0.3;
+    loaded.set.model_origin = {"Trained on drawn.", true, false};
+    REQUIRE(tact::write_set_file(study.set, loaded.set));
+    const std::vector<std::string> words{"compare", study.set,  "--ratings", study.ratings,
+                                         "--json",  "--metric", "pm"};
+    const Ran ran = run_program(words);
+    REQUIRE(ran.exit_code == 0);
+    CHECK(Json::parse(ran.out).at(0).at("synthetic_model") == true);
+    CHECK(contains(ran.err, "nobody was asked"));
 }
 
 TEST_CASE("compare: twins that were computed are said to be, also where a device plays them") {

@@ -322,4 +322,31 @@ TEST_CASE("training panel: each person in turn is left out, on request") {
     }
 }
 
+TEST_CASE(
+    "model bench: a set that was saved says on another machine what its model was trained on") {
+    const TemporaryFolder folder;
+    PatternSet set = short_patterns(3);
+    set.model.nc_weight = 0.3;
+    set.model_origin = {"Trained on drawn.", true, false};
+    Program program(*parse_set(print_set(set), "a colleague's", folder.path));
+    App& app = program.app;
+    app.work.session.folder = folder.path / "state";  // nothing is kept in it
+    app.layout.maximised = Pane::matrix;
+    app.layout.bench = BenchTab::model;
+    program.settle();
+    CHECK(program.at("model:provenance").value == "Trained on drawn.");
+    CHECK(contains(program.at("model:synthetic").value, "nobody was asked"));
+    app.work.document.set.model.oc_weight = 0.1;
+    model_changed(app.work);
+    program.settle();
+    CHECK(program.at("model:choice").value == "Changed by hand");
+    CHECK(program.at("model:provenance").value == "Trained on drawn. Changed by hand since.");
+    CHECK(program.shows("model:synthetic"));
+    use_model(app.ui, app.work, {}, "the paper's parameters");
+    program.settle();
+    CHECK(!program.shows("model:provenance"));
+    CHECK(!program.shows("model:synthetic"));
+    CHECK(app.work.document.set.model_origin == ModelOrigin{});
+}
+
 }  // namespace training_panel_test

@@ -168,6 +168,7 @@ PatternSet random_set(Dice& dice, bool with_recordings) {
         set.ratings.push_back(ratings(dice, names_of(set)));
     }
     if (dice.one_in(2)) set.model.nc_weight = dice.share();
+    if (dice.one_in(2)) set.model_origin = {dice.text(20), dice.one_in(2), dice.one_in(2)};
     if (dice.one_in(2)) set.study = study(dice, names_of(set));
     if (dice.one_in(2)) set.generator = design_space(dice);
     if (dice.one_in(2)) set.unknown_json = kUnknown;
