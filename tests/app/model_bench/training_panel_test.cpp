@@ -140,7 +140,7 @@ TEST_CASE("training panel: used parameters are kept for choosing, and say where 
     bench.program.click("model option:" + kept_models(app.ui, app.work, app.model_bench)[0].name);
     CHECK(app.work.document.set.model == trained);
     app.work.document.set.model.nc_weight = 0.123;
-    document_changed(app.work);
+    model_changed(app.work);
     bench.program.settle();
     CHECK(bench.program.at("model:choice").value == "Changed by hand");
 
