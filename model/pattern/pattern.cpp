@@ -31,6 +31,27 @@ double carriers_at(const std::vector<Carrier>& carriers, double t_s) {
     return sum;
 }
 
+double swept_carriers_at(const std::vector<Carrier>& carriers, const Sweep& sweep, double t_s,
+                         double highest_hz) {
+    const double turns = turns_at(sweep, t_s);
+    const double first_hz = *frequency_at(sweep.curve, t_s);
+    double sum = 0.0;
+    for (const Carrier& carrier : carriers) {
+        const double ratio = carrier.frequency_hz / carriers.front().frequency_hz;
+        if (ratio * first_hz > highest_hz) continue;
+        sum += carrier.weight * portable::sin(kTurn * (ratio * turns) + carrier.phase_rad);
+    }
+    return sum;
+}
+
+// Of a note, so long after its onset and before its end.
+double ramp_gain(const Pattern& pattern, double since_onset_s, double until_end_s) {
+    double gain = 1.0;
+    if (pattern.attack_s > 0.0) gain = std::min(gain, since_onset_s / pattern.attack_s);
+    if (pattern.release_s > 0.0) gain = std::min(gain, until_end_s / pattern.release_s);
+    return gain;
+}
+
 // Gate of every sample: linear ramps inside each note, 0 between notes.
 std::vector<double> rhythm_gate(const Pattern& pattern, double rate_hz, std::size_t samples) {
     std::vector<double> gate(samples, 0.0);
@@ -41,13 +62,59 @@ std::vector<double> rhythm_gate(const Pattern& pattern, double rate_hz, std::siz
         for (std::size_t n = begin; n < end; ++n) {
             const double since_onset_s = static_cast<double>(n - begin) / rate_hz;
             const double until_end_s = static_cast<double>(end - n) / rate_hz;
-            double gain = 1.0;
-            if (pattern.attack_s > 0.0) gain = std::min(gain, since_onset_s / pattern.attack_s);
-            if (pattern.release_s > 0.0) gain = std::min(gain, until_end_s / pattern.release_s);
-            gate[n] = gain;
+            gate[n] = ramp_gain(pattern, since_onset_s, until_end_s);
         }
     }
     return gate;
+}
+
+void add_transient(Waveform& waveform, const Transient& transient) {
+    const double rate_hz = waveform.rate_hz;
+    const auto first = static_cast<std::size_t>(std::max(0.0, transient.time_s) * rate_hz);
+    const std::size_t end = first + sample_count(transient.duration_s, rate_hz) + 2;
+    for (std::size_t n = first; n < std::min(end, waveform.samples_g.size()); ++n) {
+        waveform.samples_g[n] +=
+            transient_g(transient, static_cast<double>(n) / rate_hz - transient.time_s);
+    }
+}
+
+// Times in order within the duration, at most two of them equal.
+template <class Point>
+void keep_rules(std::vector<Point>& curve, double duration_s) {
+    double latest_s = 0.0;
+    for (Point& point : curve) {
+        latest_s = std::max(latest_s, clamp_to({0.0, duration_s}, point.time_s));
+        point.time_s = latest_s;
+    }
+    // Of more than two, the first and the last are the jump.
+    std::vector<Point> kept;
+    for (const Point& point : curve) {
+        const std::size_t n = kept.size();
+        const bool third = n > 1 && kept[n - 2].time_s == point.time_s;
+        if (third) kept.pop_back();
+        kept.push_back(point);
+    }
+    kept.resize(std::min(kept.size(), limits::kMaxCurvePoints));
+    curve = std::move(kept);
+}
+
+void clamp_drawn(Pattern& pattern) {
+    for (AmplitudePoint& point : pattern.amplitude_curve) {
+        point.value = clamp_to(limits::kCurveValue, point.value);
+    }
+    for (FrequencyPoint& point : pattern.frequency_curve) {
+        point.frequency_hz = clamp_to(limits::kCarrierHz, point.frequency_hz);
+    }
+    keep_rules(pattern.amplitude_curve, pattern.duration_s);
+    keep_rules(pattern.frequency_curve, pattern.duration_s);
+    std::vector<Transient>& transients = pattern.transients;
+    transients.resize(std::min(transients.size(), limits::kMaxTransients));
+    for (Transient& transient : transients) {
+        transient.time_s = clamp_to({0.0, pattern.duration_s}, transient.time_s);
+        transient.amplitude_g = clamp_to(limits::kAmplitudeG, transient.amplitude_g);
+        transient.frequency_hz = clamp_to(limits::kCarrierHz, transient.frequency_hz);
+        transient.duration_s = clamp_to(limits::kTransientS, transient.duration_s);
+    }
 }
 
 }  // namespace
@@ -70,17 +137,56 @@ Pattern clamped(Pattern pattern) {
     pattern.attack_s = clamp_to(limits::kRampS, pattern.attack_s);
     pattern.release_s = clamp_to(limits::kRampS, pattern.release_s);
     pattern.duration_s = clamp_to(limits::kDurationS, pattern.duration_s);
+    clamp_drawn(pattern);
     return pattern;
+}
+
+Pattern with_duration(Pattern pattern, double duration_s) {
+    pattern.duration_s = duration_s;
+    cut_at(pattern.amplitude_curve, duration_s);
+    cut_at(pattern.frequency_curve, duration_s);
+    std::erase_if(pattern.transients,
+                  [&](const Transient& transient) { return transient.time_s >= duration_s; });
+    return pattern;
+}
+
+bool is_drawn(const Pattern& pattern) {
+    return !pattern.amplitude_curve.empty() || !pattern.frequency_curve.empty() ||
+           !pattern.transients.empty();
+}
+
+double amplitude_factor(const Pattern& pattern, double t_s) {
+    return value_at(pattern.amplitude_curve, t_s);
+}
+
+double first_carrier_hz(const Pattern& pattern, double t_s) {
+    const double own_hz = pattern.carriers.empty() ? 0.0 : pattern.carriers.front().frequency_hz;
+    return frequency_at(pattern.frequency_curve, t_s).value_or(own_hz);
+}
+
+double envelope_g(const Pattern& pattern, double t_s) {
+    const auto note = note_at(pattern.rhythm, pattern.duration_s, t_s);
+    if (!note) return 0.0;
+    const double since_onset_s = t_s - note->onset_s;
+    return pattern.amplitude_g * ramp_gain(pattern, since_onset_s, note->length_s - since_onset_s) *
+           amplitude_factor(pattern, t_s);
 }
 
 Waveform render(const Pattern& pattern, double rate_hz) {
     Waveform waveform{rate_hz,
                       rhythm_gate(pattern, rate_hz, sample_count(pattern.duration_s, rate_hz))};
+    const Sweep sweep = sweep_of(pattern.frequency_curve);
+    const bool swept = !sweep.curve.empty() && !pattern.carriers.empty();
     for (std::size_t n = 0; n < waveform.samples_g.size(); ++n) {
         const double t_s = static_cast<double>(n) / rate_hz;
-        waveform.samples_g[n] *= pattern.amplitude_g * modulation_at(pattern.modulation, t_s) *
-                                 carriers_at(pattern.carriers, t_s);
+        const double carriers = swept
+                                    ? swept_carriers_at(pattern.carriers, sweep, t_s, 0.5 * rate_hz)
+                                    : carriers_at(pattern.carriers, t_s);
+        waveform.samples_g[n] *=
+            pattern.amplitude_g * modulation_at(pattern.modulation, t_s) * carriers;
+        waveform.samples_g[n] *= amplitude_factor(pattern, t_s);
     }
+    for (const Transient& transient : pattern.transients) add_transient(waveform, transient);
     return waveform;
 }
 

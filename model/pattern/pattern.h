@@ -1,18 +1,21 @@
 // The parametric vibration as a value, and its waveform.
 //
-//     x(t) = A e(t) r(t) sum_j w_j sin(2 pi f_j t + phi_j)
+//     x(t) = A e(t) r(t) a(t) sum_j w_j sin(2 pi (f_j / f_1) F(t) + phi_j) + sum_k b_k(t - t_k)
 //
-// e(t) is the modulation, r(t) the rhythm gate with linear ramps. Read literally, Eq. 7's
-// e(t) = sin(2 pi f_e t) is silent for f_e = 0; there the factor is 1.
+// Carriers as the frequency curve drives them, times modulation e(t), times rhythm gate with linear
+// ramps r(t), times amplitude curve a(t), plus transients b_k, which none of these touches.
+// F(t) is the integral of the frequency curve, which is the first carrier's; f_1 t without one.
+// Read literally, Eq. 7's e(t) = sin(2 pi f_e t) is silent for f_e = 0; there the factor is 1.
 //
 // Source    Lim & Park 2023, Eq. 7, generalised.
-// Left out  noise, sweeps, per-note amplitude.
+// Left out  noise.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "model/common/range.h"
+#include "model/pattern/curves.h"
 #include "model/pattern/rhythm.h"
 #include "model/signal/waveform.h"
 
@@ -47,6 +50,9 @@ struct Pattern {
     double attack_s = 0.0;
     double release_s = 0.0;
     double duration_s = 1.0;
+    AmplitudeCurve amplitude_curve;     // empty: 1 throughout
+    FrequencyCurve frequency_curve;     // empty: the first carrier's frequency throughout
+    std::vector<Transient> transients;  // in any order; cut at the pattern's end
 
     bool operator==(const Pattern&) const = default;
 };
@@ -67,10 +73,26 @@ inline constexpr std::size_t kMaxCarriers = 8;
 inline constexpr std::size_t kMaxPatterns = 10'000;
 }  // namespace limits
 
-// The pattern with every number moved to the nearest one in range.
+// The pattern with every number moved to the nearest one in range, and curves so that they have no
+// fault (model/pattern/drawn_fault.h).
 Pattern clamped(Pattern pattern);
 
-// Samples x[n] = x(n / rate_hz), n = 0 .. round(duration_s rate_hz) - 1.
+// The pattern as long as that. What was drawn stays where it is: longer, curves are held; shorter,
+// they are cut at the new end, and transients that begin there or later are gone.
+Pattern with_duration(Pattern pattern, double duration_s);
+
+// Whether it has a curve or a transient.
+bool is_drawn(const Pattern& pattern);
+
+// At a time: the amplitude curve's factor; the first carrier's frequency; and A r(t) a(t), what
+// the carriers are scaled by, without their modulation and without transients. 0 g outside of the
+// pattern.
+double amplitude_factor(const Pattern& pattern, double t_s);
+double first_carrier_hz(const Pattern& pattern, double t_s);
+double envelope_g(const Pattern& pattern, double t_s);
+
+// Samples x[n] = x(n / rate_hz), n = 0 .. round(duration_s rate_hz) - 1. A carrier that its ratio
+// to the first one takes above half the rate is silent there.
 Waveform render(const Pattern& pattern, double rate_hz = kModelRateHz);
 
 }  // namespace tact

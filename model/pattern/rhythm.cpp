@@ -42,6 +42,25 @@ std::vector<Note> notes(const Rhythm& rhythm, double duration_s) {
     return result;
 }
 
+std::optional<Note> note_at(const Rhythm& rhythm, double duration_s, double t_s) {
+    assert(rhythm.unit_s > 0.0);
+    if (!(t_s >= 0.0 && t_s < duration_s)) return std::nullopt;
+    if (rhythm.text.empty()) return Note{0.0, duration_s};
+    const auto mark = [&](std::size_t step) { return rhythm.text[step % rhythm.text.size()]; };
+    const auto start_s = [&](std::size_t step) {
+        return static_cast<double>(step) * rhythm.unit_s;
+    };
+    auto step = static_cast<std::size_t>(t_s / rhythm.unit_s);
+    if (start_s(step) > t_s) --step;  // the quotient was rounded up
+    if (start_s(step + 1) <= t_s) ++step;
+    if (mark(step) == '-') return std::nullopt;
+    std::size_t first = step;
+    while (mark(first) == '=') --first;  // no text begins with =
+    std::size_t end = step + 1;
+    while (mark(end) == '=') ++end;
+    return Note{start_s(first), std::min(start_s(end), duration_s) - start_s(first)};
+}
+
 std::vector<std::size_t> onsets(std::string_view text) {
     std::vector<std::size_t> steps;
     for (std::size_t step = 0; step < text.size(); ++step) {

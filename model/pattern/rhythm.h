@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,9 @@ std::string rhythm_fault(std::string_view text);
 // The notes of a pattern, in order. The text repeats to fill the duration and the last note is
 // cut there. Asserts that the text has no fault.
 std::vector<Note> notes(const Rhythm& rhythm, double duration_s);
+
+// The note that sounds at a time, none in a rest and outside of the pattern.
+std::optional<Note> note_at(const Rhythm& rhythm, double duration_s, double t_s);
 
 // Steps at which notes start, ascending.
 std::vector<std::size_t> onsets(std::string_view text);

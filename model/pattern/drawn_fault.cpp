@@ -1,0 +1,94 @@
+#include "model/pattern/drawn_fault.h"
+
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+// Keeps the first fault, so that the checks below read as the rules do.
+struct DrawnCheck {
+    double duration_s;
+    std::optional<DrawnFault> fault;
+
+    void refuse_number(const std::string& place, const std::string& expected, double got) {
+        if (!fault) fault = DrawnFault{place, expected, shortest_digits(got)};
+    }
+
+    void number(const std::string& place, Range range, double value) {
+        if (range.contains(value)) return;
+        refuse_number(
+            place,
+            "a number of " + shortest_digits(range.low) + " to " + shortest_digits(range.high),
+            value);
+    }
+
+    void time(const std::string& place, double time_s) {
+        if (Range{0.0, duration_s}.contains(time_s)) return;
+        refuse_number(
+            place, "a time within the pattern, 0 to " + shortest_digits(duration_s) + " s", time_s);
+    }
+
+    void count(const std::string& place, std::size_t most, const std::string& things,
+               std::size_t number) {
+        if (number <= most || fault) return;
+        fault = DrawnFault{place, "at most " + grouped_digits(most) + " " + things,
+                           grouped_digits(number)};
+    }
+
+    template <class Point>
+    void times(const std::string& place, const std::vector<Point>& curve) {
+        count(place, limits::kMaxCurvePoints, "points", curve.size());
+        for (std::size_t k = 0; k < curve.size() && !fault; ++k) {
+            const std::string here = place + "/" + std::to_string(k) + "/time_s";
+            const double time_s = curve[k].time_s;
+            time(here, time_s);
+            if (k > 0 && time_s < curve[k - 1].time_s) {
+                refuse_number(here,
+                              "a time not before the last point's " +
+                                  shortest_digits(curve[k - 1].time_s) + " s",
+                              time_s);
+            }
+            if (k > 1 && time_s == curve[k - 2].time_s) {
+                refuse_number(here, "at most two points at one time, a jump", time_s);
+            }
+        }
+    }
+};
+
+void check_transient(DrawnCheck& check, const Transient& transient, const std::string& place) {
+    check.time(place + "/time_s", transient.time_s);
+    check.number(place + "/amplitude_g", limits::kAmplitudeG, transient.amplitude_g);
+    check.number(place + "/frequency_hz", limits::kCarrierHz, transient.frequency_hz);
+    check.number(place + "/duration_s", limits::kTransientS, transient.duration_s);
+}
+
+}  // namespace
+
+std::optional<DrawnFault> drawn_fault(const Pattern& pattern) {
+    DrawnCheck checks{pattern.duration_s, std::nullopt};
+    const auto at = [](const char* key, std::size_t k) { return key + ("/" + std::to_string(k)); };
+    const AmplitudeCurve& amplitudes = pattern.amplitude_curve;
+    const FrequencyCurve& frequencies = pattern.frequency_curve;
+    checks.times("amplitude_curve", amplitudes);
+    for (std::size_t k = 0; k < amplitudes.size() && !checks.fault; ++k) {
+        checks.number(at("amplitude_curve", k) + "/value", limits::kCurveValue,
+                      amplitudes[k].value);
+    }
+    checks.times("frequency_curve", frequencies);
+    for (std::size_t k = 0; k < frequencies.size() && !checks.fault; ++k) {
+        checks.number(at("frequency_curve", k) + "/frequency_hz", limits::kCarrierHz,
+                      frequencies[k].frequency_hz);
+    }
+    checks.count("transients", limits::kMaxTransients, "transients", pattern.transients.size());
+    for (std::size_t k = 0; k < pattern.transients.size() && !checks.fault; ++k) {
+        check_transient(checks, pattern.transients[k], at("transients", k));
+    }
+    return checks.fault;
+}
+
+std::string sentence(const DrawnFault& fault) {
+    return fault.place + ": expected " + fault.expected + ", got " + fault.got;
+}
+
+}  // namespace tact
