@@ -16,6 +16,7 @@ double snapped_hz(double frequency_hz, double duration_s) {
 }
 
 bool leaks(const Pattern& pattern) {
+    if (!pattern.frequency_curve.empty()) return false;  // a sweep fits no cycles anyway
     for (const Carrier& carrier : pattern.carriers) {
         const double cycles = carrier.frequency_hz * pattern.duration_s;
         if (std::abs(cycles - std::round(cycles)) > 1e-6) return true;

@@ -165,8 +165,7 @@ void draw_rows(Ui& ui, const RhythmChoice& choice,
 void draw_envelope(Ui& ui, RhythmChoice& choice, const Pattern& pattern) {
     // A rhythm repeats: of a minute, which a frame could not wait for, the beginning tells enough.
     constexpr double kLongestS = 4.0;
-    Pattern shown = pattern;
-    shown.duration_s = std::min(pattern.duration_s, kLongestS);
+    const Pattern shown = with_duration(pattern, std::min(pattern.duration_s, kLongestS));
     if (choice.previewed != shown || choice.envelope.empty()) {
         choice.previewed = shown;
         choice.envelope = rhythm_envelope(render(shown).samples_g, EnvelopeParams{});

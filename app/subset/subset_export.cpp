@@ -66,7 +66,8 @@ std::string parameter_table(const SubsetReport& report) {
             cells.push_back(value ? significant(*value, 4) : "");
         }
         const std::string rhythm = pattern == nullptr ? "measured" : pattern->rhythm.text;
-        cells.push_back(rhythm.empty() ? "" : "`" + rhythm + "`");
+        const char* curves = pattern != nullptr && is_drawn(*pattern) ? " with curves" : "";
+        cells.push_back((rhythm.empty() ? "" : "`" + rhythm + "`") + curves);
         table += row(cells);
     }
     return table;

@@ -5,7 +5,7 @@
 //           model/design_space/sobol.h.
 // Valid     at most limits::kMaxPatterns combinations; 1 to 8 carriers
 // Left out  carriers' phases, which are 0; different numbers of carriers: a weight of 0 leaves one
-//           out.
+//           out. Curves and transients: candidates have none.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 #include "model/design_space/spectral_lines.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <complex>
 
@@ -45,6 +46,7 @@ void add_carrier(std::vector<PhasorLine>& lines, const Carrier& carrier, double 
 }  // namespace
 
 std::vector<SpectralLine> spectral_lines(const Pattern& pattern) {
+    assert(!is_drawn(pattern) && "what is drawn has no lines");
     std::vector<PhasorLine> all;
     for (const Carrier& carrier : pattern.carriers) {
         add_carrier(all, carrier, pattern.amplitude_g, pattern.modulation);

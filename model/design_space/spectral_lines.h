@@ -4,7 +4,8 @@
 //
 // Source    trigonometry; the pattern is Eq. 7 of Lim & Park 2023, generalised.
 // Output    lines of different frequencies, ascending, none at 0 Hz and none of no strength
-// Valid     for what lasts longer than its rhythm's edges: those spread every line
+// Valid     for what lasts longer than its rhythm's edges: those spread every line; for patterns
+//           without curves and transients, as candidates are
 // Left out  rhythm and ramps; aliasing of lines above half the rate.
 #pragma once
 

@@ -12,14 +12,14 @@ struct DrawnCheck {
     std::optional<DrawnFault> fault;
 
     void refuse_number(const std::string& place, const std::string& expected, double got) {
-        if (!fault) fault = DrawnFault{place, expected, shortest_digits(got)};
+        if (!fault) fault = DrawnFault{place, expected, got};
     }
 
     void number(const std::string& place, Range range, double value) {
         if (range.contains(value)) return;
         refuse_number(
             place,
-            "a number of " + shortest_digits(range.low) + " to " + shortest_digits(range.high),
+            "a number from " + shortest_digits(range.low) + " to " + shortest_digits(range.high),
             value);
     }
 
@@ -33,7 +33,7 @@ struct DrawnCheck {
                std::size_t number) {
         if (number <= most || fault) return;
         fault = DrawnFault{place, "at most " + grouped_digits(most) + " " + things,
-                           grouped_digits(number)};
+                           static_cast<double>(number)};
     }
 
     template <class Point>
@@ -88,7 +88,7 @@ std::optional<DrawnFault> drawn_fault(const Pattern& pattern) {
 }
 
 std::string sentence(const DrawnFault& fault) {
-    return fault.place + ": expected " + fault.expected + ", got " + fault.got;
+    return fault.place + ": expected " + fault.expected + ", got " + shortest_digits(fault.got);
 }
 
 }  // namespace tact

@@ -14,14 +14,14 @@ namespace tact {
 
 struct DrawnFault {
     std::string place;     // of the pattern: "amplitude_curve/7/time_s"
-    std::string expected;  // "a number of 0 to 1"
-    std::string got;
+    std::string expected;  // "a number from 0 to 1"
+    double got = 0.0;
 };
 
 // The first one; none: the pattern can be rendered, edited and saved.
 std::optional<DrawnFault> drawn_fault(const Pattern& pattern);
 
-// "amplitude_curve/7/time_s: expected a number of 0 to 1, got 1.5"
+// "amplitude_curve/7/time_s: expected a number from 0 to 1, got 1.5"
 std::string sentence(const DrawnFault& fault);
 
 }  // namespace tact

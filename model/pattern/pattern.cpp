@@ -78,12 +78,12 @@ void add_transient(Waveform& waveform, const Transient& transient) {
     }
 }
 
-// Times in order within the duration, at most two of them equal.
+// Times in order, at most two of them equal.
 template <class Point>
-void keep_rules(std::vector<Point>& curve, double duration_s) {
+void keep_rules(std::vector<Point>& curve) {
     double latest_s = 0.0;
     for (Point& point : curve) {
-        latest_s = std::max(latest_s, clamp_to({0.0, duration_s}, point.time_s));
+        latest_s = std::max(latest_s, clamp_to({0.0, limits::kDurationS.high}, point.time_s));
         point.time_s = latest_s;
     }
     // Of more than two, the first and the last are the jump.
@@ -105,12 +105,12 @@ void clamp_drawn(Pattern& pattern) {
     for (FrequencyPoint& point : pattern.frequency_curve) {
         point.frequency_hz = clamp_to(limits::kCarrierHz, point.frequency_hz);
     }
-    keep_rules(pattern.amplitude_curve, pattern.duration_s);
-    keep_rules(pattern.frequency_curve, pattern.duration_s);
+    keep_rules(pattern.amplitude_curve);
+    keep_rules(pattern.frequency_curve);
     std::vector<Transient>& transients = pattern.transients;
     transients.resize(std::min(transients.size(), limits::kMaxTransients));
     for (Transient& transient : transients) {
-        transient.time_s = clamp_to({0.0, pattern.duration_s}, transient.time_s);
+        transient.time_s = clamp_to({0.0, limits::kDurationS.high}, transient.time_s);
         transient.amplitude_g = clamp_to(limits::kAmplitudeG, transient.amplitude_g);
         transient.frequency_hz = clamp_to(limits::kCarrierHz, transient.frequency_hz);
         transient.duration_s = clamp_to(limits::kTransientS, transient.duration_s);
@@ -136,9 +136,9 @@ Pattern clamped(Pattern pattern) {
     pattern.rhythm.unit_s = clamp_to(limits::kRhythmUnitS, pattern.rhythm.unit_s);
     pattern.attack_s = clamp_to(limits::kRampS, pattern.attack_s);
     pattern.release_s = clamp_to(limits::kRampS, pattern.release_s);
-    pattern.duration_s = clamp_to(limits::kDurationS, pattern.duration_s);
     clamp_drawn(pattern);
-    return pattern;
+    const double length_s = clamp_to(limits::kDurationS, pattern.duration_s);
+    return with_duration(std::move(pattern), length_s);
 }
 
 Pattern with_duration(Pattern pattern, double duration_s) {
@@ -146,7 +146,7 @@ Pattern with_duration(Pattern pattern, double duration_s) {
     cut_at(pattern.amplitude_curve, duration_s);
     cut_at(pattern.frequency_curve, duration_s);
     std::erase_if(pattern.transients,
-                  [&](const Transient& transient) { return transient.time_s >= duration_s; });
+                  [&](const Transient& transient) { return transient.time_s > duration_s; });
     return pattern;
 }
 

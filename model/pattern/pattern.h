@@ -73,12 +73,12 @@ inline constexpr std::size_t kMaxCarriers = 8;
 inline constexpr std::size_t kMaxPatterns = 10'000;
 }  // namespace limits
 
-// The pattern with every number moved to the nearest one in range, and curves so that they have no
-// fault (model/pattern/drawn_fault.h).
+// The pattern with every number moved to the nearest one in range, and what was drawn as
+// with_duration() leaves it: without fault (model/pattern/drawn_fault.h).
 Pattern clamped(Pattern pattern);
 
 // The pattern as long as that. What was drawn stays where it is: longer, curves are held; shorter,
-// they are cut at the new end, and transients that begin there or later are gone.
+// they are cut at the new end, and transients that begin behind it are gone.
 Pattern with_duration(Pattern pattern, double duration_s);
 
 // Whether it has a curve or a transient.

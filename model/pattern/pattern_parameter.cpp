@@ -31,7 +31,9 @@ auto* number_of(SomePattern& pattern, PatternParameter parameter) {
         case PatternParameter::amplitude:
             return &pattern.amplitude_g;
         case PatternParameter::carrier:
-            return pattern.carriers.empty() ? none : &pattern.carriers[0].frequency_hz;
+            // A drawn frequency is no number.
+            if (pattern.carriers.empty() || !pattern.frequency_curve.empty()) return none;
+            return &pattern.carriers[0].frequency_hz;
         case PatternParameter::second_carrier:
             return has_second ? &pattern.carriers[1].frequency_hz : none;
         case PatternParameter::mix:

@@ -2,7 +2,8 @@
 //
 // Input     a parametric pattern
 // Valid     of the carriers, the first and the second; the second's weight is the mix
-// Left out  phases, further carriers, the rhythm's notes, the duration, which all patterns share.
+// Left out  phases, further carriers, the rhythm's notes, what is drawn, the duration, which all
+//           patterns share.
 #pragma once
 
 #include <array>
@@ -44,7 +45,8 @@ struct ParameterTraits {
 
 const ParameterTraits& traits(PatternParameter parameter);
 
-// None where the pattern has no such number: no second carrier, no depth of a product.
+// None where the pattern has no such number: no second carrier, no depth of a product, no carrier
+// where its frequency is a curve.
 std::optional<double> value_of(const Pattern& pattern, PatternParameter parameter);
 
 // The pattern with the number put in range; unchanged where it has none.

@@ -1,6 +1,7 @@
 #include "model/pattern/same_vibration.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <tuple>
@@ -17,6 +18,32 @@ double rounded(double value) {
     if (value == 0.0) return 0.0;
     const double scale = portable::pow(10.0, 11.0 - std::floor(portable::log10(std::abs(value))));
     return std::round(value * scale) / scale;
+}
+
+template <class Point>
+bool is_flat(const std::vector<Point>& curve, double Point::*height) {
+    return std::ranges::all_of(curve,
+                               [&](const Point& p) { return p.*height == curve.front().*height; });
+}
+
+// With curves that are flat as the numbers that they stand for, and with carriers as multiples of
+// the first one where that is drawn.
+Pattern plainly(Pattern pattern) {
+    AmplitudeCurve& amplitude = pattern.amplitude_curve;
+    if (!amplitude.empty() && is_flat(amplitude, &AmplitudePoint::value)) {
+        pattern.amplitude_g *= amplitude.front().value;
+        amplitude.clear();
+    }
+    FrequencyCurve& frequency = pattern.frequency_curve;
+    if (frequency.empty() || pattern.carriers.empty()) return pattern;
+    const bool steady = is_flat(frequency, &FrequencyPoint::frequency_hz);
+    const double by_hz = steady ? frequency.front().frequency_hz : 1.0;
+    const double first_hz = pattern.carriers.front().frequency_hz;
+    for (Carrier& carrier : pattern.carriers) {
+        carrier.frequency_hz = rounded(by_hz * (carrier.frequency_hz / first_hz));
+    }
+    if (steady) frequency.clear();
+    return pattern;
 }
 
 // Carriers that sound, by frequency and phase; those of one frequency and phase as one.
@@ -61,6 +88,44 @@ void add_notes(std::vector<double>& numbers, const Pattern& pattern) {
     }
 }
 
+// Each behind a number that begins nothing else.
+void add_curves(std::vector<double>& numbers, const Pattern& pattern) {
+    for (const AmplitudePoint& point : pattern.amplitude_curve) {
+        numbers.insert(numbers.end(), {-3.0, rounded(point.time_s), rounded(point.value)});
+    }
+    for (const FrequencyPoint& point : pattern.frequency_curve) {
+        numbers.insert(numbers.end(), {-4.0, rounded(point.time_s), rounded(point.frequency_hz)});
+    }
+}
+
+void add_transients(std::vector<double>& numbers, const Pattern& pattern) {
+    std::vector<std::array<double, 6>> all;
+    for (const Transient& one : pattern.transients) {
+        if (one.amplitude_g == 0.0 || one.time_s >= pattern.duration_s) continue;
+        all.push_back({-5.0, rounded(one.time_s), rounded(one.amplitude_g),
+                       rounded(one.frequency_hz), rounded(one.duration_s),
+                       one.shape == TransientShape::sine ? 0.0 : 1.0});
+    }
+    std::ranges::sort(all);
+    for (const auto& one : all) numbers.insert(numbers.end(), one.begin(), one.end());
+}
+
+// What the carriers are; nothing of it where they are silent.
+void add_carriers(std::vector<double>& numbers, const Pattern& pattern) {
+    const std::vector<Carrier> carriers = sounding(pattern);
+    if (carriers.empty()) return;
+    const std::size_t silent = numbers.size();
+    add_notes(numbers, pattern);
+    if (numbers.size() == silent) return;
+    numbers.insert(numbers.end(), {-1.0, rounded(pattern.attack_s), rounded(pattern.release_s)});
+    add_modulation(numbers, pattern.modulation);
+    for (const Carrier& carrier : carriers) {
+        numbers.insert(numbers.end(), {-2.0, rounded(carrier.frequency_hz), rounded(carrier.weight),
+                                       rounded(carrier.phase_rad)});
+    }
+    add_curves(numbers, pattern);
+}
+
 std::uint64_t digest_of(std::span<const double> numbers) {
     std::uint64_t digest = numbers.size();
     for (const double number : numbers) {
@@ -74,17 +139,8 @@ std::uint64_t digest_of(std::span<const double> numbers) {
 std::vector<double> essence(const Pattern& pattern) {
     std::vector<double> numbers{
         static_cast<double>(sample_count(pattern.duration_s, kModelRateHz))};
-    const std::vector<Carrier> carriers = sounding(pattern);
-    if (carriers.empty()) return numbers;
-    const std::size_t silent = numbers.size();
-    add_notes(numbers, pattern);
-    if (numbers.size() == silent) return numbers;
-    numbers.insert(numbers.end(), {-1.0, rounded(pattern.attack_s), rounded(pattern.release_s)});
-    add_modulation(numbers, pattern.modulation);
-    for (const Carrier& carrier : carriers) {
-        numbers.insert(numbers.end(), {-2.0, rounded(carrier.frequency_hz), rounded(carrier.weight),
-                                       rounded(carrier.phase_rad)});
-    }
+    add_carriers(numbers, plainly(pattern));
+    add_transients(numbers, pattern);
     return numbers;
 }
 

@@ -9,6 +9,9 @@
 // and count, so that a rhythm that is cut off rises and falls at the ends. MATLAB's movmean(x, 100)
 // takes x[n-50] .. x[n+49] and, at the ends, the mean of the samples there are.
 //
+// It is taken of what reaches the skin, so a drawn amplitude and transients are part of it as ramps
+// and modulation are: a pulse is felt as an onset whether it was written as a note or drawn.
+//
 // Source    Lim & Park 2023, section 5; alignment and normalisation are ours.
 // Input     samples in g at 10 kHz, mean not removed
 // Output    as many values; silence stays zero

@@ -30,59 +30,6 @@ void restore_text(Json& document, const std::string& unknown_json) {
     if (unknown.is_object()) restore_unknown(document, unknown);
 }
 
-Carrier carrier_of(JsonObject& object) {
-    Carrier carrier;
-    carrier.frequency_hz =
-        number_field(object, "frequency_hz", carrier.frequency_hz, limits::kCarrierHz);
-    carrier.weight = number_field(object, "weight", carrier.weight, limits::kCarrierWeight);
-    carrier.phase_rad = number_field(object, "phase_rad", carrier.phase_rad, limits::kPhaseRad);
-    return carrier;
-}
-
-std::vector<Carrier> carriers_of(JsonObject& object, Json& unknown) {
-    std::vector<Carrier> carriers;
-    read_objects(object, "carriers", 1, limits::kMaxCarriers, unknown,
-                 [&](JsonObject& one, Json&) { carriers.push_back(carrier_of(one)); });
-    return carriers.empty() ? std::vector<Carrier>(1) : carriers;
-}
-
-Modulation modulation_of(JsonObject& object, Json& unknown) {
-    JsonObject fields = object_field(object, "modulation");
-    Modulation modulation;
-    modulation.kind =
-        static_cast<ModulationKind>(choice_field(fields, "kind", 0, kModulationKinds));
-    modulation.frequency_hz = number_field(fields, "frequency_hz", 0.0, limits::kModulationHz);
-    modulation.depth = number_field(fields, "depth", modulation.depth, limits::kDepth);
-    note_unknown(unknown, "modulation", unknown_fields(fields));
-    return modulation;
-}
-
-Rhythm rhythm_of(JsonObject& object, Json& unknown) {
-    JsonObject fields = object_field(object, "rhythm");
-    Rhythm rhythm;
-    rhythm.text = text_field(fields, "text", "");
-    if (const std::string fault = rhythm_fault(rhythm.text); !fault.empty()) {
-        refuse(*object.reading, place_of(fields, "text"), "a rhythm (" + fault + ")", rhythm.text);
-        rhythm.text.clear();
-    }
-    rhythm.unit_s = number_field(fields, "unit_s", rhythm.unit_s, limits::kRhythmUnitS);
-    note_unknown(unknown, "rhythm", unknown_fields(fields));
-    return rhythm;
-}
-
-Pattern pattern_of(JsonObject& object, double set_duration_s, Json& unknown) {
-    Pattern pattern;
-    pattern.amplitude_g =
-        number_field(object, "amplitude_g", pattern.amplitude_g, limits::kAmplitudeG);
-    pattern.carriers = carriers_of(object, unknown);
-    pattern.modulation = modulation_of(object, unknown);
-    pattern.rhythm = rhythm_of(object, unknown);
-    pattern.attack_s = number_field(object, "attack_s", pattern.attack_s, limits::kRampS);
-    pattern.release_s = number_field(object, "release_s", pattern.release_s, limits::kRampS);
-    pattern.duration_s = number_field(object, "duration_s", set_duration_s, limits::kDurationS);
-    return pattern;
-}
-
 Measurement measurement_of(JsonObject& object) {
     Measurement measurement;
     measurement.path = text_field(object, "waveform", "");
@@ -228,31 +175,6 @@ std::string path_from(const fs::path& folder, const std::string& path) {
     return relative.empty() ? path : relative.generic_string();
 }
 
-Json json_of(const Pattern& pattern, double set_duration_s) {
-    Json fields = Json::object();
-    const Pattern defaults;
-    fields["amplitude_g"] = pattern.amplitude_g;
-    fields["carriers"] = Json::array();
-    for (const Carrier& carrier : pattern.carriers) {
-        Json one = {{"frequency_hz", carrier.frequency_hz}, {"weight", carrier.weight}};
-        if (carrier.phase_rad != 0.0) one["phase_rad"] = carrier.phase_rad;
-        fields["carriers"].push_back(one);
-    }
-    if (pattern.modulation != defaults.modulation) {
-        Json& modulation = fields["modulation"];
-        modulation["kind"] = kModulationKinds[static_cast<std::size_t>(pattern.modulation.kind)];
-        modulation["frequency_hz"] = pattern.modulation.frequency_hz;
-        if (pattern.modulation.depth != 1.0) modulation["depth"] = pattern.modulation.depth;
-    }
-    if (pattern.rhythm != defaults.rhythm) {
-        fields["rhythm"] = {{"text", pattern.rhythm.text}, {"unit_s", pattern.rhythm.unit_s}};
-    }
-    if (pattern.attack_s != 0.0) fields["attack_s"] = pattern.attack_s;
-    if (pattern.release_s != 0.0) fields["release_s"] = pattern.release_s;
-    if (pattern.duration_s != set_duration_s) fields["duration_s"] = pattern.duration_s;
-    return fields;
-}
-
 Json json_of(const Measurement& measurement, const fs::path& folder) {
     const std::string path = path_from(folder, measurement.path);
     const bool is_text = !first_invalid_utf8(path);
@@ -262,6 +184,17 @@ Json json_of(const Measurement& measurement, const fs::path& folder) {
     if (!measurement.measures.empty()) fields["measures"] = measurement.measures;
     if (measurement.synthetic) fields["synthetic"] = true;
     return fields;
+}
+
+// What was noted of points by position has nowhere to go once a curve is gone.
+void restore_unknown_of(Json& fields, const Vibration& vibration) {
+    Json unknown = Json::parse(vibration.unknown_json, nullptr, false);
+    if (!unknown.is_object()) return;
+    for (const char* key : kDrawnKeys) {
+        const bool is_gone = !fields.contains(key);
+        if (is_gone && std::holds_alternative<Pattern>(vibration.source)) unknown.erase(key);
+    }
+    restore_unknown(fields, unknown);
 }
 
 Json json_of(const Vibration& vibration, double set_duration_s, const fs::path& folder) {
@@ -274,7 +207,7 @@ Json json_of(const Vibration& vibration, double set_duration_s, const fs::path& 
     if (!vibration.colour.empty()) fields["colour"] = vibration.colour;
     if (!vibration.note.empty()) fields["note"] = vibration.note;
     if (vibration.generated) fields["generated"] = true;
-    restore_text(fields, vibration.unknown_json);
+    restore_unknown_of(fields, vibration);
     return fields;
 }
 

@@ -56,4 +56,28 @@ TEST_CASE("rhythm: a note drawn from one step to another replaces what was there
     CHECK(onsets("-x=xx-") == std::vector<std::size_t>{1, 3, 4});
 }
 
+TEST_CASE("rhythm: the note at a time is the one of the list that holds it") {
+    for (const char* text : {"", "x", "x-", "x=-xx=", "--x", "-"}) {
+        for (const double unit_s : {0.1, 0.07, 1.0 / 3.0}) {
+            const Rhythm rhythm{text, unit_s};
+            const auto list = notes(rhythm, 1.3);
+            for (int n = -10; n < 1400; ++n) {
+                const double t = n / 1000.0;
+                std::optional<Note> expected;
+                for (std::size_t k = 0; k < list.size(); ++k) {
+                    const bool last = k + 1 == list.size();
+                    const double end_s = list[k].onset_s + list[k].length_s;
+                    const bool ended = t >= end_s || (!last && t >= list[k + 1].onset_s);
+                    if (t >= list[k].onset_s && !ended) expected = list[k];
+                }
+                const auto got = note_at(rhythm, 1.3, t);
+                REQUIRE(got.has_value() == expected.has_value());
+                if (!got) continue;
+                CHECK(got->onset_s == expected->onset_s);
+                CHECK(got->length_s == expected->length_s);
+            }
+        }
+    }
+}
+
 }  // namespace rhythm_test

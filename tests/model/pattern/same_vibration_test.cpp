@@ -101,4 +101,69 @@ TEST_CASE("same vibration: every audible change makes another one") {
     for (const Pattern& other : others) CHECK_FALSE(seen.add(other));
 }
 
+TEST_CASE("same vibration: drawn in other words it is the same, as its samples are") {
+    const auto sweep = [](Pattern& p) { p.frequency_curve = {{0.0, 50.0}, {1.0, 200.0}}; };
+    const std::pair<Pattern, Pattern> same[] = {
+        {changed([](Pattern& p) {
+             p.amplitude_curve = {{0.0, 1.0}, {0.4, 1.0}};
+         }),
+         two_carriers()},
+        {changed([](Pattern& p) {
+             p.amplitude_curve = {{0.2, 0.5}};
+             p.amplitude_g = 2.0;
+         }),
+         two_carriers()},
+        {changed([](Pattern& p) {
+             p.frequency_curve = {{0.0, 70.0}, {0.9, 70.0}};
+         }),
+         two_carriers()},
+        {changed(sweep), changed([&](Pattern& p) {
+             sweep(p);
+             p.carriers[0].frequency_hz *= 2.0;  // only their ratio counts
+             p.carriers[1].frequency_hz *= 2.0;
+         })},
+        {changed([](Pattern& p) {
+             p.transients = {{0.1}, {0.5}};
+         }),
+         changed([](Pattern& p) {
+             p.transients = {{0.5}, {0.1}, {0.2, 0.0}, {1.0}};  // of 0 g, and at the end
+         })},
+    };
+    for (const auto& [a, b] : same) {
+        CHECK(essence(a) == essence(b));
+        CHECK(largest_difference_g(a, b) < 1e-12);
+    }
+}
+
+TEST_CASE("same vibration: every change of what is drawn makes another one") {
+    const auto drawn = [](const std::function<void(Pattern&)>& change) {
+        return changed([&](Pattern& p) {
+            p.amplitude_curve = {{0.0, 0.5}, {1.0, 1.0}};
+            p.frequency_curve = {{0.0, 50.0}, {1.0, 200.0}};
+            p.transients = {{0.1}};
+            change(p);
+        });
+    };
+    const Pattern all[] = {
+        two_carriers(),
+        drawn([](Pattern&) {}),
+        drawn([](Pattern& p) { p.amplitude_curve.clear(); }),
+        drawn([](Pattern& p) { p.amplitude_curve[0].value = 0.51; }),
+        drawn([](Pattern& p) { p.amplitude_curve[0].time_s = 0.01; }),
+        drawn([](Pattern& p) { p.frequency_curve.clear(); }),
+        drawn([](Pattern& p) { p.frequency_curve[1].frequency_hz = 201.0; }),
+        drawn([](Pattern& p) { std::swap(p.carriers[0], p.carriers[1]); }),
+        drawn([](Pattern& p) { p.transients.clear(); }),
+        drawn([](Pattern& p) { p.transients[0].shape = TransientShape::square; }),
+        drawn([](Pattern& p) { p.transients[0].duration_s = 0.03; }),
+        drawn([](Pattern& p) { p.transients.push_back({0.2}); }),
+        // Silent but for the transient.
+        drawn([](Pattern& p) { p.amplitude_g = 0.0; }),
+        changed([](Pattern& p) { p.amplitude_g = 0.0; }),
+    };
+    SeenVibrations seen;
+    for (const Pattern& one : all) CHECK(seen.add(one));
+    for (const Pattern& one : all) CHECK_FALSE(seen.add(one));
+}
+
 }  // namespace same_vibration_test

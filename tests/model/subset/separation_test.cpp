@@ -156,6 +156,15 @@ TEST_CASE("pattern parameters: steps go up and down again, and stay in range") {
     CHECK_FALSE(value_of(plain, PatternParameter::second_carrier));
     CHECK_FALSE(value_of(plain, PatternParameter::depth));
     CHECK(with_value(plain, PatternParameter::second_carrier, 80.0) == plain);
+    Pattern drawn;
+    drawn.amplitude_curve = {{0.5, 0.25}};
+    drawn.frequency_curve = {{0.5, 80.0}};
+    drawn.transients = {{0.5}};
+    CHECK_FALSE(value_of(drawn, PatternParameter::carrier));
+    CHECK(with_value(drawn, PatternParameter::carrier, 90.0) == drawn);
+    Pattern louder = drawn;
+    louder.amplitude_g = 2.0;
+    CHECK(with_value(drawn, PatternParameter::amplitude, 2.0) == louder);
     CHECK(value_of(with_value(plain, PatternParameter::attack, 0.25), PatternParameter::attack) ==
           0.25);
 }

@@ -87,6 +87,21 @@ DesignSpace design_space(Dice& dice) {
     return space;
 }
 
+void draw(Dice& dice, Pattern& pattern) {
+    const Range times{0.0, pattern.duration_s};
+    std::vector<double> times_s;
+    for (std::size_t k = dice.below(8); k > 0; --k) times_s.push_back(dice.within(times));
+    std::ranges::sort(times_s);
+    for (const double time_s : times_s) {
+        pattern.amplitude_curve.push_back({time_s, dice.within(limits::kCurveValue)});
+        pattern.frequency_curve.push_back({time_s, dice.within(limits::kCarrierHz)});
+        pattern.transients.push_back(
+            {dice.within(times), dice.within(limits::kAmplitudeG), dice.within(limits::kCarrierHz),
+             dice.within(limits::kTransientS), static_cast<TransientShape>(dice.below(2))});
+    }
+    pattern = clamped(std::move(pattern));  // of several points at one time two stay
+}
+
 Pattern pattern(Dice& dice) {
     Pattern pattern;
     pattern.amplitude_g = dice.within(limits::kAmplitudeG);
@@ -101,6 +116,7 @@ Pattern pattern(Dice& dice) {
     pattern.attack_s = dice.one_in(2) ? 0.0 : 5e-324;
     pattern.release_s = dice.within(limits::kRampS);
     pattern.duration_s = dice.within(limits::kDurationS);
+    if (dice.one_in(2)) draw(dice, pattern);
     return pattern;
 }
 

@@ -1,0 +1,104 @@
+#include <doctest/doctest.h>
+
+#include "model/io/set/set_file.h"
+#include "model/io/set/set_fingerprint.h"
+#include "tests/support/set_texts.h"
+
+namespace drawn_set_test {
+
+using namespace tact;
+
+namespace {
+
+std::string refusal_of(const std::string& fields) {
+    const auto set = parse_set(with_pattern(fields), "s.json", {});
+    return set ? "" : set.error().message;
+}
+
+Pattern drawn() {
+    Pattern pattern;
+    pattern.duration_s = 0.7;
+    pattern.amplitude_curve = {{0.0, 1.0 / 3.0}, {0.1, 1.0}, {0.1, 0.25}, {0.7, 0.0}};
+    pattern.frequency_curve = {{1e-300, 1000.0 / 7.0}, {0.69999999999999996, 0.1}};
+    pattern.transients = {{0.65, 1.0 / 9.0, 77.7, 0.25, TransientShape::square},
+                          {0.1, 50.0, 300.0, 0.001, TransientShape::sine}};
+    return pattern;
+}
+
+PatternSet set_with(const Pattern& pattern) {
+    PatternSet set;
+    set.vibrations.push_back({"drawn", pattern, false, "", "", {}});
+    return set;
+}
+
+}  // namespace
+
+TEST_CASE("drawn sets: curves and transients survive, to the last bit") {
+    const PatternSet set = set_with(drawn());
+    const auto again = parse_set(print_set(set), "s.json", {});
+    REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
+    CHECK(*again == set);
+}
+
+TEST_CASE("drawn sets: what is not drawn is not written, and the format is the old one") {
+    const std::string text = print_set(set_with(Pattern{}));
+    CHECK(text.find("curve") == text.npos);
+    CHECK(text.find("transients") == text.npos);
+    CHECK(print_set(set_with(drawn())).find("\"tactspace\": 1") != text.npos);
+}
+
+TEST_CASE("drawn sets: what is refused is told with its place") {
+    CHECK(refusal_of(R"(, "amplitude_curve": [{"time_s": 0, "value": 1.5}])") ==
+          "s.json: /patterns/0/amplitude_curve/0/value: expected a number from 0 to 1, got 1.5");
+    CHECK(refusal_of(R"(, "amplitude_curve": [{"time_s": 1.5, "value": 1}])") ==
+          "s.json: /patterns/0/amplitude_curve/0/time_s: expected a time within the pattern, "
+          "0 to 1 s, got 1.5");
+    CHECK(refusal_of(R"(, "frequency_curve": [{"time_s": 0.5, "frequency_hz": 9},
+                         {"time_s": 0.25, "frequency_hz": 9}])")
+              .starts_with("s.json: /patterns/0/frequency_curve/1/time_s: expected a time not "
+                           "before the last point's 0.5 s"));
+    CHECK(refusal_of(R"(, "frequency_curve": [{"time_s": 0.5}])") ==
+          "s.json: /patterns/0/frequency_curve/0/frequency_hz: expected a number, it is missing");
+    CHECK(refusal_of(R"(, "transients": [{"time_s": 0.5}, {}])") ==
+          "s.json: /patterns/0/transients/1/time_s: expected a number, it is missing");
+    CHECK(refusal_of(R"(, "transients": [{"time_s": 0.5, "shape": "saw"}])")
+              .starts_with("s.json: /patterns/0/transients/0/shape: "));
+    CHECK(refusal_of(R"(, "transients": [{"time_s": 0.5, "duration_s": 2}])")
+              .starts_with("s.json: /patterns/0/transients/0/duration_s: "));
+    std::string many = R"({"time_s": 0.5, "value": 1})";
+    for (int k = 0; k < 500; ++k) many += R"(, {"time_s": 0.5, "value": 1})";
+    CHECK(refusal_of(R"(, "amplitude_curve": [)" + many + "]")
+              .starts_with("s.json: /patterns/0/amplitude_curve: "));
+}
+
+TEST_CASE("drawn sets: what is unknown of a point stays with it, and goes with its curve") {
+    const std::string text =
+        with_pattern(R"(, "amplitude_curve": [{"time_s": 0.5, "value": 1, "tension": 3}])");
+    auto set = parse_set(text, "s.json", {});
+    REQUIRE(set);
+    CHECK(print_set(*set).find("tension") != std::string::npos);
+    std::get<Pattern>(set->vibrations[0].source).amplitude_curve.clear();
+    const std::string cleared = print_set(*set);
+    CHECK(cleared.find("amplitude_curve") == std::string::npos);
+    CHECK(parse_set(cleared, "s.json", {}));
+}
+
+TEST_CASE("drawn sets: each number of what is drawn makes another fingerprint") {
+    const std::uint64_t plain = vibrations_fingerprint(set_with(Pattern{}));
+    const std::uint64_t number = vibrations_fingerprint(set_with(drawn()));
+    CHECK(number != plain);
+    const auto differs = [&](auto change) {
+        Pattern pattern = drawn();
+        change(pattern);
+        return vibrations_fingerprint(set_with(pattern)) != number && pattern != drawn();
+    };
+    CHECK(differs([](Pattern& p) { p.amplitude_curve[1].value = 0.5; }));
+    CHECK(differs([](Pattern& p) { p.amplitude_curve[3].time_s = 0.6; }));
+    CHECK(differs([](Pattern& p) { p.frequency_curve[1].frequency_hz = 0.2; }));
+    CHECK(differs([](Pattern& p) { p.frequency_curve[1].time_s = 0.6; }));
+    CHECK(differs([](Pattern& p) { p.transients[0].shape = TransientShape::sine; }));
+    CHECK(differs([](Pattern& p) { p.transients[0].duration_s = 0.1; }));
+    CHECK(differs([](Pattern& p) { p.transients.pop_back(); }));
+}
+
+}  // namespace drawn_set_test
