@@ -135,6 +135,9 @@ TEST_CASE("drawn fault: every rule is refused with its place, and what obeys all
           "amplitude_curve/3/time_s: expected a time not before the last point's 0.5 s, got 0.25");
     CHECK(with([](Pattern& p) { p.amplitude_curve[3].time_s = 0.5; }) ==
           "amplitude_curve/3/time_s: expected at most two points at one time, a jump, got 0.5");
+    CHECK(with([](Pattern& p) {
+              p.amplitude_curve = {{0.5}, {0.5}, {0.5}};
+          }).starts_with("amplitude_curve/2/time_s: expected at most two"));
     CHECK(with([](Pattern& p) { p.frequency_curve[1].frequency_hz = 0.0; }) ==
           "frequency_curve/1/frequency_hz: expected a number from 0.1 to 1000, got 0");
     CHECK(with([](Pattern& p) {

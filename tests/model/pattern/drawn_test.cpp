@@ -153,11 +153,11 @@ TEST_CASE("drawn: the outline of a pattern is what its samples reach") {
 TEST_CASE("drawn: shorter, a pattern keeps what is within it; longer, all; and stays valid") {
     Pattern pattern;
     pattern.amplitude_curve = {{0.0, 0.0}, {1.0, 1.0}};
-    pattern.frequency_curve = {{0.1, 100.0}, {0.2, 200.0}};
+    pattern.frequency_curve = {{0.1, 100.0}, {0.9, 200.0}};
     pattern.transients = {{0.1}, {0.9}};
     const Pattern half = with_duration(pattern, 0.5);
     CHECK(half.amplitude_curve == AmplitudeCurve{{0.0, 0.0}, {0.5, 0.5}});
-    CHECK(half.frequency_curve == pattern.frequency_curve);
+    CHECK(half.frequency_curve == FrequencyCurve{{0.1, 100.0}, {0.5, 150.0}});
     CHECK(half.transients.size() == 1);
     CHECK(!drawn_fault(half));
     const auto whole = render(pattern).samples_g;

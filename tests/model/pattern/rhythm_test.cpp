@@ -58,7 +58,8 @@ TEST_CASE("rhythm: a note drawn from one step to another replaces what was there
 
 TEST_CASE("rhythm: the note at a time is the one of the list that holds it") {
     for (const char* text : {"", "x", "x-", "x=-xx=", "--x", "-"}) {
-        for (const double unit_s : {0.1, 0.07, 1.0 / 3.0}) {
+        // 0.147 / 0.003 is less than 49, and 49 x 0.003 is 0.147.
+        for (const double unit_s : {0.1, 0.07, 0.003, 1.0 / 3.0}) {
             const Rhythm rhythm{text, unit_s};
             const auto list = notes(rhythm, 1.3);
             for (int n = -10; n < 1400; ++n) {
