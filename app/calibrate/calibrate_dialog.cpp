@@ -65,8 +65,11 @@ void draw_kind(Ui& ui, CalibrateState& calibrating, bool& changed) {
            "twice the drive is twice the g");
     choice("sweep", "sweep", true, "One sine that rises: shorter, and at one level only");
     ImGui::NewLine();
-    changed |= draw_number_entry(ui, "calibrate:low", "From", params.low_hz, kToneRangeHz, "Hz");
-    changed |= draw_number_entry(ui, "calibrate:high", "To", params.high_hz, kToneRangeHz, "Hz");
+    const CalibrationParams normal;
+    changed |= draw_number_row(ui, {"calibrate:low", "From", normal.low_hz, kToneRangeHz, "Hz"},
+                               params.low_hz);
+    changed |= draw_number_row(ui, {"calibrate:high", "To", normal.high_hz, kToneRangeHz, "Hz"},
+                               params.high_hz);
     params.high_hz = std::max(params.high_hz, params.low_hz);
 }
 
@@ -216,11 +219,16 @@ void draw_about_part(Ui& ui, CalibrateState& calibrating) {
     draw_words(ui, "calibrate:gain", "Gain", "of amplifier and mixer: another makes it invalid",
                about.gain_note);
     draw_words(ui, "calibrate:sensor", "Sensor", "what it was recorded with", about.sensor);
-    draw_number_entry(ui, "calibrate:mass", "Moved mass", about.load_mass_g, {0.0, 1e5}, "g");
-    draw_number_entry(ui, "calibrate:excursion", "Travel", about.excursion_limit_mm, {0.0, 100.0},
-                      "mm to either side at most; 0: not known");
-    draw_number_entry(ui, "calibrate:rms", "Heat", about.rms_limit, {0.0, 1.0},
-                      "of full scale, rms over a second at most; 0: not known");
+    const auto row = [&](const char* id, const char* label, double Calibration::*number,
+                         double most, const char* unit) {
+        const double normal = Calibration{}.*number;
+        draw_number_row(ui, {id, label, normal, {0.0, most}, unit}, about.*number);
+    };
+    row("calibrate:mass", "Moved mass", &Calibration::load_mass_g, 1e5, "g");
+    row("calibrate:excursion", "Travel", &Calibration::excursion_limit_mm, 100.0,
+        "mm to either side at most; 0: not known");
+    row("calibrate:rms", "Heat", &Calibration::rms_limit, 1.0,
+        "of full scale, rms over a second at most; 0: not known");
 }
 
 // They scroll where the screen is too low for them: the buttons below stay in sight.

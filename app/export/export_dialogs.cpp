@@ -65,8 +65,9 @@ NumberEntry entry_of(const Ui& ui, const char* id, const char* label, Range allo
             .width_px = 90.0F * ui.theme.scale};
 }
 
-void draw_size(Ui& ui, PictureSize& size) {
+void draw_size(Ui& ui, const Workspace& work, PictureView view, PictureSize& size) {
     draw_label(ui, "Size");
+    if (is_reset_asked(ui)) suit(size, view, !work.selection.pinned.empty());
     enter_whole(ui, entry_of(ui, "width", "Width", kPixels), size.width);
     note_item(ui.rects, "export:width", std::to_string(size.width));
     ImGui::SameLine();
@@ -78,6 +79,7 @@ void draw_size(Ui& ui, PictureSize& size) {
     dim_text(ui, "pixels");
     draw_label(ui, "Text");
     double scale = static_cast<double>(size.scale);
+    if (reset_by_label(ui, 1.0, scale)) size.scale = PictureSize{}.scale;
     if (enter_number(ui, entry_of(ui, "scale", "Text", kTextScale), scale)) {
         size.scale = static_cast<float>(scale);
     }
@@ -89,14 +91,16 @@ void draw_size(Ui& ui, PictureSize& size) {
 void draw_view_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
     if (!begin_dialog(ui, "Export view")) return;
     draw_views(ui, work, kPictureViews, exports.view, exports.picture_size);
-    draw_size(ui, exports.picture_size);
+    draw_size(ui, work, exports.view, exports.picture_size);
     dim_text(ui, "PNG for pixels, SVG to magnify and to edit: by the ending of the name.");
     if (!draw_ends(ui, "Choose a file...", true)) return;
     choose_picture(ui, work, exports);
 }
 
-void draw_seconds(Ui& ui, const Workspace& work, const char* id, const char* label, double& value) {
+void draw_seconds(Ui& ui, const Workspace& work, const char* id, const char* label, double normal,
+                  double& value) {
     draw_label(ui, label);
+    reset_by_label(ui, normal, value);
     NumberEntry entry = entry_of(ui, id, label, {0.0, shown_duration_s(work)});
     entry.rules.unit = "s";
     enter_number(ui, entry, value);
@@ -109,9 +113,10 @@ void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) 
     if (!begin_dialog(ui, "Export animation")) return;
     constexpr std::array<PictureView, 2> kMoving{PictureView::physiology, PictureView::window};
     draw_views(ui, work, kMoving, exports.moving_view, exports.frame_size);
-    draw_seconds(ui, work, "from", "From", exports.from_s);
-    draw_seconds(ui, work, "to", "To", exports.to_s);
+    draw_seconds(ui, work, "from", "From", 0.0, exports.from_s);
+    draw_seconds(ui, work, "to", "To", shown_duration_s(work), exports.to_s);
     draw_label(ui, "Frames");
+    reset_by_label(ui, ExportState{}.frames, exports.frames);
     enter_whole(ui, entry_of(ui, "frames", "Frames", {1.0, kMostFrames}), exports.frames);
     note_item(ui.rects, "export:frames", std::to_string(exports.frames));
     const double duration_s = shown_duration_s(work);
@@ -129,7 +134,7 @@ void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) 
     }
     ImGui::SameLine();
     dim_text(ui, text);
-    draw_size(ui, exports.frame_size);
+    draw_size(ui, work, exports.moving_view, exports.frame_size);
     if (!draw_ends(ui, "Choose a folder...", is_good)) return;
     choose_frames(ui, work);
 }

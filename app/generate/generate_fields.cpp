@@ -53,18 +53,23 @@ void draw_levels(Ui& ui, GenerateState& generating, const std::string& id,
 
 // "any" stands for values that are not moved.
 void draw_multiple(Ui& ui, GenerateState& generating, const std::string& id, double& multiple,
-                   double times) {
+                   const Unit& unit) {
     constexpr const char* kAny = "any";
-    const std::string shown = multiple == 0.0 ? kAny : short_digits(times * multiple);
+    const std::string shown = multiple == 0.0 ? kAny : short_digits(unit.times * multiple);
     const auto typed = draw_entry(ui, generating, id, shown, 62.0F * ui.theme.scale);
     draw_tooltip(ui,
                  "Values are moved to the nearest multiple of this. Multiples of 1 / duration "
                  "do not leak.");
     if (!typed) return;
-    const auto number = *typed == kAny ? std::optional(0.0) : finite_number_in(*typed);
-    const bool good = number && limits::kMultiple.contains(*number / times);
-    if (good) multiple = *number / times;
-    if (!good) generating.takes_back = true;
+    if (*typed == kAny) multiple = 0.0;
+    if (*typed == kAny) return;
+    const Range allowed{unit.times * limits::kMultiple.low, unit.times * limits::kMultiple.high};
+    const auto number = typed_number(*typed, unit.times * multiple, {allowed, unit.name});
+    const bool good = number && number->remark.empty();
+    if (good) multiple = number->value / unit.times;
+    if (!good) {
+        draw_remark(ui, generating, {}, number ? number->remark : number.error().message);
+    }
 }
 
 void draw_span(Ui& ui, GenerateState& generating, const std::string& id, Span& span, Range allowed,
@@ -91,7 +96,7 @@ void draw_span(Ui& ui, GenerateState& generating, const std::string& id, Span& s
     ImGui::AlignTextToFramePadding();
     dim_text(ui, "multiples of");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    draw_multiple(ui, generating, id + " multiple", span.multiple_of, unit.times);
+    draw_multiple(ui, generating, id + " multiple", span.multiple_of, unit);
 }
 
 // A range around what the levels were.
@@ -242,6 +247,7 @@ struct LimitRow {
 
 void draw_limit(Ui& ui, std::optional<double>& limit, const LimitRow& row) {
     draw_label(ui, row.label);
+    if (limit) reset_by_label(ui, row.first, *limit);
     if (option_chip(ui, row.id, limit ? "on" : "off", limit.has_value(), row.help)) {
         limit = limit ? std::nullopt : std::optional(row.first);
     }
@@ -288,8 +294,10 @@ void draw_design_row(Ui& ui, GenerateState& generating) {
     leave_gap(ui);
     draw_whole(ui, "samples", space.samples, limits::kSamples);
     beside(ui, "samples");
+    reset_by_label(ui, DesignSpace{}.samples, space.samples);
     ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
     dim_text(ui, "seed");
+    reset_by_label(ui, DesignSpace{}.seed, space.seed);
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     draw_whole(ui, "seed", space.seed, limits::kSeed);
     draw_tooltip(ui,
@@ -299,10 +307,12 @@ void draw_design_row(Ui& ui, GenerateState& generating) {
 
 void draw_constraint_rows(Ui& ui, GenerateState& generating) {
     Constraints& limits_of = generating.draft.constraints;
+    constexpr Range kNormalHz{40.0, 400.0};
     draw_label(ui, "Device band");
+    if (limits_of.band_hz && is_reset_asked(ui)) limits_of.band_hz = kNormalHz;
     if (option_chip(ui, "band", limits_of.band_hz ? "on" : "off", limits_of.band_hz.has_value(),
                     "Carriers and the sidebands of their modulation must lie in it.")) {
-        limits_of.band_hz = limits_of.band_hz ? std::nullopt : std::optional(Range{40.0, 400.0});
+        limits_of.band_hz = limits_of.band_hz ? std::nullopt : std::optional(kNormalHz);
     }
     if (limits_of.band_hz) {
         leave_gap(ui);

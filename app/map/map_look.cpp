@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/document/editing.h"
+#include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/map/clusters.h"
 #include "viz/drawing/colormap.h"
@@ -133,20 +134,31 @@ void draw_filter(Ui& ui, ShownMap& shown_map) {
     if (!look.filter) return;
     const auto reach = reach_of(shown_map, *look.filter);
     if (!reach) return;
-    auto low = static_cast<float>(look.passes.low);
-    auto high = static_cast<float>(look.passes.high);
-    const auto least = static_cast<float>(reach->low);
-    const auto most = static_cast<float>(reach->high);
-    ImGui::SetNextItemWidth(170.0F * ui.theme.scale);
-    const std::string format = std::string("%.3g ") + traits(*look.filter).unit;
-    const float speed = std::max(1e-4F, (most - least) / 200.0F);
-    if (ImGui::DragFloatRange2("from, to", &low, &high, speed, least, most, format.c_str(),
-                               format.c_str(),
-                               ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
-        // A float that stands at an end must not shut out the double there.
-        look.passes.low = low <= least ? reach->low : static_cast<double>(low);
-        look.passes.high = high >= most ? reach->high : static_cast<double>(high);
+    NumberEntry entry{.id = "passes from",
+                      .label = "From",
+                      .format = "%.4g",
+                      .rules = {*reach, traits(*look.filter).unit},
+                      .width_px = 72.0F * ui.theme.scale};
+    ImGui::BeginGroup();
+    ImGui::AlignTextToFramePadding();
+    dim_text(ui, "from");
+    reset_by_label(ui, reach->low, look.passes.low);
+    ImGui::SameLine();
+    enter_number(ui, entry, look.passes.low);
+    note_item(ui.rects, "look:passes from", significant(look.passes.low, 6));
+    ImGui::SameLine();
+    dim_text(ui, "to");
+    reset_by_label(ui, reach->high, look.passes.high);
+    ImGui::SameLine();
+    entry.id = "passes to";
+    entry.label = "To";
+    enter_number(ui, entry, look.passes.high);
+    note_item(ui.rects, "look:passes to", significant(look.passes.high, 6));
+    if (*traits(*look.filter).unit != '\0') {
+        ImGui::SameLine();
+        dim_text(ui, traits(*look.filter).unit);
     }
+    ImGui::EndGroup();
     note_item(ui.rects, "look:passes");
 }
 
@@ -205,14 +217,22 @@ void draw_map_look(Ui& ui, ShownMap& shown_map) {
     if (draw_parameter_choice(ui, shown_map, "Colour by", look.colour)) look.clusters = 0;
     draw_parameter_choice(ui, shown_map, "Lines along", look.path);
     draw_filter(ui, shown_map);
-    ImGui::SetNextItemWidth(170.0F * ui.theme.scale);
-    if (ImGui::SliderInt("Groups", &look.clusters, 0, kMostClusters,
-                         look.clusters < 2 ? "none" : "%d", ImGuiSliderFlags_NoInput)) {
-        if (look.clusters == 1) look.clusters = 0;
+    int groups = std::max(1, look.clusters);
+    if (enter_whole_with_buttons(ui,
+                                 {.id = "groups",
+                                  .label = "Groups",
+                                  .format = "%.0f",
+                                  .rules = {{1.0, kMostClusters}},
+                                  .width_px = 170.0F * ui.theme.scale},
+                                 groups)) {
+        look.clusters = groups < 2 ? 0 : groups;
         if (look.clusters > 1) look.colour.reset();
     }
     note_item(ui.rects, "look:groups", std::to_string(look.clusters));
-    draw_tooltip(ui, "Patterns that are close by PM, in one colour (average linkage).");
+    draw_tooltip(ui, "Patterns that are close by PM, in one colour (average linkage); 1 is none.");
+    ImGui::SameLine();
+    ImGui::TextUnformatted("Groups");
+    reset_by_label(ui, 0, look.clusters);
     ImGui::Checkbox("Pairs that are too close", &look.show_pairs);
     note_item(ui.rects, "look:pairs", look.show_pairs ? "on" : "off");
     ImGui::Checkbox("Ellipses of uncertainty", &look.show_spread);

@@ -229,16 +229,19 @@ void draw_import_dialog(Ui& ui, Workspace& work, ImportState& importing) {
 
 bool draw_actuator(Ui& ui, ActuatorParams& actuator) {
     const ActuatorParams before = actuator;
-    draw_number_entry(ui, "import:resonance", "Resonance", actuator.resonance_hz,
-                      limits::kResonanceHz, "Hz");
-    draw_number_entry(ui, "import:q", "Q", actuator.q, limits::kResonanceQ,
-                      "how much stronger it moves there than far above");
-    draw_number_entry(ui, "import:gain", "Gain", actuator.gain, limits::kActuatorGain,
-                      "far above the resonance; below, it falls");
-    draw_number_entry(ui, "import:onset", "Onset", actuator.onset_s, limits::kOnsetS,
-                      "s until the motion begins");
-    draw_number_entry(ui, "import:noise", "Noise", actuator.noise_g, limits::kSensorNoiseG,
-                      "g rms");
+    const ActuatorParams normal;
+    const auto row = [&](const char* id, const char* label, double ActuatorParams::*number,
+                         Range range, const char* unit) {
+        draw_number_row(ui, {id, label, normal.*number, range, unit}, actuator.*number);
+    };
+    row("import:resonance", "Resonance", &ActuatorParams::resonance_hz, limits::kResonanceHz, "Hz");
+    row("import:q", "Q", &ActuatorParams::q, limits::kResonanceQ,
+        "how much stronger it moves there than far above");
+    row("import:gain", "Gain", &ActuatorParams::gain, limits::kActuatorGain,
+        "far above the resonance; below, it falls");
+    row("import:onset", "Onset", &ActuatorParams::onset_s, limits::kOnsetS,
+        "s until the motion begins");
+    row("import:noise", "Noise", &ActuatorParams::noise_g, limits::kSensorNoiseG, "g rms");
     return actuator != before;
 }
 

@@ -37,13 +37,18 @@ bool draw_unit(Ui& ui, AccelerationOptions& options) {
     // A file that says volts itself needs them as much.
     if (options.unit.value_or(AccelerationUnit::volt) == AccelerationUnit::volt) {
         const bool is_known = options.unit.has_value();
+        const AccelerationOptions normal;
         changed |=
-            draw_number_entry(ui, "import:sensitivity", "Sensitivity", options.sensitivity_v_per_g,
-                              limits::kSensitivityVPerG,
-                              is_known ? "V/g, of the sensor"
-                                       : "V/g, of the sensor: needed where the file is in volts");
-        changed |= draw_number_entry(ui, "import:offset", "Offset", options.offset_v,
-                                     limits::kOffsetV, "V, of the sensor at 0 g");
+            draw_number_row(ui,
+                            {"import:sensitivity", "Sensitivity", normal.sensitivity_v_per_g,
+                             limits::kSensitivityVPerG,
+                             is_known ? "V/g, of the sensor"
+                                      : "V/g, of the sensor: needed where the file is in volts"},
+                            options.sensitivity_v_per_g);
+        changed |= draw_number_row(ui,
+                                   {"import:offset", "Offset", normal.offset_v, limits::kOffsetV,
+                                    "V, of the sensor at 0 g"},
+                                   options.offset_v);
     }
     return changed;
 }
@@ -81,12 +86,17 @@ AccelerationOptions options_of(const RecordingFields& fields) {
 bool draw_recording_fields(Ui& ui, RecordingFields& fields, bool has_wave) {
     bool changed = draw_unit(ui, fields.options);
     changed |= draw_axis(ui, fields.options);
-    changed |= draw_number_entry(ui, "import:rate", "Rate", fields.rate_hz, {0.0, 1e7},
-                                 "Hz; 0: from the time column");
+    changed |=
+        draw_number_row(ui, {"import:rate", "Rate", 0.0, {0.0, 1e7}, "Hz; 0: from the time column"},
+                        fields.rate_hz);
     if (has_wave) {
-        changed |= draw_number_entry(ui, "import:full scale", "Full scale", fields.full_scale,
-                                     {0.0, limits::kScaleG.high},
-                                     "of .wav files, in the unit; 0: as their sidecar says");
+        changed |= draw_number_row(ui,
+                                   {"import:full scale",
+                                    "Full scale",
+                                    0.0,
+                                    {0.0, limits::kScaleG.high},
+                                    "of .wav files, in the unit; 0: as their sidecar says"},
+                                   fields.full_scale);
     }
     return changed;
 }
@@ -97,20 +107,20 @@ void draw_chips_label(const Ui& ui, const char* label) {
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5F * (ImGui::GetFrameHeight() - chip));
 }
 
-bool draw_number_entry(Ui& ui, const char* id, const char* label, double& value, Range range,
-                       const char* unit) {
-    draw_label(ui, label);
+bool draw_number_row(Ui& ui, const NumberRow& row, double& value) {
+    draw_label(ui, row.label);
+    const bool reset = reset_by_label(ui, row.normal, value);
     const bool entered = enter_number(ui,
-                                      {.id = id,
-                                       .label = label,
+                                      {.id = row.id,
+                                       .label = row.label,
                                        .format = "%.6g",
-                                       .rules = {range, leading_unit(unit)},
+                                       .rules = {row.range, leading_unit(row.unit)},
                                        .width_px = kNumberPx * ui.theme.scale},
                                       value);
-    note_item(ui.rects, id, shortest_digits(value));
+    note_item(ui.rects, row.id, shortest_digits(value));
     ImGui::SameLine();
-    dim_text(ui, unit);
-    return entered;
+    dim_text(ui, row.unit);
+    return reset || entered;
 }
 
 }  // namespace tact

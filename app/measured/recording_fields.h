@@ -22,9 +22,16 @@ bool draw_recording_fields(Ui& ui, RecordingFields& fields, bool has_wave);
 // A row's label, and the cursor where chips beside it stand level with it.
 void draw_chips_label(const Ui& ui, const char* label);
 
-// A number with its label and unit: true when another one was taken. `id` is also its name for
-// tests.
-bool draw_number_entry(Ui& ui, const char* id, const char* label, double& value, Range range,
-                       const char* unit);
+// A number with its label, its default and its unit.
+struct NumberRow {
+    const char* id;  // also its name for tests
+    const char* label;
+    double normal;
+    Range range;
+    const char* unit;  // and what else is to be said of it
+};
+
+// True when another one was taken.
+bool draw_number_row(Ui& ui, const NumberRow& row, double& value);
 
 }  // namespace tact

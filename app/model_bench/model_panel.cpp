@@ -46,6 +46,7 @@ void draw_number(Ui& ui, Workspace& work, const ModelNumber& row, const Model& o
     ImGui::BeginGroup();
     Field field = row.field;
     field.right_room_px = room;
+    field.normal = known;
     const FieldEdit edit = draw_field(ui, field, value);
     ImGui::EndGroup();
     if (edit.changed) change_model(work, [&](Model& m) { row.set(m, value); });

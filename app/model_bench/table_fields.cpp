@@ -48,15 +48,17 @@ void draw_knot(Ui& ui, Workspace& work, const ModelBench& model_bench, std::size
     char label[32];
     std::snprintf(label, sizeof label, "%.4g Hz", curve.frequency_hz[k]);
     const std::string id = "knot_" + std::to_string(k);
-    const Field field{.id = id.c_str(),
-                      .label = label,
-                      .format = state.threshold ? "%.3f" : "%.4g",
-                      .slider = state.threshold ? Range{-3.0, 4.0} : Range{0.0, 400.0},
-                      .typed = state.threshold ? kThresholdLog10Um : kSlope,
-                      .step = state.threshold ? 0.05 : 1.0,
-                      .help = state.threshold ? "Absolute threshold, log10 of \u00b5m peak"
-                                              : "Slope \u03b1, impulses/s per log10 of \u00b5m",
-                      .right_room_px = 56.0F * ui.theme.scale};
+    Field field{.id = id.c_str(),
+                .label = label,
+                .format = state.threshold ? "%.3f" : "%.4g",
+                .slider = state.threshold ? Range{-3.0, 4.0} : Range{0.0, 400.0},
+                .typed = state.threshold ? kThresholdLog10Um : kSlope,
+                .step = state.threshold ? 0.05 : 1.0,
+                .help = state.threshold ? "Absolute threshold, log10 of \u00b5m peak"
+                                        : "Slope \u03b1, impulses/s per log10 of \u00b5m",
+                .right_room_px = 56.0F * ui.theme.scale};
+    const bool known = k < original.value.size() && curve.frequency_hz == original.frequency_hz;
+    if (known) field.normal = original.value[k];
     double value = curve.value[k];
     const double before = value;
     ImGui::BeginGroup();
@@ -71,7 +73,6 @@ void draw_knot(Ui& ui, Workspace& work, const ModelBench& model_bench, std::size
                              (state.threshold ? " threshold" : " slope");
     if (edit.changed) write(value);
     if (edit.finished) commit_step(ui, work, step);
-    const bool known = k < original.value.size() && curve.frequency_hz == original.frequency_hz;
     if (!known || before == original.value[k]) return;
     ImGui::SameLine(0.0F, ui.theme.gap_px * 0.5F);
     char text[32];

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "app/document/editing.h"
 #include "app/patterns/pattern_fields.h"
@@ -53,7 +54,6 @@ void draw_leak_warning(Ui& ui, Workspace& work, const Pattern& pattern) {
 }
 
 void draw_carrier(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k) {
-    const Carrier& carrier = pattern.carriers[k];
     ImGui::PushID(static_cast<int>(k));
     const std::string label = "Carrier " + std::to_string(k + 1);
     const std::string id = "carrier_" + std::to_string(k + 1) + "_hz";
@@ -70,18 +70,28 @@ void draw_carrier(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k
          .logarithmic = true,
          .help = "Frequency of the sine, in steps that do not leak. Typed values are exact and "
                  "reach from 0.1 to 1000 Hz."},
-        carrier.frequency_hz, "carrier", [k](Pattern& p, double value) {
+        "carrier",
+        [k](const Pattern& p) {
+            return k < p.carriers.size() ? std::optional(p.carriers[k].frequency_hz) : std::nullopt;
+        },
+        [k](Pattern& p, double value) {
             if (k < p.carriers.size()) p.carriers[k].frequency_hz = value;
         });
     ImGui::PopID();
+}
+
+// Of the second of two carriers.
+std::optional<double> mix_of(const Pattern& pattern) {
+    const auto& carriers = pattern.carriers;
+    if (carriers.size() != 2) return std::nullopt;
+    const double sum = carriers[0].weight + carriers[1].weight;
+    return sum != 0.0 ? carriers[1].weight / sum : 0.5;
 }
 
 // Share of the second of two carriers; with more, each has its own weight.
 void draw_mix(Ui& ui, Workspace& work, const Pattern& pattern) {
     const auto& carriers = pattern.carriers;
     if (carriers.size() == 2) {
-        const double sum = carriers[0].weight + carriers[1].weight;
-        const double share = sum != 0.0 ? carriers[1].weight / sum : 0.5;
         edit_number(ui, work,
                     {.id = "mix",
                      .label = "Mix",
@@ -91,7 +101,7 @@ void draw_mix(Ui& ui, Workspace& work, const Pattern& pattern) {
                      .step = 0.05,
                      .snap = 0.01,
                      .help = "Share of carrier 2; carrier 1 has the rest."},
-                    share, "mix", [](Pattern& p, double value) {
+                    "mix", mix_of, [](Pattern& p, double value) {
                         if (p.carriers.size() != 2) return;
                         p.carriers[0].weight = 1.0 - value;
                         p.carriers[1].weight = value;
@@ -105,7 +115,11 @@ void draw_mix(Ui& ui, Workspace& work, const Pattern& pattern) {
         edit_number(
             ui, work,
             {id.c_str(), label.c_str(), "%.3g", {0.0, 1.0}, limits::kCarrierWeight, 0.05, 0.01},
-            carriers[k].weight, "weight", [k](Pattern& p, double value) {
+            "weight",
+            [k](const Pattern& p) {
+                return k < p.carriers.size() ? std::optional(p.carriers[k].weight) : std::nullopt;
+            },
+            [k](Pattern& p, double value) {
                 if (k < p.carriers.size()) p.carriers[k].weight = value;
             });
     }

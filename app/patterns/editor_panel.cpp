@@ -17,31 +17,33 @@ namespace {
 
 void draw_modulation(Ui& ui, Workspace& work, const Pattern& pattern) {
     const Modulation& modulation = pattern.modulation;
-    edit_number(ui, work,
-                {.id = "modulation_hz",
-                 .label = "Modulation",
-                 .format = "%.4g Hz",
-                 .slider = {0.0, 100.0},
-                 .typed = limits::kModulationHz,
-                 .step = 1.0,
-                 .snap = 1.0 / pattern.duration_s,
-                 .help = "Frequency of the amplitude modulation; 0 is none."},
-                modulation.frequency_hz, "modulation",
-                [](Pattern& p, double value) { p.modulation.frequency_hz = value; });
+    edit_number(
+        ui, work,
+        {.id = "modulation_hz",
+         .label = "Modulation",
+         .format = "%.4g Hz",
+         .slider = {0.0, 100.0},
+         .typed = limits::kModulationHz,
+         .step = 1.0,
+         .snap = 1.0 / pattern.duration_s,
+         .help = "Frequency of the amplitude modulation; 0 is none."},
+        "modulation", [](const Pattern& p) { return p.modulation.frequency_hz; },
+        [](Pattern& p, double value) { p.modulation.frequency_hz = value; });
     const bool am = modulation.kind == ModulationKind::am;
-    edit_number(ui, work,
-                {.id = "depth",
-                 .label = "Depth",
-                 .format = "%.3g",
-                 .slider = limits::kDepth,
-                 .typed = limits::kDepth,
-                 .step = 0.05,
-                 .snap = 0.01,
-                 .help = am ? "m of 1 + m sin(2 pi f t)."
-                            : "Only for the kind 1 + m sin: the product with a sine has no depth.",
-                 .enabled = am},
-                modulation.depth, "depth",
-                [](Pattern& p, double value) { p.modulation.depth = value; });
+    edit_number(
+        ui, work,
+        {.id = "depth",
+         .label = "Depth",
+         .format = "%.3g",
+         .slider = limits::kDepth,
+         .typed = limits::kDepth,
+         .step = 0.05,
+         .snap = 0.01,
+         .help = am ? "m of 1 + m sin(2 pi f t)."
+                    : "Only for the kind 1 + m sin: the product with a sine has no depth.",
+         .enabled = am},
+        "depth", [](const Pattern& p) { return p.modulation.depth; },
+        [](Pattern& p, double value) { p.modulation.depth = value; });
     const float room =
         radio_width(ui, "product") + radio_width(ui, "1 + m sin") + 2.0F * ui.theme.gap_px;
     draw_label(ui, "Kind", room);
@@ -69,14 +71,15 @@ constexpr Field ramp(const char* id, const char* label, const char* help) {
             .help = help};
 }
 
-void draw_times(Ui& ui, Workspace& work, const Pattern& pattern) {
-    edit_number(ui, work,
-                ramp("attack_ms", "Attack", "Linear rise at the beginning of every note."),
-                1000.0 * pattern.attack_s, "attack",
-                [](Pattern& p, double value) { p.attack_s = value / 1000.0; });
-    edit_number(ui, work, ramp("release_ms", "Release", "Linear fall at the end of every note."),
-                1000.0 * pattern.release_s, "release",
-                [](Pattern& p, double value) { p.release_s = value / 1000.0; });
+void draw_times(Ui& ui, Workspace& work) {
+    edit_number(
+        ui, work, ramp("attack_ms", "Attack", "Linear rise at the beginning of every note."),
+        "attack", [](const Pattern& p) { return 1000.0 * p.attack_s; },
+        [](Pattern& p, double value) { p.attack_s = value / 1000.0; });
+    edit_number(
+        ui, work, ramp("release_ms", "Release", "Linear fall at the end of every note."), "release",
+        [](const Pattern& p) { return 1000.0 * p.release_s; },
+        [](Pattern& p, double value) { p.release_s = value / 1000.0; });
     edit_number(
         ui, work,
         {.id = "duration_s",
@@ -89,7 +92,8 @@ void draw_times(Ui& ui, Workspace& work, const Pattern& pattern) {
          .logarithmic = true,
          .help = "The model was validated at 1 s. Shorter patterns of a set are padded with "
                  "silence to its longest. Typed values reach 60 s."},
-        pattern.duration_s, "duration", [](Pattern& p, double value) { p.duration_s = value; });
+        "duration", [](const Pattern& p) { return p.duration_s; },
+        [](Pattern& p, double value) { p.duration_s = value; });
 }
 
 void draw_measurement(const Ui& ui, const Measurement& measurement) {
@@ -129,16 +133,6 @@ void draw_note(const Ui& ui, const Workspace& work, const Vibration& vibration) 
 
 }  // namespace
 
-void edit_number(Ui& ui, Workspace& work, const Field& field, double value, const std::string& what,
-                 const std::function<void(Pattern&, double)>& write) {
-    double edited = value;
-    const FieldEdit edit = draw_field(ui, field, edited);
-    if (edit.changed && edited != value) {
-        edit_patterns(work, [&](Pattern& pattern) { write(pattern, edited); });
-    }
-    if (edit.finished) commit_step(ui, work, "Change " + of_selection(work, what));
-}
-
 void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
     const Vibration* vibration = current_vibration(work);
     if (vibration == nullptr) {
@@ -167,21 +161,22 @@ void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
     const Vibration shown = *vibration;  // edits below replace the document's own
     ImGui::BeginDisabled(shown.locked);
     if (const auto* pattern = std::get_if<Pattern>(&shown.source)) {
-        edit_number(ui, work,
-                    {.id = "amplitude_g",
-                     .label = "Amplitude",
-                     .format = "%.3g g",
-                     .slider = {0.0, 4.0},
-                     .typed = limits::kAmplitudeG,
-                     .step = 0.05,
-                     .snap = 0.01,
-                     .help = "Peak acceleration of the sum of carriers. Typed values reach 50 g."},
-                    pattern->amplitude_g, "amplitude",
-                    [](Pattern& p, double value) { p.amplitude_g = value; });
+        edit_number(
+            ui, work,
+            {.id = "amplitude_g",
+             .label = "Amplitude",
+             .format = "%.3g g",
+             .slider = {0.0, 4.0},
+             .typed = limits::kAmplitudeG,
+             .step = 0.05,
+             .snap = 0.01,
+             .help = "Peak acceleration of the sum of carriers. Typed values reach 50 g."},
+            "amplitude", [](const Pattern& p) { return p.amplitude_g; },
+            [](Pattern& p, double value) { p.amplitude_g = value; });
         draw_carrier_fields(ui, work, *pattern);
         draw_modulation(ui, work, *pattern);
         draw_rhythm_fields(ui, work, pattern_panes, *pattern);
-        draw_times(ui, work, *pattern);
+        draw_times(ui, work);
     } else {
         draw_measurement(ui, std::get<Measurement>(shown.source));
     }

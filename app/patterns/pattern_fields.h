@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "app/document/workspace.h"
@@ -11,10 +12,15 @@
 
 namespace tact {
 
-// One gesture on one number: written to all selected patterns, an undo step when it ends. `what` is
-// its name in the step's label.
-void edit_number(Ui& ui, Workspace& work, const Field& field, double value, const std::string& what,
-                 const std::function<void(Pattern&, double)>& write);
+// A number of a pattern; none where it has no such number, as a third carrier.
+using ReadNumber = std::function<std::optional<double>(const Pattern&)>;
+using WriteNumber = std::function<void(Pattern&, double)>;
+
+// One gesture on one number: of all selected patterns, an undo step when it ends. Where they
+// differ, what is typed becomes that of all; dragged they keep their proportions, or their
+// differences where one is not above 0. `what` is its name in the step's label.
+void edit_number(Ui& ui, Workspace& work, Field field, const std::string& what,
+                 const ReadNumber& read, const WriteNumber& write);
 
 // Carriers, their mix or weights, and the warning of leakage.
 void draw_carrier_fields(Ui& ui, Workspace& work, const Pattern& pattern);

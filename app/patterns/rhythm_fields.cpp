@@ -166,18 +166,19 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     if (!pattern.rhythm.text.empty()) draw_rhythm_grid(ui, work, pattern_panes, pattern.rhythm);
     draw_rhythm_links(ui, work, pattern_panes, pattern);
     if (pattern.rhythm.text.empty()) return;
-    edit_number(ui, work,
-                {.id = "unit_ms",
-                 .label = "Step",
-                 .format = "%.4g ms",
-                 .slider = {5.0, 500.0},
-                 .typed = {1.0, 10'000.0},
-                 .step = 5.0,
-                 .snap = 1.0,
-                 .logarithmic = true,
-                 .help = "Length of one x, = or -. The text repeats to fill the duration."},
-                1000.0 * pattern.rhythm.unit_s, "rhythm step",
-                [](Pattern& p, double value) { p.rhythm.unit_s = value / 1000.0; });
+    edit_number(
+        ui, work,
+        {.id = "unit_ms",
+         .label = "Step",
+         .format = "%.4g ms",
+         .slider = {5.0, 500.0},
+         .typed = {1.0, 10'000.0},
+         .step = 5.0,
+         .snap = 1.0,
+         .logarithmic = true,
+         .help = "Length of one x, = or -. The text repeats to fill the duration."},
+        "rhythm step", [](const Pattern& p) { return 1000.0 * p.rhythm.unit_s; },
+        [](Pattern& p, double value) { p.rhythm.unit_s = value / 1000.0; });
 }
 
 }  // namespace tact

@@ -57,7 +57,7 @@ void keep_texts(RhythmChoice& choice) {
     choice.made_note_steps = choice.note_steps;
 }
 
-void draw_count(Ui& ui, const char* id, const char* label, int& value, int most) {
+void draw_count(Ui& ui, const char* id, const char* label, int normal, int& value, int most) {
     value = std::clamp(value, 1, most);
     enter_whole_with_buttons(ui,
                              {.id = id,
@@ -69,6 +69,7 @@ void draw_count(Ui& ui, const char* id, const char* label, int& value, int most)
     note_item(ui.rects, std::string("rhythm list:") + id, std::to_string(value));
     ImGui::SameLine();
     dim_text(ui, label);
+    reset_by_label(ui, normal, value);
 }
 
 bool chip(Ui& ui, const char* text, bool lit, const char* help) {
@@ -89,10 +90,11 @@ void draw_kind(Ui& ui, RhythmChoice& choice) {
              "For every number of notes the rhythm that spreads them most evenly.")) {
         choice.list = RhythmList::euclidean;
     }
-    draw_count(ui, "steps", "steps", choice.steps, static_cast<int>(kMostListSteps));
+    draw_count(ui, "steps", "steps", RhythmChoice{}.steps, choice.steps,
+               static_cast<int>(kMostListSteps));
     if (choice.list == RhythmList::necklaces) {
         flow_on(120.0F * ui.theme.scale, 2.0F * ui.theme.gap_px);
-        draw_count(ui, "notes", "notes", choice.notes, choice.steps);
+        draw_count(ui, "notes", "notes", RhythmChoice{}.notes, choice.notes, choice.steps);
     }
     // On one line with the chips, whose text is smaller and padded.
     const float top = ImGui::GetCursorPosY();

@@ -123,7 +123,8 @@ constexpr Field kLatency{
     .typed = {-1000.0, 1000.0},
     .step = 1.0,
     .snap = 1.0,
-    .help = "Felt so much later than the device says: the playhead waits for it"};
+    .help = "Felt so much later than the device says: the playhead waits for it",
+    .normal = 0.0};
 
 constexpr Field kFullScale{
     .id = "full_scale_g",
@@ -167,7 +168,9 @@ void draw_strength(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& 
         draw_calibration_links(ui, work, play);
         return;
     }
-    draw_field(ui, kFullScale, play.full_scale_g);
+    Field full_scale = kFullScale;
+    full_scale.normal = PlayState{}.full_scale_g;
+    draw_field(ui, full_scale, play.full_scale_g);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
     ImGui::TextUnformatted("Uncalibrated");
     ImGui::PopStyleColor();

@@ -59,17 +59,18 @@ void draw_switch(Ui& ui, Workspace& work, RenderingState& rendered) {
 }
 
 void draw_full_scale(Ui& ui, Workspace& work, RenderingState& rendered) {
-    constexpr Field kField{.id = "rendering_full_scale_g",
-                           .label = "Full scale",
-                           .format = "%.2f g",
-                           .slider = {0.1, 10.0},
-                           .typed = kFullScaleRangeG,
-                           .step = 0.1,
-                           .logarithmic = true,
-                           .help =
-                               "The acceleration that the device's strongest is taken for. "
-                               "Uncalibrated: nobody has measured it."};
-    const FieldEdit edit = draw_field(ui, kField, rendered.by.full_scale_g);
+    Field field{.id = "rendering_full_scale_g",
+                .label = "Full scale",
+                .format = "%.2f g",
+                .slider = {0.1, 10.0},
+                .typed = kFullScaleRangeG,
+                .step = 0.1,
+                .logarithmic = true,
+                .help =
+                    "The acceleration that the device's strongest is taken for. "
+                    "Uncalibrated: nobody has measured it."};
+    field.normal = RenderingState{}.by.full_scale_g;
+    const FieldEdit edit = draw_field(ui, field, rendered.by.full_scale_g);
     if (edit.changed && rendered.on) predictions_changed(work);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kDeviceWidthPx = 132.0F;
 constexpr float kNarrowDeviceWidthPx = 64.0F;
-constexpr float kLevelWidthPx = 136.0F;
+constexpr float kLevelWidthPx = 176.0F;
 constexpr float kMeterWidthPx = 64.0F;
 constexpr float kLightPx = 10.0F;
 constexpr double kQuietestDb = -48.0;
@@ -92,16 +92,22 @@ void draw_device_button(Ui& ui, Timeline& timeline, PlayState& play, bool wide) 
 }
 
 void draw_level(Ui& ui, PlayState& play) {
-    auto percent = static_cast<float>(100.0 * play.level);
-    ImGui::SetNextItemWidth(kLevelWidthPx * ui.theme.scale);
-    if (ImGui::SliderFloat("##level", &percent, 0.0F, 100.0F, "level %.0f %%",
-                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
-        play.level = 0.01 * static_cast<double>(percent);
-    }
+    const Field field{.id = "level_percent",
+                      .label = "Level",
+                      .format = "%.3g %%",
+                      .slider = {0.0, 100.0},
+                      .typed = {0.0, 100.0},
+                      .step = 1.0,
+                      .snap = 1.0,
+                      .help =
+                          "How strong everything is felt, also while it plays. Every "
+                          "start begins at 10 %: strengths are uncalibrated.",
+                      .normal = 100.0 * PlayState{}.level};
+    double percent = 100.0 * play.level;
+    const double before = percent;
+    draw_short_field(ui, field, kLevelWidthPx * ui.theme.scale, percent);
+    if (percent != before) play.level = 0.01 * percent;
     note_item(ui.rects, "level", std::to_string(play.level));
-    draw_tooltip(ui,
-                 "How strong everything is felt, also while it plays. Every start begins at 10 %: "
-                 "strengths are uncalibrated.");
 }
 
 void draw_meter(Ui& ui, const PlayState& play) {

@@ -35,7 +35,9 @@ void change_at_once(Ui& ui, Workspace& work, const std::string& label,
 
 void draw_number(Ui& ui, Workspace& work, const StudyNumber& row) {
     double value = row.get(work.document.set.study);
-    const FieldEdit edit = draw_field(ui, row.field, value);
+    Field field = row.field;
+    field.normal = row.get(StudyDesign{});
+    const FieldEdit edit = draw_field(ui, field, value);
     if (edit.changed) change(work, [&](StudyDesign& design) { row.set(design, value); });
     if (edit.finished) commit_step(ui, work, std::string("study: ") + row.field.label);
 }

@@ -46,6 +46,8 @@ void draw_views(Ui& ui, const Workspace& work, const ShownMap& shown_map, Subset
 void draw_count(Ui& ui, SubsetState& picking) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Pick");
+    note_item(ui.rects, "subset label:count");
+    reset_by_label(ui, SubsetState{}.count, picking.count);
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     enter_whole_with_buttons(ui,
                              {.id = "count",

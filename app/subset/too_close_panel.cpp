@@ -20,13 +20,20 @@ namespace tact {
 namespace {
 
 void draw_share_slider(Ui& ui, SubsetState& picking) {
-    flow_on(150.0F * ui.theme.scale, ui.theme.gap_px);
-    ImGui::SetNextItemWidth(150.0F * ui.theme.scale);
-    auto percent = static_cast<float>(100.0 * picking.share);
-    if (ImGui::SliderFloat("##share", &percent, 0.5F, 30.0F, "closest %.1f %%",
-                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
-        picking.share = static_cast<double>(percent) / 100.0;
-    }
+    constexpr Field kShare{.id = "closest_percent",
+                           .label = "Closest",
+                           .format = "%.3g %%",
+                           .slider = {0.5, 30.0},
+                           .typed = {0.5, 100.0},
+                           .step = 0.5,
+                           .snap = 0.5,
+                           .normal = 5.0};
+    const float width = 190.0F * ui.theme.scale;
+    flow_on(width, ui.theme.gap_px);
+    double percent = 100.0 * picking.share;
+    const double before = percent;
+    draw_short_field(ui, kShare, width, percent);
+    if (percent != before) picking.share = percent / 100.0;
     note_item(ui.rects, "subset:share", std::to_string(picking.share));
 }
 

@@ -15,16 +15,8 @@ namespace {
 
 constexpr float kLabelColumnPx = 104.0F;
 constexpr float kEntryWidthPx = 86.0F;
+constexpr float kShortEntryPx = 52.0F;
 constexpr float kLeastBarPx = 36.0F;
-
-// The part of the slider up to its value, drawn over the frame.
-void draw_fill(const Ui& ui, float share) {
-    const ImVec2 min = ImGui::GetItemRectMin();
-    const ImVec2 max = ImGui::GetItemRectMax();
-    const float x = min.x + (max.x - min.x) * std::clamp(share, 0.0F, 1.0F);
-    const ImU32 fill = (ui.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90);
-    ImGui::GetWindowDrawList()->AddRectFilled(min, {x, max.y}, fill, ui.theme.rounding_px);
-}
 
 float share_of(const Field& field, double value) {
     const auto [low, high] = field.slider;
@@ -32,6 +24,21 @@ float share_of(const Field& field, double value) {
         return static_cast<float>(std::log(std::max(value, low) / low) / std::log(high / low));
     }
     return static_cast<float>((value - low) / (high - low));
+}
+
+// Over the frame, the part of the slider up to its value; of several that differ, from the least to
+// the most.
+void draw_fill(const Ui& ui, const Field& field, double value) {
+    const ImVec2 min = ImGui::GetItemRectMin();
+    const ImVec2 max = ImGui::GetItemRectMax();
+    const auto x = [&](double of) {
+        return min.x + (max.x - min.x) * std::clamp(share_of(field, of), 0.0F, 1.0F);
+    };
+    const float from = field.mixed ? x(field.mixed->low) : min.x;
+    const float to = field.mixed ? x(field.mixed->high) : x(value);
+    const ImU32 fill = (ui.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90);
+    ImGui::GetWindowDrawList()->AddRectFilled({from, min.y}, {std::max(to, from + 1.0F), max.y},
+                                              fill, ui.theme.rounding_px);
 }
 
 double snapped(const Field& field, double value) {
@@ -52,19 +59,32 @@ double nudged(const Field& field, double value, double step) {
     return std::clamp(to, field.typed.low, field.typed.high);
 }
 
-// Left and right nudge the field that was touched last, unless text is being typed.
-bool nudge(Ui& ui, const Field& field, double& value) {
-    if (ui.field.active != field.id || ImGui::GetIO().WantTextInput) return false;
-    if (ImGui::IsAnyItemActive() || ui.keyboard_mode || !field.enabled) return false;
+// Left and right nudge the field that was touched last, unless text is being typed, and so does the
+// wheel over it: how many steps.
+int nudges(Ui& ui, const Field& field, int wheel) {
+    if (ui.field.active != field.id || ImGui::GetIO().WantTextInput) return 0;
+    if (ImGui::IsAnyItemActive() || !field.enabled) return 0;
+    if (ui.keyboard_mode) return wheel;
     const bool right = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow));
     const bool left = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow));
-    if (right == left) return false;
+    return wheel + (right ? 1 : 0) - (left ? 1 : 0);
+}
+
+void nudge(Ui& ui, const Field& field, int steps, double& value, FieldEdit& edit) {
+    if (steps == 0) return;
     const ImGuiIO& io = ImGui::GetIO();
     const double times = io.KeyShift ? kCoarse : io.KeyAlt ? kFine : 1.0;
-    const double step = times * std::max(field.step, field.snap);
-    const double before = std::exchange(value, nudged(field, value, right ? step : -step));
+    const double before = std::exchange(
+        value, nudged(field, value, steps * times * std::max(field.step, field.snap)));
     join_steps(ui, field.id);
-    return value != before;
+    edit.changed |= value != before;
+    edit.finished |= value != before;
+    edit.along = Along::step;
+}
+
+// Over the bar or the entry of the focused field.
+int wheel_over(Ui& ui, const Field& field) {
+    return ui.field.active == field.id && field.enabled ? wheel_steps(ui) : 0;
 }
 
 bool draw_bar(Ui& ui, const Field& field, double& value) {
@@ -78,22 +98,37 @@ bool draw_bar(Ui& ui, const Field& field, double& value) {
                                              &field.slider.low, &field.slider.high, "", flags);
     ImGui::PopItemFlag();
     if (changed) value = snapped(field, moved);
-    draw_fill(ui, share_of(field, value));
+    draw_fill(ui, field, value);
     note_item(ui.rects, std::string("slider:") + field.id, std::to_string(value));
     return changed;
 }
 
-bool draw_entry(Ui& ui, const Field& field, double& value, float width_px) {
-    const bool entered = enter_number(ui,
-                                      {.id = "entry",
-                                       .label = field.label,
-                                       .format = field.format,
-                                       .rules = {field.typed, unit_in(field.format)},
-                                       .width_px = width_px,
-                                       .step = std::max(field.step, field.snap)},
-                                      value);
-    note_item(ui.rects, std::string("entry:") + field.id, std::to_string(value));
-    return entered;
+NumberEdit draw_entry(Ui& ui, const Field& field, double& value, float width_px) {
+    const NumberEdit edit = edit_entry(ui,
+                                       {.id = "entry",
+                                        .label = field.label,
+                                        .format = field.format,
+                                        .rules = {field.typed, unit_in(field.format)},
+                                        .width_px = width_px,
+                                        .step = std::max(field.step, field.snap),
+                                        .mixed = field.mixed.has_value()},
+                                       value);
+    note_item(ui.rects, std::string("entry:") + field.id,
+              field.mixed ? "mixed" : std::to_string(value));
+    if (ImGui::IsItemActive()) note_item(ui.rects, "typed", field.id);
+    return edit;
+}
+
+// What it is for, and its default, which a double click brings back: true then.
+bool draw_label_help(Ui& ui, const Field& field) {
+    std::string help = field.help == nullptr ? "" : field.help;
+    if (field.normal && ImGui::IsItemHovered()) {
+        help += (help.empty() ? "Double click: " : "\nDouble click: ") +
+                shown_number(field.format, *field.normal);
+    }
+    const bool reset = field.normal && is_reset_asked(ui);
+    if (!help.empty()) draw_tooltip(ui, help.c_str());
+    return reset;
 }
 
 // A ring on the field that arrow keys nudge.
@@ -135,6 +170,36 @@ FieldRow field_row(const Ui& ui, const Field& field) {
     return {true, 0.0F, std::max(width, 1.0F)};
 }
 
+void draw_bar_and_entry(Ui& ui, const Field& field, const FieldRow& row, double& value,
+                        FieldEdit& edit) {
+    bool touched = false;
+    int wheel = 0;
+    const ImVec2 begin = ImGui::GetCursorScreenPos();
+    if (row.bar_px > 0.0F) {
+        ImGui::SetNextItemWidth(row.bar_px);
+        if (draw_bar(ui, field, value)) {
+            edit.changed = true;
+            edit.along = Along::ratio;
+        }
+        edit.finished |= ImGui::IsItemDeactivatedAfterEdit();
+        edit.begun = touched = ImGui::IsItemActivated();
+        wheel = wheel_over(ui, field);
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
+    }
+    const NumberEdit entered = draw_entry(ui, field, value, row.entry_px);
+    if (entered.changed) {
+        static_cast<NumberEdit&>(edit) = entered;
+        edit.finished = true;
+    }
+    edit.begun |= entered.begun;
+    touched |= ImGui::IsItemActivated();
+    wheel += wheel_over(ui, field);
+    if (touched) ui.field.active = field.id;
+    draw_nudge_ring(ui, field);
+    follow_locked(ui, field, {begin, ImGui::GetItemRectMax()});
+    nudge(ui, field, nudges(ui, field, wheel), value, edit);
+}
+
 }  // namespace
 
 void draw_label(const Ui& ui, const char* label, float room_px) {
@@ -156,24 +221,34 @@ FieldEdit draw_field(Ui& ui, const Field& field, double& value) {
     const FieldRow row = field_row(ui, field);
     draw_label(ui, field.label, row.stacked ? ImGui::GetContentRegionAvail().x : 0.0F);
     note_item(ui.rects, std::string("field label:") + field.id);
-    if (field.help != nullptr) draw_tooltip(ui, field.help);
-
-    bool touched = false;
-    const ImVec2 begin = ImGui::GetCursorScreenPos();
-    if (row.bar_px > 0.0F) {
-        ImGui::SetNextItemWidth(row.bar_px);
-        edit.changed = draw_bar(ui, field, value);
-        edit.finished = ImGui::IsItemDeactivatedAfterEdit();
-        touched = ImGui::IsItemActivated();
-        ImGui::SameLine(0.0F, ui.theme.gap_px);
+    if (draw_label_help(ui, field)) {
+        edit.changed = edit.finished = value != *field.normal || field.mixed;
+        value = *field.normal;
     }
-    if (draw_entry(ui, field, value, row.entry_px)) edit.changed = edit.finished = true;
-    touched |= ImGui::IsItemActivated();
-    if (touched) ui.field.active = field.id;
-    draw_nudge_ring(ui, field);
-    follow_locked(ui, field, {begin, ImGui::GetItemRectMax()});
-    if (nudge(ui, field, value)) edit.changed = edit.finished = true;
+    draw_bar_and_entry(ui, field, row, value, edit);
     ImGui::EndDisabled();
+    ImGui::PopID();
+    return edit;
+}
+
+FieldEdit draw_short_field(Ui& ui, const Field& field, float width_px, double& value) {
+    FieldEdit edit;
+    ImGui::PushID(field.id);
+    ImGui::BeginGroup();
+    ImGui::AlignTextToFramePadding();
+    dim_text(ui, field.label);
+    note_item(ui.rects, std::string("field label:") + field.id);
+    if (draw_label_help(ui, field)) {
+        edit.changed = edit.finished = value != *field.normal;
+        value = *field.normal;
+    }
+    const float gap = 0.5F * ui.theme.gap_px;
+    const float label_px = ImGui::GetItemRectSize().x + gap;
+    ImGui::SameLine(0.0F, gap);
+    const float entry_px = kShortEntryPx * ui.theme.scale;
+    const float bar_px = width_px - label_px - ui.theme.gap_px - entry_px;
+    draw_bar_and_entry(ui, field, {false, std::max(bar_px, 1.0F), entry_px}, value, edit);
+    ImGui::EndGroup();
     ImGui::PopID();
     return edit;
 }

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 // After imgui.h.
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -14,12 +15,23 @@ namespace tact {
 
 namespace {
 
-// What ImGui asks back about while text is edited: the step of an arrow changes the text itself.
+constexpr const char* kMixed = "mixed";
+
+// What ImGui asks back about while text is edited: a step changes the text itself.
 struct Stepping {
+    Ui* ui;
     const NumberEntry* entry;
     double value;
     bool stepped = false;
 };
+
+// Turns of the wheel in whole steps; touch pads turn by less.
+int whole_turns(Ui& ui) {
+    ui.field.wheel += ImGui::GetIO().MouseWheel;
+    const float whole = std::trunc(ui.field.wheel);
+    ui.field.wheel -= whole;
+    return static_cast<int>(whole);
+}
 
 double step_of(const NumberEntry& entry, double value) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -33,17 +45,23 @@ double step_of(const NumberEntry& entry, double value) {
     return io.KeyAlt && !entry.rules.whole ? kFine * step : step;
 }
 
-// Up and down in the entry. ImGui lets an active field be changed only from inside.
+// Up, down and the wheel in the entry. ImGui lets an active field be changed only from inside.
 int on_step(ImGuiInputTextCallbackData* field) {
     Stepping& stepping = *static_cast<Stepping*>(field->UserData);
     const NumberEntry& entry = *stepping.entry;
+    int steps = 0;
+    if (field->EventFlag == ImGuiInputTextFlags_CallbackHistory) {
+        steps = field->EventKey == ImGuiKey_UpArrow ? 1 : -1;
+    } else if (ImGui::GetHoveredID() == ImGui::GetActiveID()) {
+        steps = whole_turns(*stepping.ui);
+    }
+    if (steps == 0) return 0;
     const std::string_view text{field->Buf, static_cast<std::size_t>(field->BufTextLen)};
     const auto typed = typed_number(text, stepping.value, entry.rules);
     // What stands there as it was is the number itself, with the digits that are not shown.
     const bool as_it_was = !typed || text == shown_number(entry.format, stepping.value);
     const double from = as_it_was ? stepping.value : typed->value;
-    const double step = step_of(entry, from);
-    const double to = from + (field->EventKey == ImGuiKey_UpArrow ? step : -step);
+    const double to = from + steps * step_of(entry, from);
     const auto [low, high] = entry.rules.allowed;
     const std::string shown = shown_number("%.9g", std::clamp(to, low, high));
     field->DeleteChars(0, field->BufTextLen);
@@ -76,18 +94,24 @@ void show_fault(const Ui& ui, const NumberEntry& entry, const NumberTyping& typi
         typed ? typed->remark.substr(0, typed->remark.find(':')) : typed.error().message);
 }
 
-// The number that the text stands for; where it stands for none, the one that was.
-double taken_number(Ui& ui, const NumberEntry& entry, NumberTyping& typing, double value) {
-    if (typing.text == typing.first) return typing.before;
-    if (typing.text == typing.taken || typing.text.empty()) return value;
+// Takes the number that the text stands for; where it stands for none, the one that was stays.
+NumberEdit take_number(Ui& ui, const NumberEntry& entry, NumberTyping& typing, double& value) {
+    if (typing.text == typing.first) {  // back to where it began, past all steps
+        const bool stepped = typing.taken != typing.first;
+        return {std::exchange(value, typing.before) != typing.before || stepped, false,
+                Along::back};
+    }
+    if (typing.text == typing.taken || typing.text.empty()) return {};
     const auto typed = typed_number(typing.text, value, entry.rules);
     if (!typed) {
         complain_of(ui, entry, typed.error().message);
         typing.refused = typing.entry;
-        return value;
+        return {};
     }
     if (!typed->remark.empty()) complain_of(ui, entry, typed->remark);
-    return typed->value;
+    const bool changed = std::exchange(value, typed->value) != typed->value || entry.mixed;
+    if (typed->factor) return {changed, false, Along::factor, *typed->factor};
+    return {changed, false, Along::same};
 }
 
 // While it is typed: half a number may be out of range or none.
@@ -111,46 +135,82 @@ void join_steps(Ui& ui, const std::string& field) {
     ui.field.nudged_s = ui.time_s;
 }
 
-bool enter_number(Ui& ui, const NumberEntry& entry, double& value) {
+int wheel_steps(Ui& ui) {
+    ImGuiContext& imgui = *ImGui::GetCurrentContext();
+    if (!ImGui::IsItemHovered()) return 0;
+    imgui.HoveredIdUsingMouseWheel = true;  // from the next frame on
+    // The pane beneath has been scrolled already if this is the first frame here.
+    return imgui.HoveredIdPreviousFrameUsingMouseWheel ? whole_turns(ui) : 0;
+}
+
+bool is_reset_asked(const Ui& ui) {
+    return !ui.as_picture && ImGui::IsItemHovered() &&
+           ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+}
+
+bool reset_by_label(const Ui& ui, double normal, double& value) {
+    return is_reset_asked(ui) && std::exchange(value, normal) != normal;
+}
+
+bool reset_by_label(const Ui& ui, int normal, int& value) {
+    return is_reset_asked(ui) && std::exchange(value, normal) != normal;
+}
+
+NumberEdit edit_entry(Ui& ui, const NumberEntry& entry, double& value) {
     NumberTyping& typing = ui.field.typing;
     const std::string name = "##" + entry.id;
     const ImGuiID id = ImGui::GetID(name.c_str());
     const int frame = ImGui::GetFrameCount();
     // One that went from the screen in the middle of being typed is not taken up again.
     const bool was_typed = typing.entry == id && typing.frame >= frame - 1;
-    const std::string shown = shown_number(entry.format, value);
+    const std::string shown = entry.mixed ? kMixed : shown_number(entry.format, value);
     std::string text = was_typed ? typing.text : shown;
-    Stepping stepping{&entry, value, false};
+    Stepping stepping{&ui, &entry, value};
     ImGui::SetNextItemWidth(entry.width_px);
     ImGui::InputText(name.c_str(), &text,
-                     ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackHistory,
+                     ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackHistory |
+                         ImGuiInputTextFlags_CallbackAlways,
                      on_step, &stepping);
+    ui.rects.tab_order.numbers.push_back(id);
     if (typing.refused == id && !was_typed) frame_in_red(ui);
+    NumberEdit edit;
     if (ImGui::IsItemActive()) {
-        if (!was_typed) typing = {id, frame, shown, shown, value, shown, 0};
+        if (!was_typed) {
+            const bool clicked = ImGui::GetIO().MouseDown[0];
+            typing = {id, frame, shown, shown, value, shown, clicked || ui.field.tabbed_on, 0};
+            ui.field.tabbed_on = false;
+            edit.begun = true;
+        }
+        if (ImGui::IsItemHovered()) ImGui::GetCurrentContext()->HoveredIdUsingMouseWheel = true;
         typing.frame = frame;
         typing.text = text;
         const double before = value;
         if (!stepping.stepped) {
             show_fault(ui, entry, typing);
             if (entry.live) value = live_number(entry, typing);
-            return value != before;
+            edit.changed = value != before;
+            return edit;
         }
-        value = taken_number(ui, entry, typing, value);
+        edit = take_number(ui, entry, typing, value);
+        edit.along = Along::step;
         typing.taken = text;
         join_steps(ui, entry.label);
-        return value != before;
+        return edit;
     }
-    if (!was_typed) return false;
+    if (!was_typed) return edit;
     typing.text = text;
     const double before = value;
     if (entry.live) value = typing.before;
-    const double taken = taken_number(ui, entry, typing, value);
+    edit = take_number(ui, entry, typing, value);
+    if (entry.live) edit.changed = value != before;
     typing.entry = 0;
-    value = taken;
     // Esc takes the steps of arrows back with it.
     ui.field.nudges_on = text == typing.first && ui.field.nudged == entry.label;
-    return value != before;
+    return edit;
+}
+
+bool enter_number(Ui& ui, const NumberEntry& entry, double& value) {
+    return edit_entry(ui, entry, value).changed;
 }
 
 bool enter_whole(Ui& ui, const NumberEntry& entry, int& value) {

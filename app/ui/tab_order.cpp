@@ -38,8 +38,12 @@ std::optional<std::size_t> focused_among(const std::vector<TabStop>& stops) {
     return static_cast<std::size_t>(found - stops.begin());
 }
 
-// Once around. Without a focus, the first one, or the last. `by_number`: from one that was typed to
-// the next, as in a table.
+bool is_number(const TabOrder& order, const TabStop& stop) {
+    return std::ranges::find(order.numbers, stop.id) != order.numbers.end();
+}
+
+// Once around. Without a focus, the first one, or the last. `by_number`: from one to the next, as
+// in a table.
 std::size_t next_stop(const std::vector<TabStop>& stops, const TabOrder& order, bool by_number) {
     const int step = order.step;
     const std::size_t count = stops.size();
@@ -50,10 +54,10 @@ std::size_t next_stop(const std::vector<TabStop>& stops, const TabOrder& order, 
     std::size_t to = after(*from);
     if (by_number) {
         std::size_t number = to;
-        while (number != *from && pane(number) == pane(*from) && !stops[number].is_typed_in) {
+        while (number != *from && pane(number) == pane(*from) && !is_number(order, stops[number])) {
             number = after(number);
         }
-        return stops[number].is_typed_in && pane(number) == pane(*from) ? number : to;
+        return number != *from && pane(number) == pane(*from) ? number : to;
     }
     if (!order.by_pane) return to;
     while (to != *from && pane(to) == pane(*from)) to = after(to);
@@ -118,8 +122,11 @@ void move_focus(Ui& ui) {
         ui.keyboard_mode ? reachable(order.stops) : std::vector<TabStop>();
     if (order.step != 0 && !stops.empty()) {
         const NumberTyping& typing = ui.field.typing;
-        const bool by_number = typing.entry != 0 && typing.text != typing.first;
-        focus_on(stops[next_stop(stops, order, by_number)]);
+        const bool by_number = typing.entry != 0 && !order.by_pane &&
+                               (typing.by_number || typing.text != typing.first);
+        const TabStop& stop = stops[next_stop(stops, order, by_number)];
+        focus_on(stop);
+        ui.field.tabbed_on = by_number && is_number(order, stop);
     }
     const auto focused = focused_among(stops);
     const bool has_begun = order.has_begun || order.step != 0;

@@ -2,8 +2,8 @@
 //
 // ImGui's own Tab knows fields of text alone, and one window at a time. Here every noted item that
 // can be pressed or typed in is a stop, over all panes, or within what lies over them. Ctrl+Tab
-// goes on to the next pane, and who has typed a number to the next number. Enter presses what has
-// the focus; arrows move within a list, whose rows are one stop.
+// goes on to the next pane, and who has clicked into a number or typed one to the next number.
+// Enter presses what has the focus; arrows move within a list, whose rows are one stop.
 //
 // Left out  menus (Alt), and bars of fields that have an entry beside them.
 #pragma once
@@ -25,8 +25,9 @@ struct TabStop {
 
 // What the keys of this frame ask for, and what they are for.
 struct TabOrder {
-    std::vector<TabStop> stops;  // of this frame
-    int step = 0;                // 1: on, -1: back
+    std::vector<TabStop> stops;     // of this frame
+    std::vector<unsigned> numbers;  // those of them that a number is typed in
+    int step = 0;                   // 1: on, -1: back
     bool by_pane = false;
     bool is_on_button = false;  // Enter presses that, and nothing else
     bool has_begun = false;     // Tab goes on from what was used last; else from the first one

@@ -18,13 +18,14 @@ namespace tact {
 
 // The number that is being typed in an entry: what of it outlives a frame.
 struct NumberTyping {
-    unsigned entry = 0;    // ImGui's name of the one with the keyboard; 0: none
-    int frame = 0;         // when it was last drawn so
-    std::string text;      // as it stands there
-    std::string first;     // as it stood there at first: what Esc goes back to ...
-    double before = 0.0;   // ... and the number that was
-    std::string taken;     // as it stood when it was last taken: an arrow takes at once
-    unsigned refused = 0;  // the entry whose last text was no good
+    unsigned entry = 0;      // ImGui's name of the one with the keyboard; 0: none
+    int frame = 0;           // when it was last drawn so
+    std::string text;        // as it stands there
+    std::string first;       // as it stood there at first: what Esc goes back to ...
+    double before = 0.0;     // ... and the number that was
+    std::string taken;       // as it stood when it was last taken: an arrow takes at once
+    bool by_number = false;  // Tab goes on to the next number, past all else
+    unsigned refused = 0;    // the entry whose last text was no good
 };
 
 // The field that keys go to, and the number that is being typed in it.
@@ -32,9 +33,13 @@ struct FieldEntry {
     std::string active;  // arrows nudge it
     std::string locked;  // clicked in vain: keys meant for it do nothing else
     NumberTyping typing;
-    std::string nudged;       // by arrows ...
-    double nudged_s = -10.0;  // ... and when: more of it soon is the same undo step
-    bool nudges_on = false;   // the step that is about to be committed joins the last one
+    bool tabbed_on = false;      // Tab is on its way from a number to the next one
+    float wheel = 0.0F;          // turns over the focused field that are no whole step yet
+    std::vector<double> before;  // in each of several patterns, when the gesture began
+    std::size_t clamped = 0;     // of them: how many could not follow to where it led
+    std::string nudged;          // by arrows ...
+    double nudged_s = -10.0;     // ... and when: more of it soon is the same undo step
+    bool nudges_on = false;      // the step that is about to be committed joins the last one
 };
 
 // The line at the foot.

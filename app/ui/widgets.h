@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/ui/layout.h"
+#include "app/ui/number_field.h"
 #include "app/ui/ui.h"
 #include "model/pattern/pattern.h"
 #include "viz/drawing/geometry.h"
@@ -36,15 +38,19 @@ struct Field {
     bool logarithmic = false;
     const char* help = nullptr;  // a tooltip
     bool enabled = true;
-    float right_room_px = 0.0F;  // left free after the entry
+    float right_room_px = 0.0F;      // left free after the entry
+    std::optional<double> normal{};  // what a double click on the label brings back
+    std::optional<Range> mixed{};    // it stands for several: the least and the most of them
 };
 
-struct FieldEdit {
-    bool changed = false;   // the value moved in this frame
+struct FieldEdit : NumberEdit {
     bool finished = false;  // the gesture ended: an undo step
 };
 
 FieldEdit draw_field(Ui& ui, const Field& field, double& value);
+
+// Within a row of other things: label, slider and entry in so many pixels.
+FieldEdit draw_short_field(Ui& ui, const Field& field, float width_px, double& value);
 
 // A row's label column, for rows that are no Field. The label stands above where less than
 // `room_px` would be left beside it. An empty one only moves the cursor to what follows.

@@ -31,10 +31,10 @@ bool belongs_to_text(const Shortcut& shortcut) {
 
 bool is_text_active() { return ImGui::GetIO().WantTextInput; }
 
-// What is typed at a field that is locked would have been a number.
-bool is_meant_for_locked(const App& app, const Shortcut& shortcut) {
-    return !app.ui.field.locked.empty() && !shortcut.ctrl && shortcut.sign >= '0' &&
-           shortcut.sign <= '9';
+// What is typed at a field that is locked, or whose slider is held, would have been a number.
+bool is_meant_for_field(const App& app, const Shortcut& shortcut) {
+    const bool is_digit = !shortcut.ctrl && shortcut.sign >= '0' && shortcut.sign <= '9';
+    return is_digit && (!app.ui.field.locked.empty() || ImGui::IsAnyItemActive());
 }
 
 // Changes the document, or which part of it is edited.
@@ -82,7 +82,7 @@ void run_shortcuts(App& app, std::span<const KeyPress> pressed) {
         for (const Command& command : commands()) {
             if (!matches(command.shortcut, press)) continue;
             if (is_text_active() && belongs_to_text(command.shortcut)) continue;
-            if (is_meant_for_locked(app, command.shortcut)) continue;
+            if (is_meant_for_field(app, command.shortcut)) continue;
             const bool arrow = press.code == key::kUp || press.code == key::kDown;
             if (arrow && app.ui.keyboard_mode) continue;
             if (command.enabled(app)) run(app, command);

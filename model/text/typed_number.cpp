@@ -105,37 +105,50 @@ Error no_number(std::string_view text) {
                  " is no number: type one such as 1.5, or a change such as *2 or -10%"};
 }
 
-// The number that the parts mean, before it is held against the range.
-Expected<double> meant(std::string_view text, const Parts& parts, double present,
-                       const NumberRules& rules) {
+// The number that was typed as it is, or the factor by which the present one changes.
+struct Meaning {
+    double number = 0.0;
+    std::optional<double> factor{};
+    bool divides = false;  // by the factor: 0.3 / 3 is not 0.3 * (1 / 3) to the last bit
+};
+
+Expected<Meaning> level_meant(std::string_view text, const Parts& parts, const NumberRules& rules) {
+    if (!takes_decibels(rules)) {
+        return Error{quoted(text) + " changes a strength: this is a number of " +
+                     std::string(rules.unit)};
+    }
+    if (parts.has_sign) return Meaning{0.0, std::pow(10.0, parts.number / 20.0)};
+    return Error{quoted(text) + " is neither more nor less: type +3dB or -3dB"};
+}
+
+// Before it is held against the range.
+Expected<Meaning> meant(std::string_view text, const Parts& parts, const NumberRules& rules) {
     if (parts.change != 0) {
         if (!parts.unit.empty()) return no_number(text);
-        return parts.change == '*' ? present * parts.number : present / parts.number;
+        return Meaning{0.0, parts.number, parts.change == '/'};
     }
-    if (parts.unit.empty() || is_same_word(parts.unit, rules.unit)) return parts.number;
+    if (parts.unit.empty() || is_same_word(parts.unit, rules.unit)) return Meaning{parts.number};
     const auto typed = meaning_of(parts.unit);
     if (!typed) return no_number(text);
     if (typed->quantity == Quantity::share) {
-        if (parts.has_sign) return present * (1.0 + parts.number / 100.0);
+        if (parts.has_sign) return Meaning{0.0, 1.0 + parts.number / 100.0};
         return Error{quoted(text) + " is neither more nor less: type +10% or -10%"};
     }
-    if (typed->quantity == Quantity::level) {
-        if (!takes_decibels(rules)) {
-            return Error{quoted(text) + " changes a strength: this is a number of " +
-                         std::string(rules.unit)};
-        }
-        if (parts.has_sign) return present * std::pow(10.0, parts.number / 20.0);
-        return Error{quoted(text) + " is neither more nor less: type +3dB or -3dB"};
-    }
+    if (typed->quantity == Quantity::level) return level_meant(text, parts, rules);
     const auto own = meaning_of(rules.unit);
     if (own && own->quantity == typed->quantity) {
         // Divided, not multiplied by a reciprocal: 0.2 s are 200 ms to the last bit.
-        return typed->size >= own->size ? parts.number * (typed->size / own->size)
-                                        : parts.number / (own->size / typed->size);
+        return Meaning{typed->size >= own->size ? parts.number * (typed->size / own->size)
+                                                : parts.number / (own->size / typed->size)};
     }
     const std::string wanted =
         rules.unit.empty() ? "a number without a unit" : "a number of " + std::string(rules.unit);
     return Error{quoted(text) + " is in " + parts.unit + ": this is " + wanted};
+}
+
+double applied(const Meaning& meaning, double present) {
+    if (!meaning.factor) return meaning.number;
+    return meaning.divides ? present / *meaning.factor : present * *meaning.factor;
 }
 
 }  // namespace
@@ -144,16 +157,20 @@ Expected<TypedNumber> typed_number(std::string_view text, double present,
                                    const NumberRules& rules) {
     const auto parts = parts_of(std::string(text));
     if (!parts) return no_number(text);
-    const Expected<double> value = meant(text, *parts, present, rules);
-    if (!value) return value.error();
-    if (!std::isfinite(*value)) return no_number(text);
-    if (rules.whole && *value != std::floor(*value)) {
+    const Expected<Meaning> meaning = meant(text, *parts, rules);
+    if (!meaning) return meaning.error();
+    const double value = applied(*meaning, present);
+    if (!std::isfinite(value)) return no_number(text);
+    if (rules.whole && value != std::floor(value)) {
         return Error{quoted(text) + " is no whole number"};
     }
-    TypedNumber typed{std::clamp(*value, rules.allowed.low, rules.allowed.high), {}};
-    if (typed.value != *value) {
-        const bool above = *value > rules.allowed.high;
-        typed.remark = with_unit(*value, rules.unit) +
+    TypedNumber typed{std::clamp(value, rules.allowed.low, rules.allowed.high)};
+    if (meaning->factor) {
+        typed.factor = meaning->divides ? 1.0 / *meaning->factor : *meaning->factor;
+    }
+    if (typed.value != value) {
+        const bool above = value > rules.allowed.high;
+        typed.remark = with_unit(value, rules.unit) +
                        (above ? " is too much: " : " is too little: ") +
                        with_unit(typed.value, rules.unit) +
                        (above ? ", the most, was taken" : ", the least, was taken");

@@ -4,10 +4,12 @@
 // number
 //           that is there: "*2", "/4", "-10%", "+3dB"
 // Output    a finite number within its range, or a sentence that says what was expected
-// Valid     a sign before a number without % or dB is the number's own: "-3" is minus three
+// Valid     a sign before a number without % or dB is the number's own: "-10" is minus ten and
+//           "+0.1" a tenth, but "-10%" is a tenth less than the number that is there
 // Left out  sums, thousands' separators, degrees of any unit not in the table.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,7 +27,8 @@ struct NumberRules {
 
 struct TypedNumber {
     double value = 0.0;
-    std::string remark;  // where it is not what was typed, why not
+    std::string remark{};            // where it is not what was typed, why not
+    std::optional<double> factor{};  // of a change: for other numbers that it is meant for as well
 };
 
 // `present` is what changes are of.

@@ -150,7 +150,7 @@ TEST_CASE("playing: the clip light stays on until it is clicked, the meter falls
 TEST_CASE("playing: the level is felt while it plays") {
     FeltProgram program;
     program.space();
-    const Place slider = program.at("level");
+    const Place slider = program.at("slider:level_percent");
     program.window.move({slider.max.x - 2.0F, slider.middle().y});
     program.window.button(true);
     program.settle();

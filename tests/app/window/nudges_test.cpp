@@ -29,6 +29,8 @@ TEST_CASE("numbers: Up and Down step at once, Shift coarsely, and Esc takes all 
     CHECK(program.pattern(0).amplitude_g == doctest::Approx(1.45).epsilon(1e-12));
     hold(program, key::kLeftShift, [&] { program.press_key(key::kUp); });
     CHECK(program.pattern(0).amplitude_g == doctest::Approx(1.70).epsilon(1e-12));
+    hold(program, key::kLeftAlt, [&] { program.press_key(key::kUp); });
+    CHECK(program.pattern(0).amplitude_g == doctest::Approx(1.705).epsilon(1e-12));
     program.press_key(key::kEscape);
     CHECK(program.pattern(0).amplitude_g == 1.5);
     program.press('z', true);
@@ -71,6 +73,48 @@ TEST_CASE("numbers: nudges in quick succession are one undo step, after a pause 
     CHECK(program.pattern(0).amplitude_g == start_g);
     program.press('z', true, true);
     CHECK(program.pattern(0).amplitude_g == first_g);
+}
+
+TEST_CASE("numbers: the wheel steps the focused field, one step a turn, and scrolls nothing") {
+    PatternSet set = odd_numbers(2);
+    Program program(set);
+    program.resize({1600.0F, 620.0F}, 1.0F);  // the editor is taller than its pane
+    const auto turn = [&](float by) {
+        push(program.window.input, {program.window.now_s, MouseWheel{0.0F, by}});
+        program.settle();
+    };
+    const auto top = [&] { return program.at("entry:amplitude_g").min.y; };
+    const float before = top();
+    program.hover(program.at("slider:modulation_hz").middle());
+    turn(-1.0F);
+    CHECK(top() < before);  // not the focused one: the pane scrolls
+    turn(1.0F);
+    REQUIRE(top() == before);
+    program.click("slider:amplitude_g");
+    const double start_g = program.pattern(0).amplitude_g;
+    turn(1.0F);
+    turn(1.0F);
+    CHECK(program.pattern(0).amplitude_g == doctest::Approx(start_g + 0.1).epsilon(1e-9));
+    hold(program, key::kLeftShift, [&] { turn(-1.0F); });
+    CHECK(program.pattern(0).amplitude_g == doctest::Approx(start_g - 0.15).epsilon(1e-9));
+    turn(0.5F);  // half a turn of a touch pad
+    CHECK(program.pattern(0).amplitude_g == doctest::Approx(start_g - 0.15).epsilon(1e-9));
+    turn(0.5F);
+    CHECK(program.pattern(0).amplitude_g == doctest::Approx(start_g - 0.1).epsilon(1e-9));
+    CHECK(top() == before);
+    program.press('z', true);
+    CHECK(program.pattern(0).amplitude_g == start_g);  // in quick succession: one step
+}
+
+TEST_CASE("numbers: the wheel steps a number that is being typed, from what is typed") {
+    Program program(odd_numbers(1));
+    program.click("entry:amplitude_g");
+    program.type("2");
+    push(program.window.input, {program.window.now_s, MouseWheel{0.0F, 1.0F}});
+    program.settle();
+    CHECK(program.pattern(0).amplitude_g == doctest::Approx(2.05).epsilon(1e-12));
+    program.press_key(key::kEscape);
+    CHECK(program.pattern(0).amplitude_g == 1.5);
 }
 
 TEST_CASE("numbers: nudges of one pattern and then of another are two steps, however quick") {

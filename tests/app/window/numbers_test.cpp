@@ -57,6 +57,10 @@ std::vector<std::string> shown_entries(const Program& program) {
     return entries;
 }
 
+void window_click(Program& program, const char* name) {
+    program.window.click(program.at(name).middle());
+}
+
 constexpr std::array<const char*, 4> kNoNumbers{"nan", "inf", "-inf", "1e999"};
 
 }  // namespace
@@ -120,6 +124,64 @@ TEST_CASE("numbers: Tab takes the number and goes to the next one, never into a 
     program.type("7");
     program.press_key(key::kEnter);
     CHECK(program.pattern(0).modulation.frequency_hz == 7.0);
+}
+
+TEST_CASE("numbers: Tab from a number that was only clicked goes on from number to number") {
+    Program program(odd_numbers(1));
+    program.click("entry:amplitude_g");
+    // Between carrier and modulation are two links, and a field of text before the attack.
+    for (int k = 0; k < 3; ++k) program.press_key(key::kTab);
+    program.type("12");
+    program.press_key(key::kTab);
+    program.press_key(key::kTab, false, true);
+    program.press_key(key::kTab, false, true);
+    program.type("9");
+    program.press_key(key::kEnter);
+    CHECK(program.pattern(0).attack_s == 0.012);
+    CHECK(program.pattern(0).modulation.frequency_hz == 9.0);
+    CHECK(program.pattern(0).rhythm.text.empty());
+}
+
+TEST_CASE("numbers: a double click on the label brings the default back, as one undo step") {
+    Program program(odd_numbers(1));
+    const Pattern normal;
+    const auto reset = [&](const char* label) {
+        for (int k = 0; k < 2; ++k) {
+            window_click(program, label);
+        }
+        program.settle();
+    };
+    reset("field label:amplitude_g");
+    CHECK(program.pattern(0).amplitude_g == normal.amplitude_g);
+    CHECK(undo_label(program) == "Change amplitude of p1");
+    reset("field label:carrier_1_hz");
+    CHECK(program.pattern(0).carriers[0].frequency_hz == normal.carriers[0].frequency_hz);
+    reset("field label:modulation_hz");
+    CHECK(program.pattern(0).modulation.frequency_hz == normal.modulation.frequency_hz);
+    program.press('z', true);
+    CHECK(program.pattern(0).modulation.frequency_hz == 2.5);
+    program.click("field label:amplitude_g");  // once is no double click
+    CHECK(program.pattern(0).amplitude_g == normal.amplitude_g);
+}
+
+TEST_CASE("numbers: the label of a locked pattern resets nothing") {
+    PatternSet set = odd_numbers(1);
+    set.vibrations[0].locked = true;
+    Program program(set);
+    for (int k = 0; k < 2; ++k) window_click(program, "field label:amplitude_g");
+    program.settle();
+    CHECK(program.pattern(0).amplitude_g == 1.5);
+}
+
+TEST_CASE("numbers: a double click on the label of a dialog's number resets it, too") {
+    Program program(odd_numbers(2));
+    program.app.exports.picture_size.scale = 3.0F;
+    program.app.layout.bench = BenchTab::subset;
+    program.app.picking.count = 5;
+    program.settle();
+    for (int k = 0; k < 2; ++k) window_click(program, "subset label:count");
+    program.settle();
+    CHECK(program.app.picking.count == SubsetState{}.count);
 }
 
 TEST_CASE("numbers: a click elsewhere takes what was typed") {
@@ -237,6 +299,17 @@ TEST_CASE("numbers: digits typed at a field, locked or not, do not change the la
     CHECK(program.app.layout.left == left);
     CHECK(program.app.layout.right == right);
     CHECK_FALSE(program.app.studying.is_open);
+    // Nor while the slider of one that is not locked is held.
+    program.app.work.document.set.vibrations[0].locked = false;
+    program.settle();
+    program.window.move(program.at("slider:amplitude_g").middle());
+    program.window.button(true);
+    program.settle();
+    for (const char32_t digit : {U'1', U'2', U'3', U'5'}) program.press(digit);
+    CHECK(program.app.layout.left == left);
+    CHECK(program.app.layout.right == right);
+    program.window.button(false);
+    program.settle();
     program.click("row:p1");
     program.press(U'3');
     CHECK((program.app.layout.left != left || program.app.layout.right != right));

@@ -65,6 +65,28 @@ TEST_CASE("number entry: changes are of the number that is there") {
     CHECK(number("-6 dB", 1.0, kGrams) == doctest::Approx(std::pow(10.0, -0.3)).epsilon(1e-12));
 }
 
+TEST_CASE("number entry: a sign alone is the number's own, and only % and dB make it a change") {
+    constexpr NumberRules kAny{{-100.0, 100.0}, "g"};
+    CHECK(number("-10", 50.0, kAny) == -10.0);
+    CHECK(number("+0.1", 50.0, kAny) == 0.1);
+    CHECK(number("-10%", 50.0, kAny) == doctest::Approx(45.0).epsilon(1e-12));
+    CHECK(number("-10", 50.0, {{-100.0, 100.0}, "%"}) == -10.0);
+    CHECK(number("-10%", 50.0, {{-100.0, 100.0}, "%"}) == -10.0);
+}
+
+TEST_CASE("number entry: a change knows its factor, for the other numbers that it is meant for") {
+    const auto factor = [](std::string_view text) {
+        return typed_number(text, 2.0, kGrams)->factor;
+    };
+    CHECK(factor("*3") == 3.0);
+    CHECK(factor("/4") == 0.25);
+    CHECK(factor("-10%").value_or(0.0) == doctest::Approx(0.9).epsilon(1e-12));
+    CHECK(factor("+20dB").value_or(0.0) == doctest::Approx(10.0).epsilon(1e-12));
+    CHECK_FALSE(factor("6"));
+    CHECK_FALSE(factor("6 g"));
+    CHECK(factor("*1000") == 1000.0);  // clamped as it is: others may have room
+}
+
 TEST_CASE("number entry: what is no finite number is refused, and says what would be one") {
     for (const char* text :
          {"",         " ",      "nan",    "NaN",    "-nan",    "inf",  "-inf", "infinity",

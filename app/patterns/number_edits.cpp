@@ -1,0 +1,140 @@
+// One number of several patterns at a time. Declared in app/patterns/pattern_fields.h.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "app/document/editing.h"
+#include "app/patterns/pattern_fields.h"
+
+namespace tact {
+
+namespace {
+
+struct Followed {
+    std::vector<double> values;  // of those that are edited, in the order of the list
+    std::size_t leader = 0;      // the current one's place among them
+};
+
+bool is_edited(const Vibration& vibration) {
+    return std::holds_alternative<Pattern>(vibration.source) && !vibration.locked;
+}
+
+Followed followed(const Workspace& work, const ReadNumber& read) {
+    Followed all;
+    for (const std::size_t index : selected_indices(work)) {
+        const Vibration& vibration = work.document.set.vibrations[index];
+        if (!is_edited(vibration)) continue;
+        const auto value = read(std::get<Pattern>(vibration.source));
+        if (!value) continue;
+        if (index == work.selection.current) all.leader = all.values.size();
+        all.values.push_back(*value);
+    }
+    return all;
+}
+
+// As one that is made anew, with as many carriers.
+Pattern normal_pattern(const Workspace& work, std::size_t carriers) {
+    constexpr double kHighestHz = 500.0;
+    Pattern normal;
+    normal.duration_s = work.document.set.duration_s;
+    while (normal.carriers.size() < carriers) {
+        Carrier more = normal.carriers.back();
+        more.frequency_hz = std::min(3.0 * more.frequency_hz, kHighestHz);
+        normal.carriers.push_back(more);
+    }
+    for (Carrier& carrier : normal.carriers) carrier.weight = 1.0 / static_cast<double>(carriers);
+    return normal;
+}
+
+double snapped_to(double value, double snap) {
+    return snap > 0.0 ? std::max(snap, std::round(value / snap) * snap) : value;
+}
+
+// Where each goes as the leader goes to `to`. `before`: the values at the gesture's beginning.
+std::vector<double> targets(const Followed& all, std::vector<double> before, const Field& field,
+                            const NumberEdit& edit, double to) {
+    if (before.size() != all.values.size()) before = all.values;
+    const bool by_ratio = std::ranges::all_of(before, [](double value) { return value > 0.0; });
+    std::vector<double> to_each = all.values;
+    for (std::size_t k = 0; k < to_each.size(); ++k) {
+        double& value = to_each[k];
+        switch (edit.along) {
+            case Along::same:
+                value = to;
+                break;
+            case Along::factor:
+                value *= edit.factor;
+                break;
+            case Along::ratio:
+                value = by_ratio ? snapped_to(before[k] * (to / before[all.leader]), field.snap)
+                                 : before[k] + (to - before[all.leader]);
+                break;
+            case Along::step:
+                value += to - all.values[all.leader];
+                break;
+            case Along::back:
+                value = before[k];
+                break;
+        }
+    }
+    to_each[all.leader] = to;
+    return to_each;
+}
+
+// How many did not get where they were to go: out of range.
+std::size_t write_all(Workspace& work, const std::vector<double>& to_each, const ReadNumber& read,
+                      const WriteNumber& write) {
+    std::size_t k = 0;
+    edit_patterns(work, [&](Pattern& pattern) {
+        if (read(pattern) && k < to_each.size()) write(pattern, to_each[k++]);
+    });
+    const std::vector<double> reached = followed(work, read).values;
+    std::size_t clamped = 0;
+    for (k = 0; k < std::min(reached.size(), to_each.size()); ++k) {
+        constexpr double kSame = 1e-9;
+        clamped += std::abs(reached[k] - to_each[k]) > kSame * std::max(1.0, std::abs(to_each[k]));
+    }
+    return clamped;
+}
+
+void tell_clamped(Ui& ui, const Field& field, std::size_t clamped, std::size_t count) {
+    if (clamped == 0 || count < 2) return;
+    complain(ui, std::string(field.label) + ": " + std::to_string(clamped) + " of " +
+                     std::to_string(count) + " patterns stopped at the end of the range, " +
+                     shown_number(field.format, field.typed.low) + " to " +
+                     shown_number(field.format, field.typed.high));
+}
+
+}  // namespace
+
+void edit_number(Ui& ui, Workspace& work, Field field, const std::string& what,
+                 const ReadNumber& read, const WriteNumber& write) {
+    const Vibration* vibration = current_vibration(work);
+    if (vibration == nullptr || !std::holds_alternative<Pattern>(vibration->source)) return;
+    const Pattern shown = std::get<Pattern>(vibration->source);
+    const auto value = read(shown);
+    if (!value) return;
+    const Followed all = followed(work, read);
+    if (!all.values.empty()) {
+        const auto [least, most] = std::ranges::minmax(all.values);
+        if (least != most) field.mixed = Range{least, most};
+    }
+    field.normal = read(normal_pattern(work, shown.carriers.size()));
+    double edited = *value;
+    const FieldEdit edit = draw_field(ui, field, edited);
+    if (edit.begun) {
+        ui.field.before = all.values;
+        ui.field.clamped = 0;
+    }
+    if (edit.changed && !all.values.empty() && (edited != *value || all.values.size() > 1)) {
+        ui.field.clamped =
+            write_all(work, targets(all, ui.field.before, field, edit, edited), read, write);
+    }
+    if (!edit.finished) return;
+    commit_step(ui, work, "Change " + of_selection(work, what));
+    tell_clamped(ui, field, std::exchange(ui.field.clamped, 0), all.values.size());
+}
+
+}  // namespace tact
