@@ -17,16 +17,20 @@ PatternLook look_of(const Ui& ui, const Workspace& work, std::size_t index) {
     return look_of(ui.theme, work.document.set, index);
 }
 
+double shown_reach_g(const Workspace& work) {
+    return work.selection.own_heights ? 0.0 : work.cache.reach_g;
+}
+
 void draw_thumbnail(const Ui& ui, Workspace& work, const Rect& area, const Vibration& vibration,
-                    ImU32 colour) {
+                    ImU32 colour, double reach_g) {
     const Waveform* known = waveform_in_time(work.cache, vibration);
     if (known == nullptr) return;
     const Waveform& waveform = *known;
     Plot plot;
     plot.area = area;
     const double length_s = std::max(duration_s(waveform), 1e-3);
-    // Silence needs a scale, too; a shared one would hide quiet patterns.
-    const double largest_g = std::max(peak_g(waveform), 1e-6);
+    // Silence needs a scale, too.
+    const double largest_g = reach_g > 0.0 ? reach_g : std::max(peak_g(waveform), 1e-6);
     plot.x = {0.0, length_s, Scale::linear, area.min.x, area.max.x};
     plot.y = {-largest_g, largest_g, Scale::linear, area.max.y, area.min.y};
     draw_signal(*ImGui::GetWindowDrawList(), ui.theme, plot, waveform.samples_g, waveform.rate_hz,

@@ -14,9 +14,12 @@ namespace tact {
 PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index);
 PatternLook look_of(const Ui& ui, const Workspace& work, std::size_t index);
 
-// The waveform of a vibration without axes, each to its own height.
+// What a waveform is drawn up to where all of the set have one scale, g; 0: up to its own peak.
+double shown_reach_g(const Workspace& work);
+
+// The waveform of a vibration without axes.
 void draw_thumbnail(const Ui& ui, Workspace& work, const Rect& area, const Vibration& vibration,
-                    ImU32 colour);
+                    ImU32 colour, double reach_g);
 
 // All words of a set that are drawn: what fonts need glyphs for.
 std::string drawn_text(const PatternSet& set);

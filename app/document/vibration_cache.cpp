@@ -1,8 +1,46 @@
 #include "app/document/vibration_cache.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace tact {
+
+namespace {
+
+// No rendering is stronger.
+double bound_g(const Pattern& pattern) {
+    double sum = 0.0;
+    for (const Carrier& carrier : pattern.carriers) sum += std::abs(carrier.weight);
+    const bool am = pattern.modulation.kind == ModulationKind::am;
+    return pattern.amplitude_g * sum * (am ? 1.0 + pattern.modulation.depth : 1.0);
+}
+
+// None where the entry of the name is of another vibration.
+std::optional<double> known_peak_g(const VibrationCache& cache, const Vibration& vibration) {
+    const auto found = cache.entries.find(vibration.name);
+    if (found == cache.entries.end()) return std::nullopt;
+    const auto* measured = std::get_if<Measurement>(&vibration.source);
+    const auto* kept = std::get_if<Measurement>(&found->second.source);
+    // By address: to compare two recordings takes longer than to look for a peak.
+    const bool same = measured != nullptr
+                          ? kept != nullptr && kept->waveform == measured->waveform
+                          : kept == nullptr && found->second.source == vibration.source;
+    return same ? std::optional(found->second.peak_g) : std::nullopt;
+}
+
+// Not rendered yet: as it was, as much stronger as its numbers are. Else the scale of all would
+// shake while the strongest is dragged.
+double expected_peak_g(const VibrationCache& cache, const Vibration& vibration) {
+    const double bound = bound_g(std::get<Pattern>(vibration.source));
+    const auto found = cache.entries.find(vibration.name);
+    if (found == cache.entries.end()) return bound;
+    const auto* before = std::get_if<Pattern>(&found->second.source);
+    const double bound_before = before == nullptr ? 0.0 : bound_g(*before);
+    return bound_before > 0.0 ? found->second.peak_g * (bound / bound_before) : bound;
+}
+
+}  // namespace
 
 const Waveform& cached_waveform(VibrationCache& cache, const Vibration& vibration) {
     if (const auto* measurement = std::get_if<Measurement>(&vibration.source)) {
@@ -16,15 +54,18 @@ const Waveform& cached_waveform(VibrationCache& cache, const Vibration& vibratio
         return found->second.waveform;
     }
     CachedVibration fresh{vibration.source, waveform_of(vibration)};
+    fresh.peak_g = peak_g(fresh.waveform);
+    cache.reach_of = 0;
     return cache.entries.insert_or_assign(vibration.name, std::move(fresh)).first->second.waveform;
 }
 
 const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibration) {
-    const auto found = cache.entries.find(vibration.name);
-    const bool known = found != cache.entries.end() && found->second.source == vibration.source;
-    if (known || std::holds_alternative<Measurement>(vibration.source)) {
+    if (std::holds_alternative<Measurement>(vibration.source)) {
         return &cached_waveform(cache, vibration);
     }
+    const auto found = cache.entries.find(vibration.name);
+    const bool known = found != cache.entries.end() && found->second.source == vibration.source;
+    if (known) return &found->second.waveform;
     if (cache.samples_left == 0) {
         cache.behind = true;
         return found == cache.entries.end() ? nullptr : &found->second.waveform;
@@ -32,6 +73,22 @@ const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibrati
     const Waveform& fresh = cached_waveform(cache, vibration);
     cache.samples_left -= std::min(cache.samples_left, fresh.samples_g.size());
     return &fresh;
+}
+
+void follow_reach(VibrationCache& cache, const PatternSet& set, std::uint64_t revision) {
+    if (cache.reach_of == revision) return;
+    double reach_g = 0.0;
+    for (const Vibration& vibration : set.vibrations) {
+        auto peak = known_peak_g(cache, vibration);
+        if (const auto* measured = std::get_if<Measurement>(&vibration.source); measured && !peak) {
+            peak = peak_g(*measured->waveform);
+            cache.entries.insert_or_assign(vibration.name,
+                                           CachedVibration{vibration.source, {}, *peak});
+        }
+        reach_g = std::max(reach_g, peak ? *peak : expected_peak_g(cache, vibration));
+    }
+    cache.reach_g = reach_g > 0.0 ? reach_g : 1.0;
+    cache.reach_of = revision;
 }
 
 const std::vector<Component>& cached_components(VibrationCache& cache, const Vibration& vibration,

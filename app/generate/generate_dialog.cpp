@@ -101,6 +101,11 @@ void draw_previews(Ui& ui, Workspace& work, const GeneratePlan* plan) {
     const std::size_t count = std::min(all.size(), kMostPreviews);
     const float each = width / static_cast<float>(kMostPreviews);
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    // One scale for all of them: what is stronger looks stronger.
+    double reach_g = 0.0;
+    for (const Candidate& candidate : all) {
+        reach_g = std::max(reach_g, candidate.pattern.amplitude_g);
+    }
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t place = count == 1 ? 0 : k * (all.size() - 1) / (count - 1);
         const ImVec2 low{corner.x + static_cast<float>(k) * each, corner.y};
@@ -109,7 +114,7 @@ void draw_previews(Ui& ui, Workspace& work, const GeneratePlan* plan) {
         Vibration vibration;
         vibration.name = "candidate preview " + std::to_string(k);
         vibration.source = all[place].pattern;
-        draw_thumbnail(ui, work, inset(area, 3.0F * s), vibration, theme.accent);
+        draw_thumbnail(ui, work, inset(area, 3.0F * s), vibration, theme.accent, reach_g);
         draw_text(list, theme.fonts.small, {low.x, area.max.y + 3.0F * s}, theme.dim_text,
                   shortened(theme.fonts.small, all[place].name, area.width()));
         note_rect(ui.rects, "generate:preview " + std::to_string(k), area.min, area.max,

@@ -152,6 +152,24 @@ MapState map_state(const Workspace& work, const ShownMap& shown_map) {
     return shown.preview ? MapState::preview : MapState::exact;
 }
 
+void follow_unfelt(Workspace& work, ShownMap& shown_map) {
+    const auto& shown = shown_map.transition.shown;
+    ShownUnfelt& found = shown_map.unfelt;
+    if (found.of == shown && found.revision == work.revision) return;
+    found = {shown, work.revision};
+    work.selection.unfelt.clear();
+    if (!shown) return;
+    const auto& then = shown->request.set->vibrations;
+    const auto& codes = shown->prediction.codes;
+    for (std::size_t k = 0; k < std::min(then.size(), codes.size()); ++k) {
+        const auto answers = [](const Activation& channel) { return channel.rate_hz > 0.0; };
+        if (std::ranges::any_of(codes[k]->neural.activation, answers)) continue;
+        const auto now = place_named(work.document.set, then[k].name);
+        if (!now || work.document.set.vibrations[*now].source != then[k].source) continue;
+        work.selection.unfelt.insert(then[k].name);
+    }
+}
+
 Eigen::MatrixXd eased_points(const Ui& ui, const ShownMap& shown_map) {
     if (!ui.motion) return shown_map.transition.to;
     const double share = smooth((ui.time_s - shown_map.transition.since_s) / kEaseS);

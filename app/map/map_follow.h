@@ -21,6 +21,10 @@ void take_maps(const Ui& ui, ShownMap& shown_map);
 // Puts a map on the screen, aligned to the one before it.
 void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> map);
 
+// Tells the selection which patterns no receptor answers to, as the shown map has found; of those
+// edited since it is not known.
+void follow_unfelt(Workspace& work, ShownMap& shown_map);
+
 // What is on screen: is it the document's own, exact map?
 enum class MapState {
     none,       // nothing was computed yet, or there is nothing to compute

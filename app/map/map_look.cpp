@@ -50,9 +50,10 @@ void colour_by(const Ui& ui, const ShownMap& shown_map, PatternParameter paramet
                std::vector<PatternLook>& looks) {
     const auto reach = reach_of(shown_map, parameter);
     if (!reach) return;
+    const MarkColours colours = mark_colours(ui.theme.pane);
     for (std::size_t k = 0; k < looks.size(); ++k) {
         const auto value = value_of(shown_vibrations(shown_map)[k], parameter);
-        looks[k] = value ? PatternLook{viridis(share_of(parameter, *reach, *value)), false}
+        looks[k] = value ? PatternLook{colours(share_of(parameter, *reach, *value)), false}
                          : PatternLook{ui.theme.dim_text, true};
     }
 }
@@ -266,12 +267,13 @@ void draw_map_legend(const Ui& ui, const ShownMap& shown_map, const Rect& area) 
     draw_text(list, theme.fonts.small, {x, y}, theme.dim_text, low);
     x += low_size.x + gap;
     constexpr int kPieces = 24;
+    const MarkColours colours = mark_colours(theme.pane);
     const float height = low_size.y;
     for (int k = 0; k < kPieces; ++k) {
         const float from = x + bar * static_cast<float>(k) / kPieces;
         list.AddRectFilled({from, y + 0.25F * height},
                            {from + bar / kPieces + 0.5F, y + 0.75F * height},
-                           viridis((k + 0.5) / kPieces));
+                           colours((k + 0.5) / kPieces));
     }
     draw_text(list, theme.fonts.small, {x + bar + gap, y}, theme.dim_text, high);
 }

@@ -66,6 +66,12 @@ struct ShownLargest {
     double value = 0.0;
 };
 
+// Which map and which document those that are not felt were found in.
+struct ShownUnfelt {
+    std::shared_ptr<const LiveMap> of;
+    std::uint64_t revision = 0;
+};
+
 struct ShownMap {
     std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> preview_job;
     std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> full_job;
@@ -79,6 +85,7 @@ struct ShownMap {
     ShownClusters clusters;
     ShownPaths paths;
     ShownLargest largest;
+    ShownUnfelt unfelt;
     std::size_t menu_of = 0;  // the pattern whose menu is open in the map
     SpaceCamera camera;
     int dimensions = 3;

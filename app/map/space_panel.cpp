@@ -222,16 +222,19 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     }
     const auto places = places_in_document(work, shown_map);
     std::vector<std::string> labels;
+    std::vector<std::string> words;  // as they stand in the map
     std::vector<PatternLook> looks;
     const auto& shown = shown_map.transition.shown->request.set->vibrations;
     for (std::size_t k = 0; k < shown.size(); ++k) {
         labels.push_back(shown[k].name);
+        const bool unfelt = work.selection.unfelt.contains(shown[k].name);
+        words.push_back(unfelt ? shown[k].name + " (not felt)" : shown[k].name);
         looks.push_back(places[k] ? look_of(ui, work, *places[k])
                                   : PatternLook{ui.theme.dim_text, true});
     }
     const Eigen::MatrixXd points = eased_points(ui, shown_map);
     const MapDecor decor = map_decor(ui, shown_map, marks, looks);
-    SpaceScene scene = scene_of(ui, work, shown_map, labels, looks, points, places);
+    SpaceScene scene = scene_of(ui, work, shown_map, words, looks, points, places);
     decorate(decor, scene);
     const auto& people = marks.people;
     if (people) {

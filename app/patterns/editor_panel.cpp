@@ -154,6 +154,12 @@ void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
         ImGui::PopStyleColor();
         note_item(ui.rects, "editor:too close");
     }
+    if (work.selection.unfelt.contains(vibration->name)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
+        ImGui::TextWrapped("Not felt: no receptor answers to it.");
+        ImGui::PopStyleColor();
+        note_item(ui.rects, "editor:not felt");
+    }
     // Arrow keys nudge what was touched last in this pattern, not in the one before.
     if (std::exchange(pattern_panes.editor.active_pattern, vibration->name) != vibration->name) {
         ui.field.active.clear();

@@ -5,6 +5,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "app/document/pattern_looks.h"
 #include "app/patterns/set_panel.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -20,33 +22,55 @@ namespace tact {
 
 namespace {
 
-constexpr float kPatternRowPx = 25.0F;
+constexpr float kLeastRowPx = 25.0F;
+constexpr float kMostRowPx = 40.0F;
 constexpr const char* kDragKind = "tact-vibration";
+constexpr const char* kUnfelt = "not felt";
 
-// Which parts of a row there is room for, beside most of the names.
+// How much of a row each part takes. The picture is always there: the strength goes first where a
+// row is narrow, then the ends of names.
 struct RowParts {
-    float thumbnail_px = 0.0F;  // 0: none
+    float height_px = 0.0F;
+    float thumbnail_px = 0.0F;
     float strength_px = 0.0F;
 };
 
-// The strength goes first, then the thumbnail, then the ends of names.
-RowParts row_parts(const Ui& ui, const Workspace& work, float row_px) {
+RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t rows) {
     const float s = ui.theme.scale;
     const auto& all = work.document.set.vibrations;
     float widest = 0.0F;
     for (std::size_t k = 0; k < std::min<std::size_t>(all.size(), 500); ++k) {
         widest = std::max(widest, text_size(ui.theme.fonts.regular, all[k].name).x);
     }
+    const float each = room.y / static_cast<float>(std::max<std::size_t>(rows, 1)) - 1.0F;
+    RowParts parts;
+    parts.height_px = std::floor(std::clamp(each, kLeastRowPx * s, kMostRowPx * s));
     // One long name must not take the pictures of all.
-    const float free = row_px - 32.0F * s - std::min(widest, 0.5F * row_px);
-    const float least = 36.0F * s;
-    const float most = std::min(76.0F * s, 0.28F * row_px);
+    const float free = room.x - 32.0F * s - std::min(widest, 0.5F * room.x);
+    const float least = 48.0F * s;
     constexpr float kStrengthPx = 62.0F;
-    if (free >= kStrengthPx * s + least) {
-        return {std::min(free - kStrengthPx * s, most), kStrengthPx * s};
-    }
-    if (free >= least) return {std::min(free, most), 0.0F};
-    return {};
+    if (free >= kStrengthPx * s + least) parts.strength_px = kStrengthPx * s;
+    parts.thumbnail_px = std::max(std::min(least, 0.4F * room.x), free - parts.strength_px);
+    return parts;
+}
+
+// One scale of g for the waveforms of all patterns, or each to its own height.
+void draw_scale_switch(Ui& ui, Workspace& work) {
+    bool& own = work.selection.own_heights;
+    const std::string text =
+        own ? "own heights" : "\u00b1" + significant_digits(work.cache.reach_g, 3) + " g";
+    flow_on(chip_width(ui, text.c_str()), ui.theme.gap_px);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float chip_px = text_size(ui.theme.fonts.small, text).y + 6.0F * ui.theme.scale;
+    ImGui::SetCursorScreenPos({corner.x, corner.y + 0.5F * (ImGui::GetFrameHeight() - chip_px)});
+    if (draw_chip(ui, "heights", text.c_str(), !own)) own = !own;
+    note_item(ui.rects, "button:heights", text);
+    draw_tooltip(ui, own ? "Each waveform fills its row. Press to draw all of them on one scale."
+                         : "All waveforms are drawn on this one scale, so that what is stronger "
+                           "looks stronger. Press to draw each to its own height.");
+    ImGui::SameLine(0.0F, 0.0F);
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y});
+    ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
 }
 
 void draw_toolbar(Ui& ui, Workspace& work) {
@@ -59,6 +83,7 @@ void draw_toolbar(Ui& ui, Workspace& work) {
     note_item(ui.rects, "button:duplicate");
     draw_tooltip(ui, "Copy the selected patterns (Ctrl+D)");
     ImGui::EndDisabled();
+    draw_scale_switch(ui, work);
     flow_on(72.0F * ui.theme.scale, ui.theme.gap_px);
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::InputTextWithHint("##search", "Search", &work.selection.search);
@@ -75,18 +100,31 @@ std::string strength_text(const Vibration& vibration) {
     return text;
 }
 
-void drag_row(Ui& ui, Workspace& work, std::size_t index) {
+// Where the row that is dragged would come.
+void draw_drop_line(Ui& ui, float y, const Rect& row) {
+    const float half = ui.theme.scale;
+    const Rect line{{row.min.x, y - half}, {row.max.x, y + half}};
+    ImGui::GetWindowDrawList()->AddRectFilled(line.min, line.max, ui.theme.accent, half);
+    note_rect(ui.rects, "drop line", line.min, line.max);
+}
+
+void drag_row(Ui& ui, Workspace& work, std::size_t index, const Rect& row) {
     if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) {
         ImGui::SetDragDropPayload(kDragKind, &index, sizeof index);
         ImGui::EndDragDropSource();
     }
-    if (ImGui::BeginDragDropTarget()) {
-        if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kDragKind)) {
-            const std::size_t from = *static_cast<const std::size_t*>(payload->Data);
+    if (!ImGui::BeginDragDropTarget()) return;
+    constexpr ImGuiDragDropFlags kFlags =
+        ImGuiDragDropFlags_AcceptNoDrawDefaultRect | ImGuiDragDropFlags_AcceptBeforeDelivery;
+    if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kDragKind, kFlags)) {
+        const std::size_t from = *static_cast<const std::size_t*>(payload->Data);
+        if (payload->IsDelivery()) {
             ui.waiting.emplace_back([&, from, index] { move_vibration(ui, work, from, index); });
+        } else if (from != index) {
+            draw_drop_line(ui, from < index ? row.max.y : row.min.y, row);
         }
-        ImGui::EndDragDropTarget();
     }
+    ImGui::EndDragDropTarget();
 }
 
 void draw_row_menu(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t index) {
@@ -129,25 +167,39 @@ void draw_rename(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size
     });
 }
 
-// Strength and thumbnail at the right end; where they begin. A name that needs the room has it.
-float draw_row_end(const Ui& ui, Workspace& work, const Vibration& vibration,
-                   const PatternLook& look, const Rect& row, float name_end,
-                   const RowParts& parts) {
+// What PM has found: over the picture, where it is seen whatever the row has room for.
+void draw_unfelt(Ui& ui, const Workspace& work, const Vibration& vibration, const Rect& picture) {
+    if (!work.selection.unfelt.contains(vibration.name)) return;
+    const Theme& theme = ui.theme;
+    const ImVec2 size = text_size(theme.fonts.small, kUnfelt);
+    const ImVec2 centre = picture.centre();
+    const ImVec2 pad{4.0F * theme.scale, theme.scale};
+    const Rect pill{centre - size * 0.5F - pad, centre + size * 0.5F + pad};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(pill.min, pill.max, theme.pane, theme.rounding_px);
+    list.AddRect(pill.min, pill.max, theme.warning, theme.rounding_px, 0, theme.hairline_px);
+    draw_text(list, theme.fonts.small, centre - size * 0.5F, theme.warning, kUnfelt);
+    note_rect(ui.rects, "not felt:" + vibration.name, pill.min, pill.max);
+}
+
+// Strength and thumbnail at the right end; where they begin.
+float draw_row_end(Ui& ui, Workspace& work, const Vibration& vibration, const PatternLook& look,
+                   const Rect& row, const RowParts& parts) {
     const Theme& theme = ui.theme;
     const float s = theme.scale;
-    float end = row.max.x - 6.0F * s;
-    if (parts.strength_px > 0.0F && name_end <= row.max.x - parts.strength_px) {
+    const float edge = row.max.x - 6.0F * s;
+    if (parts.strength_px > 0.0F) {
         const std::string strength = strength_text(vibration);
         const ImVec2 size = text_size(theme.fonts.small, strength);
         draw_text(*ImGui::GetWindowDrawList(), theme.fonts.small,
-                  {end - size.x, row.centre().y - size.y / 2.0F}, theme.dim_text, strength);
-        end = row.max.x - parts.strength_px;
+                  {edge - size.x, row.centre().y - size.y / 2.0F}, theme.dim_text, strength);
     }
-    const float thumbnail_end = std::min(end, row.max.x - parts.strength_px);
-    const float begin = thumbnail_end - parts.thumbnail_px;
-    if (parts.thumbnail_px <= 0.0F || name_end > begin) return end;
-    draw_thumbnail(ui, work, {{begin, row.min.y + 5.0F * s}, {thumbnail_end, row.max.y - 5.0F * s}},
-                   vibration, look.colour);
+    const float end = parts.strength_px > 0.0F ? row.max.x - parts.strength_px : edge;
+    const float begin = end - parts.thumbnail_px + 6.0F * s;
+    const Rect picture{{begin, row.min.y + 3.0F * s}, {end, row.max.y - 3.0F * s}};
+    draw_thumbnail(ui, work, picture, vibration, look.colour, shown_reach_g(work));
+    note_rect(ui.rects, "thumbnail:" + vibration.name, picture.min, picture.max);
+    draw_unfelt(ui, work, vibration, picture);
     return begin;
 }
 
@@ -173,8 +225,7 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
     std::string name = vibration.name;
     if (vibration.locked) name += "  (locked)";
     if (vibration.dropped) name += "  (dropped)";
-    const float name_end = name_begin + text_size(theme.fonts.regular, name).x + 6.0F * s;
-    const float end = draw_row_end(ui, work, vibration, look, row, name_end, parts);
+    const float end = draw_row_end(ui, work, vibration, look, row, parts);
     const std::string shown =
         shortened(theme.fonts.regular, name, std::max(0.0F, end - name_begin - 5.0F * s));
     draw_text(list, theme.fonts.regular, {name_begin, text_y}, theme.text, shown);
@@ -189,7 +240,7 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
 
 void draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t index,
               const RowParts& parts) {
-    const float height = kPatternRowPx * ui.theme.scale;
+    const float height = parts.height_px;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::PushID(static_cast<int>(index));
     if (pattern_panes.list.renaming == index &&
@@ -212,17 +263,17 @@ void draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t 
     }
     const Rect row = rect_at(corner, {width, height});
     note_rect(ui.rects, "row:" + work.document.set.vibrations[index].name, row.min, row.max);
-    drag_row(ui, work, index);
+    drag_row(ui, work, index, row);
     draw_row_menu(ui, work, pattern_panes, index);
     draw_row_content(ui, work, index, row, parts);
     ImGui::PopID();
 }
 
-void scroll_to_current(const Ui& ui, Workspace& work, const std::vector<std::size_t>& rows) {
+void scroll_to_current(Workspace& work, const std::vector<std::size_t>& rows, float row_px) {
     if (!work.selection.scroll_to_current) return;
     work.selection.scroll_to_current = false;
     const auto place = std::ranges::find(rows, work.selection.current) - rows.begin();
-    const float row_height = kPatternRowPx * ui.theme.scale + ImGui::GetStyle().ItemSpacing.y;
+    const float row_height = row_px + ImGui::GetStyle().ItemSpacing.y;
     const float target = static_cast<float>(place) * row_height;
     const float top = ImGui::GetScrollY();
     if (target < top) ImGui::SetScrollY(target);
@@ -235,8 +286,9 @@ void draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
     const std::vector<std::size_t> rows = listed_indices(work);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 1.0F));
     if (ImGui::BeginChild("rows")) {
-        scroll_to_current(ui, work, rows);
-        const RowParts parts = row_parts(ui, work, ImGui::GetContentRegionAvail().x);
+        const ImVec2 room{ImGui::GetContentRegionAvail().x, ImGui::GetWindowHeight()};
+        const RowParts parts = row_parts(ui, work, room, rows.size());
+        scroll_to_current(work, rows, parts.height_px);
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(rows.size()));
         while (clipper.Step()) {

@@ -5,13 +5,16 @@
 #include <cstdio>
 #include <numeric>
 
+#include "app/document/pattern_looks.h"
 #include "app/physiology/receptor_stage.h"
 #include "app/physiology/stage_signals.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/charts/spectrum_view.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
 
 namespace tact {
 
@@ -72,6 +75,28 @@ std::vector<Rect> shared_out(const Rect& area, const std::vector<StageSignal>& s
     return rects;
 }
 
+// Vibrations of a set are on one scale, what a device makes of them too, unless it is stronger.
+double reach_of(const Workspace& work, const StageSignal& signal, Stage stage) {
+    const double reach_g = shown_reach_g(work);
+    if (stage != Stage::vibration || reach_g == 0.0) return signal.largest;
+    double peak = reach_g;
+    for (const double sample : signal.samples) peak = std::max(peak, std::abs(sample));
+    return peak;
+}
+
+// Without an axis, how many g the upper edge is.
+void draw_reach(Ui& ui, const Rect& area, double reach_g) {
+    const std::string text = "\u00b1" + significant_digits(reach_g, 3) + " g";
+    const ImVec2 size = text_size(ui.theme.fonts.small, text);
+    if (area.height() < 2.0F * size.y) return;
+    const ImVec2 corner{area.max.x - size.x - 2.0F * ui.theme.scale, area.min.y};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 pad{3.0F * ui.theme.scale, 0.0F};  // a plate: over a body no halo is enough
+    list.AddRectFilled(corner - pad, corner + size + pad, ui.theme.pane, ui.theme.rounding_px);
+    draw_text(list, ui.theme.fonts.small, corner, ui.theme.dim_text, text);
+    note_rect(ui.rects, "reach:vibration", corner, corner + size, text);
+}
+
 TimeRow row_of(const Ui& ui, const ShownStages& shown, const StageSignal& signal, Stage stage) {
     TimeRow row;
     row.id = signal.id + (shown.pinned ? " pinned" : "");
@@ -109,8 +134,12 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Shown
         }
         TimeRow row = row_of(ui, shown, signals[k], stage);
         row.large = size.large;
+        row.largest = reach_of(work, signals[k], stage);
         row.time_axis = last && size.time_axis;
         draw_time_row(ui, work, timeline, rects[k], row);
+        if (stage == Stage::vibration && !size.large && row.largest > 0.0) {
+            draw_reach(ui, rects[k], row.largest);
+        }
         if (signals[k].receptor && size.large) {
             draw_channel_name(ui, rects[k], *signals[k].receptor);
         }

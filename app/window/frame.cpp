@@ -184,6 +184,8 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.work.selection.hovered_last = app.work.selection.hovered;
     app.work.selection.hovered.reset();
     app.work.selection.too_close = too_close_names(app.layout, app.picking);
+    follow_unfelt(app.work, app.shown_map);
+    follow_reach(app.work.cache, app.work.document.set, app.work.revision);
     app.work.selection.hovered_pair_last =
         std::exchange(app.work.selection.hovered_pair, std::nullopt);
     follow_import(app.ui, app.work, app.importing);

@@ -47,6 +47,20 @@ ImU32 cividis(double t) {
     return step_of(table, t);
 }
 
+ImU32 MarkColours::operator()(double t) const {
+    return viridis(from + (to - from) * (t > 0.0 ? std::min(t, 1.0) : 0.0));
+}
+
+MarkColours mark_colours(ImU32 ground) {
+    constexpr double kSeen = 3.0;
+    constexpr int kTried = 256;
+    const auto is_seen = [ground](double t) { return contrast(viridis(t), ground) >= kSeen; };
+    MarkColours colours;
+    for (int k = 0; k < kTried && !is_seen(colours.from); ++k) colours.from += 1.0 / kTried;
+    for (int k = 0; k < kTried && !is_seen(colours.to); ++k) colours.to -= 1.0 / kTried;
+    return colours.from < colours.to ? colours : MarkColours{};
+}
+
 ImU32 diverging(double t) {
     static const Table table = interpolated(
         std::array<std::uint32_t, 5>{0x0072B2, 0x7FB8DC, 0xF7F7F7, 0xF0B27A, 0xD55E00});

@@ -13,6 +13,16 @@ namespace tact {
 ImU32 viridis(double t);
 ImU32 cividis(double t);
 
+// The part of viridis that stands out from a ground, 3:1 at least: marks are seen on it, the lowest
+// on a dark one and the highest on a light one too.
+struct MarkColours {
+    double from = 0.0;
+    double to = 1.0;
+
+    ImU32 operator()(double t) const;  // t in 0..1
+};
+MarkColours mark_colours(ImU32 ground);
+
 // t in -1..1: blue below zero, white at zero, orange above.
 ImU32 diverging(double t);
 

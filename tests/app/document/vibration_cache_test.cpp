@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <memory>
+#include <string>
+
 namespace vibration_cache_test {
 
 using namespace tact;
@@ -55,6 +58,41 @@ TEST_CASE("cache: a frame renders so much and no more; what is behind is shown a
     CHECK(*waveform_in_time(cache, a) == render(louder));
     CHECK(*waveform_in_time(cache, b) == render(Pattern{}));
     CHECK_FALSE(cache.behind);
+}
+
+TEST_CASE("cache: the scale of a set is its strongest peak, rendered or not, recordings among it") {
+    VibrationCache cache;
+    PatternSet set;
+    Pattern weak;
+    weak.amplitude_g = 0.25;
+    Pattern strong;
+    strong.amplitude_g = 1.5;
+    strong.carriers = {{100.0, 0.5}, {300.0, 0.5}};
+    for (const Pattern& pattern : {weak, strong}) {
+        set.vibrations.push_back({});
+        set.vibrations.back().name = "p" + std::to_string(set.vibrations.size());
+        set.vibrations.back().source = pattern;
+    }
+    follow_reach(cache, set, 1);
+    CHECK(cache.reach_g == doctest::Approx(1.5));  // not rendered: the most it can be
+    for (const Vibration& vibration : set.vibrations) cached_waveform(cache, vibration);
+    follow_reach(cache, set, 1);
+    const double peak = peak_g(render(strong));
+    CHECK(cache.reach_g == peak);
+    // Twice as strong and not rendered yet it is twice as high, so that a drag shakes nothing.
+    std::get<Pattern>(set.vibrations[1].source).amplitude_g = 3.0;
+    follow_reach(cache, set, 2);
+    CHECK(cache.reach_g == doctest::Approx(2.0 * peak).epsilon(1e-12));
+    Measurement recording;
+    Waveform samples = render(strong);
+    for (double& sample : samples.samples_g) sample *= 10.0;
+    recording.waveform = std::make_shared<const Waveform>(samples);
+    set.vibrations[0].source = recording;
+    follow_reach(cache, set, 3);
+    CHECK(cache.reach_g == doctest::Approx(10.0 * peak).epsilon(1e-12));
+    set.vibrations.clear();
+    follow_reach(cache, set, 4);
+    CHECK(cache.reach_g > 0.0);
 }
 
 }  // namespace vibration_cache_test

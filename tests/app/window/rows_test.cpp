@@ -86,6 +86,90 @@ TEST_CASE("rows: the last row dragged to the top is the first one") {
     CHECK(size_of(program) == 4);
 }
 
+TEST_CASE("rows: while a row is dragged a line shows where it would come") {
+    Program program(short_patterns(4));
+    CHECK_FALSE(program.shows("drop line"));
+    const auto line_over = [&](const char* from, const char* to) {
+        program.window.move(program.at(from).middle());
+        program.window.button(true);
+        program.settle();
+        program.window.move(program.at(to).middle());
+        program.settle();
+        const float y = program.at("drop line").middle().y;
+        program.window.move(program.at(from).middle());  // back: nothing is moved
+        program.window.button(false);
+        program.settle();
+        return y;
+    };
+    CHECK(line_over("row:p4", "row:p2") == doctest::Approx(program.at("row:p2").min.y));
+    CHECK(line_over("row:p1", "row:p3") == doctest::Approx(program.at("row:p3").max.y));
+    CHECK(program.app.work.document.set == short_patterns(4));
+}
+
+TEST_CASE("rows: the picture of a waveform is always there, however long the name") {
+    PatternSet set = short_patterns(3);
+    set.vibrations[1].name = "0.4 g 60 Hz, four notes on eight steps, softly begun";
+    for (const float width : {1100.0F, 1600.0F, 2560.0F}) {
+        Program program(set);
+        program.resize({width, 1000.0F}, 1.0F);
+        for (const Vibration& vibration : set.vibrations) {
+            CAPTURE(vibration.name);
+            const Place picture = program.at("thumbnail:" + vibration.name);
+            const Place row = program.at("row:" + vibration.name);
+            CHECK(picture.max.x - picture.min.x >= 36.0F);
+            CHECK(picture.min.x >= program.at("row name:" + vibration.name).max.x);
+            CHECK(picture.max.x <= row.max.x);
+            CHECK(picture.min.y >= row.min.y);
+            CHECK(picture.max.y <= row.max.y);
+        }
+    }
+}
+
+TEST_CASE("rows: few rows are higher than many, and pictures grow with the pane") {
+    Program few(short_patterns(3));
+    const auto height = [](const Program& program) {
+        return program.at("row:p1").max.y - program.at("row:p1").min.y;
+    };
+    const auto width = [](const Program& program) {
+        return program.at("thumbnail:p1").max.x - program.at("thumbnail:p1").min.x;
+    };
+    const float of_few = height(few);
+    const float narrow = width(few);
+    few.resize({2560.0F, 1440.0F}, 1.0F);
+    CHECK(width(few) > 1.3F * narrow);
+    const Program many(short_patterns(120));
+    CHECK(of_few > height(many));
+    CHECK(height(many) == 25.0F);
+}
+
+TEST_CASE("rows: the switch of the scale says how many g it is, and turns to each one's own") {
+    PatternSet set = short_patterns(2);
+    std::get<Pattern>(set.vibrations[1].source).amplitude_g = 4.0;
+    Program program(set);
+    CHECK(program.at("button:heights").value == "\u00b14 g");
+    program.click("button:heights");
+    CHECK(program.app.work.selection.own_heights);
+    CHECK(program.at("button:heights").value == "own heights");
+}
+
+TEST_CASE("rows: a pattern that no receptor answers to is marked, until it is edited") {
+    PatternSet set = short_patterns(3);
+    std::get<Pattern>(set.vibrations[1].source).amplitude_g = 0.0;
+    Program program(set);
+    CHECK_FALSE(program.shows("not felt:p2"));  // not known yet
+    program.compute_map();
+    program.settle();
+    CHECK(program.shows("not felt:p2"));
+    CHECK_FALSE(program.shows("not felt:p1"));
+    CHECK_FALSE(program.shows("editor:not felt"));
+    program.click("row:p2");
+    CHECK(program.shows("editor:not felt"));
+    stop_jobs(program.app);
+    edit_patterns(program.app.work, [](Pattern& p) { p.amplitude_g = 3.0; });
+    program.settle();
+    CHECK_FALSE(program.shows("not felt:p2"));
+}
+
 TEST_CASE("rows: the box of a name lets go when something else is clicked, and keeps the name") {
     Program program(short_patterns(3));
     program.press_key(key::kF1 + 1);

@@ -24,6 +24,15 @@ int largest_difference(ImU32 a, ImU32 b) {
 
 }  // namespace
 
+TEST_CASE("colour map: every mark stands out from the pane it is on, dark or light") {
+    for (const ImU32 ground : {rgb(0x1B1F24), rgb(0xFFFFFF), rgb(0x000000)}) {
+        const MarkColours colours = mark_colours(ground);
+        for (double t = 0.0; t <= 1.0; t += 0.01) CHECK(contrast(colours(t), ground) >= 3.0);
+        CHECK(colours.to - colours.from > 0.5);  // and they tell numbers apart
+        CHECK(colours(std::nan("")) == colours(0.0));
+    }
+}
+
 // Entries of matplotlib's own table: [matplotlib.colors.to_hex(viridis(i / 8)) for i in range(9)].
 TEST_CASE("colour map: viridis is the published one to 4 of 255") {
     constexpr std::array<std::uint32_t, 9> kPublished{
