@@ -35,18 +35,23 @@ struct RowParts {
     float strength_px = 0.0F;
 };
 
+std::string row_name(const Vibration& vibration) {
+    return vibration.name + (vibration.locked ? "  (locked)" : "") +
+           (vibration.dropped ? "  (dropped)" : "");
+}
+
 RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t rows) {
     const float s = ui.theme.scale;
     const auto& all = work.document.set.vibrations;
     float widest = 0.0F;
     for (std::size_t k = 0; k < std::min<std::size_t>(all.size(), 500); ++k) {
-        widest = std::max(widest, text_size(ui.theme.fonts.regular, all[k].name).x);
+        widest = std::max(widest, text_size(ui.theme.fonts.regular, row_name(all[k])).x);
     }
     const float each = room.y / static_cast<float>(std::max<std::size_t>(rows, 1)) - 1.0F;
     RowParts parts;
     parts.height_px = std::floor(std::clamp(each, kLeastRowPx * s, kMostRowPx * s));
     // One long name must not take the pictures of all.
-    const float free = room.x - 32.0F * s - std::min(widest, 0.5F * room.x);
+    const float free = room.x - 32.0F * s - std::min(widest, 0.45F * room.x);
     const float least = 48.0F * s;
     constexpr float kStrengthPx = 62.0F;
     if (free >= kStrengthPx * s + least) parts.strength_px = kStrengthPx * s;
@@ -222,9 +227,7 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
     draw_pattern_mark(list, theme, {row.min.x + 12.0F * s, middle}, 5.5F * s, look, theme.pane);
 
     const float name_begin = row.min.x + 26.0F * s;
-    std::string name = vibration.name;
-    if (vibration.locked) name += "  (locked)";
-    if (vibration.dropped) name += "  (dropped)";
+    const std::string name = row_name(vibration);
     const float end = draw_row_end(ui, work, vibration, look, row, parts);
     const std::string shown =
         shortened(theme.fonts.regular, name, std::max(0.0F, end - name_begin - 5.0F * s));

@@ -62,8 +62,8 @@ double nudged(const Field& field, double value, double step) {
 // Left and right nudge the field that was touched last, unless text is being typed, and so does the
 // wheel over it: how many steps.
 int nudges(Ui& ui, const Field& field, int wheel) {
-    if (ui.field.active != field.id || ImGui::GetIO().WantTextInput) return 0;
-    if (ImGui::IsAnyItemActive() || !field.enabled) return 0;
+    // Not by WantTextInput, which swallows the first key after a text field has been left.
+    if (ui.field.active != field.id || ImGui::IsAnyItemActive() || !field.enabled) return 0;
     if (ui.keyboard_mode) return wheel;
     const bool right = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow));
     const bool left = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow));

@@ -80,18 +80,28 @@ void frame_in_red(const Ui& ui) {
                                         1.5F * ui.theme.hairline_px);
 }
 
-// What is wrong with the text, beneath the entry, while it is typed.
+// What is wrong with the text, on a plate beneath the entry, while it is typed.
 void show_fault(const Ui& ui, const NumberEntry& entry, const NumberTyping& typing) {
     if (typing.text == typing.first || typing.text.empty()) return;
     const auto typed = typed_number(typing.text, typing.before, entry.rules);
     if (typed && typed->remark.empty()) return;
     frame_in_red(ui);
-    const ImVec2 below{ImGui::GetItemRectMin().x,
-                       ImGui::GetItemRectMax().y + 2.0F * ui.theme.scale};
-    draw_text_halo(
-        *ImGui::GetForegroundDrawList(), ui.theme.fonts.small, below, ui.theme.error, ui.theme.pane,
-        ui.theme.scale,
-        typed ? typed->remark.substr(0, typed->remark.find(':')) : typed.error().message);
+    const Theme& theme = ui.theme;
+    std::string words;
+    if (!typed) words = typed.error().message;
+    if (typed) {
+        const bool is_most = typed->value == entry.rules.allowed.high;
+        words = (is_most ? "at most " : "at least ") + shown_number(entry.format, typed->value);
+    }
+    const ImVec2 pad{4.0F * theme.scale, 2.0F * theme.scale};
+    const ImVec2 size = text_size(theme.fonts.small, words) + pad * 2.0F;
+    const float rightmost = std::max(0.0F, ImGui::GetIO().DisplaySize.x - size.x);
+    const ImVec2 corner{std::min(ImGui::GetItemRectMin().x, rightmost),
+                        ImGui::GetItemRectMax().y + 2.0F * theme.scale};
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    list.AddRectFilled(corner, corner + size, theme.pane, theme.rounding_px);
+    list.AddRect(corner, corner + size, theme.error, theme.rounding_px, 0, theme.hairline_px);
+    draw_text(list, theme.fonts.small, corner + pad, theme.error, words);
 }
 
 // Takes the number that the text stands for; where it stands for none, the one that was stays.

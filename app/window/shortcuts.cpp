@@ -29,7 +29,9 @@ bool belongs_to_text(const Shortcut& shortcut) {
     return kText.find(shortcut.sign) != std::u32string_view::npos;
 }
 
-bool is_text_active() { return ImGui::GetIO().WantTextInput; }
+// ImGui wants text for one frame longer than a field is active: the first key after Enter is not
+// its own.
+bool is_text_active() { return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive(); }
 
 // What is typed at a field that is locked, or whose slider is held, would have been a number.
 bool is_meant_for_field(const App& app, const Shortcut& shortcut) {

@@ -94,7 +94,7 @@ point_at() {
 }
 click() { point_at "$1" && xdotool click 1; }
 key() { xdotool key "$@"; }
-type_text() { xdotool type --delay 20 "$1"; }
+type_text() { xdotool type --delay 20 -- "$1"; }
 
 press() { xdotool mousedown 1; }
 release() { xdotool mouseup 1; }
