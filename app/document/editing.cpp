@@ -156,6 +156,16 @@ void commit_step(Ui& ui, Workspace& work, const std::string& label) {
     if (moved) work.committed = std::move(after);
 }
 
+void edit_current_pattern(Workspace& work, const Pattern& pattern) {
+    if (current_vibration(work) == nullptr) return;
+    Vibration& vibration = vibrations(work)[work.selection.current];
+    auto* source = std::get_if<Pattern>(&vibration.source);
+    if (source == nullptr || vibration.locked) return;
+    *source = clamped(pattern);
+    vibration.generated = false;
+    document_changed(work);
+}
+
 void edit_patterns(Workspace& work, const std::function<void(Pattern&)>& change) {
     for (const std::size_t index : selected_indices(work)) {
         Vibration& vibration = vibrations(work)[index];

@@ -43,6 +43,10 @@ void commit_step(Ui& ui, Workspace& work, const std::string& label);
 // Applies `change` to every selected parametric pattern that is not locked.
 void edit_patterns(Workspace& work, const std::function<void(Pattern&)>& change);
 
+// Puts `pattern`, clamped, in the place of the one in the editor, if that is parametric and not
+// locked.
+void edit_current_pattern(Workspace& work, const Pattern& pattern);
+
 // "amplitude of L-4-full", "amplitude of 3 patterns": the end of a step's label.
 std::string of_selection(const Workspace& work, const std::string& what);
 

@@ -58,6 +58,7 @@ void draw_carrier(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k
     const std::string label = "Carrier " + std::to_string(k + 1);
     const std::string id = "carrier_" + std::to_string(k + 1) + "_hz";
     const double bin_hz = 1.0 / pattern.duration_s;
+    const bool is_drawn = k == 0 && !pattern.frequency_curve.empty();
     edit_number(
         ui, work,
         {.id = id.c_str(),
@@ -68,8 +69,11 @@ void draw_carrier(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k
          .step = std::max(1.0, bin_hz),
          .snap = bin_hz,
          .logarithmic = true,
-         .help = "Frequency of the sine, in steps that do not leak. Typed values are exact and "
-                 "reach from 0.1 to 1000 Hz."},
+         .help = is_drawn ? "Drawn: the frequency curve above is this carrier's; the others keep "
+                            "their ratio to it."
+                          : "Frequency of the sine, in steps that do not leak. Typed values are "
+                            "exact and reach from 0.1 to 1000 Hz.",
+         .enabled = !is_drawn},
         "carrier",
         [k](const Pattern& p) {
             return k < p.carriers.size() ? std::optional(p.carriers[k].frequency_hz) : std::nullopt;

@@ -9,6 +9,7 @@
 #include "app/patterns/editor_panel.h"
 #include "app/patterns/pattern_fields.h"
 #include "app/ui/widgets.h"
+#include "app/wave_strip/wave_strip.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -140,10 +141,21 @@ void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
                    "Press New above to make a pattern, or open a set.");
         return;
     }
+    // Over the fields, or where the pane is low among them, so that it scrolls away.
+    const bool low =
+        ImGui::GetContentRegionAvail().y < 2.2F * strip_height(ui, pattern_panes.strip);
+    const auto draw_strip = [&] {
+        ImGui::BeginDisabled(vibration->locked);
+        draw_wave_strip(ui, work, pattern_panes.strip);
+        ImGui::EndDisabled();
+        vibration = current_vibration(work);
+    };
+    if (!low) draw_strip();
     if (!ImGui::BeginChild("fields")) {
         ImGui::EndChild();
         return;
     }
+    if (low) draw_strip();
     // Inside, so that it scrolls away where the pane is low.
     draw_hint(ui, "editor",
               "Drag a slider and watch the point move on the right. Type a number for an exact "

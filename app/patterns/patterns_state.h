@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/patterns/rhythm_choice.h"
+#include "app/wave_strip/strip_state.h"
 
 namespace tact {
 
@@ -36,6 +37,7 @@ struct EditorState {
 
 struct PatternPanes {
     SetPanelState list;
+    StripState strip;
     EditorState editor;
 };
 

@@ -1,4 +1,5 @@
 #include "app/window/commands.h"
+#include "app/wave_strip/wave_strip.h"
 
 #include <array>
 
@@ -24,6 +25,11 @@ namespace tact {
 namespace {
 
 bool always(const App&) { return true; }
+void remove_chosen_or_selected(App& app) {
+    if (remove_chosen(app.ui, app.work, app.pattern_panes.strip)) return;
+    remove_selected(app.ui, app.work);
+}
+
 bool has_selection(const App& app) { return current_vibration(app.work) != nullptr; }
 
 bool has_answers(const App& app) {
@@ -163,7 +169,7 @@ const auto kCommands = std::to_array<Command>({
     {"Edit", "Copy", ctrl('c'), has_selection, [](App& app) { copy_selected(app.ui, app.work); }},
     {"Edit", "Paste", ctrl('v'), always, [](App& app) { paste(app.ui, app.work); }},
     {"Edit", "Select all", ctrl('a'), has_selection, [](App& app) { select_all(app.work); }},
-    {"Edit", "Delete", special(key::kDelete), has_selection, [](App& app) { remove_selected(app.ui, app.work); }, nullptr, "remove"},
+    {"Edit", "Delete", special(key::kDelete), has_selection, remove_chosen_or_selected, nullptr, "remove"},
 
     {"View", "Design", plain('1'), always, design_layout, nullptr, "layout columns"},
     {"View", "Physiology", plain('2'), always, physiology_layout, nullptr, "layout waveform"},

@@ -1,0 +1,136 @@
+#include "app/wave_strip/chosen_fields.h"
+
+#include <functional>
+#include <string>
+#include <variant>
+
+#include "app/document/editing.h"
+#include "app/ui/widgets.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kMs = 1000.0;
+
+using Write = std::function<void(Pattern&, double)>;
+
+void draw_chosen(Ui& ui, Workspace& work, const Field& field, double value, const std::string& what,
+                 const Write& write) {
+    double edited = value;
+    const FieldEdit edit = draw_field(ui, field, edited);
+    const Vibration* vibration = current_vibration(work);
+    if (edit.changed && edited != value) {
+        Pattern changed = std::get<Pattern>(vibration->source);
+        write(changed, edited);
+        edit_current_pattern(work, changed);
+    }
+    if (edit.finished) commit_step(ui, work, "Change " + what + " of " + vibration->name);
+}
+
+Field time_field(const Range& room_s) {
+    const Range ms{kMs * room_s.low, kMs * room_s.high};
+    return {.id = "chosen_time_ms",
+            .label = "At",
+            .format = "%.5g ms",
+            .slider = ms,
+            .typed = ms,
+            .step = 5.0,
+            .snap = 1.0};
+}
+
+Field frequency_field(const char* id) {
+    return {.id = id,
+            .label = "Frequency",
+            .format = "%.4g Hz",
+            .slider = {20.0, 500.0},
+            .typed = limits::kCarrierHz,
+            .step = 5.0,
+            .snap = 1.0};
+}
+
+void draw_amplitude_point(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k) {
+    const AmplitudePoint& point = pattern.amplitude_curve[k];
+    const std::string what = name_of(GripKind::amplitude_point);
+    draw_chosen(ui, work, time_field(room_of(pattern.amplitude_curve, k, pattern.duration_s)),
+                kMs * point.time_s, what,
+                [k](Pattern& p, double ms) { p.amplitude_curve[k].time_s = ms / kMs; });
+    draw_chosen(ui, work,
+                {.id = kChosenValue,
+                 .label = "Of amplitude",
+                 .format = "%.4g %%",
+                 .slider = {0.0, 100.0},
+                 .typed = {0.0, 100.0},
+                 .step = 5.0,
+                 .snap = 1.0,
+                 .help = "The pattern's amplitude is multiplied by it here."},
+                100.0 * point.value, what,
+                [k](Pattern& p, double percent) { p.amplitude_curve[k].value = percent / 100.0; });
+}
+
+void draw_frequency_point(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k) {
+    const FrequencyPoint& point = pattern.frequency_curve[k];
+    const std::string what = name_of(GripKind::frequency_point);
+    draw_chosen(ui, work, time_field(room_of(pattern.frequency_curve, k, pattern.duration_s)),
+                kMs * point.time_s, what,
+                [k](Pattern& p, double ms) { p.frequency_curve[k].time_s = ms / kMs; });
+    draw_chosen(ui, work, frequency_field(kChosenValue), point.frequency_hz, what,
+                [k](Pattern& p, double hz) { p.frequency_curve[k].frequency_hz = hz; });
+}
+
+void draw_transient(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k) {
+    const Transient& transient = pattern.transients[k];
+    const std::string what = name_of(GripKind::transient);
+    draw_chosen(ui, work, time_field({0.0, pattern.duration_s}), kMs * transient.time_s, what,
+                [k](Pattern& p, double ms) { p.transients[k].time_s = ms / kMs; });
+    draw_chosen(ui, work,
+                {.id = kChosenValue,
+                 .label = "Peak",
+                 .format = "%.3g g",
+                 .slider = {0.0, 4.0},
+                 .typed = limits::kAmplitudeG,
+                 .step = 0.05,
+                 .snap = 0.01},
+                transient.amplitude_g, what,
+                [k](Pattern& p, double g) { p.transients[k].amplitude_g = g; });
+    draw_chosen(ui, work, frequency_field("chosen_hz"), transient.frequency_hz, what,
+                [k](Pattern& p, double hz) { p.transients[k].frequency_hz = hz; });
+    const Range lasting_ms{kMs * limits::kTransientS.low, kMs * limits::kTransientS.high};
+    draw_chosen(ui, work,
+                {.id = "chosen_duration_ms",
+                 .label = "Lasting",
+                 .format = "%.4g ms",
+                 .slider = {lasting_ms.low, 100.0},
+                 .typed = lasting_ms,
+                 .step = 5.0,
+                 .snap = 1.0},
+                kMs * transient.duration_s, what,
+                [k](Pattern& p, double ms) { p.transients[k].duration_s = ms / kMs; });
+    draw_label(ui, "Shape", radio_width(ui, "sine") + radio_width(ui, "square"));
+    const auto shape = [&](const char* label, TransientShape wanted) {
+        const bool pressed = draw_radio(ui, label, transient.shape == wanted);
+        note_item(ui.rects, std::string("radio:") + label);
+        if (!pressed || transient.shape == wanted) return;
+        Pattern changed = pattern;
+        changed.transients[k].shape = wanted;
+        edit_current_pattern(work, changed);
+        commit_step(ui, work, "Change shape of a transient of " + current_vibration(work)->name);
+    };
+    shape("sine", TransientShape::sine);
+    flow_on(radio_width(ui, "square"), 2.0F * ui.theme.gap_px);
+    shape("square", TransientShape::square);
+}
+
+}  // namespace
+
+void draw_chosen_fields(Ui& ui, Workspace& work, const StripState& strip) {
+    const Pattern pattern = std::get<Pattern>(current_vibration(work)->source);
+    const Grip& grip = *strip.chosen;
+    if (!exists(pattern, grip)) return;
+    if (grip.kind == GripKind::amplitude_point) draw_amplitude_point(ui, work, pattern, grip.index);
+    if (grip.kind == GripKind::frequency_point) draw_frequency_point(ui, work, pattern, grip.index);
+    if (grip.kind == GripKind::transient) draw_transient(ui, work, pattern, grip.index);
+    ImGui::Separator();
+}
+
+}  // namespace tact

@@ -1,0 +1,94 @@
+// What the wave strip can be taken by, and what a pattern becomes when it is.
+//
+// Two lanes over one time axis: amplitude in g above, the first carrier's frequency below. The line
+// of a lane is its curve, or one level where there is none. A line is dragged as a whole, a click
+// on it makes a point, and points, ramps, bursts and the end are dragged by themselves.
+//
+// Input     the pattern and the scale as they were when the mouse was pressed
+// Output    a pattern without fault (model/pattern/drawn_fault.h)
+// Left out  notes: the rhythm's grid has them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/pattern/pattern.h"
+#include "viz/drawing/geometry.h"
+#include "viz/drawing/plot.h"
+#include "viz/drawing/time_range.h"
+
+namespace tact {
+
+enum class GripKind {
+    level,      // the amplitude, or its whole curve
+    frequency,  // of the first carrier, or its whole curve
+    amplitude_point,
+    frequency_point,
+    transient,
+    attack,
+    release,
+    end  // of the pattern
+};
+
+struct Grip {
+    GripKind kind = GripKind::level;
+    std::size_t index = 0;  // of a point or a transient
+
+    bool operator==(const Grip&) const = default;
+};
+
+// Points and transients: those that can be chosen, nudged and removed.
+bool is_single(GripKind kind);
+
+struct StripScale {
+    Plot amplitude;  // s, g from 0
+    Plot frequency;  // s, Hz, logarithmic
+};
+
+// The g axis reaches over `peak_g` and everything that can be taken.
+StripScale strip_scale(const Pattern& pattern, double peak_g, const Rect& area, const Theme& theme,
+                       const TimeRange& view);
+
+struct PlacedGrip {
+    Grip grip;
+    ImVec2 at;
+};
+
+// All but the lines and the end, those that are taken first last.
+std::vector<PlacedGrip> placed_grips(const Pattern& pattern, const StripScale& scale);
+
+// What is within reach of the mouse; of several, what lies on top.
+std::optional<Grip> grip_at(const Pattern& pattern, const StripScale& scale, ImVec2 mouse,
+                            float reach_px);
+
+struct GripDrag {
+    ImVec2 from, to;
+    bool along_one_axis = false;  // the one along which it went further
+    bool free = false;            // of the snaps: 5 ms, 0.01 g, 1 Hz
+};
+
+Pattern dragged(const Pattern& before, const Grip& grip, const StripScale& scale,
+                const GripDrag& drag);
+
+// Copies what the grip changes, for other patterns that are selected with it. False where it is
+// of one pattern alone: a point, a burst, a curve.
+bool copy_change(GripKind kind, const Pattern& from, Pattern& to);
+
+// The pattern with a point on the line under the mouse, which is the grip; of an empty curve, with
+// points at both ends as well, so that a drag bends it. None: there is no room for one.
+std::optional<Grip> add_point(Pattern& pattern, GripKind line, const StripScale& scale,
+                              ImVec2 mouse);
+std::optional<Grip> add_transient(Pattern& pattern, const StripScale& scale, ImVec2 mouse);
+
+void remove(Pattern& pattern, const Grip& grip);
+bool exists(const Pattern& pattern, const Grip& grip);
+
+// "amplitude", "point of the frequency curve": the end of a step's label.
+const char* name_of(GripKind kind);
+
+// What a press would do.
+const char* help_on(GripKind kind);
+
+}  // namespace tact

@@ -1,0 +1,149 @@
+#include "app/wave_strip/strip_picture.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kGripPx = 4.0F;  // radius
+
+ImU32 faded(ImU32 colour, unsigned alpha) {
+    return (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
+}
+
+// The upper half of the wave, as the axis begins at 0.
+void draw_body(ImDrawList& list, const Theme& theme, const StripScene& scene) {
+    if (scene.waveform == nullptr) return;
+    const Plot& lane = scene.scale.amplitude;
+    list.PushClipRect(lane.area.min, lane.area.max, true);
+    draw_signal(list, theme, lane, scene.waveform->samples_g, scene.waveform->rate_hz,
+                faded(scene.colour, 150), TraceStyle::line);
+    list.PopClipRect();
+}
+
+// The curve of each lane, held before its first and after its last point.
+void draw_lines(ImDrawList& list, const Theme& theme, const StripScene& scene) {
+    const Pattern& pattern = scene.pattern;
+    const auto draw = [&](const Plot& lane, GripKind line, const std::vector<ImVec2>& points) {
+        const bool lit = scene.under && scene.under->kind == line;
+        list.PushClipRect(lane.area.min, lane.area.max, true);
+        draw_path(list, points, theme.text, (lit ? 2.0F : 1.0F) * theme.trace_px);
+        list.PopClipRect();
+    };
+    std::vector<ImVec2> points;
+    const Plot& above = scene.scale.amplitude;
+    const auto add = [&](double t_s, double factor) {
+        points.push_back({to_pixel(above.x, t_s), to_pixel(above.y, pattern.amplitude_g * factor)});
+    };
+    add(0.0, pattern.amplitude_curve.empty() ? 1.0 : pattern.amplitude_curve.front().value);
+    for (const AmplitudePoint& point : pattern.amplitude_curve) add(point.time_s, point.value);
+    add(pattern.duration_s,
+        pattern.amplitude_curve.empty() ? 1.0 : pattern.amplitude_curve.back().value);
+    draw(above, GripKind::level, points);
+    // On a logarithmic axis what is straight in Hz bends.
+    points.clear();
+    const Plot& below = scene.scale.frequency;
+    const float left = std::max(to_pixel(below.x, 0.0), below.area.min.x);
+    const float right = std::min(to_pixel(below.x, pattern.duration_s), below.area.max.x);
+    for (float x = left; x < right + 1.0F; x += 1.0F) {
+        const float at = std::min(x, right);
+        const double hz = first_carrier_hz(pattern, to_value(below.x, at));
+        points.push_back({at, to_pixel(below.y, hz)});
+    }
+    draw(below, GripKind::frequency, points);
+}
+
+void draw_grips(ImDrawList& list, const Theme& theme, const StripScene& scene) {
+    const Plot& lane = scene.scale.amplitude;
+    for (const PlacedGrip& placed : placed_grips(scene.pattern, scene.scale)) {
+        const bool lit = scene.under == placed.grip;
+        const bool chosen = scene.chosen == placed.grip;
+        const float radius = (lit || chosen ? 1.4F : 1.0F) * kGripPx * theme.scale;
+        const bool ramp =
+            placed.grip.kind == GripKind::attack || placed.grip.kind == GripKind::release;
+        if (placed.grip.kind == GripKind::transient) {
+            draw_upright_line(list, placed.at.x, placed.at.y, lane.area.max.y, theme.trace_px,
+                              scene.colour);
+        }
+        if (ramp) {
+            const float r = radius * 1.2F;
+            list.AddQuadFilled(placed.at - ImVec2{r, 0}, placed.at - ImVec2{0, r},
+                               placed.at + ImVec2{r, 0}, placed.at + ImVec2{0, r}, theme.dim_text);
+            continue;
+        }
+        if (chosen) {
+            draw_disc(list, theme, placed.at, radius + 3.0F * theme.scale, theme.text);
+            draw_disc(list, theme, placed.at, radius + 1.5F * theme.scale, theme.pane);
+        }
+        draw_disc(list, theme, placed.at, radius, chosen || lit ? theme.text : scene.colour);
+    }
+    const bool end_lit = scene.under && scene.under->kind == GripKind::end;
+    const float end_px = to_pixel(lane.x, scene.pattern.duration_s);
+    if (end_px > lane.area.max.x) return;
+    draw_upright_line(list, end_px, lane.area.min.y, scene.scale.frequency.area.max.y,
+                      (end_lit ? 3.0F : 1.0F) * theme.hairline_px,
+                      end_lit ? theme.text : theme.dim_text);
+}
+
+std::string reading(const Pattern& pattern, const Grip& grip) {
+    const auto at = [](double t_s) { return significant(1000.0 * t_s) + " ms"; };
+    switch (grip.kind) {
+        case GripKind::level:
+            return significant(pattern.amplitude_g) + " g";
+        case GripKind::frequency:
+            return significant(pattern.carriers[0].frequency_hz) + " Hz";
+        case GripKind::amplitude_point: {
+            const AmplitudePoint& point = pattern.amplitude_curve[grip.index];
+            return at(point.time_s) + ", " + significant(point.value * pattern.amplitude_g) + " g";
+        }
+        case GripKind::frequency_point: {
+            const FrequencyPoint& point = pattern.frequency_curve[grip.index];
+            return at(point.time_s) + ", " + significant(point.frequency_hz) + " Hz";
+        }
+        case GripKind::transient: {
+            const Transient& transient = pattern.transients[grip.index];
+            return at(transient.time_s) + ", " + significant(transient.amplitude_g) + " g, " +
+                   significant(transient.frequency_hz) + " Hz";
+        }
+        case GripKind::attack:
+            return at(pattern.attack_s);
+        case GripKind::release:
+            return at(pattern.release_s);
+        case GripKind::end:
+            return significant(pattern.duration_s) + " s";
+    }
+    return {};
+}
+
+// What is under the mouse, and what a press would do.
+void draw_help(ImDrawList& list, const Theme& theme, const Rect& area, const StripScene& scene) {
+    if (!scene.hovered) return;
+    std::string text = "Double click: a transient. Wheel: zoom.";
+    if (scene.under && exists(scene.pattern, *scene.under)) {
+        text = reading(scene.pattern, *scene.under) + "   " + help_on(scene.under->kind);
+    }
+    const float left = scene.scale.amplitude.area.min.x + 0.5F * theme.gap_px;
+    draw_text_halo(list, theme.fonts.small, {left, area.min.y}, theme.dim_text, theme.pane,
+                   2.0F * theme.scale, shortened(theme.fonts.small, text, area.max.x - left));
+}
+
+}  // namespace
+
+void draw_strip_picture(ImDrawList& list, const Theme& theme, const Rect& area,
+                        const StripScene& scene) {
+    draw_axes(list, theme, scene.scale.amplitude, {"", "g"});
+    draw_axes(list, theme, scene.scale.frequency, {"s", "Hz"});
+    draw_body(list, theme, scene);
+    draw_lines(list, theme, scene);
+    list.PushClipRect(area.min, area.max, true);
+    draw_grips(list, theme, scene);
+    draw_help(list, theme, area, scene);
+    list.PopClipRect();
+}
+
+}  // namespace tact

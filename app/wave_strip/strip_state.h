@@ -1,0 +1,28 @@
+// What the wave strip remembers between frames.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/wave_strip/grips.h"
+
+namespace tact {
+
+// From the press of the mouse until it is let go.
+struct GripHold {
+    Grip grip;
+    Pattern before;
+    StripScale scale;  // stays as it was, or what is dragged would run away from the mouse
+    ImVec2 pressed;
+    bool moved = false;
+};
+
+struct StripState {
+    std::string pattern;            // its name; all below is of it
+    std::optional<TimeRange> view;  // none: the whole
+    std::optional<GripHold> held;
+    std::optional<Grip> chosen;  // a point or a transient, whose numbers are shown
+    float height = 150.0F;       // px at a scale of 1
+};
+
+}  // namespace tact

@@ -1,0 +1,194 @@
+#include "app/wave_strip/wave_strip.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
+#include "app/ui/widgets.h"
+#include "app/wave_strip/chosen_fields.h"
+#include "app/wave_strip/strip_picture.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kReachPx = 7.0F;
+constexpr float kClickPx = 3.0F;  // moved less, a press is a click
+constexpr double kBeyond = 1.06;  // the end is seen, and can be taken
+constexpr Range kHeight{120.0, 420.0};
+
+TimeRange whole(const Pattern& pattern) { return {0.0, kBeyond * pattern.duration_s}; }
+
+void zoom(StripState& strip, const Pattern& pattern, const StripScale& scale) {
+    const float wheel = ImGui::GetIO().MouseWheel;
+    if (wheel == 0.0F) return;
+    const TimeRange all = whole(pattern);
+    const double at_s = to_value(scale.amplitude.x, ImGui::GetIO().MousePos.x);
+    const double factor = std::pow(1.25, -static_cast<double>(wheel));
+    const TimeRange view = zoomed(strip.view.value_or(all), factor, at_s, all.end_s);
+    strip.view = view.length_s() < all.end_s ? std::optional(view) : std::nullopt;
+}
+
+void take(Workspace& work, GripKind kind, const Pattern& changed) {
+    Pattern probe = changed;
+    if (!copy_change(kind, changed, probe)) return edit_current_pattern(work, changed);
+    edit_patterns(work, [&](Pattern& pattern) { copy_change(kind, changed, pattern); });
+}
+
+std::string label_of(const Workspace& work, const std::string& verb, GripKind kind) {
+    const bool alone = is_single(kind);
+    const Vibration* current = current_vibration(work);
+    const std::string what = name_of(kind);
+    return verb + " " + (alone ? what + " of " + current->name : of_selection(work, what));
+}
+
+void choose(Ui& ui, StripState& strip, const Grip& grip) {
+    strip.chosen = grip;
+    ui.field.active = kChosenValue;  // arrows nudge it
+}
+
+void press(Ui& ui, StripState& strip, const Pattern& pattern, const StripScale& scale,
+           std::optional<Grip> under) {
+    strip.chosen.reset();
+    if (!under) return;
+    strip.held = GripHold{*under, pattern, scale, ImGui::GetIO().MousePos, false};
+    if (is_single(under->kind)) choose(ui, strip, *under);
+}
+
+void drag(Workspace& work, GripHold& held, float scale) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 way = io.MousePos - held.pressed;
+    held.moved = held.moved || std::hypot(way.x, way.y) > kClickPx * scale;
+    if (!held.moved) return;
+    take(work, held.grip.kind,
+         dragged(held.before, held.grip, held.scale,
+                 {held.pressed, io.MousePos, io.KeyShift, io.KeyAlt}));
+}
+
+void let_go(Ui& ui, Workspace& work, StripState& strip) {
+    const GripHold held = *strip.held;
+    strip.held.reset();
+    if (held.moved) return commit_step(ui, work, label_of(work, "Change", held.grip.kind));
+    Pattern changed = held.before;
+    const auto point = add_point(changed, held.grip.kind, held.scale, held.pressed);
+    if (!point) return;
+    edit_current_pattern(work, changed);
+    commit_step(ui, work, label_of(work, "Add point to", point->kind));
+    choose(ui, strip, *point);
+}
+
+void double_click(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern,
+                  const StripScale& scale, std::optional<Grip> under) {
+    strip.held.reset();
+    if (under && is_single(under->kind)) {
+        strip.chosen = under;
+        (void)remove_chosen(ui, work, strip);
+    } else if (!under && scale.amplitude.area.contains(ImGui::GetIO().MousePos)) {
+        Pattern changed = pattern;
+        const auto added = add_transient(changed, scale, ImGui::GetIO().MousePos);
+        if (!added) return complain(ui, "A pattern has at most 500 transients.");
+        edit_current_pattern(work, changed);
+        commit_step(ui, work, label_of(work, "Add", added->kind));
+        choose(ui, strip, *added);
+    }
+}
+
+void draw_height_bar(const Ui& ui, StripState& strip) {
+    ImGui::InvisibleButton("strip height",
+                           {ImGui::GetContentRegionAvail().x, ui.theme.splitter_px});
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+        ImGui::GetWindowDrawList()->AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                                  ui.theme.hover);
+    }
+    if (!ImGui::IsItemActive()) return;
+    const double height =
+        static_cast<double>(strip.height + ImGui::GetIO().MouseDelta.y / ui.theme.scale);
+    strip.height = static_cast<float>(std::clamp(height, kHeight.low, kHeight.high));
+}
+
+void note_grips(Ui& ui, const Pattern& pattern, const StripScale& scale) {
+    if (ui.rects.file.empty()) return;
+    const ImVec2 kHalf{2.0F, 2.0F};
+    for (const PlacedGrip& placed : placed_grips(pattern, scale)) {
+        note_rect(ui.rects,
+                  std::string("grip:") + name_of(placed.grip.kind) + ":" +
+                      std::to_string(placed.grip.index),
+                  placed.at - kHalf, placed.at + kHalf);
+    }
+    note_rect(ui.rects, "strip:amplitude", scale.amplitude.area.min, scale.amplitude.area.max);
+    note_rect(ui.rects, "strip:frequency", scale.frequency.area.min, scale.frequency.area.max);
+}
+
+}  // namespace
+
+void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip) {
+    const Vibration* vibration = current_vibration(work);
+    const auto* source = vibration == nullptr ? nullptr : std::get_if<Pattern>(&vibration->source);
+    if (source == nullptr) return;
+    const Pattern pattern = *source;  // edits below replace the document's own
+    if (strip.pattern != vibration->name) {
+        const float height = strip.height;
+        strip = {};
+        strip.height = height;
+        strip.pattern = vibration->name;
+    }
+    if (strip.chosen && !exists(pattern, *strip.chosen)) strip.chosen.reset();
+    const Waveform* waveform = waveform_in_time(work.cache, *vibration);
+    const Rect area =
+        rect_at(ImGui::GetCursorScreenPos(),
+                {ImGui::GetContentRegionAvail().x, std::round(strip.height * ui.theme.scale)});
+    const double peak = waveform == nullptr ? 0.0 : peak_g(*waveform);
+    const StripScale scale = strip.held ? strip.held->scale
+                                        : strip_scale(pattern, peak, area, ui.theme,
+                                                      strip.view.value_or(whole(pattern)));
+    ImGui::InvisibleButton("wave strip", area.size());
+    note_rect(ui.rects, "wave strip", area.min, area.max);  // by the mouse alone: no stop of Tab
+    const bool hovered = ImGui::IsItemHovered();
+    const auto under =
+        hovered ? grip_at(pattern, scale, ImGui::GetIO().MousePos, kReachPx * ui.theme.scale)
+                : std::nullopt;
+    if (hovered) {
+        ImGui::SetItemUsingMouseWheel();
+        zoom(strip, pattern, scale);
+    }
+    if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        double_click(ui, work, strip, pattern, scale, under);
+    } else if (ImGui::IsItemActivated()) {
+        press(ui, strip, pattern, scale, under);
+    }
+    if (strip.held && ImGui::IsItemActive()) drag(work, *strip.held, ui.theme.scale);
+    if (strip.held && !ImGui::IsItemActive()) let_go(ui, work, strip);
+    const PatternLook look = look_of(ui, work, work.selection.current);
+    draw_strip_picture(*ImGui::GetWindowDrawList(), ui.theme, area,
+                       {pattern, scale, waveform, look.colour, strip.chosen,
+                        strip.held ? std::optional(strip.held->grip) : under, hovered});
+    note_grips(ui, pattern, scale);
+    draw_height_bar(ui, strip);
+    if (strip.chosen) draw_chosen_fields(ui, work, strip);
+}
+
+float strip_height(const Ui& ui, const StripState& strip) {
+    return std::round(strip.height * ui.theme.scale) + ui.theme.splitter_px;
+}
+
+bool remove_chosen(Ui& ui, Workspace& work, StripState& strip) {
+    const Vibration* vibration = current_vibration(work);
+    if (!strip.chosen || vibration == nullptr || vibration->name != strip.pattern) return false;
+    const auto* source = std::get_if<Pattern>(&vibration->source);
+    if (source == nullptr || vibration->locked || !exists(*source, *strip.chosen)) return false;
+    Pattern changed = *source;
+    const GripKind kind = strip.chosen->kind;
+    remove(changed, *strip.chosen);
+    strip.chosen.reset();
+    edit_current_pattern(work, changed);
+    commit_step(ui, work,
+                label_of(work, kind == GripKind::transient ? "Remove" : "Remove point of", kind));
+    return true;
+}
+
+}  // namespace tact

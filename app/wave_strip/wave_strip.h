@@ -1,0 +1,19 @@
+// The selected pattern drawn to scale, everything on it to be taken by the mouse.
+#pragma once
+
+#include "app/document/workspace.h"
+#include "app/ui/ui.h"
+#include "app/wave_strip/strip_state.h"
+
+namespace tact {
+
+// As wide as what is left of the pane; nothing without a parametric pattern.
+void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip);
+
+// With the bar under it, px.
+float strip_height(const Ui& ui, const StripState& strip);
+
+// What Del does while a point or a transient is chosen. False: none is.
+bool remove_chosen(Ui& ui, Workspace& work, StripState& strip);
+
+}  // namespace tact

@@ -1,0 +1,140 @@
+// The wave strip in the program's frames: by mouse and keys.
+
+#include "app/document/editing.h"
+#include "app/screen/input_queue.h"
+#include "tests/support/program.h"
+
+namespace wave_strip_test {
+
+using namespace tact;
+
+namespace {
+
+struct Strip : Program {
+    Strip() : Program(short_patterns(2)) {}
+
+    Pattern& pattern() { return std::get<Pattern>(app.work.document.set.vibrations[0].source); }
+    // A share of the amplitude lane from its lower left corner.
+    ImVec2 in_lane(float x, float y) const {
+        const Place& lane = at("strip:amplitude");
+        return {lane.min.x + x * (lane.max.x - lane.min.x),
+                lane.max.y - y * (lane.max.y - lane.min.y)};
+    }
+    // The amplitude line stands at 1 / 1.2 of the lane's height.
+    ImVec2 on_line(float x) const { return in_lane(x, 1.0F / 1.2F); }
+    void click_at(ImVec2 place) {
+        window.click(place);
+        settle();
+    }
+    std::string last_step() const {
+        const std::string* label = app.work.history.undo_label();
+        return label == nullptr ? "" : *label;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("wave strip: a drag of the top edge is one step that changes the amplitude") {
+    Strip strip;
+    const double before = strip.pattern().amplitude_g;
+    strip.drag(strip.on_line(0.4F), strip.in_lane(0.4F, 0.4F), 6);
+    CHECK(strip.pattern().amplitude_g < 0.6 * before);
+    CHECK(strip.pattern().amplitude_curve.empty());
+    CHECK(strip.last_step() == "Change amplitude of p1");
+    undo(strip.app.ui, strip.app.work);
+    CHECK(strip.pattern().amplitude_g == before);
+}
+
+TEST_CASE(
+    "wave strip: with several patterns selected the top edge moves all, a point only its own") {
+    Strip strip;
+    select_all(strip.app.work);
+    strip.settle();
+    strip.drag(strip.on_line(0.4F), strip.in_lane(0.4F, 0.4F), 4);
+    const auto& set = strip.app.work.document.set;
+    CHECK(std::get<Pattern>(set.vibrations[1].source).amplitude_g == strip.pattern().amplitude_g);
+    strip.click_at(strip.on_line(0.4F));
+    CHECK(strip.pattern().amplitude_curve.size() == 3);
+    CHECK(std::get<Pattern>(set.vibrations[1].source).amplitude_curve.empty());
+}
+
+TEST_CASE("wave strip: a click on the line makes a point, Del removes it and not the pattern") {
+    Strip strip;
+    strip.click_at(strip.on_line(0.4F));
+    REQUIRE(strip.pattern().amplitude_curve.size() == 3);
+    CHECK(strip.last_step() == "Add point to amplitude curve of p1");
+    CHECK(strip.shows("entry:chosen_value"));
+    strip.press_key(key::kDelete);
+    CHECK(strip.pattern().amplitude_curve.size() == 2);
+    CHECK(strip.app.work.document.set.vibrations.size() == 2);
+    CHECK(!strip.shows("entry:chosen_value"));
+    strip.press_key(key::kDelete);
+    CHECK(strip.app.work.document.set.vibrations.size() == 1);
+}
+
+TEST_CASE("wave strip: the chosen point is typed and nudged") {
+    Strip strip;
+    strip.click_at(strip.on_line(0.4F));
+    strip.press_key(key::kLeft);
+    CHECK(strip.pattern().amplitude_curve[1].value == doctest::Approx(0.95));
+    strip.click("entry:chosen_value");
+    strip.type("40");
+    strip.press_key(key::kEnter);
+    CHECK(strip.pattern().amplitude_curve[1].value == doctest::Approx(0.4));
+}
+
+TEST_CASE("wave strip: a double click makes a transient where there is none, and removes one") {
+    Strip strip;
+    const auto twice = [&](ImVec2 place) {
+        strip.click_at(place);
+        strip.click_at(place);
+    };
+    twice(strip.in_lane(0.5F, 0.3F));
+    REQUIRE(strip.pattern().transients.size() == 1);
+    const Transient& transient = strip.pattern().transients[0];
+    CHECK(transient.time_s == doctest::Approx(0.5 * 1.06 * 0.1).epsilon(0.06));
+    CHECK(transient.amplitude_g == doctest::Approx(0.36).epsilon(0.05));
+    strip.click_at(strip.in_lane(0.1F, 0.1F));
+    twice(strip.at("grip:transient:0").middle());
+    CHECK(strip.pattern().transients.empty());
+}
+
+TEST_CASE("wave strip: a carrier whose frequency is drawn has no slider of its own") {
+    Strip strip;
+    const double hz = strip.pattern().carriers[0].frequency_hz;
+    strip.pattern().frequency_curve = {{0.0, 80.0}};
+    document_changed(strip.app.work);
+    strip.settle();
+    strip.click("entry:carrier_1_hz");
+    strip.type("200");
+    strip.press_key(key::kEnter);
+    CHECK(strip.pattern().carriers[0].frequency_hz == hz);
+}
+
+TEST_CASE("wave strip: nothing of a locked pattern can be taken") {
+    Strip strip;
+    toggle_locked(strip.app.ui, strip.app.work);
+    strip.settle();
+    const Pattern before = strip.pattern();
+    strip.drag(strip.on_line(0.4F), strip.in_lane(0.4F, 0.4F), 4);
+    strip.click_at(strip.on_line(0.6F));
+    CHECK(strip.pattern() == before);
+}
+
+TEST_CASE("wave strip: the wheel zooms in time at the mouse, and the pane does not scroll") {
+    Strip strip;
+    strip.pattern().attack_s = 0.01;
+    document_changed(strip.app.work);
+    strip.settle();
+    const float before = strip.at("grip:attack:0").middle().x;
+    const float top = strip.at("wave strip").min.y;
+    strip.window.move({before, strip.in_lane(0.5F, 0.5F).y});
+    strip.settle();
+    push(strip.window.input, {strip.window.now_s, MouseWheel{0.0F, 3.0F}});
+    strip.settle();
+    CHECK(strip.at("grip:attack:0").middle().x == doctest::Approx(before).epsilon(0.01));
+    CHECK(strip.app.pattern_panes.strip.view);
+    CHECK(strip.at("wave strip").min.y == top);
+}
+
+}  // namespace wave_strip_test
