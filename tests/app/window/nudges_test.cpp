@@ -78,7 +78,7 @@ TEST_CASE("numbers: nudges in quick succession are one undo step, after a pause 
 TEST_CASE("numbers: the wheel steps the focused field, one step a turn, and scrolls nothing") {
     PatternSet set = odd_numbers(2);
     Program program(set);
-    program.resize({1600.0F, 620.0F}, 1.0F);  // the editor is taller than its pane
+    program.resize({1600.0F, 760.0F}, 1.0F);  // the editor is taller than its pane
     const auto turn = [&](float by) {
         push(program.window.input, {program.window.now_s, MouseWheel{0.0F, by}});
         program.settle();
