@@ -8,12 +8,16 @@ namespace tact {
 
 namespace {
 
-// No rendering is stronger.
+// No rendering is stronger, unless transients overlap.
 double bound_g(const Pattern& pattern) {
     double sum = 0.0;
     for (const Carrier& carrier : pattern.carriers) sum += std::abs(carrier.weight);
     const bool am = pattern.modulation.kind == ModulationKind::am;
-    return pattern.amplitude_g * sum * (am ? 1.0 + pattern.modulation.depth : 1.0);
+    double strongest_g = 0.0;
+    for (const Transient& transient : pattern.transients) {
+        strongest_g = std::max(strongest_g, transient.amplitude_g);
+    }
+    return pattern.amplitude_g * sum * (am ? 1.0 + pattern.modulation.depth : 1.0) + strongest_g;
 }
 
 // None where the entry of the name is of another vibration.

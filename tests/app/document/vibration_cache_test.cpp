@@ -95,4 +95,17 @@ TEST_CASE("cache: the scale of a set is its strongest peak, rendered or not, rec
     CHECK(cache.reach_g > 0.0);
 }
 
+TEST_CASE("cache: a pattern of transients alone counts for the scale before it is rendered") {
+    VibrationCache cache;
+    PatternSet set;
+    Pattern taps;
+    taps.amplitude_g = 0.0;
+    taps.transients = {{0.1, 0.5}, {0.3, 2.0}};
+    set.vibrations.push_back({});
+    set.vibrations[0].name = "taps";
+    set.vibrations[0].source = taps;
+    follow_reach(cache, set, 1);
+    CHECK(cache.reach_g == doctest::Approx(2.0));
+}
+
 }  // namespace vibration_cache_test
