@@ -156,24 +156,34 @@ void commit_step(Ui& ui, Workspace& work, const std::string& label) {
     if (moved) work.committed = std::move(after);
 }
 
+namespace {
+
+void put(Vibration& vibration, Pattern pattern) {
+    if (editable_pattern(vibration) == nullptr) return;
+    vibration.source = clamped(std::move(pattern));
+    vibration.generated = false;
+}
+
+}  // namespace
+
+const Pattern* editable_pattern(const Vibration& vibration) {
+    return vibration.locked ? nullptr : std::get_if<Pattern>(&vibration.source);
+}
+
 void edit_current_pattern(Workspace& work, const Pattern& pattern) {
     if (current_vibration(work) == nullptr) return;
-    Vibration& vibration = vibrations(work)[work.selection.current];
-    auto* source = std::get_if<Pattern>(&vibration.source);
-    if (source == nullptr || vibration.locked) return;
-    *source = clamped(pattern);
-    vibration.generated = false;
+    put(vibrations(work)[work.selection.current], pattern);
     document_changed(work);
 }
 
 void edit_patterns(Workspace& work, const std::function<void(Pattern&)>& change) {
     for (const std::size_t index : selected_indices(work)) {
         Vibration& vibration = vibrations(work)[index];
-        auto* pattern = std::get_if<Pattern>(&vibration.source);
-        if (pattern == nullptr || vibration.locked) continue;
-        change(*pattern);
-        *pattern = clamped(std::move(*pattern));
-        vibration.generated = false;
+        const Pattern* before = editable_pattern(vibration);
+        if (before == nullptr) continue;
+        Pattern pattern = *before;
+        change(pattern);
+        put(vibration, std::move(pattern));
     }
     document_changed(work);
 }

@@ -40,11 +40,13 @@ void predictions_changed(Workspace& work);
 // A gesture ended: what changed since the last step becomes one.
 void commit_step(Ui& ui, Workspace& work, const std::string& label);
 
-// Applies `change` to every selected parametric pattern that is not locked.
+// Null where the vibration is a recording, or locked.
+const Pattern* editable_pattern(const Vibration& vibration);
+
+// Applies `change` to every selected pattern that may be edited.
 void edit_patterns(Workspace& work, const std::function<void(Pattern&)>& change);
 
-// Puts `pattern`, clamped, in the place of the one in the editor, if that is parametric and not
-// locked.
+// Puts `pattern`, clamped, in the place of the one in the editor, if that may be edited.
 void edit_current_pattern(Workspace& work, const Pattern& pattern);
 
 // "amplitude of L-4-full", "amplitude of 3 patterns": the end of a step's label.

@@ -39,6 +39,15 @@ Field time_field(const Range& room_s) {
             .snap = 1.0};
 }
 
+template <class Point>
+void draw_time(Ui& ui, Workspace& work, const Pattern& pattern, std::vector<Point> Pattern::*curve,
+               std::size_t k, const std::string& what) {
+    const std::vector<Point>& points = pattern.*curve;
+    draw_chosen(ui, work, time_field(room_of(points, k, pattern.duration_s)),
+                kMs * points[k].time_s, what,
+                [curve, k](Pattern& p, double ms) { (p.*curve)[k].time_s = ms / kMs; });
+}
+
 Field frequency_field(const char* id) {
     return {.id = id,
             .label = "Frequency",
@@ -52,9 +61,7 @@ Field frequency_field(const char* id) {
 void draw_amplitude_point(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k) {
     const AmplitudePoint& point = pattern.amplitude_curve[k];
     const std::string what = name_of(GripKind::amplitude_point);
-    draw_chosen(ui, work, time_field(room_of(pattern.amplitude_curve, k, pattern.duration_s)),
-                kMs * point.time_s, what,
-                [k](Pattern& p, double ms) { p.amplitude_curve[k].time_s = ms / kMs; });
+    draw_time(ui, work, pattern, &Pattern::amplitude_curve, k, what);
     draw_chosen(ui, work,
                 {.id = kChosenValue,
                  .label = "Of amplitude",
@@ -71,9 +78,7 @@ void draw_amplitude_point(Ui& ui, Workspace& work, const Pattern& pattern, std::
 void draw_frequency_point(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k) {
     const FrequencyPoint& point = pattern.frequency_curve[k];
     const std::string what = name_of(GripKind::frequency_point);
-    draw_chosen(ui, work, time_field(room_of(pattern.frequency_curve, k, pattern.duration_s)),
-                kMs * point.time_s, what,
-                [k](Pattern& p, double ms) { p.frequency_curve[k].time_s = ms / kMs; });
+    draw_time(ui, work, pattern, &Pattern::frequency_curve, k, what);
     draw_chosen(ui, work, frequency_field(kChosenValue), point.frequency_hz, what,
                 [k](Pattern& p, double hz) { p.frequency_curve[k].frequency_hz = hz; });
 }

@@ -229,14 +229,17 @@ Pattern dragged(const Pattern& before, const Grip& grip, const StripScale& scale
     return clamped(std::move(pattern));
 }
 
-bool copy_change(GripKind kind, const Pattern& from, Pattern& to) {
+bool is_shared(GripKind kind, const Pattern& pattern) {
+    if (kind == GripKind::frequency) return pattern.frequency_curve.empty();
+    return !is_single(kind);
+}
+
+void copy_change(GripKind kind, const Pattern& from, Pattern& to) {
     if (kind == GripKind::attack) to.attack_s = from.attack_s;
     if (kind == GripKind::release) to.release_s = from.release_s;
     if (kind == GripKind::end) to = with_duration(to, from.duration_s);
     if (kind == GripKind::level) to.amplitude_g = from.amplitude_g;
-    const bool is_carrier = kind == GripKind::frequency && from.frequency_curve.empty();
-    if (is_carrier) to.carriers[0].frequency_hz = from.carriers[0].frequency_hz;
-    return is_carrier || (kind != GripKind::frequency && !is_single(kind));
+    if (kind == GripKind::frequency) to.carriers[0].frequency_hz = from.carriers[0].frequency_hz;
 }
 
 std::optional<Grip> add_point(Pattern& pattern, GripKind line, const StripScale& scale,

@@ -72,9 +72,12 @@ struct GripDrag {
 Pattern dragged(const Pattern& before, const Grip& grip, const StripScale& scale,
                 const GripDrag& drag);
 
-// Copies what the grip changes, for other patterns that are selected with it. False where it is
-// of one pattern alone: a point, a burst, a curve.
-bool copy_change(GripKind kind, const Pattern& from, Pattern& to);
+// Whether what the grip changes is changed in all patterns that are selected. Not where it is of
+// one pattern alone: a point, a burst, a curve of frequency.
+bool is_shared(GripKind kind, const Pattern& pattern);
+
+// Of a shared one: `to` gets what the grip changed in `from`.
+void copy_change(GripKind kind, const Pattern& from, Pattern& to);
 
 // The pattern with a point on the line under the mouse, which is the grip; of an empty curve, with
 // points at both ends as well, so that a drag bends it. None: there is no room for one.

@@ -34,16 +34,16 @@ void zoom(StripState& strip, const Pattern& pattern, const StripScale& scale) {
 }
 
 void take(Workspace& work, GripKind kind, const Pattern& changed) {
-    Pattern probe = changed;
-    if (!copy_change(kind, changed, probe)) return edit_current_pattern(work, changed);
+    if (!is_shared(kind, changed)) return edit_current_pattern(work, changed);
     edit_patterns(work, [&](Pattern& pattern) { copy_change(kind, changed, pattern); });
 }
 
 std::string label_of(const Workspace& work, const std::string& verb, GripKind kind) {
-    const bool alone = is_single(kind);
-    const Vibration* current = current_vibration(work);
+    const Vibration& current = *current_vibration(work);
+    const auto* pattern = std::get_if<Pattern>(&current.source);
+    const bool shared = pattern != nullptr && is_shared(kind, *pattern);
     const std::string what = name_of(kind);
-    return verb + " " + (alone ? what + " of " + current->name : of_selection(work, what));
+    return verb + " " + (shared ? of_selection(work, what) : what + " of " + current.name);
 }
 
 void choose(Ui& ui, StripState& strip, const Grip& grip) {
@@ -179,9 +179,9 @@ float strip_height(const Ui& ui, const StripState& strip) {
 bool remove_chosen(Ui& ui, Workspace& work, StripState& strip) {
     const Vibration* vibration = current_vibration(work);
     if (!strip.chosen || vibration == nullptr || vibration->name != strip.pattern) return false;
-    const auto* source = std::get_if<Pattern>(&vibration->source);
-    if (source == nullptr || vibration->locked || !exists(*source, *strip.chosen)) return false;
-    Pattern changed = *source;
+    const Pattern* pattern = editable_pattern(*vibration);
+    if (pattern == nullptr || !exists(*pattern, *strip.chosen)) return false;
+    Pattern changed = *pattern;
     const GripKind kind = strip.chosen->kind;
     remove(changed, *strip.chosen);
     strip.chosen.reset();

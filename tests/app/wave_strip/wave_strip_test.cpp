@@ -58,6 +58,28 @@ TEST_CASE(
     CHECK(std::get<Pattern>(set.vibrations[1].source).amplitude_curve.empty());
 }
 
+TEST_CASE("wave strip: a drawn frequency is dragged alone, and the step says so") {
+    Strip strip;
+    strip.pattern().frequency_curve = {{0.0, 100.0}, {strip.pattern().duration_s, 200.0}};
+    document_changed(strip.app.work);
+    commit_step(strip.app.ui, strip.app.work, "Draw");
+    select_all(strip.app.work);
+    strip.settle();
+    const Vibration other = strip.app.work.document.set.vibrations[1];
+    const Place lane = strip.at("strip:frequency");
+    const FrequencyCurve before = strip.pattern().frequency_curve;
+    const auto on_curve = [&](float y) {
+        return ImVec2{lane.min.x + 0.45F * (lane.max.x - lane.min.x), y};
+    };
+    for (float y = lane.min.y; y < lane.max.y && strip.pattern().frequency_curve == before;
+         y += 6.0F) {
+        strip.drag(on_curve(y), on_curve(y + 12.0F), 4);
+    }
+    CHECK(strip.pattern().frequency_curve != before);
+    CHECK(strip.app.work.document.set.vibrations[1] == other);
+    CHECK(strip.last_step().ends_with(" of p1"));
+}
+
 TEST_CASE("wave strip: a click on the line makes a point, Del removes it and not the pattern") {
     Strip strip;
     strip.click_at(strip.on_line(0.4F));
