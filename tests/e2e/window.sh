@@ -96,6 +96,27 @@ click() { point_at "$1" && xdotool click 1; }
 key() { xdotool key "$@"; }
 type_text() { xdotool type --delay 20 -- "$1"; }
 
+# Types over the number of a field; KEY takes it, Return if it is not said.
+enter() { # FIELD TEXT [KEY]
+    click "entry:$1"
+    until_true "$1 is being typed" is_typed "$1"
+    type_text "$2"
+    key "${3:-Return}"
+}
+is_typed() { says typed "$1"; }
+
+# Saves the set as FILE, which ends in .tactspace.json.
+save_as() {
+    key ctrl+shift+s
+    until_true "$1 is there" saved_to "$1"
+}
+saved_to() { # the dialog takes a moment to take the keys: what is typed too early is typed again
+    key ctrl+a
+    type_text "${1%.tactspace.json}"
+    key Return
+    timeout 2 bash -c 'until [ -s "$0" ]; do sleep 0.05; done' "$1"
+}
+
 press() { xdotool mousedown 1; }
 release() { xdotool mouseup 1; }
 
