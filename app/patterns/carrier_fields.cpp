@@ -12,8 +12,13 @@ namespace {
 
 // The nearest frequency with a whole number of cycles: no energy leaks between bins.
 double snapped_hz(double frequency_hz, double duration_s) {
-    const double bin_hz = 1.0 / duration_s;
-    return std::max(bin_hz, std::round(frequency_hz / bin_hz) * bin_hz);
+    return snapped_to(frequency_hz, 1.0 / duration_s);
+}
+
+void share_equally(Pattern& pattern) {
+    for (Carrier& carrier : pattern.carriers) {
+        carrier.weight = 1.0 / static_cast<double>(pattern.carriers.size());
+    }
 }
 
 bool leaks(const Pattern& pattern) {
@@ -131,14 +136,11 @@ void draw_mix(Ui& ui, Workspace& work, const Pattern& pattern) {
 
 void add_carrier(Ui& ui, Workspace& work) {
     edit_patterns(work, [](Pattern& p) {
-        if (p.carriers.size() >= limits::kMaxCarriers) return;
-        Carrier fresh = p.carriers.back();
-        fresh.frequency_hz = snapped_hz(std::min(3.0 * fresh.frequency_hz, 500.0), p.duration_s);
-        p.carriers.push_back(fresh);
-        // Equal shares, so that the pattern does not get stronger by it.
-        for (Carrier& carrier : p.carriers) {
-            carrier.weight = 1.0 / static_cast<double>(p.carriers.size());
-        }
+        const std::size_t before = p.carriers.size();
+        push_carrier(p);
+        if (p.carriers.size() == before) return;
+        double& fresh_hz = p.carriers.back().frequency_hz;
+        fresh_hz = snapped_hz(fresh_hz, p.duration_s);
     });
     commit_step(ui, work, "Add " + of_selection(work, "carrier"));
 }
@@ -147,9 +149,7 @@ void remove_carrier(Ui& ui, Workspace& work) {
     edit_patterns(work, [](Pattern& p) {
         if (p.carriers.size() < 2) return;
         p.carriers.pop_back();
-        for (Carrier& carrier : p.carriers) {
-            carrier.weight = 1.0 / static_cast<double>(p.carriers.size());
-        }
+        share_equally(p);
     });
     commit_step(ui, work, "Remove " + of_selection(work, "carrier"));
 }
@@ -171,6 +171,19 @@ void draw_carrier_links(Ui& ui, Workspace& work, const Pattern& pattern) {
 }
 
 }  // namespace
+
+double snapped_to(double value, double snap) {
+    return snap > 0.0 ? std::max(snap, std::round(value / snap) * snap) : value;
+}
+
+void push_carrier(Pattern& pattern) {
+    constexpr double kHighestHz = 500.0;
+    if (pattern.carriers.size() >= limits::kMaxCarriers) return;
+    Carrier fresh = pattern.carriers.back();
+    fresh.frequency_hz = std::min(3.0 * fresh.frequency_hz, kHighestHz);
+    pattern.carriers.push_back(fresh);
+    share_equally(pattern);
+}
 
 void draw_carrier_fields(Ui& ui, Workspace& work, const Pattern& pattern) {
     for (std::size_t k = 0; k < pattern.carriers.size(); ++k) draw_carrier(ui, work, pattern, k);

@@ -17,16 +17,11 @@ struct Followed {
     std::size_t leader = 0;      // the current one's place among them
 };
 
-bool is_edited(const Vibration& vibration) {
-    return std::holds_alternative<Pattern>(vibration.source) && !vibration.locked;
-}
-
 Followed followed(const Workspace& work, const ReadNumber& read) {
     Followed all;
     for (const std::size_t index : selected_indices(work)) {
-        const Vibration& vibration = work.document.set.vibrations[index];
-        if (!is_edited(vibration)) continue;
-        const auto value = read(std::get<Pattern>(vibration.source));
+        const Pattern* pattern = editable_pattern(work.document.set.vibrations[index]);
+        const auto value = pattern == nullptr ? std::nullopt : read(*pattern);
         if (!value) continue;
         if (index == work.selection.current) all.leader = all.values.size();
         all.values.push_back(*value);
@@ -36,20 +31,10 @@ Followed followed(const Workspace& work, const ReadNumber& read) {
 
 // As one that is made anew, with as many carriers.
 Pattern normal_pattern(const Workspace& work, std::size_t carriers) {
-    constexpr double kHighestHz = 500.0;
     Pattern normal;
     normal.duration_s = work.document.set.duration_s;
-    while (normal.carriers.size() < carriers) {
-        Carrier more = normal.carriers.back();
-        more.frequency_hz = std::min(3.0 * more.frequency_hz, kHighestHz);
-        normal.carriers.push_back(more);
-    }
-    for (Carrier& carrier : normal.carriers) carrier.weight = 1.0 / static_cast<double>(carriers);
+    while (normal.carriers.size() < carriers) push_carrier(normal);
     return normal;
-}
-
-double snapped_to(double value, double snap) {
-    return snap > 0.0 ? std::max(snap, std::round(value / snap) * snap) : value;
 }
 
 // Where each goes as the leader goes to `to`. `before`: the values at the gesture's beginning.

@@ -22,6 +22,13 @@ using WriteNumber = std::function<void(Pattern&, double)>;
 void edit_number(Ui& ui, Workspace& work, Field field, const std::string& what,
                  const ReadNumber& read, const WriteNumber& write);
 
+// The nearest step above 0; of no steps, the value itself.
+double snapped_to(double value, double snap);
+
+// One more carrier at three times the last one's frequency, 500 Hz at most, if there is room; all
+// get equal shares, so that the pattern does not get stronger by it.
+void push_carrier(Pattern& pattern);
+
 // Carriers, their mix or weights, and the warning of leakage.
 void draw_carrier_fields(Ui& ui, Workspace& work, const Pattern& pattern);
 

@@ -104,9 +104,8 @@ void draw_level(Ui& ui, PlayState& play) {
                           "start begins at 10 %: strengths are uncalibrated.",
                       .normal = 100.0 * PlayState{}.level};
     double percent = 100.0 * play.level;
-    const double before = percent;
-    draw_short_field(ui, field, kLevelWidthPx * ui.theme.scale, percent);
-    if (percent != before) play.level = 0.01 * percent;
+    const float width = kLevelWidthPx * ui.theme.scale;
+    if (draw_short_field(ui, field, width, percent).changed) play.level = 0.01 * percent;
     note_item(ui.rects, "level", std::to_string(play.level));
 }
 

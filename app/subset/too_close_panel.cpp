@@ -31,9 +31,7 @@ void draw_share_slider(Ui& ui, SubsetState& picking) {
     const float width = 190.0F * ui.theme.scale;
     flow_on(width, ui.theme.gap_px);
     double percent = 100.0 * picking.share;
-    const double before = percent;
-    draw_short_field(ui, kShare, width, percent);
-    if (percent != before) picking.share = percent / 100.0;
+    if (draw_short_field(ui, kShare, width, percent).changed) picking.share = percent / 100.0;
     note_item(ui.rects, "subset:share", std::to_string(picking.share));
 }
 

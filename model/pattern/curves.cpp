@@ -7,6 +7,7 @@
 
 #include "model/common/portable.h"
 #include "model/common/units.h"
+#include "model/signal/cut_and_fade.h"
 
 namespace tact {
 
@@ -116,10 +117,7 @@ double transient_g(const Transient& transient, double since_s) {
     if (since_s < 0.0 || since_s >= transient.duration_s) return 0.0;
     const double flank_s = kFlankShare * transient.duration_s;
     const double edge_s = std::min(since_s, transient.duration_s - since_s);
-    double level = transient.amplitude_g;
-    if (edge_s < flank_s) {
-        level *= 0.5 - 0.5 * portable::cos(std::numbers::pi * edge_s / flank_s);
-    }
+    const double level = transient.amplitude_g * fade_gain(edge_s, flank_s);
     const double turns = transient.frequency_hz * since_s;
     if (transient.shape == TransientShape::sine) {
         return level * portable::sin(2.0 * std::numbers::pi * turns);

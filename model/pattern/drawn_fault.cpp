@@ -36,6 +36,16 @@ struct DrawnCheck {
                            static_cast<double>(number)};
     }
 
+    // `key` names the points' `height` in files.
+    template <class Point>
+    void curve(const std::string& place, const std::vector<Point>& points, const char* key,
+               double Point::*height, Range heights) {
+        times(place, points);
+        for (std::size_t k = 0; k < points.size() && !fault; ++k) {
+            number(place + "/" + std::to_string(k) + "/" + key, heights, points[k].*height);
+        }
+    }
+
     template <class Point>
     void times(const std::string& place, const std::vector<Point>& curve) {
         count(place, limits::kMaxCurvePoints, "points", curve.size());
@@ -67,22 +77,13 @@ void check_transient(DrawnCheck& check, const Transient& transient, const std::s
 
 std::optional<DrawnFault> drawn_fault(const Pattern& pattern) {
     DrawnCheck checks{pattern.duration_s, std::nullopt};
-    const auto at = [](const char* key, std::size_t k) { return key + ("/" + std::to_string(k)); };
-    const AmplitudeCurve& amplitudes = pattern.amplitude_curve;
-    const FrequencyCurve& frequencies = pattern.frequency_curve;
-    checks.times("amplitude_curve", amplitudes);
-    for (std::size_t k = 0; k < amplitudes.size() && !checks.fault; ++k) {
-        checks.number(at("amplitude_curve", k) + "/value", limits::kCurveValue,
-                      amplitudes[k].value);
-    }
-    checks.times("frequency_curve", frequencies);
-    for (std::size_t k = 0; k < frequencies.size() && !checks.fault; ++k) {
-        checks.number(at("frequency_curve", k) + "/frequency_hz", limits::kCarrierHz,
-                      frequencies[k].frequency_hz);
-    }
+    checks.curve("amplitude_curve", pattern.amplitude_curve, "value", &AmplitudePoint::value,
+                 limits::kCurveValue);
+    checks.curve("frequency_curve", pattern.frequency_curve, "frequency_hz",
+                 &FrequencyPoint::frequency_hz, limits::kCarrierHz);
     checks.count("transients", limits::kMaxTransients, "transients", pattern.transients.size());
     for (std::size_t k = 0; k < pattern.transients.size() && !checks.fault; ++k) {
-        check_transient(checks, pattern.transients[k], at("transients", k));
+        check_transient(checks, pattern.transients[k], "transients/" + std::to_string(k));
     }
     return checks.fault;
 }

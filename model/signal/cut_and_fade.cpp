@@ -8,14 +8,10 @@
 
 namespace tact {
 
-namespace {
-
 double fade_gain(double since_s, double length_s) {
     if (!(since_s < length_s)) return 1.0;
     return 0.5 - 0.5 * portable::cos(std::numbers::pi * since_s / length_s);
 }
-
-}  // namespace
 
 Waveform with_gain(Waveform waveform, double gain) {
     for (double& sample : waveform.samples_g) sample *= gain;

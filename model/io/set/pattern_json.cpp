@@ -61,23 +61,15 @@ double needed_number(JsonObject& object, std::string_view key, Range range) {
     return number_field(object, key, range.low, range);
 }
 
-AmplitudeCurve amplitude_curve_of(JsonObject& object, Json& unknown) {
-    AmplitudeCurve curve;
-    read_objects(object, "amplitude_curve", 0, limits::kMaxCurvePoints, unknown,
-                 [&](JsonObject& one, Json&) {
-                     curve.push_back({needed_number(one, "time_s", kAnyNumber),
-                                      needed_number(one, "value", limits::kCurveValue)});
-                 });
-    return curve;
-}
-
-FrequencyCurve frequency_curve_of(JsonObject& object, Json& unknown) {
-    FrequencyCurve curve;
-    read_objects(object, "frequency_curve", 0, limits::kMaxCurvePoints, unknown,
-                 [&](JsonObject& one, Json&) {
-                     curve.push_back({needed_number(one, "time_s", kAnyNumber),
-                                      needed_number(one, "frequency_hz", limits::kCarrierHz)});
-                 });
+// `height`: the key of what stands over the time.
+template <class Point>
+std::vector<Point> curve_of(JsonObject& object, std::string_view key, std::string_view height,
+                            const Range& heights, Json& unknown) {
+    std::vector<Point> curve;
+    read_objects(object, key, 0, limits::kMaxCurvePoints, unknown, [&](JsonObject& one, Json&) {
+        curve.push_back(
+            {needed_number(one, "time_s", kAnyNumber), needed_number(one, height, heights)});
+    });
     return curve;
 }
 
@@ -129,8 +121,10 @@ Pattern pattern_of(JsonObject& object, double set_duration_s, Json& unknown) {
     pattern.attack_s = number_field(object, "attack_s", pattern.attack_s, limits::kRampS);
     pattern.release_s = number_field(object, "release_s", pattern.release_s, limits::kRampS);
     pattern.duration_s = number_field(object, "duration_s", set_duration_s, limits::kDurationS);
-    pattern.amplitude_curve = amplitude_curve_of(object, unknown);
-    pattern.frequency_curve = frequency_curve_of(object, unknown);
+    pattern.amplitude_curve =
+        curve_of<AmplitudePoint>(object, "amplitude_curve", "value", limits::kCurveValue, unknown);
+    pattern.frequency_curve = curve_of<FrequencyPoint>(object, "frequency_curve", "frequency_hz",
+                                                       limits::kCarrierHz, unknown);
     pattern.transients = transients_of(object, unknown);
     // Numbers have been looked at one by one; what is left are times and their order.
     if (const auto fault = drawn_fault(pattern)) {
