@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/wave_strip/note_grips.h"
+
 namespace tact {
 
 namespace {
@@ -13,6 +15,7 @@ constexpr double kSnapHz = 1.0;
 constexpr double kLeastTopG = 0.1;
 constexpr double kOverhead = 1.2;  // of the axes over what they show
 constexpr float kFrequencyShare = 0.42F;
+constexpr float kNotePx = 8.0F;
 
 double snapped(double value, double step, bool free) {
     return free ? value : std::round(value / step) * step;
@@ -133,6 +136,7 @@ StripScale strip_scale(const Pattern& pattern, double peak_g, const Rect& area, 
     const Rect below{{area.min.x, part_y}, area.max};
     StripScale scale{plot_within(above, theme, time, {0.0, kOverhead * top_g}, {"", "g"}),
                      plot_within(below, theme, time, frequency_axis(pattern), {"s", "Hz"})};
+    scale.note_px = kNotePx * theme.scale;
     // One time axis: both lanes begin where the wider labels end.
     const float left = std::max(scale.amplitude.area.min.x, scale.frequency.area.min.x);
     for (Plot* lane : {&scale.amplitude, &scale.frequency}) {
@@ -179,6 +183,7 @@ std::optional<Grip> grip_at(const Pattern& pattern, const StripScale& scale, ImV
         if (std::hypot(off.x, off.y) <= reach_px) found = placed.grip;
     }
     if (found) return found;
+    if (const auto note = note_grip_at(pattern, scale, mouse, reach_px)) return note;
     const float end_px = to_pixel(scale.amplitude.x, pattern.duration_s);
     const bool in_lane = scale.amplitude.outer.contains(mouse);
     if (in_lane && std::abs(mouse.x - end_px) <= reach_px) return Grip{GripKind::end};
@@ -221,6 +226,11 @@ Pattern dragged(const Pattern& before, const Grip& grip, const StripScale& scale
         case GripKind::release:
             pattern.release_s = ramp(pattern.release_s - step.time_s);
             break;
+        case GripKind::note_start:
+        case GripKind::note:
+        case GripKind::note_end:
+            pattern.rhythm = with_note_dragged(pattern.rhythm, grip, step.time_s, drag.free);
+            break;
         case GripKind::end:
             pattern =
                 with_duration(before, snapped(before.duration_s + step.time_s, kSnapS, drag.free));
@@ -240,6 +250,7 @@ void copy_change(GripKind kind, const Pattern& from, Pattern& to) {
     if (kind == GripKind::end) to = with_duration(to, from.duration_s);
     if (kind == GripKind::level) to.amplitude_g = from.amplitude_g;
     if (kind == GripKind::frequency) to.carriers[0].frequency_hz = from.carriers[0].frequency_hz;
+    if (is_note(kind)) to.rhythm = from.rhythm;
 }
 
 std::optional<Grip> add_point(Pattern& pattern, GripKind line, const StripScale& scale,
@@ -285,6 +296,9 @@ void remove(Pattern& pattern, const Grip& grip) {
 }
 
 bool exists(const Pattern& pattern, const Grip& grip) {
+    if (is_note(grip.kind)) {
+        return grip.index < notes(pattern.rhythm, pattern.duration_s).size();
+    }
     switch (grip.kind) {
         case GripKind::amplitude_point:
             return grip.index < pattern.amplitude_curve.size();
@@ -295,50 +309,6 @@ bool exists(const Pattern& pattern, const Grip& grip) {
         default:
             return true;
     }
-}
-
-const char* name_of(GripKind kind) {
-    switch (kind) {
-        case GripKind::level:
-            return "amplitude";
-        case GripKind::frequency:
-            return "frequency";
-        case GripKind::amplitude_point:
-            return "amplitude curve";
-        case GripKind::frequency_point:
-            return "frequency curve";
-        case GripKind::transient:
-            return "transient";
-        case GripKind::attack:
-            return "attack";
-        case GripKind::release:
-            return "release";
-        case GripKind::end:
-            return "duration";
-    }
-    return "";
-}
-
-const char* help_on(GripKind kind) {
-    switch (kind) {
-        case GripKind::level:
-            return "Drag: amplitude. Click: a point of its curve.";
-        case GripKind::frequency:
-            return "Drag: frequency. Click: a point of its curve.";
-        case GripKind::amplitude_point:
-        case GripKind::frequency_point:
-            return "Drag: move the point; Shift along one axis, Alt free of the grid. Double click "
-                   "or Del: remove.";
-        case GripKind::transient:
-            return "Drag: move the transient. Double click or Del: remove.";
-        case GripKind::attack:
-            return "Drag: attack of every note.";
-        case GripKind::release:
-            return "Drag: release of every note.";
-        case GripKind::end:
-            return "Drag: duration.";
-    }
-    return "";
 }
 
 }  // namespace tact

@@ -2,11 +2,10 @@
 //
 // Two lanes over one time axis: amplitude in g above, the first carrier's frequency below. The line
 // of a lane is its curve, or one level where there is none. A line is dragged as a whole, a click
-// on it makes a point, and points, ramps, bursts and the end are dragged by themselves.
+// on it makes a point, and points, ramps, bursts, notes and the end are dragged by themselves.
 //
 // Input     the pattern and the scale as they were when the mouse was pressed
 // Output    a pattern without fault (model/pattern/drawn_fault.h)
-// Left out  notes: the rhythm's grid has them.
 #pragma once
 
 #include <cstddef>
@@ -29,12 +28,15 @@ enum class GripKind {
     transient,
     attack,
     release,
+    note_start,  // of a note of the rhythm, and so of its repetitions
+    note,        // moved as a whole
+    note_end,
     end  // of the pattern
 };
 
 struct Grip {
     GripKind kind = GripKind::level;
-    std::size_t index = 0;  // of a point or a transient
+    std::size_t index = 0;  // of a point, a transient or a note
 
     bool operator==(const Grip&) const = default;
 };
@@ -43,8 +45,9 @@ struct Grip {
 bool is_single(GripKind kind);
 
 struct StripScale {
-    Plot amplitude;  // s, g from 0
-    Plot frequency;  // s, Hz, logarithmic
+    Plot amplitude;        // s, g from 0
+    Plot frequency;        // s, Hz, logarithmic
+    float note_px = 0.0F;  // height of the notes' blocks, at the bottom of the amplitude lane
 };
 
 // The g axis reaches over `peak_g` and everything that can be taken.
@@ -66,7 +69,7 @@ std::optional<Grip> grip_at(const Pattern& pattern, const StripScale& scale, ImV
 struct GripDrag {
     ImVec2 from, to;
     bool along_one_axis = false;  // the one along which it went further
-    bool free = false;            // of the snaps: 5 ms, 0.01 g, 1 Hz
+    bool free = false;            // of the snaps: 5 ms, 0.01 g, 1 Hz; of a rhythm's, to quarters
 };
 
 Pattern dragged(const Pattern& before, const Grip& grip, const StripScale& scale,
@@ -88,7 +91,7 @@ std::optional<Grip> add_transient(Pattern& pattern, const StripScale& scale, ImV
 void remove(Pattern& pattern, const Grip& grip);
 bool exists(const Pattern& pattern, const Grip& grip);
 
-// "amplitude", "point of the frequency curve": the end of a step's label.
+// "amplitude", "frequency curve": the end of a step's label.
 const char* name_of(GripKind kind);
 
 // What a press would do.

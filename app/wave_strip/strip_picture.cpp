@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/wave_strip/note_grips.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -23,6 +24,17 @@ void draw_body(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     list.PushClipRect(lane.area.min, lane.area.max, true);
     draw_signal(list, theme, lane, scene.waveform->samples_g, scene.waveform->rate_hz,
                 faded(scene.colour, 150), TraceStyle::line);
+    list.PopClipRect();
+}
+
+void draw_notes(ImDrawList& list, const Theme& theme, const StripScene& scene) {
+    const Rect& lane = scene.scale.amplitude.area;
+    list.PushClipRect(lane.min, lane.max, true);
+    for (const auto& [index, area] : note_blocks(scene.pattern, scene.scale)) {
+        const bool lit = scene.under && is_note(scene.under->kind) && scene.under->index == index;
+        const ImVec2 max{std::max(area.max.x - theme.hairline_px, area.min.x + 1.0F), area.max.y};
+        list.AddRectFilled(area.min, max, lit ? theme.text : theme.dim_text, 2.0F * theme.scale);
+    }
     list.PopClipRect();
 }
 
@@ -114,6 +126,12 @@ std::string reading(const Pattern& pattern, const Grip& grip) {
             return at(pattern.attack_s);
         case GripKind::release:
             return at(pattern.release_s);
+        case GripKind::note_start:
+        case GripKind::note:
+        case GripKind::note_end: {
+            const Note note = notes(pattern.rhythm, pattern.duration_s)[grip.index];
+            return at(note.onset_s) + " to " + at(note.onset_s + note.length_s);
+        }
         case GripKind::end:
             return significant(pattern.duration_s) + " s";
     }
@@ -139,6 +157,7 @@ void draw_strip_picture(ImDrawList& list, const Theme& theme, const Rect& area,
     draw_axes(list, theme, scene.scale.amplitude, {"", "g"});
     draw_axes(list, theme, scene.scale.frequency, {"s", "Hz"});
     draw_body(list, theme, scene);
+    draw_notes(list, theme, scene);
     draw_lines(list, theme, scene);
     list.PushClipRect(area.min, area.max, true);
     draw_grips(list, theme, scene);

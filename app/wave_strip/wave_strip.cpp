@@ -10,6 +10,7 @@
 #include "app/document/pattern_looks.h"
 #include "app/ui/widgets.h"
 #include "app/wave_strip/chosen_fields.h"
+#include "app/wave_strip/note_grips.h"
 #include "app/wave_strip/strip_picture.h"
 
 namespace tact {
@@ -81,12 +82,21 @@ void let_go(Ui& ui, Workspace& work, StripState& strip) {
     choose(ui, strip, *point);
 }
 
+void change_rhythm(Ui& ui, Workspace& work, const std::string& verb, const Rhythm& rhythm) {
+    edit_patterns(work, [&rhythm](Pattern& pattern) { pattern.rhythm = rhythm; });
+    commit_step(ui, work, label_of(work, verb, GripKind::note));
+}
+
 void double_click(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern,
                   const StripScale& scale, std::optional<Grip> under) {
     strip.held.reset();
     if (under && is_single(under->kind)) {
         strip.chosen = under;
         (void)remove_chosen(ui, work, strip);
+    } else if (under && is_note(under->kind)) {
+        change_rhythm(ui, work, "Remove a note from", with_note_removed(pattern.rhythm, *under));
+    } else if (const auto more = with_note_added(pattern, scale, ImGui::GetIO().MousePos)) {
+        change_rhythm(ui, work, "Add a note to", *more);
     } else if (!under && scale.amplitude.area.contains(ImGui::GetIO().MousePos)) {
         Pattern changed = pattern;
         const auto added = add_transient(changed, scale, ImGui::GetIO().MousePos);
@@ -119,6 +129,9 @@ void note_grips(Ui& ui, const Pattern& pattern, const StripScale& scale) {
                   std::string("grip:") + name_of(placed.grip.kind) + ":" +
                       std::to_string(placed.grip.index),
                   placed.at - kHalf, placed.at + kHalf);
+    }
+    for (const auto& [index, area] : note_blocks(pattern, scale)) {
+        note_rect(ui.rects, "note:" + std::to_string(index), area.min, area.max);
     }
     note_rect(ui.rects, "strip:amplitude", scale.amplitude.area.min, scale.amplitude.area.max);
     note_rect(ui.rects, "strip:frequency", scale.frequency.area.min, scale.frequency.area.max);

@@ -139,6 +139,39 @@ TEST_CASE("grips: ramps and the end follow the mouse") {
           doctest::Approx(0.7).epsilon(1e-4));
 }
 
+TEST_CASE("grips: a note is taken by its edges and in its middle, and keeps to the rhythm's grid") {
+    Strip strip;
+    strip.pattern.rhythm = {"x=--x=--", 0.125};
+    const auto over = [&](double t_s) {
+        return grip_at(strip.pattern, strip.scale(), strip.at_g(t_s, 0.02), 6.0F);
+    };
+    CHECK(over(0.5) == Grip{GripKind::note_start, 1});
+    CHECK(over(0.62) == Grip{GripKind::note, 1});
+    CHECK(over(0.75) == Grip{GripKind::note_end, 1});
+    CHECK(!over(0.4));
+    const auto text_after = [&](Grip grip, double from_s, double to_s) {
+        return strip.drag(grip, strip.at_g(from_s, 0.02), strip.at_g(to_s, 0.3), false).rhythm.text;
+    };
+    CHECK(text_after({GripKind::note_end, 1}, 0.75, 0.9) == "x=--x==-");
+    CHECK(text_after({GripKind::note_start, 1}, 0.5, 0.39) == "x=-x==--");
+    CHECK(text_after({GripKind::note, 0}, 0.1, 0.2) == "-x=-x=--");
+    CHECK(text_after({GripKind::note, 0}, 0.1, 0.15) == "x=--x=--");
+}
+
+TEST_CASE("grips: a note of a repetition moves those of all, and Alt frees it to quarters") {
+    Strip strip;
+    strip.pattern.rhythm = {"x-", 0.25};
+    const auto after = [&](double to_s, bool free) {
+        return strip
+            .drag({GripKind::note_end, 1}, strip.at_g(0.75, 0.02), strip.at_g(to_s, 0.02), free)
+            .rhythm;
+    };
+    CHECK(after(0.99, false) == Rhythm{"x=", 0.25});
+    CHECK(after(0.875, true) == Rhythm{"x==-", 0.125});
+    CHECK(after(0.82, true) == Rhythm{"x====---", 0.0625});
+    CHECK(after(0.76, true) == Rhythm{"x-", 0.25});
+}
+
 TEST_CASE("grips: whatever is dragged wherever leaves a pattern that can be saved") {
     RandomStream random{11};
     const auto place = [&] {
@@ -156,6 +189,7 @@ TEST_CASE("grips: whatever is dragged wherever leaves a pattern that can be save
             if (choice > 0.2 && choice < 0.4) {
                 (void)add_point(pattern, GripKind::frequency, scale, place());
             }
+            if (choice > 0.5 && choice < 0.6) pattern.rhythm = {"x=-x--", 0.05};
             if (choice > 0.4 && choice < 0.5) (void)add_transient(pattern, scale, place());
             const auto grip = grip_at(pattern, scale, place(), 80.0F);
             if (!grip) continue;

@@ -121,6 +121,30 @@ TEST_CASE("wave strip: a double click makes a transient where there is none, and
     CHECK(strip.pattern().transients.empty());
 }
 
+TEST_CASE("wave strip: a note is dragged as one step, and double clicks remove and add notes") {
+    Strip strip;
+    strip.pattern().rhythm = {"x=--x=--", strip.pattern().duration_s / 8.0};
+    document_changed(strip.app.work);
+    commit_step(strip.app.ui, strip.app.work, "Tap");
+    strip.settle();
+    const Place second = strip.at("note:1");
+    const float step = 0.5F * (second.max.x - second.min.x);
+    const float y = 0.5F * (second.min.y + second.max.y);
+    strip.drag({second.max.x, y}, {second.max.x + step, y - 20.0F}, 5);
+    CHECK(strip.pattern().rhythm.text == "x=--x==-");
+    CHECK(strip.last_step() == "Change rhythm of p1");
+    const auto double_click = [&](ImVec2 place) {
+        strip.window.click(place);
+        strip.click_at(place);
+    };
+    double_click({second.min.x + 1.5F * step, y});
+    CHECK(strip.pattern().rhythm.text == "x=------");
+    CHECK(strip.last_step() == "Remove a note from rhythm of p1");
+    double_click({second.min.x + 0.5F * step, y});
+    CHECK(strip.pattern().rhythm.text == "x=--x---");
+    CHECK(strip.pattern().transients.empty());
+}
+
 TEST_CASE("wave strip: a carrier whose frequency is drawn has no slider of its own") {
     Strip strip;
     const double hz = strip.pattern().carriers[0].frequency_hz;

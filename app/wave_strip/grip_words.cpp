@@ -1,0 +1,61 @@
+// What is said of the grips. Declared in app/wave_strip/grips.h.
+
+#include "app/wave_strip/grips.h"
+
+namespace tact {
+
+const char* name_of(GripKind kind) {
+    switch (kind) {
+        case GripKind::level:
+            return "amplitude";
+        case GripKind::frequency:
+            return "frequency";
+        case GripKind::amplitude_point:
+            return "amplitude curve";
+        case GripKind::frequency_point:
+            return "frequency curve";
+        case GripKind::transient:
+            return "transient";
+        case GripKind::attack:
+            return "attack";
+        case GripKind::release:
+            return "release";
+        case GripKind::note_start:
+        case GripKind::note:
+        case GripKind::note_end:
+            return "rhythm";
+        case GripKind::end:
+            return "duration";
+    }
+    return "";
+}
+
+const char* help_on(GripKind kind) {
+    switch (kind) {
+        case GripKind::level:
+            return "Drag: amplitude. Click: a point of its curve.";
+        case GripKind::frequency:
+            return "Drag: frequency. Click: a point of its curve.";
+        case GripKind::amplitude_point:
+        case GripKind::frequency_point:
+            return "Drag: move the point; Shift along one axis, Alt free of the grid. Double click "
+                   "or Del: remove.";
+        case GripKind::transient:
+            return "Drag: move the transient. Double click or Del: remove.";
+        case GripKind::attack:
+            return "Drag: attack of every note.";
+        case GripKind::release:
+            return "Drag: release of every note.";
+        case GripKind::note_start:
+            return "Drag: where the note begins; Alt to quarters of a step.";
+        case GripKind::note:
+            return "Drag: move the note; Alt to quarters of a step. Double click: remove.";
+        case GripKind::note_end:
+            return "Drag: where the note ends; Alt to quarters of a step.";
+        case GripKind::end:
+            return "Drag: duration.";
+    }
+    return "";
+}
+
+}  // namespace tact

@@ -1,0 +1,88 @@
+#include "app/wave_strip/note_grips.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/pattern/rhythm_edit.h"
+
+namespace tact {
+
+std::vector<NoteBlock> note_blocks(const Pattern& pattern, const StripScale& scale) {
+    std::vector<NoteBlock> blocks;
+    if (pattern.rhythm.text.empty()) return blocks;
+    const Rect& lane = scale.amplitude.area;
+    const std::vector<Note> all = notes(pattern.rhythm, pattern.duration_s);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const float left = to_pixel(scale.amplitude.x, all[k].onset_s);
+        const float right = to_pixel(scale.amplitude.x, all[k].onset_s + all[k].length_s);
+        if (right < lane.min.x || left > lane.max.x) continue;
+        blocks.push_back({k, {{left, lane.max.y - scale.note_px}, {right, lane.max.y}}});
+    }
+    return blocks;
+}
+
+namespace {
+
+bool is_in_row(const StripScale& scale, ImVec2 mouse) {
+    const Rect& lane = scale.amplitude.area;
+    return lane.contains(mouse) && mouse.y >= lane.max.y - scale.note_px;
+}
+
+}  // namespace
+
+bool is_note(GripKind kind) {
+    return kind == GripKind::note_start || kind == GripKind::note || kind == GripKind::note_end;
+}
+
+std::optional<Grip> note_grip_at(const Pattern& pattern, const StripScale& scale, ImVec2 mouse,
+                                 float reach_px) {
+    if (!is_in_row(scale, mouse)) return std::nullopt;
+    std::optional<Grip> edge;
+    std::optional<Grip> whole;
+    float nearest_px = reach_px;
+    const auto consider = [&](GripKind kind, std::size_t index, float outside_px, float inner_px) {
+        const float off_px = std::abs(outside_px);
+        if (off_px > nearest_px || -outside_px > inner_px) return;
+        edge = Grip{kind, index};
+        nearest_px = off_px;
+    };
+    for (const auto& [index, area] : note_blocks(pattern, scale)) {
+        const float inner_px = area.width() / 3.0F;
+        consider(GripKind::note_start, index, area.min.x - mouse.x, inner_px);
+        consider(GripKind::note_end, index, mouse.x - area.max.x, inner_px);
+        if (area.contains(mouse)) whole = Grip{GripKind::note, index};
+    }
+    return edge ? edge : whole;
+}
+
+Rhythm with_note_dragged(const Rhythm& rhythm, const Grip& grip, double by_s, bool free) {
+    constexpr std::size_t kQuarters = 4;
+    const Rhythm grid = free ? refined(rhythm, kQuarters) : rhythm;
+    const std::size_t count = note_steps(grid.text).size();
+    if (count == 0) return rhythm;
+    NotePart part = NotePart::whole;
+    if (grip.kind == GripKind::note_start) part = NotePart::start;
+    if (grip.kind == GripKind::note_end) part = NotePart::end;
+    const long steps = std::lround(by_s / grid.unit_s);
+    const Rhythm moved{with_note_moved(grid.text, grip.index % count, part, steps), grid.unit_s};
+    return free ? coarsened(moved, kQuarters) : moved;
+}
+
+std::optional<Rhythm> with_note_added(const Pattern& pattern, const StripScale& scale,
+                                      ImVec2 mouse) {
+    const Rhythm& rhythm = pattern.rhythm;
+    const double t_s = to_value(scale.amplitude.x, mouse.x);
+    const bool is_within = t_s >= 0.0 && t_s < pattern.duration_s;
+    if (rhythm.text.empty() || !is_in_row(scale, mouse) || !is_within) return std::nullopt;
+    const std::size_t step = static_cast<std::size_t>(t_s / rhythm.unit_s) % rhythm.text.size();
+    if (rhythm.text[step] != '-') return std::nullopt;
+    return Rhythm{with_note(rhythm.text, step, step), rhythm.unit_s};
+}
+
+Rhythm with_note_removed(const Rhythm& rhythm, const Grip& grip) {
+    const std::size_t count = note_steps(rhythm.text).size();
+    if (count == 0) return rhythm;
+    return {without_note(rhythm.text, grip.index % count), rhythm.unit_s};
+}
+
+}  // namespace tact

@@ -1,0 +1,71 @@
+#include "model/pattern/rhythm_edit.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "model/pattern/pattern.h"
+
+namespace tact {
+
+std::vector<NoteSteps> note_steps(std::string_view text) {
+    std::vector<NoteSteps> all;
+    for (std::size_t step = 0; step < text.size(); ++step) {
+        if (text[step] == 'x') all.push_back({step, step});
+        if (text[step] == '=') all.back().last = step;
+    }
+    return all;
+}
+
+std::string without_note(std::string text, std::size_t k) {
+    const std::vector<NoteSteps> all = note_steps(text);
+    assert(k < all.size());
+    const std::size_t steps = all[k].last + 1 - all[k].first;
+    return text.replace(all[k].first, steps, steps, '-');
+}
+
+std::string with_note_moved(std::string text, std::size_t k, NotePart part, long steps) {
+    const std::vector<NoteSteps> all = note_steps(text);
+    assert(k < all.size());
+    const auto first = static_cast<long>(all[k].first);
+    const auto last = static_cast<long>(all[k].last);
+    const long low = k == 0 ? 0 : static_cast<long>(all[k - 1].last) + 1;
+    const auto end = static_cast<long>(k + 1 < all.size() ? all[k + 1].first : text.size());
+    const bool starts = part != NotePart::end;
+    const bool ends = part != NotePart::start;
+    const long back = starts ? low - first : first - last;
+    const long ahead = ends ? end - 1 - last : last - first;
+    const long by = std::clamp(steps, back, ahead);
+    return with_note(without_note(std::move(text), k),
+                     static_cast<std::size_t>(first + (starts ? by : 0)),
+                     static_cast<std::size_t>(last + (ends ? by : 0)));
+}
+
+Rhythm refined(const Rhythm& rhythm, std::size_t by) {
+    assert(by > 0);
+    const double unit_s = rhythm.unit_s / static_cast<double>(by);
+    if (rhythm.text.size() * by > kMaxRhythmSteps || unit_s < limits::kRhythmUnitS.low) {
+        return rhythm;
+    }
+    Rhythm fine{{}, unit_s};
+    for (const char mark : rhythm.text) {
+        fine.text += mark;
+        fine.text.append(by - 1, mark == '-' ? '-' : '=');
+    }
+    return fine;
+}
+
+Rhythm coarsened(const Rhythm& rhythm, std::size_t by) {
+    for (; by > 1; --by) {
+        Rhythm coarse{{}, rhythm.unit_s * static_cast<double>(by)};
+        for (std::size_t step = 0; step < rhythm.text.size(); step += by) {
+            coarse.text += rhythm.text[step];
+        }
+        const bool fits = coarse.unit_s <= limits::kRhythmUnitS.high &&
+                          rhythm_fault(coarse.text).empty() &&
+                          refined(coarse, by).text == rhythm.text;
+        if (fits) return coarse;
+    }
+    return rhythm;
+}
+
+}  // namespace tact

@@ -1,0 +1,44 @@
+// Notes of a rhythm's text, moved on its grid.
+//
+// Input     text without fault (model/pattern/rhythm.h)
+// Output    text without fault: a note keeps off its neighbours and within the text
+// Left out  notes across the end of the text: it repeats, and none is held from there on.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/pattern/rhythm.h"
+
+namespace tact {
+
+// The first and the last step of a note.
+struct NoteSteps {
+    std::size_t first = 0;
+    std::size_t last = 0;
+
+    bool operator==(const NoteSteps&) const = default;
+};
+
+// In their order.
+std::vector<NoteSteps> note_steps(std::string_view text);
+
+enum class NotePart { start, whole, end };
+
+// The text with a part of its k-th note moved by so many steps, or as many as there is room for: a
+// note keeps one step at least. Asserts that there is such a note.
+std::string with_note_moved(std::string text, std::size_t k, NotePart part, long steps);
+
+// The text with rests for its k-th note. Asserts that there is such a note.
+std::string without_note(std::string text, std::size_t k);
+
+// The same rhythm with every step as `by` of them; as it is where that would be more than a text
+// or shorter than a step may be.
+Rhythm refined(const Rhythm& rhythm, std::size_t by);
+
+// The same rhythm with as many steps made one, up to `by`, as each note allows.
+Rhythm coarsened(const Rhythm& rhythm, std::size_t by);
+
+}  // namespace tact
