@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/patterns/rhythm_choice.h"
+#include "app/patterns/tapping_state.h"
 #include "app/wave_strip/strip_state.h"
 
 namespace tact {
@@ -39,6 +40,7 @@ struct PatternPanes {
     SetPanelState list;
     StripState strip;
     EditorState editor;
+    TappingState tapping;
 };
 
 }  // namespace tact

@@ -7,6 +7,7 @@
 #include "app/document/editing.h"
 #include "app/patterns/pattern_fields.h"
 #include "app/patterns/rhythm_list.h"
+#include "app/patterns/tapping.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -119,6 +120,11 @@ void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     note_item(ui.rects, "link:rhythms");
     draw_tooltip(ui, "Rhythms of a length and number of notes to pick from");
     draw_rhythm_popup(ui, work, pattern_panes, pattern);
+    constexpr const char* kTap = "Tap...";
+    flow_on(ImGui::CalcTextSize(kTap).x, 2.0F * ui.theme.gap_px);
+    if (link(ui, "tap rhythm", kTap)) open_tapping(ui, pattern_panes.tapping);
+    note_item(ui.rects, "link:tap");
+    draw_tooltip(ui, "T: each press of it is a note as long as it is held");
     if (none) return;
     const std::string summary = rhythm_summary(pattern.rhythm.text);
     flow_on(ImGui::CalcTextSize(summary.c_str()).x, 2.0F * ui.theme.gap_px);

@@ -13,7 +13,8 @@ enum class Dialog {
     export_animation,
     generate,
     import_recordings,
-    simulate_measurement
+    simulate_measurement,
+    tap_rhythm
 };
 
 // What a chosen path is for.

@@ -12,6 +12,7 @@
 #include "app/generate/generating.h"
 #include "app/measured/import_follow.h"
 #include "app/patterns/set_panel.h"
+#include "app/patterns/tapping.h"
 #include "app/play/playing.h"
 #include "app/study/study_follow.h"
 #include "app/subset/subset_export.h"
@@ -162,6 +163,8 @@ const auto kCommands = std::to_array<Command>({
     {"Edit", "Duplicate", ctrl('d'), has_selection, [](App& app) { duplicate_selected(app.ui, app.work); }},
     {"Edit", "Generate candidates...", ctrl('g'), always, [](App& app) { open_generate(app.ui, app.work, app.generating); }, nullptr,
      "design space factorial sample sobol latin hypercube levels"},
+    {"Edit", "Tap a rhythm...", plain('t'), [](const App& app) { return can_tap_rhythm(app.work); },
+     [](App& app) { open_tapping(app.ui, app.pattern_panes.tapping); }, nullptr, "beat notes hand"},
     {"Edit", "Rename", special(key::kF1 + 1), has_selection, start_rename},
     {"Edit", "Lock or unlock", ctrl('l'), has_selection, [](App& app) { toggle_locked(app.ui, app.work); }},
     {"Edit", "Drop from subsets or not", ctrl('l', true), has_selection, [](App& app) { toggle_dropped(app.ui, app.work); }, nullptr,

@@ -17,6 +17,7 @@
 #include "app/measured/import_follow.h"
 #include "app/model_bench/kept_models.h"
 #include "app/model_bench/training_follow.h"
+#include "app/patterns/tapping.h"
 #include "app/play/calibrating.h"
 #include "app/play/play_panels.h"
 #include "app/study/study_follow.h"
@@ -52,6 +53,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Ctrl+O, Ctrl+S, Ctrl+Shift+S", "open, save, save as"},
     {"Ctrl+N, Ctrl+D, Del", "new pattern, duplicate, delete"},
     {"Ctrl+G", "generate candidates from levels and ranges"},
+    {"T", "tap a rhythm; each press is a note as long as it is held"},
     {"Ctrl+C, Ctrl+V, Ctrl+A", "copy, paste, select all patterns"},
     {"Space; comma, full stop", "play or stop; 5 ms back, on"},
     {"Esc", "silences everything, at once"},
@@ -142,6 +144,8 @@ void draw_dialogs(App& app) {
     if (app.ui.dialog == Dialog::about) draw_about(app);
     if (app.ui.dialog == Dialog::keys) draw_keys(app);
     if (app.ui.dialog == Dialog::generate) draw_generate_dialog(app.ui, app.work, app.generating);
+    if (app.ui.dialog == Dialog::tap_rhythm)
+        draw_tapping_dialog(app.ui, app.work, app.pattern_panes.tapping);
     if (app.ui.dialog == Dialog::devices)
         draw_devices(app.ui, app.work, app.timeline, app.rendered, app.play);
     if (app.ui.dialog == Dialog::calibrate)
