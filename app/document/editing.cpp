@@ -176,6 +176,17 @@ void edit_current_pattern(Workspace& work, const Pattern& pattern) {
     document_changed(work);
 }
 
+void edit_current_recording(Workspace& work, const Measurement& recording,
+                            const std::string& note) {
+    const Vibration* vibration = current_vibration(work);
+    if (vibration == nullptr || vibration->locked) return;
+    if (!std::holds_alternative<Measurement>(vibration->source)) return;
+    Vibration& edited = vibrations(work)[work.selection.current];
+    edited.source = recording;
+    edited.note = note;
+    document_changed(work);
+}
+
 void edit_patterns(Workspace& work, const std::function<void(Pattern&)>& change) {
     for (const std::size_t index : selected_indices(work)) {
         Vibration& vibration = vibrations(work)[index];
@@ -211,8 +222,12 @@ void add_pattern(Ui& ui, Workspace& work) {
     Pattern pattern;
     pattern.duration_s = work.document.set.duration_s;
     fresh.source = pattern;
+    add_vibration(ui, work, fresh, "Add pattern");
+}
+
+void add_vibration(Ui& ui, Workspace& work, const Vibration& fresh, const std::string& label) {
     insert_after_current(work, {fresh});
-    commit_step(ui, work, "Add pattern");
+    commit_step(ui, work, label);
 }
 
 void duplicate_selected(Ui& ui, Workspace& work) {

@@ -49,6 +49,10 @@ void edit_patterns(Workspace& work, const std::function<void(Pattern&)>& change)
 // Puts `pattern`, clamped, in the place of the one in the editor, if that may be edited.
 void edit_current_pattern(Workspace& work, const Pattern& pattern);
 
+// Puts a recording in the place of the one in the editor, with what its note then says, if that is
+// one and not locked.
+void edit_current_recording(Workspace& work, const Measurement& recording, const std::string& note);
+
 // "amplitude of L-4-full", "amplitude of 3 patterns": the end of a step's label.
 std::string of_selection(const Workspace& work, const std::string& what);
 
@@ -57,6 +61,7 @@ void redo(Ui& ui, Workspace& work);
 
 // One step each. New vibrations come after the current one and are selected.
 void add_pattern(Ui& ui, Workspace& work);
+void add_vibration(Ui& ui, Workspace& work, const Vibration& fresh, const std::string& label);
 void duplicate_selected(Ui& ui, Workspace& work);
 void remove_selected(
     Ui& ui, Workspace& work);  // of those in the list: what a search hides is kept, and told

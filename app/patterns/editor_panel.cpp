@@ -6,8 +6,11 @@
 #include <utility>
 
 #include "app/document/editing.h"
+#include "app/map/map_follow.h"
+#include "app/map/pair.h"
 #include "app/patterns/editor_panel.h"
 #include "app/patterns/pattern_fields.h"
+#include "app/patterns/recording_editor.h"
 #include "app/ui/widgets.h"
 #include "app/wave_strip/wave_strip.h"
 #include "viz/drawing/marks.h"
@@ -97,20 +100,27 @@ void draw_times(Ui& ui, Workspace& work) {
         [](Pattern& p, double value) { p.duration_s = value; });
 }
 
-void draw_measurement(const Ui& ui, const Measurement& measurement) {
-    dim_text(ui, measurement.synthetic ? "Synthetic measurement: simulated, not recorded"
-                                       : "Measured waveform");
-    ImGui::TextWrapped("%s", measurement.path.c_str());
-    char text[128];
-    std::snprintf(text, sizeof text, "%.4g s, peak %.3g g, %.4g g at full scale",
-                  duration_s(*measurement.waveform), peak_g(*measurement.waveform),
-                  measurement.scale_g);
-    ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, text);
-    ImGui::PopTextWrapPos();
-    if (!measurement.measures.empty()) {
-        ImGui::TextWrapped("Measures %s", measurement.measures.c_str());
+// Told only of a pair that was chosen: the closest one stands in the map's own panes.
+void draw_partner(Ui& ui, const Workspace& work, const ShownMap& shown_map) {
+    const auto pair = chosen_pair(work, shown_map);
+    if (!pair || pair->kind != PartnerKind::chosen) return;
+    const std::string& name = work.document.set.vibrations[pair->partner].name;
+    const auto rows =
+        shown_map.transition.shown ? rows_in_map(work, shown_map, *pair) : std::nullopt;
+    std::string words = "PM to " + name + ": not computed yet";
+    if (rows) {
+        const Dissimilarity& pm = shown_map.transition.shown->prediction.pm;
+        words = "PM to " + name + ": " + significant(pm(rows->first, rows->second)) + " of " +
+                std::to_string(pm.condensed.size());
+        const MapState state = map_state(work, shown_map);
+        if (state == MapState::preview) words += ", a preview";
+        if (state == MapState::stale) words += ", of before the last change";
     }
+    ImGui::PushTextWrapPos(0.0F);
+    dim_text(ui, words);
+    ImGui::PopTextWrapPos();
+    note_item(ui.rects, "editor:partner", words);
+    draw_tooltip(ui, "The pair that is chosen. PM is a weighted rank among all pairs of the set.");
 }
 
 bool is_saved(const PatternSet& saved, const Vibration& vibration) {
@@ -134,7 +144,8 @@ void draw_note(const Ui& ui, const Workspace& work, const Vibration& vibration) 
 
 }  // namespace
 
-void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
+void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
+                       const ShownMap& shown_map) {
     const Vibration* vibration = current_vibration(work);
     if (vibration == nullptr) {
         draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "Nothing to edit",
@@ -196,9 +207,10 @@ void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
         draw_rhythm_fields(ui, work, pattern_panes, *pattern);
         draw_times(ui, work);
     } else {
-        draw_measurement(ui, std::get<Measurement>(shown.source));
+        draw_recording_editor(ui, work, pattern_panes.recording);
     }
     ImGui::EndDisabled();
+    draw_partner(ui, work, shown_map);
     draw_note(ui, work, shown);
     ImGui::EndChild();
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "app/document/workspace.h"
+#include "app/map/map_state.h"
 #include "app/patterns/patterns_state.h"
 #include "app/ui/ui.h"
 
 namespace tact {
 
-void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes);
+void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
+                       const ShownMap& shown_map);
 
 }  // namespace tact

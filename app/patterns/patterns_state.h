@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/patterns/recording_state.h"
 #include "app/patterns/rhythm_choice.h"
 #include "app/patterns/tapping_state.h"
 #include "app/wave_strip/strip_state.h"
@@ -41,6 +42,7 @@ struct PatternPanes {
     StripState strip;
     EditorState editor;
     TappingState tapping;
+    RecordingEditor recording;
 };
 
 }  // namespace tact

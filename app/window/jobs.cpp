@@ -21,6 +21,7 @@ void make_jobs(App& app) {
 void stop_jobs(App& app) {
     stop_study(app.studying);
     app.generating.job.reset();
+    app.pattern_panes.recording.job.reset();
     stop_import(app.importing);
     stop_subset_jobs(app.picking);
     stop_training(app.model_bench);

@@ -216,7 +216,7 @@ void draw_content(App& app, Pane pane) {
         case Pane::patterns:
             return draw_set_panel(app.ui, app.work, app.pattern_panes);
         case Pane::editor:
-            return draw_editor_panel(app.ui, app.work, app.pattern_panes);
+            return draw_editor_panel(app.ui, app.work, app.pattern_panes, app.shown_map);
         case Pane::physiology:
             if (draw_physiology_panel(app.ui, app.work, app.timeline, app.physiology,
                                       app.tour.left_at > 0))
