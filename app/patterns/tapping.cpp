@@ -136,11 +136,6 @@ void take(Ui& ui, Workspace& work, const TappedRhythm& tapped) {
 
 }  // namespace
 
-bool can_tap_rhythm(const Workspace& work) {
-    const Vibration* vibration = current_vibration(work);
-    return vibration != nullptr && editable_pattern(*vibration) != nullptr;
-}
-
 void open_tapping(Ui& ui, TappingState& tapping) {
     tapping = {};
     ui.dialog = Dialog::tap_rhythm;

@@ -7,9 +7,6 @@
 
 namespace tact {
 
-// What is being edited can get a rhythm.
-bool can_tap_rhythm(const Workspace& work);
-
 void open_tapping(Ui& ui, TappingState& tapping);
 
 // Enter takes the rhythm for all selected patterns, longer ones make them longer; Esc leaves all as

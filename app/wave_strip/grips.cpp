@@ -253,10 +253,8 @@ void copy_change(GripKind kind, const Pattern& from, Pattern& to) {
     if (is_note(kind)) to.rhythm = from.rhythm;
 }
 
-std::optional<Grip> add_point(Pattern& pattern, GripKind line, const StripScale& scale,
-                              ImVec2 mouse) {
-    const double t_s = std::clamp(snapped(to_value(scale.amplitude.x, mouse.x), kSnapS, false), 0.0,
-                                  pattern.duration_s);
+std::optional<Grip> add_point(Pattern& pattern, GripKind line, double time_s) {
+    const double t_s = std::clamp(snapped(time_s, kSnapS, false), 0.0, pattern.duration_s);
     std::optional<std::size_t> place;
     if (line == GripKind::level) {
         AmplitudeCurve& curve = pattern.amplitude_curve;
@@ -273,16 +271,35 @@ std::optional<Grip> add_point(Pattern& pattern, GripKind line, const StripScale&
     return std::nullopt;
 }
 
-std::optional<Grip> add_transient(Pattern& pattern, const StripScale& scale, ImVec2 mouse) {
+std::optional<Grip> add_transient(Pattern& pattern, double time_s, double amplitude_g) {
     if (pattern.transients.size() >= limits::kMaxTransients) return std::nullopt;
     Transient transient;
-    transient.time_s = std::clamp(snapped(to_value(scale.amplitude.x, mouse.x), kSnapS, false), 0.0,
-                                  pattern.duration_s);
-    transient.amplitude_g = std::clamp(snapped(to_value(scale.amplitude.y, mouse.y), kSnapG, false),
-                                       0.0, limits::kAmplitudeG.high);
+    transient.time_s = std::clamp(snapped(time_s, kSnapS, false), 0.0, pattern.duration_s);
+    transient.amplitude_g =
+        std::clamp(snapped(amplitude_g, kSnapG, false), 0.0, limits::kAmplitudeG.high);
     transient.frequency_hz = first_carrier_hz(pattern, transient.time_s);
     pattern.transients.push_back(transient);
     return Grip{GripKind::transient, pattern.transients.size() - 1};
+}
+
+std::optional<Grip> next_single(const Pattern& pattern, std::optional<Grip> from, int step) {
+    std::vector<std::pair<double, Grip>> all;
+    const auto add = [&all](GripKind kind, const auto& points) {
+        for (std::size_t k = 0; k < points.size(); ++k)
+            all.push_back({points[k].time_s, {kind, k}});
+    };
+    add(GripKind::amplitude_point, pattern.amplitude_curve);
+    add(GripKind::transient, pattern.transients);
+    add(GripKind::frequency_point, pattern.frequency_curve);
+    if (all.empty()) return std::nullopt;
+    std::ranges::stable_sort(all, {}, &std::pair<double, Grip>::first);
+    const auto found =
+        std::ranges::find(all, from, [](const auto& one) { return std::optional(one.second); });
+    const std::size_t last = all.size() - 1;
+    if (found == all.end()) return all[step < 0 ? last : 0].second;
+    const auto at = static_cast<std::size_t>(found - all.begin());
+    if (step < 0) return all[at == 0 ? last : at - 1].second;
+    return all[at == last ? 0 : at + 1].second;
 }
 
 void remove(Pattern& pattern, const Grip& grip) {

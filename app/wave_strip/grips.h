@@ -82,11 +82,14 @@ bool is_shared(GripKind kind, const Pattern& pattern);
 // Of a shared one: `to` gets what the grip changed in `from`.
 void copy_change(GripKind kind, const Pattern& from, Pattern& to);
 
-// The pattern with a point on the line under the mouse, which is the grip; of an empty curve, with
-// points at both ends as well, so that a drag bends it. None: there is no room for one.
-std::optional<Grip> add_point(Pattern& pattern, GripKind line, const StripScale& scale,
-                              ImVec2 mouse);
-std::optional<Grip> add_transient(Pattern& pattern, const StripScale& scale, ImVec2 mouse);
+// A point on a line at the time, snapped, which is the grip; of an empty curve, points at both ends
+// as well, so that a drag bends it. None: there is no room for one.
+std::optional<Grip> add_point(Pattern& pattern, GripKind line, double time_s);
+std::optional<Grip> add_transient(Pattern& pattern, double time_s, double amplitude_g);
+
+// The point or the transient after `from` in time, or before it where `step` is -1: round from one
+// end to the other. None has been chosen: the first, or the last. None: there is nothing.
+std::optional<Grip> next_single(const Pattern& pattern, std::optional<Grip> from, int step);
 
 void remove(Pattern& pattern, const Grip& grip);
 bool exists(const Pattern& pattern, const Grip& grip);

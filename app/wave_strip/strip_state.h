@@ -21,8 +21,9 @@ struct StripState {
     std::string pattern;            // its name; all below is of it
     std::optional<TimeRange> view;  // none: the whole
     std::optional<GripHold> held;
-    std::optional<Grip> chosen;  // a point or a transient, whose numbers are shown
-    float height = 150.0F;       // px at a scale of 1
+    std::optional<Grip> chosen;     // a point or a transient, whose numbers are shown
+    bool is_scrolled_past = false;  // by the wheel, with the pane that it is in
+    float height = 150.0F;          // px at a scale of 1
 };
 
 }  // namespace tact

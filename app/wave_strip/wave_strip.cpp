@@ -70,16 +70,33 @@ void drag(Workspace& work, GripHold& held, float scale) {
                  {held.pressed, io.MousePos, io.KeyShift, io.KeyAlt}));
 }
 
-void let_go(Ui& ui, Workspace& work, StripState& strip) {
-    const GripHold held = *strip.held;
-    strip.held.reset();
-    if (held.moved) return commit_step(ui, work, label_of(work, "Change", held.grip.kind));
-    Pattern changed = held.before;
-    const auto point = add_point(changed, held.grip.kind, held.scale, held.pressed);
+void put_point(Ui& ui, Workspace& work, StripState& strip, GripKind line, double time_s) {
+    const Pattern* pattern = editable_pattern(*current_vibration(work));
+    if (pattern == nullptr) return;
+    Pattern changed = *pattern;
+    const auto point = add_point(changed, line, time_s);
     if (!point) return;
     edit_current_pattern(work, changed);
     commit_step(ui, work, label_of(work, "Add point to", point->kind));
     choose(ui, strip, *point);
+}
+
+void let_go(Ui& ui, Workspace& work, StripState& strip) {
+    const GripHold held = *strip.held;
+    strip.held.reset();
+    if (held.moved) return commit_step(ui, work, label_of(work, "Change", held.grip.kind));
+    put_point(ui, work, strip, held.grip.kind, to_value(held.scale.amplitude.x, held.pressed.x));
+}
+
+void put_transient(Ui& ui, Workspace& work, StripState& strip, double time_s, double amplitude_g) {
+    const Pattern* pattern = editable_pattern(*current_vibration(work));
+    if (pattern == nullptr) return;
+    Pattern changed = *pattern;
+    const auto added = add_transient(changed, time_s, amplitude_g);
+    if (!added) return complain(ui, "A pattern has at most 500 transients.");
+    edit_current_pattern(work, changed);
+    commit_step(ui, work, label_of(work, "Add", added->kind));
+    choose(ui, strip, *added);
 }
 
 void change_rhythm(Ui& ui, Workspace& work, const std::string& verb, const Rhythm& rhythm) {
@@ -98,12 +115,9 @@ void double_click(Ui& ui, Workspace& work, StripState& strip, const Pattern& pat
     } else if (const auto more = with_note_added(pattern, scale, ImGui::GetIO().MousePos)) {
         change_rhythm(ui, work, "Add a note to", *more);
     } else if (!under && scale.amplitude.area.contains(ImGui::GetIO().MousePos)) {
-        Pattern changed = pattern;
-        const auto added = add_transient(changed, scale, ImGui::GetIO().MousePos);
-        if (!added) return complain(ui, "A pattern has at most 500 transients.");
-        edit_current_pattern(work, changed);
-        commit_step(ui, work, label_of(work, "Add", added->kind));
-        choose(ui, strip, *added);
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        put_transient(ui, work, strip, to_value(scale.amplitude.x, mouse.x),
+                      to_value(scale.amplitude.y, mouse.y));
     }
 }
 
@@ -137,6 +151,21 @@ void note_grips(Ui& ui, const Pattern& pattern, const StripScale& scale) {
     note_rect(ui.rects, "strip:frequency", scale.frequency.area.min, scale.frequency.area.max);
 }
 
+void follow_pattern(StripState& strip, const std::string& name) {
+    if (strip.pattern == name) return;
+    const float height = strip.height;
+    strip = {};
+    strip.height = height;
+    strip.pattern = name;
+}
+
+// A scroll through the pane that brings the strip under the mouse goes on with the pane.
+void follow_wheel(StripState& strip, bool hovered) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F) strip.is_scrolled_past = false;
+    if (io.MouseWheel != 0.0F && !hovered) strip.is_scrolled_past = true;
+}
+
 }  // namespace
 
 void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip) {
@@ -144,12 +173,7 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip) {
     const auto* source = vibration == nullptr ? nullptr : std::get_if<Pattern>(&vibration->source);
     if (source == nullptr) return;
     const Pattern pattern = *source;  // edits below replace the document's own
-    if (strip.pattern != vibration->name) {
-        const float height = strip.height;
-        strip = {};
-        strip.height = height;
-        strip.pattern = vibration->name;
-    }
+    follow_pattern(strip, vibration->name);
     if (strip.chosen && !exists(pattern, *strip.chosen)) strip.chosen.reset();
     const Waveform* waveform = waveform_in_time(work.cache, *vibration);
     const Rect area =
@@ -165,7 +189,8 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip) {
     const auto under =
         hovered ? grip_at(pattern, scale, ImGui::GetIO().MousePos, kReachPx * ui.theme.scale)
                 : std::nullopt;
-    if (hovered) {
+    follow_wheel(strip, hovered);
+    if (hovered && !strip.is_scrolled_past) {
         ImGui::SetItemUsingMouseWheel();
         zoom(strip, pattern, scale);
     }
@@ -202,6 +227,25 @@ bool remove_chosen(Ui& ui, Workspace& work, StripState& strip) {
     commit_step(ui, work,
                 label_of(work, kind == GripKind::transient ? "Remove" : "Remove point of", kind));
     return true;
+}
+
+void add_at(Ui& ui, Workspace& work, StripState& strip, GripKind kind, double time_s) {
+    const Vibration* vibration = current_vibration(work);
+    if (vibration == nullptr) return;
+    follow_pattern(strip, vibration->name);
+    if (kind != GripKind::transient) return put_point(ui, work, strip, kind, time_s);
+    const Pattern* pattern = editable_pattern(*vibration);
+    if (pattern != nullptr) put_transient(ui, work, strip, time_s, pattern->amplitude_g);
+}
+
+void choose_next(Ui& ui, const Workspace& work, StripState& strip, int step) {
+    const Vibration* vibration = current_vibration(work);
+    const Pattern* pattern = vibration == nullptr ? nullptr : editable_pattern(*vibration);
+    if (pattern == nullptr) return;
+    follow_pattern(strip, vibration->name);
+    const auto next = next_single(*pattern, strip.chosen, step);
+    if (!next) return say(ui, "The pattern has no points and no transients yet.");
+    choose(ui, strip, *next);
 }
 
 }  // namespace tact

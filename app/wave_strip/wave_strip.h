@@ -13,6 +13,11 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip);
 // With the bar under it, px.
 float strip_height(const Ui& ui, const StripState& strip);
 
+// By keys: a point of a line (`level` or `frequency`) or a transient, at a time; and the next one,
+// or the one before, of points and transients, whose numbers are then shown and nudged.
+void add_at(Ui& ui, Workspace& work, StripState& strip, GripKind kind, double time_s);
+void choose_next(Ui& ui, const Workspace& work, StripState& strip, int step);
+
 // What Del does while a point or a transient is chosen. False: none is.
 bool remove_chosen(Ui& ui, Workspace& work, StripState& strip);
 

@@ -40,6 +40,21 @@ bool has_answers(const App& app) {
 
 bool has_subset(const App& app) { return shown_pick(app.shown_map, app.picking) != nullptr; }
 
+bool has_editable_pattern(const App& app) {
+    const Vibration* vibration = current_vibration(app.work);
+    return vibration != nullptr && editable_pattern(*vibration) != nullptr;
+}
+
+template <GripKind kKind>
+void add_at_playhead(App& app) {
+    add_at(app.ui, app.work, app.pattern_panes.strip, kKind, app.timeline.playhead.at_s);
+}
+
+template <int kStep>
+void choose_next_point(App& app) {
+    choose_next(app.ui, app.work, app.pattern_panes.strip, kStep);
+}
+
 void start_rename(App& app) {
     begin_rename(app.work, app.pattern_panes, app.work.selection.current);
     app.work.selection.scroll_to_current = true;
@@ -163,8 +178,12 @@ const auto kCommands = std::to_array<Command>({
     {"Edit", "Duplicate", ctrl('d'), has_selection, [](App& app) { duplicate_selected(app.ui, app.work); }},
     {"Edit", "Generate candidates...", ctrl('g'), always, [](App& app) { open_generate(app.ui, app.work, app.generating); }, nullptr,
      "design space factorial sample sobol latin hypercube levels"},
-    {"Edit", "Tap a rhythm...", plain('t'), [](const App& app) { return can_tap_rhythm(app.work); },
-     [](App& app) { open_tapping(app.ui, app.pattern_panes.tapping); }, nullptr, "beat notes hand"},
+    {"Edit", "Tap a rhythm...", plain('t'), has_editable_pattern, [](App& app) { open_tapping(app.ui, app.pattern_panes.tapping); }, nullptr, "beat notes hand"},
+    {"Edit", "Add a point of amplitude at the playhead", {}, has_editable_pattern, add_at_playhead<GripKind::level>, nullptr, "curve envelope draw"},
+    {"Edit", "Add a point of frequency at the playhead", {}, has_editable_pattern, add_at_playhead<GripKind::frequency>, nullptr, "curve sweep draw"},
+    {"Edit", "Add a transient at the playhead", {}, has_editable_pattern, add_at_playhead<GripKind::transient>, nullptr, "burst click tick"},
+    {"Edit", "Next point of the pattern", plain('n'), has_editable_pattern, choose_next_point<1>, nullptr, "transient curve choose"},
+    {"Edit", "Point before", {'n', key::kUnknown, false, true}, has_editable_pattern, choose_next_point<-1>, nullptr, "transient curve choose previous"},
     {"Edit", "Rename", special(key::kF1 + 1), has_selection, start_rename},
     {"Edit", "Lock or unlock", ctrl('l'), has_selection, [](App& app) { toggle_locked(app.ui, app.work); }},
     {"Edit", "Drop from subsets or not", ctrl('l', true), has_selection, [](App& app) { toggle_dropped(app.ui, app.work); }, nullptr,

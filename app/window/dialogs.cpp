@@ -53,6 +53,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Ctrl+O, Ctrl+S, Ctrl+Shift+S", "open, save, save as"},
     {"Ctrl+N, Ctrl+D, Del", "new pattern, duplicate, delete"},
     {"Ctrl+G", "generate candidates from levels and ranges"},
+    {"N, Shift+N", "choose the next point or transient, the one before"},
     {"T", "tap a rhythm; each press is a note as long as it is held"},
     {"Ctrl+C, Ctrl+V, Ctrl+A", "copy, paste, select all patterns"},
     {"Space; comma, full stop", "play or stop; 5 ms back, on"},

@@ -53,13 +53,12 @@ TEST_CASE("grips: a point added to a line leaves the pattern's wave as it is") {
     strip.pattern.carriers[0].frequency_hz = 180.0;
     const Waveform before = render(strip.pattern);
     Pattern changed = strip.pattern;
-    const auto point = add_point(changed, GripKind::level, strip.scale(), strip.at_g(0.5, 0.8));
+    const auto point = add_point(changed, GripKind::level, 0.5);
     REQUIRE(point);
     CHECK(*point == Grip{GripKind::amplitude_point, 1});
     CHECK(changed.amplitude_curve.size() == 3);
     CHECK(render(changed) == before);
-    const auto other =
-        add_point(changed, GripKind::frequency, strip.scale(), strip.at_hz(0.5, 180));
+    const auto other = add_point(changed, GripKind::frequency, 0.5);
     REQUIRE(other);
     CHECK(*other == Grip{GripKind::frequency_point, 1});
     const Waveform after = render(changed);
@@ -172,6 +171,24 @@ TEST_CASE("grips: a note of a repetition moves those of all, and Alt frees it to
     CHECK(after(0.76, true) == Rhythm{"x-", 0.25});
 }
 
+TEST_CASE("grips: points and transients are gone through in time, round from end to end") {
+    Pattern pattern;
+    CHECK(!next_single(pattern, std::nullopt, 1));
+    pattern.amplitude_curve = {{0.0, 0.0}, {0.5, 1.0}};
+    pattern.transients = {{0.7, 1.0}, {0.2, 1.0}};
+    const std::vector<Grip> order{{GripKind::amplitude_point, 0},
+                                  {GripKind::transient, 1},
+                                  {GripKind::amplitude_point, 1},
+                                  {GripKind::transient, 0}};
+    CHECK(next_single(pattern, std::nullopt, 1) == order.front());
+    CHECK(next_single(pattern, std::nullopt, -1) == order.back());
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const Grip& next = order[(k + 1) % order.size()];
+        CHECK(next_single(pattern, order[k], 1) == next);
+        CHECK(next_single(pattern, next, -1) == order[k]);
+    }
+}
+
 TEST_CASE("grips: whatever is dragged wherever leaves a pattern that can be saved") {
     RandomStream random{11};
     const auto place = [&] {
@@ -185,12 +202,13 @@ TEST_CASE("grips: whatever is dragged wherever leaves a pattern that can be save
             Pattern& pattern = strip.pattern;
             const StripScale scale = strip.scale();
             const double choice = next_even(random);
-            if (choice < 0.2) (void)add_point(pattern, GripKind::level, scale, place());
+            if (choice < 0.2) (void)add_point(pattern, GripKind::level, next_even(random));
             if (choice > 0.2 && choice < 0.4) {
-                (void)add_point(pattern, GripKind::frequency, scale, place());
+                (void)add_point(pattern, GripKind::frequency, next_even(random));
             }
             if (choice > 0.5 && choice < 0.6) pattern.rhythm = {"x=-x--", 0.05};
-            if (choice > 0.4 && choice < 0.5) (void)add_transient(pattern, scale, place());
+            if (choice > 0.4 && choice < 0.5)
+                (void)add_transient(pattern, next_even(random), 60.0 * next_even(random));
             const auto grip = grip_at(pattern, scale, place(), 80.0F);
             if (!grip) continue;
             pattern = dragged(pattern, *grip, scale,

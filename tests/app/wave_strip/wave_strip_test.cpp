@@ -2,6 +2,7 @@
 
 #include "app/document/editing.h"
 #include "app/screen/input_queue.h"
+#include "app/wave_strip/wave_strip.h"
 #include "tests/support/program.h"
 
 namespace wave_strip_test {
@@ -143,6 +144,23 @@ TEST_CASE("wave strip: a note is dragged as one step, and double clicks remove a
     double_click({second.min.x + 0.5F * step, y});
     CHECK(strip.pattern().rhythm.text == "x=--x---");
     CHECK(strip.pattern().transients.empty());
+}
+
+TEST_CASE("wave strip: points are added and chosen by keys alone") {
+    Strip strip;
+    strip.app.timeline.playhead.at_s = 0.05;
+    add_at(strip.app.ui, strip.app.work, strip.app.pattern_panes.strip, GripKind::level, 0.05);
+    strip.settle();
+    CHECK(strip.pattern().amplitude_curve.size() == 3);
+    strip.press(U'n');
+    CHECK(strip.app.pattern_panes.strip.chosen == Grip{GripKind::amplitude_point, 2});
+    strip.press(U'n', false, true);
+    strip.press(U'n', false, true);
+    CHECK(strip.app.pattern_panes.strip.chosen == Grip{GripKind::amplitude_point, 0});
+    strip.press_key(key::kLeft);
+    CHECK(strip.pattern().amplitude_curve[0].value < 1.0);
+    strip.press_key(key::kDelete);
+    CHECK(strip.pattern().amplitude_curve.size() == 2);
 }
 
 TEST_CASE("wave strip: a carrier whose frequency is drawn has no slider of its own") {
