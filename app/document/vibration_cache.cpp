@@ -44,23 +44,59 @@ double expected_peak_g(const VibrationCache& cache, const Vibration& vibration) 
     return bound_before > 0.0 ? found->second.peak_g * (bound / bound_before) : bound;
 }
 
+const Waveform& keep(VibrationCache& cache, const Vibration& vibration, Waveform waveform) {
+    // Renamed and deleted patterns leave entries behind; start anew rather than keep them all.
+    constexpr std::size_t kMostEntries = 2000;
+    if (cache.entries.size() > kMostEntries) cache.entries.clear();
+    cache.reach_of = 0;
+    const double peak = peak_g(waveform);
+    return cache.entries
+        .insert_or_assign(vibration.name,
+                          CachedVibration{vibration.source, std::move(waveform), peak})
+        .first->second.waveform;
+}
+
+bool is_long(const Pattern& pattern) {
+    return pattern.duration_s * kModelRateHz > static_cast<double>(kMostSamplesAtOnce);
+}
+
 }  // namespace
 
 const Waveform& cached_waveform(VibrationCache& cache, const Vibration& vibration) {
     if (const auto* measurement = std::get_if<Measurement>(&vibration.source)) {
         return *measurement->waveform;
     }
-    // Renamed and deleted patterns leave entries behind; start anew rather than keep them all.
-    constexpr std::size_t kMostEntries = 2000;
-    if (cache.entries.size() > kMostEntries) cache.entries.clear();
     const auto found = cache.entries.find(vibration.name);
     if (found != cache.entries.end() && found->second.source == vibration.source) {
         return found->second.waveform;
     }
-    CachedVibration fresh{vibration.source, waveform_of(vibration)};
-    fresh.peak_g = peak_g(fresh.waveform);
-    cache.reach_of = 0;
-    return cache.entries.insert_or_assign(vibration.name, std::move(fresh)).first->second.waveform;
+    return keep(cache, vibration, waveform_of(vibration));
+}
+
+void make_render_job(VibrationCache& cache, std::function<void()> wake) {
+    cache.render_job = std::make_unique<LatestJob<WantedWaveforms, RenderedWaveforms>>(
+        JobPolicy::finish,
+        [](const WantedWaveforms& wanted, std::stop_token stop, std::atomic<float>&) {
+            RenderedWaveforms rendered;
+            for (const Vibration& vibration : wanted) {
+                if (stop.stop_requested()) break;
+                rendered.emplace_back(vibration, waveform_of(vibration));
+            }
+            return std::optional(std::move(rendered));
+        },
+        std::move(wake));
+}
+
+void follow_render_job(VibrationCache& cache) {
+    if (!cache.render_job) return;
+    if (auto rendered = cache.render_job->latest(); rendered && rendered != cache.taken) {
+        for (const auto& [vibration, waveform] : *rendered) keep(cache, vibration, waveform);
+        cache.taken = std::move(rendered);
+    }
+    const WantedWaveforms wanted = std::exchange(cache.wanted, {});
+    if (wanted.empty() || wanted == cache.asked) return;
+    cache.asked = wanted;
+    cache.render_job->submit(wanted);
 }
 
 const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibration) {
@@ -70,8 +106,10 @@ const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibrati
     const auto found = cache.entries.find(vibration.name);
     const bool known = found != cache.entries.end() && found->second.source == vibration.source;
     if (known) return &found->second.waveform;
-    if (cache.samples_left == 0) {
-        cache.behind = true;
+    const bool beside = cache.render_job && is_long(std::get<Pattern>(vibration.source));
+    if (beside) cache.wanted.push_back(vibration);
+    if (beside || cache.samples_left == 0) {
+        cache.behind = cache.behind || !beside;  // the job brings a frame when it is done
         return found == cache.entries.end() ? nullptr : &found->second.waveform;
     }
     const Waveform& fresh = cached_waveform(cache, vibration);
@@ -93,21 +131,6 @@ void follow_reach(VibrationCache& cache, const PatternSet& set, std::uint64_t re
     }
     cache.reach_g = reach_g > 0.0 ? reach_g : 1.0;
     cache.reach_of = revision;
-}
-
-const std::vector<Component>& cached_components(VibrationCache& cache, const Vibration& vibration,
-                                                const NeuralCodingParams& params) {
-    const bool known = cache.has_components && cache.spectrum_source == vibration.source &&
-                       cache.spectrum_params == params;
-    if (known) return cache.components;
-    const Waveform& waveform = cached_waveform(cache, vibration);
-    const std::vector<double> input =
-        params.remove_mean ? without_mean(waveform.samples_g) : waveform.samples_g;
-    cache.components = components(amplitude_spectrum(input, waveform.rate_hz), params);
-    cache.spectrum_source = vibration.source;
-    cache.spectrum_params = params;
-    cache.has_components = true;
-    return cache.components;
 }
 
 }  // namespace tact

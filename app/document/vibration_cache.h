@@ -5,13 +5,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <variant>
 #include <vector>
 
-#include "model/physiology/activation.h"
+#include "app/jobs/latest_job.h"
 #include "model/set/pattern_set.h"
 
 namespace tact {
@@ -22,19 +25,22 @@ struct CachedVibration {
     double peak_g = 0.0;
 };
 
+// Long patterns, rendered beside the window: those that a frame wanted.
+using WantedWaveforms = std::vector<Vibration>;
+using RenderedWaveforms = std::vector<std::pair<Vibration, Waveform>>;
+
 // By name; an entry is replaced when the vibration of that name has changed.
 struct VibrationCache {
     std::unordered_map<std::string, CachedVibration> entries;
 
-    // The spectrum of the one vibration that is shown large.
-    std::variant<Pattern, Measurement> spectrum_source;
-    NeuralCodingParams spectrum_params;
-    std::vector<Component> components;
-    bool has_components = false;
-
     // Small pictures may be behind by some frames, lest one frame renders all patterns of a set.
     std::size_t samples_left = std::numeric_limits<std::size_t>::max();  // to render in this frame
     bool behind = false;                                                 // some of them are
+
+    // Without it, as for a picture, long ones are rendered in the frame as well.
+    std::unique_ptr<LatestJob<WantedWaveforms, RenderedWaveforms>> render_job;
+    WantedWaveforms wanted, asked;
+    std::shared_ptr<const RenderedWaveforms> taken;
 
     // The strongest peak of the set: all waveforms are drawn on this one scale, in g.
     double reach_g = 1.0;
@@ -43,14 +49,19 @@ struct VibrationCache {
 
 const Waveform& cached_waveform(VibrationCache& cache, const Vibration& vibration);
 
+// Above this many samples a pattern is rendered beside the window.
+inline constexpr std::size_t kMostSamplesAtOnce = 30'000;
+
+void make_render_job(VibrationCache& cache, std::function<void()> wake);
+
+// At the beginning of a frame: what was rendered since, and what the last frame still wanted.
+void follow_render_job(VibrationCache& cache);
+
 // The same while there are samples left to render; then what it was before, or null.
 const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibration);
 
 // Finds the scale of the set anew where its revision is another one, or peaks were not yet known:
 // until a pattern is rendered it counts with what its numbers tell.
 void follow_reach(VibrationCache& cache, const PatternSet& set, std::uint64_t revision);
-
-const std::vector<Component>& cached_components(VibrationCache& cache, const Vibration& vibration,
-                                                const NeuralCodingParams& params);
 
 }  // namespace tact

@@ -96,9 +96,9 @@ void take_row_click(App& app) {
 
 // A picture waits for all of them.
 void begin_thumbnails(App& app) {
-    constexpr std::size_t kSamplesAFrame = 30'000;  // about 1 ms
-    if (app.shown_map.full_job) app.work.cache.samples_left = kSamplesAFrame;
+    if (app.shown_map.full_job) app.work.cache.samples_left = kMostSamplesAtOnce;  // about 1 ms
     app.work.cache.behind = false;
+    follow_render_job(app.work.cache);
 }
 
 void run_waiting(App& app) {

@@ -11,6 +11,7 @@
 namespace tact {
 
 void make_jobs(App& app) {
+    make_render_job(app.work.cache, app.ui.wake);
     make_map_jobs(app.ui, app.work, app.shown_map);
     make_stages_jobs(app.ui, app.physiology);
     make_compare_jobs(app.ui, app.rendered, app.comparing);
@@ -20,6 +21,7 @@ void make_jobs(App& app) {
 
 void stop_jobs(App& app) {
     stop_study(app.studying);
+    app.work.cache.render_job.reset();
     app.generating.job.reset();
     app.pattern_panes.recording.job.reset();
     stop_import(app.importing);

@@ -161,6 +161,46 @@ void slider_to_space(benchmark::State& state) {
     owe_at_most(state, 1e3 * share(exact_s, 0.5), 250.0, "ms (median)");
 }
 
+// One pattern of 60 s with all the points and transients that one may have.
+PatternSet drawn_full() {
+    PatternSet set;
+    set.duration_s = 60.0;
+    Pattern pattern;
+    pattern.duration_s = 60.0;
+    for (std::size_t k = 0; k < limits::kMaxCurvePoints; ++k) {
+        const double t_s = 0.12 * static_cast<double>(k);
+        pattern.amplitude_curve.push_back({t_s, k % 2 == 0 ? 1.0 : 0.5});
+        pattern.frequency_curve.push_back({t_s, 80.0 + 20.0 * static_cast<double>(k % 7)});
+        pattern.transients.push_back({t_s + 0.05, 1.0});
+    }
+    set.vibrations.push_back({});
+    set.vibrations[0].name = "drawn";
+    set.vibrations[0].source = pattern;
+    return set;
+}
+
+// While the amplitude of it is dragged. What is computed of it is beside the window.
+void drag_in_full_strip(benchmark::State& state) {
+    Program program(drawn_full());
+    make_render_job(program.app.work.cache, {});
+    Program small(short_patterns(1));
+    program.window.move(program.at("grip:amplitude curve:250").middle());
+    program.window.button(true);
+    program.settle();
+    std::vector<double> frames_s;
+    std::vector<double> small_s;
+    for (auto _ : state) {
+        const Place lane = program.at("strip:amplitude");
+        const float way = static_cast<float>(frames_s.size() % 40) - 20.0F;
+        program.window.move(lane.middle() + ImVec2{0.0F, way});
+        frames_s.push_back(frame_s(program));
+        small_s.push_back(frame_s(small));
+    }
+    state.counters["p99_ms"] = 1e3 * share(frames_s, 0.99);
+    state.counters["of_small"] = share(frames_s, 0.5) / share(small_s, 0.5);
+    owe_at_most(state, 1e3 * share(frames_s, 0.5), 3.0, "ms (median)");
+}
+
 // One strong pattern of 2.5 s that drives at least 641 receptors.
 PatternSet strong() {
     PatternSet set;
@@ -284,6 +324,7 @@ void frame_on_display(benchmark::State& state, const PatternSet& set) {
 BENCHMARK(frame)->Name("interface/frame")->Iterations(300);
 BENCHMARK(frame_while_computing)->Name("interface/frame_while_computing")->Iterations(600);
 BENCHMARK(slider_to_space)->Name("interface/slider_to_space")->Iterations(7);
+BENCHMARK(drag_in_full_strip)->Name("interface/drag_in_full_strip")->Iterations(200);
 BENCHMARK_CAPTURE(frame_on_display, twelve, twelve())
     ->Name("interface/frame_on_display/twelve")
     ->Iterations(400);

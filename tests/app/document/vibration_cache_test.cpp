@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <memory>
 #include <string>
+#include <thread>
 
 namespace vibration_cache_test {
 
@@ -21,21 +23,6 @@ TEST_CASE("cache: the same value gives the same samples, a changed one its own")
     louder.amplitude_g = 2.0;
     vibration.source = louder;
     CHECK(cached_waveform(cache, vibration) == render(louder));
-}
-
-TEST_CASE("cache: components follow the vibration and the model's choices") {
-    VibrationCache cache;
-    Vibration vibration;
-    vibration.name = "a";
-    vibration.source = Pattern{};
-    NeuralCodingParams params;
-    CHECK(cached_components(cache, vibration, params).size() == 1);
-    Pattern leaking;
-    leaking.carriers[0].frequency_hz = 150.5;
-    vibration.source = leaking;
-    CHECK(cached_components(cache, vibration, params).size() > 100);
-    params.components = Components::peaks;
-    CHECK(cached_components(cache, vibration, params).size() < 10);
 }
 
 TEST_CASE("cache: a frame renders so much and no more; what is behind is shown as it was") {
@@ -58,6 +45,29 @@ TEST_CASE("cache: a frame renders so much and no more; what is behind is shown a
     CHECK(*waveform_in_time(cache, a) == render(louder));
     CHECK(*waveform_in_time(cache, b) == render(Pattern{}));
     CHECK_FALSE(cache.behind);
+}
+
+TEST_CASE("cache: a long pattern is rendered beside the window, and shown as it was meanwhile") {
+    VibrationCache cache;
+    Pattern pattern;
+    pattern.duration_s = 4.0;
+    Vibration vibration;
+    vibration.name = "long";
+    vibration.source = pattern;
+    const Waveform before = cached_waveform(cache, vibration);
+    make_render_job(cache, {});
+    Pattern louder = pattern;
+    louder.amplitude_g = 2.0;
+    vibration.source = louder;
+    CHECK(*waveform_in_time(cache, vibration) == before);
+    CHECK_FALSE(cache.behind);  // no frames for nothing
+    const Waveform after = render(louder);
+    for (int k = 0; k < 4000 && *waveform_in_time(cache, vibration) != after; ++k) {
+        follow_render_job(cache);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    CHECK(*waveform_in_time(cache, vibration) == after);
+    CHECK(cache.entries.at("long").peak_g == peak_g(after));
 }
 
 TEST_CASE("cache: the scale of a set is its strongest peak, rendered or not, recordings among it") {
