@@ -18,7 +18,7 @@ PatternLook look_of(const Ui& ui, const Workspace& work, std::size_t index) {
 }
 
 double shown_reach_g(const Workspace& work) {
-    return work.selection.own_heights ? 0.0 : work.cache.reach_g;
+    return work.own_heights ? 0.0 : work.cache.reach_g;
 }
 
 void draw_thumbnail(const Ui& ui, Workspace& work, const Rect& area, const Vibration& vibration,

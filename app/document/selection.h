@@ -17,7 +17,6 @@ struct Selection {
     std::set<std::size_t> others;  // edited together with it
     std::optional<std::size_t> hovered;  // in this frame, by any panel drawn so far
     std::string search;                  // what the list is narrowed to
-    bool own_heights = false;        // waveforms fill their rows, instead of one scale of g for all
     bool scroll_to_current = false;  // in the list, in the next frame
     std::set<std::string> too_close{};        // names in pairs that are marked as too close
     std::set<std::string> unfelt{};           // names of those that no receptor answers to

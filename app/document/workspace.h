@@ -28,6 +28,7 @@ struct Workspace {
     Selection selection;
     Side side = Side::both;  // of the set: in the map, the matrix and what follows them
     VibrationCache cache;
+    bool own_heights = false;  // waveforms fill their rows, instead of one scale of g for all
     Session session;
     std::vector<Vibration> clipboard;
     bool unsaved = false;                // the document differs from its file ...

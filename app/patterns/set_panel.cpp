@@ -61,7 +61,7 @@ RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t
 
 // One scale of g for the waveforms of all patterns, or each to its own height.
 void draw_scale_switch(Ui& ui, Workspace& work) {
-    bool& own = work.selection.own_heights;
+    bool& own = work.own_heights;
     const std::string text =
         own ? "own heights" : "\u00b1" + significant_digits(work.cache.reach_g, 3) + " g";
     flow_on(chip_width(ui, text.c_str()), ui.theme.gap_px);

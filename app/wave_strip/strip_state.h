@@ -17,13 +17,15 @@ struct GripHold {
     bool moved = false;
 };
 
+inline constexpr Range kStripHeight{120.0, 420.0};  // px at a scale of 1
+
 struct StripState {
     std::string pattern;            // its name; all below is of it
     std::optional<TimeRange> view;  // none: the whole
     std::optional<GripHold> held;
     std::optional<Grip> chosen;     // a point or a transient, whose numbers are shown
     bool is_scrolled_past = false;  // by the wheel, with the pane that it is in
-    float height = 150.0F;          // px at a scale of 1
+    float height = 150.0F;          // of kStripHeight
 };
 
 }  // namespace tact

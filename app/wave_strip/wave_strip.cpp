@@ -20,7 +20,6 @@ namespace {
 constexpr float kReachPx = 7.0F;
 constexpr float kClickPx = 3.0F;  // moved less, a press is a click
 constexpr double kBeyond = 1.06;  // the end is seen, and can be taken
-constexpr Range kHeight{120.0, 420.0};
 
 TimeRange whole(const Pattern& pattern) { return {0.0, kBeyond * pattern.duration_s}; }
 
@@ -132,7 +131,7 @@ void draw_height_bar(const Ui& ui, StripState& strip) {
     if (!ImGui::IsItemActive()) return;
     const double height =
         static_cast<double>(strip.height + ImGui::GetIO().MouseDelta.y / ui.theme.scale);
-    strip.height = static_cast<float>(std::clamp(height, kHeight.low, kHeight.high));
+    strip.height = static_cast<float>(std::clamp(height, kStripHeight.low, kStripHeight.high));
 }
 
 void note_grips(Ui& ui, const Pattern& pattern, const StripScale& scale) {

@@ -104,6 +104,8 @@ void keep_layout(App& app) {
     kept["zoom"] = app.shown_map.camera.zoom;
     kept["dimensions"] = app.shown_map.dimensions;
     kept["tour_step"] = static_cast<double>(app.tour.step.value_or(app.tour.left_at));
+    kept["strip_height"] = static_cast<double>(app.pattern_panes.strip.height);
+    kept["own_heights"] = app.work.own_heights ? 1.0 : 0.0;
     kept["motion"] = app.ui.motion ? 1.0 : 0.0;
 }
 
@@ -126,6 +128,10 @@ void restore_layout(App& app) {
     app.shown_map.camera.zoom = value("zoom", kLeastZoom, kMostZoom, app.shown_map.camera.zoom);
     app.shown_map.dimensions = value("dimensions", 2.0, 3.0, 3.0) < 2.5 ? 2 : 3;
     app.tour.left_at = static_cast<std::size_t>(value("tour_step", 0.0, 10.0, 0.0));
+    float& strip_height = app.pattern_panes.strip.height;
+    strip_height = static_cast<float>(value("strip_height", kStripHeight.low, kStripHeight.high,
+                                            static_cast<double>(strip_height)));
+    app.work.own_heights = value("own_heights", 0.0, 1.0, 0.0) > 0.5;
     app.ui.motion = value("motion", 0.0, 1.0, 1.0) > 0.5;
 }
 

@@ -148,7 +148,7 @@ TEST_CASE("rows: the switch of the scale says how many g it is, and turns to eac
     Program program(set);
     CHECK(program.at("button:heights").value == "\u00b14 g");
     program.click("button:heights");
-    CHECK(program.app.work.selection.own_heights);
+    CHECK(program.app.work.own_heights);
     CHECK(program.at("button:heights").value == "own heights");
 }
 
