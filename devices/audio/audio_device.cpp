@@ -26,4 +26,9 @@ bool AudioDevice::play_after(const Drive& drive, double rest_s) {
     return true;
 }
 
+void AudioDevice::change(const Drive& drive) {
+    stream_->keep_change(drive);
+    host_->post([stream = stream_] { stream->change(); });
+}
+
 }  // namespace tact

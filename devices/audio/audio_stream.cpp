@@ -98,6 +98,30 @@ std::uint64_t AudioStream::ask_after() {
     return plays_.back().serial;
 }
 
+void AudioStream::keep_change(const Drive& drive) {
+    const std::lock_guard lock(mutex_);
+    change_ = {drive, asked_.load()};
+}
+
+// A change that came while the one before it was made ready takes the place of that.
+void AudioStream::change() {
+    std::optional<Change> change;
+    {
+        const std::lock_guard lock(mutex_);
+        change = std::exchange(change_, std::nullopt);
+    }
+    const auto is_over = [&] {
+        return change->serial <= stopped_.load() || change->serial < superseded_.load();
+    };
+    if (!change || is_over() || stream_ == nullptr || !clip_) return;
+    if (clip_->serial != change->serial || !clip_->loop) return;
+    const Drive& drive = change->drive;
+    auto clip = std::make_unique<Clip>(clip_of(drive, playback_.layout.rate_hz, true));
+    clip->serial = change->serial;
+    start(std::move(clip), static_cast<double>(drive.samples.size()) / drive.rate_hz);
+    if (is_over()) playback_.wanted.store(nullptr);
+}
+
 void AudioStream::set_level(double level) {
     playback_.level.store(static_cast<float>(kept_level(level)), std::memory_order_relaxed);
 }
@@ -277,10 +301,13 @@ void AudioStream::start(std::unique_ptr<const Clip> clip, double duration_s) {
 // A call that was under way when a clip was replaced may still have taken it up; the second one
 // after that has not.
 void AudioStream::free_clips() {
-    const Clip* held = playback_.held.load();
+    // In this order: what a later call takes up or lets go is then seen in one of the three.
     const std::uint64_t calls = playback_.calls.load();
+    const Clip* held = playback_.held.load();
+    const Clip* under = playback_.held_under.load();
     std::erase_if(retired_, [&](const Retired& retired) {
-        return retired.clip.get() != held && calls >= retired.at_call + 2;
+        const bool is_held = retired.clip.get() == held || retired.clip.get() == under;
+        return !is_held && calls >= retired.at_call + 2;
     });
 }
 

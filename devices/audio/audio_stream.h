@@ -55,6 +55,10 @@ class AudioStream {
               std::optional<double> rest_s = {});
     // `changed`: the sound server has moved a stream, perhaps this one.
     StreamState poll(SoundServer& server, bool changed);
+    // What the play of that serial, a loop, is changed into, the newest alone: of any one thread,
+    // then of the host's.
+    void keep_change(const Drive& drive);
+    void change();
     void release();            // stops, and closes after a last silence
     void close();              // at once
     bool is_sounding() const;  // or about to, or fading
@@ -64,6 +68,11 @@ class AudioStream {
     struct Retired {
         std::unique_ptr<const Clip> clip;
         std::uint64_t at_call = 0;
+    };
+
+    struct Change {
+        Drive drive;
+        std::uint64_t serial = 0;  // of the play that is changed
     };
 
     // A play that was asked for, until it has been felt to its end.
@@ -95,7 +104,8 @@ class AudioStream {
     std::atomic<std::uint64_t> stopped_ = 0;     // this play and all before it
     std::atomic<double> clock_offset_s_ = 0.0;   // stream time - steady time
     std::atomic<bool> connected_ = true;
-    std::mutex mutex_;  // guards the next two
+    std::mutex mutex_;  // guards the next three
+    std::optional<Change> change_;
     std::string trouble_;
     std::vector<Asked> plays_;  // the one to be felt now, and what waits for its end
 

@@ -49,6 +49,10 @@ class Device {
     // its end is told by one status that plays no more before the next ones are of `drive`. False:
     // this device cannot, and the caller has to wait.
     virtual bool play_after(const Drive& /*drive*/, double /*rest_s*/) { return false; }
+    // What plays over and over becomes `drive` from where it is in it, without a step and without
+    // starting anew; where that has ended, nothing. Devices differ in how soon: an output fades one
+    // into the other (devices/device/playback.h), a controller is told with its next packet.
+    virtual void change(const Drive& drive) = 0;
     // How strong, as a share of the drive signal: 0 is silence, 1 all of it; what is no number is
     // 0. Also while playing.
     virtual void set_level(double level) = 0;

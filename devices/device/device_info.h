@@ -8,7 +8,8 @@ namespace tact {
 
 enum class DeviceKind { audio, hid };
 
-// A computer that is busy now and then for so long plays without gaps. A stop does not wait for it.
+// A computer that is busy now and then for so long plays without gaps. A stop does not wait for it;
+// a change of a loop does.
 inline constexpr double kBufferS = 0.1;
 
 struct DeviceInfo {

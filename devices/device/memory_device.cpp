@@ -6,7 +6,12 @@ Expected<Done> MemoryDevice::play(const Drive& drive, bool loop) {
     if (!connected_) return Error{"no device: plug in an actuator to feel the pattern"};
     playing_ = drive;
     loop_ = loop;
+    ++begun_;
     return Done{};
+}
+
+void MemoryDevice::change(const Drive& drive) {
+    if (playing_ && loop_) playing_ = drive;
 }
 
 DeviceStatus MemoryDevice::status() {

@@ -14,6 +14,7 @@ class MemoryDevice final : public Device {
     explicit MemoryDevice(bool connected) : connected_(connected) {}
 
     Expected<Done> play(const Drive& drive, bool loop) override;
+    void change(const Drive& drive) override;
     void set_level(double level) override { level_ = level; }
     void stop() override { playing_.reset(); }
     DeviceStatus status() override;
@@ -26,11 +27,13 @@ class MemoryDevice final : public Device {
     // What is playing, and how, for a test to look at.
     const std::optional<Drive>& playing() const { return playing_; }
     bool looping() const { return loop_; }
+    int begun() const { return begun_; }  // plays, without what they were changed into
     double level() const { return level_; }
 
   private:
     bool connected_;
     bool loop_ = false;
+    int begun_ = 0;
     double level_ = 1.0;
     std::optional<Drive> playing_;
     DeviceStatus pretended_;

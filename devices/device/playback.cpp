@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>
@@ -34,6 +35,20 @@ struct FlushDenormals {
     FlushDenormals& operator=(const FlushDenormals&) = delete;
 };
 
+// From one frame to the next.
+struct Steps {
+    float fade = 0.0F;
+    float cross = 0.0F;
+    float pull = 0.0F;  // of what a level is off
+};
+
+Steps steps_at(double rate_hz) {
+    const auto share = [rate_hz](double seconds) {
+        return static_cast<float>(1.0 / (seconds * rate_hz));
+    };
+    return {share(kRampS), share(kCrossS), 4.6F * share(kSettleS)};  // e^-4.6 = 1 %
+}
+
 // A frame that may leave: never beyond the ceiling, and what is no number is silence.
 float kept(float sample, float ceiling) {
     return std::isfinite(sample) ? std::clamp(sample, -ceiling, ceiling) : 0.0F;
@@ -42,6 +57,7 @@ float kept(float sample, float ceiling) {
 void end_clip(Playback& playback) {
     Playback::Own& own = playback.own;
     own.has_ended = true;
+    own.under = nullptr;
     own.ended_at = own.frames + 1;
     playback.ended.store(own.clip->serial, std::memory_order_release);
     playback.quiet_frames.store(0, std::memory_order_relaxed);
@@ -50,6 +66,7 @@ void end_clip(Playback& playback) {
 void begin_clip(Playback& playback, const Clip* clip) {
     Playback::Own& own = playback.own;
     own.clip = clip;
+    own.under = nullptr;
     own.at = 0;
     own.clip_frames = 0;
     own.fade = 1.0F;
@@ -77,13 +94,47 @@ float held_back(Playback& playback, float level) {
     return most;
 }
 
+// The same play, which is to become something else.
+bool is_change(const Clip* from, const Clip* to) {
+    return from != nullptr && to != nullptr && from != to && from->serial == to->serial;
+}
+
+bool may_change(const Playback& playback, const Clip* wanted) {
+    const Playback::Own& own = playback.own;
+    return is_change(own.clip, wanted) && !own.has_ended && own.under == nullptr &&
+           own.clip->loop && wanted->loop && !wanted->samples.empty();
+}
+
+// From the same time within it; a shorter loop is as far as it would be had it always played.
+void begin_change(Playback& playback, const Clip* wanted) {
+    Playback::Own& own = playback.own;
+    own.under = std::exchange(own.clip, wanted);
+    own.under_at = own.at;
+    own.under_gain = own.gain;
+    own.crossed = 0.0F;
+    own.at %= wanted->samples.size();
+}
+
+// Of the clip, and of what fades under it.
+float mixed_sample(Playback::Own& own, float cross_step) {
+    const float sample = own.clip->samples[own.at] * own.gain;
+    if (own.under == nullptr) return sample;
+    const float t = own.crossed;
+    const float share = t * t * (3.0F - 2.0F * t);
+    const float before = own.under->samples[own.under_at] * own.under_gain;
+    own.under_at = own.under_at + 1 < own.under->samples.size() ? own.under_at + 1 : 0;
+    own.crossed += cross_step;
+    if (own.crossed >= 1.0F) own.under = nullptr;
+    return before + share * (sample - before);
+}
+
 // The next frame of the clip, faded while another one is wanted, or none, or it is over its time.
 // Of one that ends by itself the last `spare` frames are left out.
-float next_sample(Playback& playback, bool leaving, float fade_step, std::size_t spare) {
+float next_sample(Playback& playback, bool leaving, const Steps& steps, std::size_t spare) {
     Playback::Own& own = playback.own;
     if (own.has_ended) return 0.0F;
-    const float sample = own.clip->samples[own.at] * own.gain * own.fade;
-    if (leaving || own.clip_frames >= own.clip->longest_frames) own.fade -= fade_step;
+    const float sample = mixed_sample(own, steps.cross) * own.fade;
+    if (leaving || own.clip_frames >= own.clip->longest_frames) own.fade -= steps.fade;
     ++own.clip_frames;
     const std::size_t last = own.clip->loop ? 0 : spare;
     if (++own.at + last >= own.clip->samples.size()) {
@@ -125,7 +176,8 @@ bool has_leapt(Playback& playback, double heard_s) {
 // A waiting one lets the one before it end, and rests after that.
 bool may_begin(const Playback& playback, const Clip* wanted) {
     const Playback::Own& own = playback.own;
-    if (own.clip == wanted || !own.has_ended) return false;
+    // What a play is changed into once it has ended does not bring it back.
+    if (own.clip == wanted || !own.has_ended || is_change(own.clip, wanted)) return false;
     if (wanted == nullptr) return true;
     const auto pad = static_cast<std::uint64_t>(kPadS * playback.layout.rate_hz);
     if (own.frames < pad) return false;
@@ -164,8 +216,7 @@ bool render(Playback& playback, float* interleaved, std::size_t frames, double h
     const Clip* wanted = playback.wanted.load(std::memory_order_seq_cst);
     if (answers_cut(playback)) return false;
     const auto level = static_cast<float>(kept_level(static_cast<double>(playback.level.load())));
-    const auto fade_step = static_cast<float>(1.0 / (kRampS * layout.rate_hz));
-    const auto pull = static_cast<float>(4.6 / (kSettleS * layout.rate_hz));  // e^-4.6 = 1 %
+    const Steps steps = steps_at(layout.rate_hz);
     const auto ceiling = static_cast<float>(layout.ceiling);
     if (!own.has_ended) tell_origin(playback, heard_s, 0);
     float target = held_back(playback, level);
@@ -177,11 +228,18 @@ bool render(Playback& playback, float* interleaved, std::size_t frames, double h
             own.gain = target;  // nothing sounds yet that could jump
             if (!own.has_ended) tell_origin(playback, heard_s, n);
         }
+        if (may_change(playback, wanted)) {
+            begin_change(playback, wanted);
+            target = held_back(playback, level);
+            own.gain = target;  // nothing of it sounds yet
+            tell_origin(playback, heard_s, n);
+        }
         const float off = target - own.gain;
-        own.gain = std::abs(off) < 1e-5F ? target : own.gain + off * pull;
-        const bool leaving = own.clip != wanted && (wanted == nullptr || !wanted->waits);
+        own.gain = std::abs(off) < 1e-5F ? target : own.gain + off * steps.pull;
+        const bool leaving = own.clip != wanted && !is_change(own.clip, wanted) &&
+                             (wanted == nullptr || !wanted->waits);
         const std::size_t spare = spare_frames(playback, wanted);
-        const float held = kept(next_sample(playback, leaving, fade_step, spare), ceiling);
+        const float held = kept(next_sample(playback, leaving, steps, spare), ceiling);
         float* const frame = interleaved + n * layout.channels;
         if (layout.everywhere) std::fill_n(frame, layout.channels, held);
         frame[layout.channel] = held;
@@ -191,6 +249,7 @@ bool render(Playback& playback, float* interleaved, std::size_t frames, double h
     if (peak > playback.peak.load(std::memory_order_relaxed)) {
         playback.peak.store(peak, std::memory_order_relaxed);
     }
+    playback.held_under.store(own.under, std::memory_order_seq_cst);
     playback.held.store(own.clip, std::memory_order_seq_cst);
     playback.calls.fetch_add(1, std::memory_order_seq_cst);
     return true;

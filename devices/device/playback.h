@@ -9,7 +9,9 @@
 //           No sound in the first kPadS of a stream, as servers lose some of it. A clip that is
 //           stopped fades out in kRampS where the output is short enough for that to be heard in
 //           time; else the stream is cut, and what is on its way is not heard. A change of level
-//           takes about as long as a fade.
+//           takes about as long as a fade. A loop that is changed goes on from where it is: with w
+//           rising smoothly from 0 to 1 within kCrossS, (1 - w) before + w after, which is never
+//           above the larger one, nor steps by more than the two do and their difference / 600.
 // Left out  gaps that leave the output's clock as it was: of a period that comes just too late
 //           PulseAudio plays silence and drops it, without a word;
 //           starting in the middle of a clip; ramps of a pattern's own start and end
@@ -29,6 +31,7 @@ namespace tact {
 inline constexpr double kPadS = 0.1;      // of silence before the first clip and after the last
 inline constexpr double kRampS = 0.005;   // of a stop: with 10 ms of latency it is silent in 20
 inline constexpr double kCeiling = 0.8;   // of full scale: no sample leaves that is larger
+inline constexpr double kCrossS = 0.02;   // from a loop to what it is changed into
 inline constexpr double kSettleS = 0.01;  // until a new level is reached to 1 %
 inline constexpr double kGapS = 0.003;    // that the output's clock leaps by where sound is missing
 // Between a frame's rendering and its being heard: with more of it a stop has to cut the stream.
@@ -60,14 +63,17 @@ struct Playback {
     StreamLayout layout;
 
     // To the callback.
-    std::atomic<const Clip*> wanted = nullptr;  // null: none; one that has ended stays silent
+    // Null: none; one that has ended stays silent. Another one of the same serial is what this play
+    // is changed into; a further one waits until it has come to that.
+    std::atomic<const Clip*> wanted = nullptr;
     std::atomic<float> level = 0.0F;
 
     // From the callback.
-    std::atomic<const Clip*> held = nullptr;  // being read
-    std::atomic<std::uint64_t> begun = 0;     // serial of the clip that began last
-    std::atomic<std::uint64_t> ended = 0;     // ... and that ended, or was stopped
-    std::array<PlayNotes, 2> notes{};         // of the serials, in turn
+    std::atomic<const Clip*> held_under = nullptr;  // being read: what fades under it ...
+    std::atomic<const Clip*> held = nullptr;        // ... and the clip; written in this order
+    std::atomic<std::uint64_t> begun = 0;           // serial of the clip that began last
+    std::atomic<std::uint64_t> ended = 0;           // ... and that ended, or was stopped
+    std::array<PlayNotes, 2> notes{};               // of the serials, in turn
     std::atomic<std::uint64_t> calls = 0;
     std::atomic<std::uint64_t> quiet_frames = 0;  // since the last clip, or since the stream began
     std::atomic<float> peak = 0.0F;               // of full scale; whoever reads it sets it to 0
@@ -77,7 +83,11 @@ struct Playback {
     struct Own {
         const Clip* clip = nullptr;
         bool has_ended = true;
-        std::size_t at = 0;  // next frame of the clip
+        std::size_t at = 0;           // next frame of the clip
+        const Clip* under = nullptr;  // what the loop was before, while it still sounds
+        std::size_t under_at = 0;
+        float under_gain = 0.0F;
+        float crossed = 1.0F;  // 0..1: how far it has come from that to the clip
         std::uint64_t frames = 0;
         std::uint64_t clip_frames = 0;  // since the clip began
         std::uint64_t ended_at = 0;     // frame of the stream

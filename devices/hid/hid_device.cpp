@@ -57,6 +57,7 @@ Expected<Done> HidDevice::play(const Drive& drive, bool loop) {
     const std::lock_guard lock(mutex_);
     if (!status_.connected) return Error{status_.trouble};
     next_ = Play{drive, loop};
+    change_.reset();
     stop_ = false;
     status_.playing = true;
     status_.position_s = 0.0;
@@ -64,6 +65,12 @@ Expected<Done> HidDevice::play(const Drive& drive, bool loop) {
     status_.trouble.clear();
     changed_.notify_one();
     return Done{};
+}
+
+void HidDevice::change(const Drive& drive) {
+    const std::lock_guard lock(mutex_);
+    if (next_ && next_->loop) next_->drive = drive;
+    if (!next_ && status_.playing && !stop_) change_ = drive;
 }
 
 void HidDevice::set_level(double level) {
@@ -74,6 +81,7 @@ void HidDevice::set_level(double level) {
 void HidDevice::stop() {
     const std::lock_guard lock(mutex_);
     next_.reset();
+    change_.reset();
     stop_ = true;
     changed_.notify_one();
 }
@@ -171,28 +179,56 @@ double HidDevice::level_for(const Drive& drive) {
     return kept;
 }
 
-// Of a play that does not end, frames are counted on from pass to pass. False: interrupted.
-bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_token& quit) {
-    const Drive& drive = plan.drive();
-    const double duration_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
-    const double hop_s = frame_hop_s(actuator_);
-    const double on_end_s = kept_s(duration_s, play.loop, drive.longest_s);
-    plan.rumble(0);
-    const auto begin = std::max(Clock::now() + std::chrono::milliseconds(5), soonest());
+// What the loop is changed into goes on from where that is: of a shorter one, as if it had always
+// been that.
+void HidDevice::take_change(Pass& pass, RumblePlan& plan) {
+    std::optional<Drive> change;
+    double level = 0.0;
     {
         const std::lock_guard lock(mutex_);
-        begun_at_ = begin;
-        duration_s_ = std::min(duration_s, on_end_s);
+        change = std::exchange(change_, std::nullopt);
+        level = level_;
+    }
+    if (!change) return;
+    const double hop_s = frame_hop_s(actuator_);
+    plan = RumblePlan(*std::move(change), traits(actuator_.kind).language, hop_s, level);
+    const double since_s = std::max(0.0, seconds(Clock::now() - pass.begin));
+    const double at_s = std::fmod(since_s, pass.duration_s);
+    const Drive& drive = plan.drive();
+    pass.duration_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
+    const double kept_s = std::fmod(at_s, pass.duration_s);
+    pass.begin = Clock::now() - nanoseconds(kept_s);
+    pass.frame = static_cast<std::size_t>(kept_s / hop_s);
+    const std::lock_guard lock(mutex_);
+    begun_at_ = pass.begin;
+    duration_s_ = pass.duration_s;
+}
+
+// Of a play that does not end, frames are counted on from pass to pass. False: interrupted.
+bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_token& quit) {
+    const double hop_s = frame_hop_s(actuator_);
+    Pass pass;
+    pass.duration_s = static_cast<double>(plan.drive().samples.size()) / plan.drive().rate_hz;
+    const double on_end_s = kept_s(pass.duration_s, play.loop, plan.drive().longest_s);
+    plan.rumble(0);
+    pass.begin = std::max(Clock::now() + std::chrono::milliseconds(5), soonest());
+    {
+        const std::lock_guard lock(mutex_);
+        begun_at_ = pass.begin;
+        duration_s_ = std::min(pass.duration_s, on_end_s);
         loops_ = play.loop;
     }
     const auto deadline = [&](std::size_t k) {
-        const auto pass = static_cast<double>(k / plan.size());
+        const auto round = static_cast<double>(k / plan.size());
         const auto hops = static_cast<double>(k % plan.size());
-        return begin + nanoseconds(pass * duration_s + hops * hop_s);
+        return pass.begin + nanoseconds(round * pass.duration_s + hops * hop_s);
     };
     const auto end =
-        on_end_s < kLongestCountedS ? begin + nanoseconds(on_end_s) : Clock::time_point::max();
-    for (std::size_t k = 0; play.loop || k < plan.size(); ++k) {
+        on_end_s < kLongestCountedS ? pass.begin + nanoseconds(on_end_s) : Clock::time_point::max();
+    std::size_t& k = pass.frame;
+    for (; play.loop || k < plan.size(); ++k) {
+        if (play.loop) take_change(pass, plan);
+        if (plan.size() == 0) break;
         const auto moment = std::max({deadline(k), soonest(), Clock::now()});
         std::size_t skipped = 0;
         for (; deadline(k + 1) <= moment && (play.loop || k < plan.size()); ++k) ++skipped;

@@ -67,6 +67,8 @@ class HidDevice final : public Device {
 
     // Does not wait for the controller: what happens then is in the status.
     Expected<Done> play(const Drive& drive, bool loop) override;
+    // Heard with the next packet: between two of them a controller has no steps of its own.
+    void change(const Drive& drive) override;
     void set_level(double level) override;
     void stop() override;
     DeviceStatus status() override;
@@ -81,7 +83,15 @@ class HidDevice final : public Device {
         bool loop = false;
     };
 
+    // One time through a drive: frame k of it is k hops after its beginning.
+    struct Pass {
+        Clock::time_point begin;  // of the first one; the others follow at once
+        double duration_s = 0.0;
+        std::size_t frame = 0;  // to be sent next
+    };
+
     void run(const std::stop_token& quit);
+    void take_change(Pass& pass, RumblePlan& plan);
     void take_up(const Play& play, const std::stop_token& quit);
     bool ready();
     void perform(const Play& play, const std::stop_token& quit);
@@ -112,6 +122,7 @@ class HidDevice final : public Device {
     mutable std::mutex mutex_;  // guards all of these
     std::condition_variable_any changed_;
     std::optional<Play> next_;
+    std::optional<Drive> change_;  // what plays, if that is a loop
     bool stop_ = false;
     double level_ = 1.0;
     DeviceStatus status_;

@@ -83,7 +83,7 @@ Clip some_clip(std::uint64_t serial, bool loop) {
 
 // All a callback ever does: silence, a clip to its end, a loop, a louder level, another clip, a
 // stop, blocks of any length.
-void use_callback(Playback& playback, const std::array<Clip, 3>& clips,
+void use_callback(Playback& playback, const std::array<Clip, 4>& clips,
                   std::vector<float>& buffer) {
     const auto run = [&](int calls) {
         for (int call = 0; call < calls; ++call) {
@@ -105,7 +105,9 @@ void use_callback(Playback& playback, const std::array<Clip, 3>& clips,
 
 struct Prepared {
     Playback playback;
-    std::array<Clip, 3> clips{some_clip(1, false), some_clip(2, true), some_clip(3, true)};
+    // The last two are one play, which is changed.
+    std::array<Clip, 4> clips{some_clip(1, false), some_clip(2, true), some_clip(3, true),
+                              some_clip(3, true)};
     std::vector<float> buffer = std::vector<float>(4 * 1024);
 
     Prepared() { playback.layout = {48'000.0, 4, 1, kCeiling}; }

@@ -53,6 +53,32 @@ TEST_CASE(
     CHECK(device.status().trouble.empty());
 }
 
+TEST_CASE("hid: a loop that is changed goes on in its next packet, without a pause") {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::switch_pro, HidBus::bluetooth));
+    const auto tells = [](double low) {
+        RumbleFrame frame;
+        frame.low = low;
+        const Packet packet = switch_rumble(0, frame);
+        return [packet](const Packet& sent) {
+            return is_rumble(sent) && std::equal(sent.begin() + 2, sent.end(), packet.begin() + 2);
+        };
+    };
+    REQUIRE(device.play(tone(0.5), true));
+    CHECK(soon([&] { return std::ranges::any_of(pad->taken(), tells(0.5)); }));
+    Drive weaker = tone(0.3);
+    for (double& sample : weaker.samples) sample *= 0.5;
+    device.change(weaker);
+    CHECK(soon([&] { return std::ranges::any_of(pad->taken(), tells(0.25)); }));
+    CHECK(device.status().playing);
+    CHECK(std::ranges::none_of(pad->taken(), tells(0.0)));
+    device.stop();
+    CHECK(ended(device));
+    device.change(tone(0.5));  // of what has ended
+    CHECK_FALSE(device.status().playing);
+    wait_for_neutral(pad);
+}
+
 TEST_CASE("hid: counters go up by one a packet") {
     const auto pad = std::make_shared<FakePad>();
     HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
