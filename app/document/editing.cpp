@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/pattern_looks.h"
 #include "app/document/renaming.h"
 #include "app/ui/widgets.h"
 
@@ -29,6 +30,8 @@ void insert_after_current(Workspace& work, std::vector<Vibration> fresh) {
     for (std::size_t k = 0; k < fresh.size(); ++k, ++place) {
         fresh[k].name = unused_name(work.document.set, fresh[k].name);
         fresh[k].generated = false;  // made by hand
+        fresh[k].colour.clear();     // a copy is told from what it is a copy of
+        fresh[k].ring = false;
         all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), std::move(fresh[k]));
         if (k == 0) work.selection.current = place;
         if (k > 0) work.selection.others.insert(place);
@@ -135,7 +138,10 @@ void choose_pair(Workspace& work, std::size_t current, std::size_t partner) {
     work.selection.scroll_to_current = true;
 }
 
-void document_changed(Workspace& work) { ++work.revision; }
+void document_changed(Workspace& work) {
+    give_looks(work.document.set);
+    ++work.revision;
+}
 
 void model_changed(Workspace& work) {
     PatternSet& set = work.document.set;
@@ -330,6 +336,15 @@ void toggle_locked(Ui& ui, Workspace& work) {
 
 void toggle_dropped(Ui& ui, Workspace& work) {
     toggle_mark(ui, work, &Vibration::dropped, &Vibration::locked, "Drop", "Take back");
+}
+
+void change_look(Ui& ui, Workspace& work, const std::string& colour, bool ring) {
+    for (const std::size_t index : selected_indices(work)) {
+        vibrations(work)[index].colour = colour;
+        vibrations(work)[index].ring = ring;
+    }
+    document_changed(work);
+    commit_step(ui, work, of_selection(work, "Change colour"));
 }
 
 double shown_duration_s(const Workspace& work) { return longest_s(work.document.set); }

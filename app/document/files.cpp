@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
 #include "app/document/unsaved.h"
 #include "app/session/autosave.h"
 #include "app/session/document_file.h"
@@ -82,6 +83,9 @@ bool show_document(Ui& ui, Workspace& work, Document document, std::string text)
     }
     if (!aside->empty()) text += " Unsaved changes before it are kept in " + aside->string() + ".";
     work.document = std::move(document);
+    // What is given at opening is no change of the document.
+    give_looks(work.document.saved);
+    give_looks(work.document.set);
     ++work.document_number;
     if (!hold_document(work.session, work.document.path)) text += kOpenTwice;
     work.changes = {};

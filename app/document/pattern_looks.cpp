@@ -9,12 +9,33 @@
 namespace tact {
 
 PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index) {
-    const auto own = parse_colour(set.vibrations[index].colour);
-    return own ? PatternLook{*own, false} : pattern_look(theme, index);
+    const Vibration& vibration = set.vibrations[index];
+    const auto own = shown_colour(theme, vibration.colour);
+    return own ? PatternLook{*own, vibration.ring} : pattern_look(theme, index);
 }
 
 PatternLook look_of(const Ui& ui, const Workspace& work, std::size_t index) {
     return look_of(ui.theme, work.document.set, index);
+}
+
+void give_looks(PatternSet& set) {
+    const auto is_bare = [](const Vibration& vibration) { return vibration.colour.empty(); };
+    if (std::ranges::none_of(set.vibrations, is_bare)) return;
+    // By look: the discs of the palette in its order, then its rings.
+    std::array<std::size_t, 2 * kPatternColourCount> used{};
+    for (const Vibration& vibration : set.vibrations) {
+        if (const auto place = palette_place(vibration.colour)) {
+            ++used[*place + (vibration.ring ? kPatternColourCount : 0)];
+        }
+    }
+    for (Vibration& vibration : set.vibrations) {
+        if (!is_bare(vibration)) continue;
+        const auto least = std::ranges::min_element(used) - used.begin();
+        const auto place = static_cast<std::size_t>(least);
+        vibration.colour = kPatternColours[place % kPatternColourCount].hex;
+        vibration.ring = place >= kPatternColourCount;
+        ++used[place];
+    }
 }
 
 double shown_reach_g(const Workspace& work) {

@@ -10,9 +10,13 @@
 
 namespace tact {
 
-// Mark and colour of the pattern at a position: its own colour, else by position.
+// Mark and colour of the pattern at a position: its own, else by position.
 PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index);
 PatternLook look_of(const Ui& ui, const Workspace& work, std::size_t index);
+
+// Patterns without a colour get the look that is least used, in the order of the palette. Whoever
+// has one keeps it.
+void give_looks(PatternSet& set);
 
 // What a waveform is drawn up to where all of the set have one scale, g; 0: up to its own peak.
 double shown_reach_g(const Workspace& work);

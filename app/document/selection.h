@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "model/set/pattern_set.h"
+
 namespace tact {
 
 // What of the document the person is looking at. Indices into document.set.vibrations.
@@ -24,6 +26,8 @@ struct Selection {
     // Two at once, as a cell of the matrix has them: in this frame, and in the last.
     std::optional<std::pair<std::size_t, std::size_t>> hovered_pair{};
     std::optional<std::pair<std::size_t, std::size_t>> hovered_pair_last{};
+    // In this frame, by any panel (app/document/pressing.h); a candidate is in no document yet.
+    std::optional<Vibration> pressed{};
 };
 
 }  // namespace tact

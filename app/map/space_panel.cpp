@@ -5,6 +5,7 @@
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
+#include "app/document/pressing.h"
 #include "app/document/shown_side.h"
 #include "app/map/map_follow.h"
 #include "app/map/map_look.h"
@@ -160,6 +161,9 @@ SpacePaneAction taken(Workspace& work, const SpaceAction& action,
     SpacePaneAction done;
     if (action.hovered) done.hovered = places[*action.hovered];
     if (done.hovered) work.selection.hovered = done.hovered;
+    if (action.pressed && places[*action.pressed]) {
+        note_pressed(work, work.document.set.vibrations[*places[*action.pressed]]);
+    }
     if (action.double_clicked) done.double_clicked = places[*action.double_clicked];
     if (action.clicked && places[*action.clicked]) {
         select_only(work, *places[*action.clicked]);
@@ -235,6 +239,11 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     const Eigen::MatrixXd points = eased_points(ui, shown_map);
     const MapDecor decor = map_decor(ui, shown_map, marks, looks);
     SpaceScene scene = scene_of(ui, work, shown_map, words, looks, points, places);
+    std::vector<std::size_t> selected_too;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (places[k] && work.selection.others.contains(*places[k])) selected_too.push_back(k);
+    }
+    scene.selected_too = selected_too;
     decorate(decor, scene);
     const auto& people = marks.people;
     if (people) {

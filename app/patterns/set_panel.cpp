@@ -11,6 +11,8 @@
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
+#include "app/document/pressing.h"
+#include "app/patterns/look_menu.h"
 #include "app/patterns/set_panel.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
@@ -149,6 +151,7 @@ void draw_row_menu(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::si
     item(vibration.dropped ? "Take back" : "Drop", "", [&] { toggle_dropped(ui, work); });
     item("Duplicate", "Ctrl+D", [&] { duplicate_selected(ui, work); });
     item("Copy", "Ctrl+C", [&] { copy_selected(ui, work); });
+    draw_look_menu(ui, work, index);
     item("Delete", "Del", [&] { remove_selected(ui, work); });
     ImGui::EndPopup();
 }
@@ -216,15 +219,20 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool current = index == work.selection.current;
     if (current || work.selection.others.contains(index)) {
-        list.AddRectFilled(row.min, row.max, faded(theme.accent, current ? 0.28F : 0.16F),
+        list.AddRectFilled(row.min, row.max, faded(theme.text, current ? 0.16F : 0.08F),
                            theme.rounding_px);
+        if (current) draw_selection_frame(list, theme, row);
     } else if (work.selection.hovered_last == index) {
         list.AddRectFilled(row.min, row.max, theme.hover, theme.rounding_px);
     }
     const float middle = row.centre().y;
     const float text_y = middle - ImGui::GetTextLineHeight() / 2.0F;
     const PatternLook look = look_of(ui, work, index);
-    draw_pattern_mark(list, theme, {row.min.x + 12.0F * s, middle}, 5.5F * s, look, theme.pane);
+    const ImVec2 mark{row.min.x + 12.0F * s, middle};
+    if (work.selection.others.contains(index)) draw_selection_ring(list, theme, mark, 5.5F * s);
+    draw_pattern_mark(list, theme, mark, 5.5F * s, look, theme.pane);
+    note_rect(ui.rects, "look:" + vibration.name, mark, mark,
+              vibration.colour + (vibration.ring ? " ring" : ""));
 
     const float name_begin = row.min.x + 26.0F * s;
     const std::string name = row_name(vibration);
@@ -258,6 +266,9 @@ void draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t 
     if (ImGui::IsItemClicked() || (pressed && ui.keyboard_mode)) {
         pattern_panes.list.clicked = {index, ImGui::GetIO().KeyShift, ImGui::GetIO().KeyCtrl};
     }
+    if (ImGui::IsItemActive()) note_pressed(work, work.document.set.vibrations[index]);
+    draw_tooltip(ui,
+                 (std::string(kHoldHelp) + ". Drag to move it, double click to rename.").c_str());
     if (ImGui::IsItemHovered()) {
         work.selection.hovered = index;
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {

@@ -49,6 +49,7 @@ Twin twin(const Vibration& intended, const Waveform& recording, bool synthetic) 
     measurement.synthetic = synthetic;
     result.vibration.name = intended.name + (synthetic ? " synthetic" : " measured");
     result.vibration.colour = intended.colour;
+    result.vibration.ring = !intended.ring;  // beside it, and yet another
     result.vibration.source = std::move(measurement);
     return result;
 }

@@ -33,11 +33,12 @@ struct Vibration {
     std::string name;  // unique in its set
     std::variant<Pattern, Measurement> source;
     bool locked = false;  // not to be edited; picked in every subset
-    std::string colour;   // "#RRGGBB", or empty: by position
+    std::string colour;   // "#RRGGBB"; empty: not given yet
     std::string note;
     std::string unknown_json;  // keys of the file that this version does not know, kept on save
     bool dropped = false;      // from every subset; never together with `locked`
     bool generated = false;    // from the set's design space, and not changed by hand since
+    bool ring = false;         // its mark, in its colour: a ring, or a disc
 
     bool operator==(const Vibration&) const = default;
 };

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
 #include "app/map/map_follow.h"
 #include "app/window/frame.h"
 #include "app/window/jobs.h"
@@ -51,8 +52,10 @@ struct Program {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {1600.0F, 1000.0F};
         io.Fonts->Clear();
-        app.work.document = {set, {}, set};
-        app.work.committed = std::make_shared<const PatternSet>(set);
+        PatternSet opened = set;
+        give_looks(opened);  // as opening a document does
+        app.work.document = {opened, {}, opened};
+        app.work.committed = std::make_shared<const PatternSet>(opened);
         // Any name but none: the frame then notes where things are, and nothing is written.
         app.ui.rects.file = "/dev/null/no such file";
         make_theme(app);

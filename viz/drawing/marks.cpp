@@ -136,6 +136,26 @@ void draw_pattern_mark(ImDrawList& list, const Theme& theme, ImVec2 centre, floa
     if (look.ring) draw_disc(list, theme, centre, radius_px * 0.5F, ground);
 }
 
+void draw_selection_ring(ImDrawList& list, const Theme& theme, ImVec2 centre, float radius_px) {
+    const float step = 1.5F * theme.scale;
+    const ImU32 ink = readable_on(theme.pane);
+    const ImU32 ground = readable_on(ink);
+    draw_disc(list, theme, centre, radius_px + 3.6F * step, ground);
+    draw_disc(list, theme, centre, radius_px + 2.8F * step, ink);
+    draw_disc(list, theme, centre, radius_px + 1.4F * step, ground);
+}
+
+void draw_selection_frame(ImDrawList& list, const Theme& theme, const Rect& area) {
+    const ImU32 ink = readable_on(theme.pane);
+    const float line = theme.hairline_px;
+    const auto frame = [&](float inner_px, ImU32 colour) {
+        const ImVec2 in{inner_px, inner_px};
+        list.AddRect(area.min + in, area.max - in, colour, theme.rounding_px, 0, line);
+    };
+    frame(0.5F * line, ink);
+    frame(1.5F * line, readable_on(ink));
+}
+
 void draw_receptor_mark(ImDrawList& list, const Theme& theme, ImVec2 centre, float radius_px,
                         Receptor receptor) {
     draw_receptor_mark(list, theme, centre, radius_px, receptor,

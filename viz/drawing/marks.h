@@ -49,6 +49,11 @@ void draw_disc(ImDrawList& list, const Theme& theme, ImVec2 centre, float radius
 void draw_pattern_mark(ImDrawList& list, const Theme& theme, ImVec2 centre, float radius_px,
                        const PatternLook& look, ImU32 ground);
 
+// What is selected, in a list and in the map: two lines around it, of the strongest ink and of the
+// ground, so that one of them is seen on whatever lies under it. No colour means anything here.
+void draw_selection_ring(ImDrawList& list, const Theme& theme, ImVec2 centre, float radius_px);
+void draw_selection_frame(ImDrawList& list, const Theme& theme, const Rect& area);
+
 // Meissner circle, Pacinian square, Merkel triangle, Ruffini diamond, all of equal area.
 void draw_receptor_mark(ImDrawList& list, const Theme& theme, ImVec2 centre, float radius_px,
                         Receptor receptor);

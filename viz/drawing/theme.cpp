@@ -157,7 +157,28 @@ void apply(const Theme& theme, ImGuiStyle& style) {
 }
 
 PatternLook pattern_look(const Theme& theme, std::size_t index) {
-    return {theme.pattern[index % kPatternColourCount], index >= kPatternColourCount};
+    return {theme.pattern[index % kPatternColourCount], index / kPatternColourCount % 2 == 1};
+}
+
+std::optional<std::size_t> palette_place(std::string_view colour) {
+    const std::optional<ImU32> own = parse_colour(colour);
+    for (std::size_t k = 0; own && k < kPatternColourCount; ++k) {
+        if (parse_colour(kPatternColours[k].hex) == own) return k;
+    }
+    return std::nullopt;
+}
+
+std::optional<ImU32> shown_colour(const Theme& theme, std::string_view colour) {
+    const std::optional<ImU32> own = parse_colour(colour);
+    if (!own) return std::nullopt;
+    if (const auto place = palette_place(colour)) return theme.pattern[*place];
+    constexpr double kSeen = 3.0;
+    constexpr int kShades = 16;
+    for (int k = 0; k < kShades; ++k) {
+        const ImU32 shade = mixed(*own, theme.text, static_cast<float>(k) / kShades);
+        if (contrast(shade, theme.pane) >= kSeen) return shade;
+    }
+    return theme.text;
 }
 
 }  // namespace tact

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <string_view>
 
 #include "model/physiology/mechanoreceptor.h"
 #include "viz/drawing/fonts.h"
@@ -15,6 +17,21 @@
 namespace tact {
 
 inline constexpr std::size_t kPatternColourCount = 8;
+
+// As a set keeps them; a theme shows each as it is seen best on its ground.
+struct PatternColour {
+    const char* name;
+    const char* hex;
+};
+inline constexpr std::array<PatternColour, kPatternColourCount> kPatternColours{
+    {{"Sky blue", "#56B4E9"},
+     {"Orange", "#E69F00"},
+     {"Green", "#009E73"},
+     {"Yellow", "#F0E442"},
+     {"Blue", "#0072B2"},
+     {"Vermillion", "#D55E00"},
+     {"Purple", "#CC79A7"},
+     {"Grey", "#999999"}}};
 
 struct Theme {
     bool is_dark = true;
@@ -51,7 +68,7 @@ Theme light_theme(float scale);
 // Makes stock widgets look like the rest.
 void apply(const Theme& theme, ImGuiStyle& style);
 
-// The mark of the i-th pattern: eight colours in order, then the same ones as rings.
+// The mark of the i-th pattern: eight colours in order, the same ones as rings, and so on.
 struct PatternLook {
     ImU32 colour = 0;
     bool ring = false;
@@ -60,5 +77,12 @@ struct PatternLook {
 };
 
 PatternLook pattern_look(const Theme& theme, std::size_t index);
+
+// Which of kPatternColours "#RRGGBB" is; none: another one, or no colour.
+std::optional<std::size_t> palette_place(std::string_view colour);
+
+// A colour that a set keeps, "#RRGGBB", as it is shown: one of the palette in the theme's own
+// shade, another one at a contrast of 3 with the pane at least. None: it is no colour.
+std::optional<ImU32> shown_colour(const Theme& theme, std::string_view colour);
 
 }  // namespace tact

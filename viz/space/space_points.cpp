@@ -112,11 +112,13 @@ void draw_points(const SpaceStage& stage, std::optional<std::size_t> hovered) {
         const std::size_t i = *it;
         const Disc& d = stage.discs[i];
         const bool marked = asked_for(stage, hovered, i);
-        if (marked || stage.chosen[i]) {
-            const ImU32 ring = stage.scene.selected == i ? theme.accent : theme.text;
+        const bool selected = is_selected(stage, i);
+        if (selected) {
+            draw_selection_ring(stage.list, theme, d.centre, d.radius);
+        } else if (marked || stage.chosen[i]) {
             const float wider = marked ? 4.0F : 3.0F;
             draw_disc(stage.list, theme, d.centre, d.radius + wider * theme.scale,
-                      toned(stage, ring, marked ? 1.0F : presence(stage, i)));
+                      toned(stage, theme.text, marked ? 1.0F : presence(stage, i)));
             draw_disc(stage.list, theme, d.centre, d.radius + edge, theme.pane);
         } else {
             // A rim of the pane keeps neighbours apart; the ends of colour maps need one to be
@@ -127,7 +129,7 @@ void draw_points(const SpaceStage& stage, std::optional<std::size_t> hovered) {
                       is_seen ? theme.pane : toned(stage, theme.dim_text, presence(stage, i)));
         }
         PatternLook look = stage.scene.looks[i];
-        look.colour = toned(stage, look.colour, marked ? 1.0F : presence(stage, i));
+        look.colour = toned(stage, look.colour, marked || selected ? 1.0F : presence(stage, i));
         draw_pattern_mark(stage.list, theme, d.centre, d.radius, look, theme.pane);
     }
 }

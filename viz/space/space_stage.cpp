@@ -47,6 +47,10 @@ bool asked_for(const SpaceStage& stage, std::optional<std::size_t> hovered, std:
     return hovered == i || stage.scene.selected == i;
 }
 
+bool is_selected(const SpaceStage& stage, std::size_t i) {
+    return stage.scene.selected == i || stage.selected_too[i];
+}
+
 bool is_cloud(const SpaceStage& stage, std::size_t i) {
     constexpr std::size_t kMany = 40;
     return stage.discs.size() > kMany && !stage.scene.chosen.empty() && !stage.chosen[i];
@@ -62,6 +66,8 @@ void place_points(SpaceStage& stage, const SpaceCamera& camera) {
     for (const std::size_t i : stage.scene.chosen) stage.chosen[i] = true;
     stage.faint.assign(n, false);
     for (const std::size_t i : stage.scene.faint) stage.faint[i] = true;
+    stage.selected_too.assign(n, false);
+    for (const std::size_t i : stage.scene.selected_too) stage.selected_too[i] = true;
     for (std::size_t i = 0; i < n; ++i) {
         const Eigen::Vector3d p = point_of(*stage.scene.points, static_cast<Eigen::Index>(i));
         if (!p.allFinite()) {

@@ -20,8 +20,9 @@ struct SpaceStage {
     std::vector<Disc> discs;           // by point
     // Only points that can be seen; a cloud lies behind all that was chosen.
     std::vector<std::size_t> front_to_back;
-    std::vector<bool> chosen;  // by point
-    std::vector<bool> faint;   // by point
+    std::vector<bool> chosen;          // by point
+    std::vector<bool> faint;           // by point
+    std::vector<bool> selected_too{};  // by point
 };
 
 SpaceStage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene);
@@ -46,6 +47,9 @@ bool visible(const SpaceStage& stage, const Disc& disc);
 
 // The selected point, or the one under the mouse.
 bool asked_for(const SpaceStage& stage, std::optional<std::size_t> hovered, std::size_t i);
+
+// It, or one of those beside it.
+bool is_selected(const SpaceStage& stage, std::size_t i);
 
 // Beside a subset chosen from many, the others are a cloud without names and drop lines.
 bool is_cloud(const SpaceStage& stage, std::size_t i);

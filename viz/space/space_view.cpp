@@ -38,6 +38,9 @@ SpaceAction read_mouse(const char* id, const Theme& theme, const Rect& pane, Spa
     }
     const bool dragged = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >
                          std::pow(kClickSlackPx * theme.scale, 2);
+    if (active && io.MouseDown[ImGuiMouseButton_Left] && !camera.orbiting) {
+        action.pressed = action.hovered;
+    }
     if (active && camera.orbiting && dragged) {
         stage.fit.flat ? pan(camera, pane, io.MouseDelta)
                        : orbit(camera, io.MouseDelta, theme.scale);

@@ -42,6 +42,7 @@ struct SpaceScene {
     std::span<const SpaceLink> links{};                 // pairs that are too close
     std::span<const Eigen::Matrix3d> spread{};          // covariance of each point, or empty
     std::optional<std::size_t> selected{};
+    std::span<const std::size_t> selected_too{};                      // beside it
     std::optional<std::size_t> pointed{};                             // pointed at elsewhere
     std::function<double(std::size_t, std::size_t)> dissimilarity{};  // may be empty
     std::string_view quantity{};                                      // what it is: "PM"
@@ -50,6 +51,7 @@ struct SpaceScene {
 
 struct SpaceAction {
     std::optional<std::size_t> hovered{};
+    std::optional<std::size_t> pressed{};  // the left button is down on it
     std::optional<std::size_t> clicked{};  // on release, without a drag
     std::optional<std::size_t> double_clicked{};
     std::optional<std::size_t> right_clicked{};  // on release, without a drag

@@ -61,6 +61,14 @@ std::string colour_of(JsonObject& object) {
     return colour;
 }
 
+bool ring_of(JsonObject& object) {
+    const std::string mark = text_field(object, "mark", "disc");
+    if (mark != "disc" && mark != "ring") {
+        refuse(*object.reading, place_of(object, "mark"), "\"disc\" or \"ring\"", mark);
+    }
+    return mark == "ring";
+}
+
 Vibration vibration_of(JsonObject& object, double set_duration_s) {
     Vibration vibration;
     Json unknown = Json::object();
@@ -77,6 +85,7 @@ Vibration vibration_of(JsonObject& object, double set_duration_s) {
                *field(object, "dropped"));
     }
     vibration.colour = colour_of(object);
+    vibration.ring = ring_of(object);
     vibration.note = text_field(object, "note", "");
     vibration.generated = yes_no_field(object, "generated", false);
     unknown.update(unknown_fields(object));
@@ -205,6 +214,7 @@ Json json_of(const Vibration& vibration, double set_duration_s, const fs::path& 
     if (vibration.locked) fields["locked"] = true;
     if (vibration.dropped) fields["dropped"] = true;
     if (!vibration.colour.empty()) fields["colour"] = vibration.colour;
+    if (vibration.ring) fields["mark"] = "ring";
     if (!vibration.note.empty()) fields["note"] = vibration.note;
     if (vibration.generated) fields["generated"] = true;
     restore_unknown_of(fields, vibration);

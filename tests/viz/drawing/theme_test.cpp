@@ -41,6 +41,23 @@ TEST_CASE("theme: the first sixteen patterns all look different") {
     }
 }
 
+TEST_CASE("theme: a colour of the palette has the theme's own shade, any other one can be seen") {
+    for (const Theme& theme : {dark_theme(1.0F), light_theme(1.0F)}) {
+        for (std::size_t k = 0; k < kPatternColourCount; ++k) {
+            CHECK(palette_place(kPatternColours[k].hex) == k);
+            CHECK(shown_colour(theme, kPatternColours[k].hex) == theme.pattern[k]);
+        }
+        CHECK(shown_colour(theme, "#d55e00") == theme.pattern[5]);
+        for (const char* hex : {"#000000", "#FFFFFF", "#1B1F24", "#123456", "#FFFF00", "#808080"}) {
+            REQUIRE(shown_colour(theme, hex));
+            CHECK(contrast(*shown_colour(theme, hex), theme.pane) >= 3.0);
+        }
+        CHECK(shown_colour(theme, "#FF0000") == rgb(0xFF0000));  // seen well as it is
+        CHECK_FALSE(shown_colour(theme, ""));
+        CHECK_FALSE(shown_colour(theme, "red"));
+    }
+}
+
 TEST_CASE("theme: all sizes grow with the scale") {
     const Theme one = dark_theme(1.0F);
     const Theme two = dark_theme(2.0F);

@@ -143,6 +143,7 @@ TEST_CASE("set file: wrong types are refused with their JSON path") {
     CHECK(place(R"({"tactspace": 0})") == "/tactspace");
     CHECK(place(with_pattern(R"(, "locked": 1)")) == "/patterns/0/locked");
     CHECK(place(with_pattern(R"(, "colour": "blue")")) == "/patterns/0/colour");
+    CHECK(place(with_pattern(R"(, "mark": "star")")) == "/patterns/0/mark");
     CHECK(place(with_pattern(R"(, "note": [])")) == "/patterns/0/note");
     CHECK(place(with_pattern(R"(, "rhythm": "x-")")) == "/patterns/0/rhythm");
     CHECK(place(with_pattern(R"(, "modulation": {"kind": "fm"})")) ==
