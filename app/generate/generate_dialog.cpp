@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/document/pattern_looks.h"
+#include "app/document/pressing.h"
 #include "app/generate/generate_dialog.h"
 #include "app/generate/generate_fields.h"
 #include "app/generate/generating.h"
@@ -119,10 +120,12 @@ void draw_previews(Ui& ui, Workspace& work, const GeneratePlan* plan) {
                   shortened(theme.fonts.small, all[place].name, area.width()));
         note_rect(ui.rects, "generate:preview " + std::to_string(k), area.min, area.max,
                   all[place].name);
-        if (ImGui::IsWindowHovered() && area.contains(ImGui::GetIO().MousePos)) {
-            ImGui::SetTooltip("%s", all[place].name.c_str());
-        }
+        ImGui::SetCursorScreenPos(area.min);
+        ImGui::InvisibleButton(("preview " + std::to_string(k)).c_str(), area.size());
+        if (ImGui::IsItemActive()) note_pressed(work, vibration);
+        draw_tooltip(ui, (all[place].name + "\n" + kHoldHelp).c_str());
     }
+    ImGui::SetCursorScreenPos({corner.x, corner.y + height + ImGui::GetStyle().ItemSpacing.y});
 }
 
 void close(Ui& ui, GenerateState& generating) {

@@ -31,6 +31,9 @@ struct Sounding {
     double position_s = 0.0;                // in the last frame
     std::optional<double> level{};          // of its own, in the place of the bar's
     bool is_prepared = true;                // its drive is there; false: still being computed
+    bool while_held = false;                // until the mouse lets go of as_played
+    bool has_begun = false;                 // on the device: another drive is a change of it
+    std::uint64_t first_drive = 0;          // number of the request that it began with
 };
 
 using Listing = std::vector<DeviceInfo>;
@@ -50,6 +53,10 @@ struct MadeDrive {
     Drive drive;
     std::string remark;  // a sentence on what the actuator cannot do of it; empty: it can
 };
+
+// An output is rendered so far ahead in the window: an edit is to be heard within 50 ms. A study
+// and a measurement, which must have no gaps, take kBufferS.
+inline constexpr double kLiveBufferS = 0.02;
 
 inline constexpr double kFirstLevel = 0.1;  // of every start: nobody is startled
 
@@ -77,14 +84,17 @@ struct PlayState {
     std::string calibration_read;                    // the file it is from, or that was no good
     std::unique_ptr<LatestJob<DriveRequest, MadeDrive>> drive_job;  // of calibrated ones
     std::uint64_t drives_asked = 0;
-    DeviceStatus status;       // of this frame
-    std::string told_trouble;  // at the foot of the window
+    std::uint64_t drive_taken = 0;  // number of the last one
+    DeviceStatus status;            // of this frame
+    std::string told_trouble;       // at the foot of the window
     std::optional<Sounding> sounding;
     std::optional<std::size_t> hovered_in_map;  // in this frame
     std::string felt_on_hover;                  // until another one is pointed at
+    bool hold_taken = false;                    // by what the mouse is pressed on, until it lets go
     double meter = 0.0;                         // of full scale; falls slowly
     bool clip_light = false;                    // until it is clicked
     bool held = false;                          // a study is under way: its device stays
+    bool gapless = false;                       // nothing that sounds may have gaps
     bool focused = true;                        // the window, in the last frame
     bool halted = false;  // Esc has stopped the device; the frame that takes it is still to come
 };

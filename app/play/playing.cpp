@@ -6,8 +6,7 @@
 
 #include "app/document/editing.h"
 #include "app/map/pair.h"
-#include "app/play/calibrating.h"
-#include "app/ui/failure.h"
+#include "app/play/sounding.h"
 #include "devices/audio/audio_host.h"
 #include "devices/device_list.h"
 
@@ -17,47 +16,9 @@ namespace {
 
 constexpr double kHoverRestS = 0.15;
 constexpr double kMeterFallDbPerS = 30.0;
-
 const Vibration* vibration_named(const Workspace& work, const std::string& name) {
     const auto place = place_named(work.document.set, name);
     return place ? &work.document.set.vibrations[*place] : nullptr;
-}
-
-// As the bar says, but for a signal that has a level of its own.
-double level_now(const PlayState& play) {
-    return play.sounding ? play.sounding->level.value_or(play.level) : play.level;
-}
-
-void play_drive(Ui& ui, Timeline& timeline, PlayState& play, const Drive& drive, bool loop) {
-    play.halted = false;
-    play.device->set_level(level_now(play));
-    const Expected<Done> begun = play.device->play(drive, loop);
-    if (begun) return;
-    play.sounding.reset();
-    timeline.playhead.playing = false;
-    complain(ui, begun.error().message);
-}
-
-// At once, or when its drive by the calibration is computed; until then what sounded goes on.
-void play_vibration(Ui& ui, Timeline& timeline, PlayState& play, const Vibration& vibration) {
-    DriveRequest request = drive_request(play, vibration);
-    request.loops = play.sounding->loops;
-    if (!request.calibration) {
-        const MadeDrive made = made_drive(request);
-        if (!made.remark.empty()) say(ui, made.remark);
-        return play_drive(ui, timeline, play, made.drive, play.sounding->loops);
-    }
-    if (!play.drive_job) {
-        play.drive_job = std::make_unique<LatestJob<DriveRequest, MadeDrive>>(
-            JobPolicy::supersede,
-            [](const DriveRequest& asked, std::stop_token, std::atomic<float>&) {
-                return std::optional(made_drive(asked));
-            },
-            ui.wake);
-    }
-    request.number = ++play.drives_asked;
-    play.sounding->is_prepared = false;
-    play.drive_job->submit(std::move(request));
 }
 
 // The pattern of the queue that is to sound now; one that was removed ends it all.
@@ -71,6 +32,7 @@ void play_current(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) 
     sounding.rests_until_s.reset();
     sounding.position_s = 0.0;
     sounding.as_played = *vibration;
+    sounding.has_begun = false;
     timeline.playhead.playing = true;
     timeline.playhead.at_s = 0.0;
     if (sounding.selects) {
@@ -108,33 +70,17 @@ void advance(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     play_current(ui, work, timeline, play);
 }
 
-// A loop takes up what was edited, or another pattern, at its next round.
-void follow_edits(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play) {
+// A loop takes up another pattern at its next round.
+void follow_selection(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play) {
     Sounding& sounding = *play.sounding;
     const Vibration* current = current_vibration(work);
     const bool new_round = play.status.position_s < sounding.position_s;
     if (!sounding.follows || !new_round || current == nullptr) return;
-    if (*current == sounding.as_played) return;
+    if (current->name == sounding.as_played.name) return;
     sounding.names = {current->name};
     sounding.as_played = *current;
+    sounding.has_begun = false;
     play_vibration(ui, timeline, play, *current);
-}
-
-// Begins what was being computed for the one that sounds.
-bool take_drive(Ui& ui, Timeline& timeline, PlayState& play) {
-    Sounding& sounding = *play.sounding;
-    const auto made = play.drive_job ? play.drive_job->latest() : nullptr;
-    if (sounding.is_prepared) return false;
-    if (const std::string failure = failure_of(play.drive_job); !failure.empty()) {
-        complain(ui, "This cannot be played: " + failure + ".");
-        silence(timeline, play);
-        return true;
-    }
-    if (!made || made->request.number != play.drives_asked) return false;
-    sounding.is_prepared = true;
-    if (!made->remark.empty()) say(ui, made->remark);
-    play_drive(ui, timeline, play, made->drive, sounding.loops);
-    return true;
 }
 
 void follow_device(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
@@ -144,18 +90,20 @@ void follow_device(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play)
     if (!sounding.is_prepared && !play.status.playing) return;
     if (!play.status.playing || sounding.rests_until_s) return advance(ui, work, timeline, play);
     if (sounding.names.empty()) return;
-    follow_edits(ui, work, timeline, play);
+    follow_selection(ui, work, timeline, play);
     sounding.position_s = play.status.position_s;
     timeline.playhead.at_s = play.status.position_s;
 }
 
 // The chosen device where it is there and not open yet, as it is chosen.
 void open_chosen(Ui& ui, PlayState& play) {
-    if (play.opened == play.choice) return;
+    DeviceChoice wanted = play.choice;
+    wanted.buffer_s = play.gapless ? kBufferS : kLiveBufferS;
+    if (play.opened == wanted) return;
     const std::optional<DeviceInfo> info = chosen_device(play);
     if (!info || !play.audio) return;
-    auto device = open_device(play.audio, *info, play.choice);
-    play.opened = play.choice;
+    auto device = open_device(play.audio, *info, wanted);
+    play.opened = wanted;
     if (device) {
         play.device = std::move(*device);
     } else {

@@ -8,6 +8,7 @@
 #include "app/document/editing.h"
 #include "app/jobs/time_left.h"
 #include "app/map/map_follow.h"
+#include "app/play/alternate_button.h"
 #include "app/play/play_panels.h"
 #include "app/play/playing.h"
 #include "app/ui/widgets.h"
@@ -109,6 +110,7 @@ struct BarParts {
     bool computing_in_full = true;
     bool whole = true;
     bool range = true;
+    bool pair_names = true;
     bool level = true;
     bool speeds = true;
     bool steps = true;
@@ -116,18 +118,18 @@ struct BarParts {
     bool loop = true;
     bool computing = true;
 };
-constexpr std::array<bool BarParts::*, 9> kFirstToGo{&BarParts::computing_in_full,
-                                                     &BarParts::whole,
-                                                     &BarParts::range,
-                                                     &BarParts::level,
-                                                     &BarParts::speeds,
-                                                     &BarParts::steps,
-                                                     &BarParts::wide_device,
-                                                     &BarParts::loop,
-                                                     &BarParts::computing};
+constexpr std::array<bool BarParts::*, 10> kFirstToGo{&BarParts::computing_in_full,
+                                                      &BarParts::whole,
+                                                      &BarParts::range,
+                                                      &BarParts::pair_names,
+                                                      &BarParts::level,
+                                                      &BarParts::speeds,
+                                                      &BarParts::steps,
+                                                      &BarParts::wide_device,
+                                                      &BarParts::loop,
+                                                      &BarParts::computing};
 
 constexpr const char* kShowAll = "Show all";
-constexpr float kAlternateSides = 1.5F;  // width of A|B, of its height
 
 float bar_width(const Ui& ui, const Workspace& work, const Timeline& timeline,
                 const ShownMap& shown_map, const PlayState& play, const BarParts& parts) {
@@ -137,7 +139,9 @@ float bar_width(const Ui& ui, const Workspace& work, const Timeline& timeline,
     const TimeTexts time = time_texts(work, timeline);
     const ComputingTexts computing = computing_texts(ui, shown_map);
     float sum = icon * (1.0F + (parts.steps ? 3.0F : 0.0F) + (parts.loop ? 1.0F : 0.0F));
-    if (parts.loop) sum += kAlternateSides * ImGui::GetFrameHeight() + 0.5F * gap;
+    if (parts.loop) {
+        sum += alternate_width(ui, work, shown_map, play, parts.pair_names) + 0.5F * gap;
+    }
     if (parts.speeds) {
         sum += ui.theme.padding_px;
         for (const Speed& speed : kSpeeds) sum += button_width(speed.text) + 0.5F * gap;
@@ -222,40 +226,6 @@ void draw_computing(Ui& ui, const Workspace& work, ShownMap& shown_map,
     note_item(ui.rects, std::string("map:") + texts.action);
 }
 
-// "A|B", the one that sounds bright.
-void draw_alternate(Ui& ui, PlayState& play) {
-    const Theme& theme = ui.theme;
-    const float side = ImGui::GetFrameHeight();
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    if (ImGui::InvisibleButton("alternate", {kAlternateSides * side, side})) {
-        toggle_alternating(play);
-    }
-    const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
-    const bool lit = play.alternates;
-    note_item(ui.rects, "transport:A|B", lit ? "on" : "off");
-    draw_tooltip(ui,
-                 "Plays the current pattern and its partner in turn. The partner is the pattern "
-                 "compared with, else the one chosen in the matrix or map, else the closest one.");
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (lit || over) {
-        list.AddRectFilled(corner, corner + ImVec2{kAlternateSides * side, side},
-                           lit ? faded(theme.accent, 0.28F) : theme.hover, theme.rounding_px);
-    }
-    const std::optional<Sounding>& sounding = play.sounding;
-    const bool in_turn = sounding && sounding->names.size() == 2;
-    const std::array<const char*, 3> letters{"A", "|", "B"};
-    float x =
-        corner.x + 0.5F * kAlternateSides * side - 0.5F * text_size(theme.fonts.semibold, "A|B").x;
-    for (std::size_t k = 0; k < letters.size(); ++k) {
-        const bool sounds = in_turn && k == 2 * sounding->at && !sounding->rests_until_s;
-        const ImU32 ink = sounds ? theme.accent : lit && !in_turn ? theme.accent : theme.text;
-        draw_text(list, theme.fonts.semibold, {x, corner.y + ImGui::GetStyle().FramePadding.y},
-                  k == 1 || (in_turn && !sounds) ? theme.dim_text : ink, letters[k]);
-        x += text_size(theme.fonts.semibold, letters[k]).x;
-    }
-    ImGui::SameLine(0.0F, theme.gap_px * 0.5F);
-}
-
 const char* play_tip(const Timeline& timeline, const PlayState& play) {
     if (is_sounding(play)) return "Stop (Space; Esc silences everything)";
     if (timeline.playhead.playing) return "Pause (Space)";
@@ -288,7 +258,7 @@ void draw_buttons(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& s
     if (parts.loop && icon_button(ui, "loop", Icon::loop, playhead.loop, "Start over at the end")) {
         playhead.loop = !playhead.loop;
     }
-    if (parts.loop) draw_alternate(ui, play);
+    if (parts.loop) draw_alternate(ui, work, shown_map, play, parts.pair_names);
 }
 
 }  // namespace

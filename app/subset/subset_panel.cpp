@@ -6,9 +6,9 @@
 #include "app/compare/compare_follow.h"
 #include "app/compare/people_text.h"
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
 #include "app/map/map_follow.h"
 #include "app/play/playing.h"
+#include "app/subset/picked_list.h"
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"
@@ -186,33 +186,6 @@ void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& 
     draw_weakest_pair(ui, work, timeline, shown_map, play, picking, pick, a, b);
 }
 
-void draw_member(Ui& ui, Workspace& work, const Pick& pick, std::size_t member) {
-    const std::string& name = name_of(pick, member);
-    const auto place = place_named(work.document.set, name);
-    if (!place) return;
-    const Vibration& vibration = work.document.set.vibrations[*place];
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float s = ui.theme.scale;
-    ImGui::PushID(static_cast<int>(member));
-    const std::string text = "      " + name + (vibration.locked ? "  (locked)" : "");
-    if (ImGui::Selectable(text.c_str(), work.selection.current == *place))
-        select_only(work, *place);
-    note_item(ui.rects, "member:" + name, vibration.locked ? "locked" : "");
-    if (ImGui::IsItemHovered()) work.selection.hovered = place;
-    draw_pattern_mark(*ImGui::GetWindowDrawList(), ui.theme,
-                      {corner.x + 9.0F * s, corner.y + 0.5F * ImGui::GetTextLineHeight()}, 5.0F * s,
-                      look_of(ui, work, *place), ui.theme.pane);
-    if (ImGui::BeginPopupContextItem("member menu")) {
-        select_only(work, *place);
-        if (ImGui::MenuItem(vibration.locked ? "Unlock" : "Lock: always pick it")) {
-            toggle_locked(ui, work);
-        }
-        if (ImGui::MenuItem("Drop: never pick it")) toggle_dropped(ui, work);
-        ImGui::EndPopup();
-    }
-    ImGui::PopID();
-}
-
 // What another subset has that the best has not.
 std::string exchange_text(const Pick& pick, const Subset& other) {
     const Subset& best = pick.answer.best;
@@ -323,8 +296,9 @@ void draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap&
     const bool wide = area.width() > 320.0F * ui.theme.scale;
     const float left = wide && has_curve(picking) ? 0.48F * area.width() : area.width();
     ImGui::BeginChild("members", {left, area.height()});
+    std::size_t number = 0;
     for (const std::size_t member : shown_subset(shown_map, picking)->members)
-        draw_member(ui, work, *pick, member);
+        draw_member(ui, work, name_of(*pick, member), ++number);
     draw_alternatives(ui, picking, *pick);
     ImGui::EndChild();
     if (left == area.width()) return;

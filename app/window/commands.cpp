@@ -13,8 +13,10 @@
 #include "app/measured/import_follow.h"
 #include "app/patterns/set_panel.h"
 #include "app/patterns/tapping.h"
+#include "app/play/listening.h"
 #include "app/play/playing.h"
 #include "app/study/study_follow.h"
+#include "app/subset/picked_list.h"
 #include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"
 #include "app/tour/tour.h"
@@ -74,6 +76,13 @@ template <int kSlower>
 bool has_speed(const App& app) {
     return app.timeline.playhead.speed == 1.0 / kSlower;
 }
+
+template <std::size_t kNumber>
+void play_picked_at(App& app) {
+    play_picked(app.ui, app.work, app.timeline, app.shown_map, app.play, app.picking, kNumber);
+}
+
+void swap_alternating(App& app) { swap_pair(app.work, app.shown_map, app.play); }
 
 void rewind(App& app) {
     app.timeline.playhead.at_s = 0.0;
@@ -193,9 +202,9 @@ const auto kCommands = std::to_array<Command>({
     {"Edit", "Select all", ctrl('a'), has_selection, [](App& app) { select_all(app.work); }},
     {"Edit", "Delete", special(key::kDelete), has_selection, remove_chosen_or_selected, nullptr, "remove"},
 
-    {"View", "Design", plain('1'), always, design_layout, nullptr, "layout columns"},
-    {"View", "Physiology", plain('2'), always, physiology_layout, nullptr, "layout waveform"},
-    {"View", "Space", plain('3'), always, space_layout, nullptr, "layout map"},
+    {"View", "Design", ctrl('1'), always, design_layout, nullptr, "layout columns"},
+    {"View", "Physiology", ctrl('2'), always, physiology_layout, nullptr, "layout waveform"},
+    {"View", "Space", ctrl('3'), always, space_layout, nullptr, "layout map"},
     {"View",
      "Reset view of the space",
      {},
@@ -294,6 +303,7 @@ const auto kCommands = std::to_array<Command>({
      "repeat"},
     {"Play", "A|B: alternate with the partner", {}, has_selection, [](App& app) { toggle_alternating(app.play); },
      [](const App& app) { return is_alternating(app.play); }, "compare feel pair"},
+    {"Play", "A|B: swap the two", plain('x'), has_selection, swap_alternating, nullptr, "exchange pair partner"},
     {"Play",
      "Play on hover in the map",
      {},
@@ -314,7 +324,7 @@ const auto kCommands = std::to_array<Command>({
     {"Play", "Simulate measurement...", {}, has_selection, [](App& app) { simulate_measurement_dialog(app.ui, app.work, app.importing); }, nullptr,
      "synthetic measured actuator resonance"},
 
-    {"Study", "Design and participants", plain('5'), always, [](App& app) { open_study(app.layout, app.studying); },
+    {"Study", "Design and participants", ctrl('5'), always, [](App& app) { open_study(app.layout, app.studying); },
      [](const App& app) { return app.studying.is_open; }, "ratings people experiment"},
     {"Study", "Run a participant...", {}, has_selection, [](App& app) { begin_participant(app.ui, app.work, app.timeline, app.play, app.studying); }, nullptr,
      "ratings people experiment trial"},
@@ -356,6 +366,15 @@ const auto kCommands = std::to_array<Command>({
     {"", "Larger text", ctrl('='), always, [](App& app) { step_text_scale(app.ui, 1.1F); }},
     {"", "Stop", special(key::kEscape), always, escape},
     {"", "Previous pattern", special(key::kUp), always, [](App& app) { select_next(app.work, -1); }},
+    {"", "Play picked pattern 1", plain('1'), has_selection, play_picked_at<1>},
+    {"", "Play picked pattern 2", plain('2'), has_selection, play_picked_at<2>},
+    {"", "Play picked pattern 3", plain('3'), has_selection, play_picked_at<3>},
+    {"", "Play picked pattern 4", plain('4'), has_selection, play_picked_at<4>},
+    {"", "Play picked pattern 5", plain('5'), has_selection, play_picked_at<5>},
+    {"", "Play picked pattern 6", plain('6'), has_selection, play_picked_at<6>},
+    {"", "Play picked pattern 7", plain('7'), has_selection, play_picked_at<7>},
+    {"", "Play picked pattern 8", plain('8'), has_selection, play_picked_at<8>},
+    {"", "Play picked pattern 9", plain('9'), has_selection, play_picked_at<9>},
     {"", "Next pattern", special(key::kDown), always, [](App& app) { select_next(app.work, 1); }},
 });
 

@@ -20,6 +20,7 @@
 #include "app/model_bench/training_follow.h"
 #include "app/physiology/physiology_follow.h"
 #include "app/physiology/physiology_panel.h"
+#include "app/play/listening.h"
 #include "app/play/play_panels.h"
 #include "app/play/playing.h"
 #include "app/study/study_follow.h"
@@ -175,6 +176,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     begin_thumbnails(app);
     take_escape(app.ui, app.timeline, app.play, was_pressed(pressed, key::kEscape));
     app.play.held = is_study_running(app.studying);
+    app.play.gapless = app.play.held || app.ui.dialog == Dialog::calibrate;
     follow_sound(app.ui, app.work, app.timeline, app.rendered, app.play);
     use_device(app.studying, app.play.device);
     follow_playhead(app);
@@ -242,6 +244,8 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     draw_palette(app, pressed);
     run_waiting(app);
     follow_changes(app);
+    hear_edits(app.ui, app.work, app.timeline, app.play);
+    follow_hold(app.ui, app.work, app.timeline, app.play);
     follow_level(app.work, app.rendered, app.play);
     follow_map(app.work, app.shown_map, app.rendered);
     follow_current(app.work, app.rendered, app.physiology);

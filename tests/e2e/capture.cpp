@@ -11,6 +11,9 @@
 //     capture gap RAW CHANNELS CHANNEL          prints the longest silence within, in whole ms
 //     capture signal NUMBER PID                 sends it, prints when
 //     capture now                               prints when
+//     capture changes RAW STAMPS CHANNELS CHANNEL HZ SINCE...   a loop of this tone was made
+//     stronger
+//         or weaker at these times: how long after each that is heard, and never as a click
 //     capture silent RAW STAMPS CHANNELS CHANNEL SINCE MS   nothing is heard MS after SINCE
 #include <jack/jack.h>
 #include <unistd.h>
@@ -29,38 +32,15 @@
 #include <string>
 #include <vector>
 
+#include "tests/e2e/heard_changes.h"
+#include "tests/e2e/recorded.h"
+
 namespace {
-
-constexpr double kRateHz = 48'000.0;
-constexpr double kHeard = 1e-4;  // 80 dB below full scale
-
-int failed(const std::string& why) {
-    std::cout << "failed: " << why << "\n";
-    return 1;
-}
 
 double monotonic_s() {
     timespec now{};
     clock_gettime(CLOCK_MONOTONIC, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-std::vector<float> samples_in(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    std::vector<float> samples(bytes.size() / sizeof(float));
-    std::copy_n(bytes.data(), samples.size() * sizeof(float),
-                reinterpret_cast<char*>(samples.data()));
-    return samples;
-}
-
-std::vector<double> channel_of(const std::vector<float>& samples, std::size_t channels,
-                               std::size_t channel) {
-    std::vector<double> one;
-    for (std::size_t n = channel; n < samples.size(); n += channels) {
-        one.push_back(static_cast<double>(samples[n]));
-    }
-    return one;
 }
 
 struct Span {
@@ -305,6 +285,7 @@ int main(int argc, char** argv) {
     if (what == "gap" && rest.size() == 3) return gap(rest);
     if (what == "signal" && rest.size() == 2) return send_signal(rest);
     if (what == "now" && rest.empty()) return tell_now();
+    if (what == "changes" && rest.size() >= 6) return heard_changes(rest);
     if (what == "silent" && rest.size() == 6) return silent(rest);
     std::cerr << "see the head of capture.cpp\n";
     return 2;

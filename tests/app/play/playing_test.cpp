@@ -76,23 +76,63 @@ TEST_CASE("playing: Esc silences also in a dialog") {
     CHECK_FALSE(program.device->playing());
 }
 
-TEST_CASE("playing: a loop takes up an edit at its next round, not in the middle") {
+TEST_CASE("playing: a loop becomes what is edited in the same frame, and does not start anew") {
     FeltProgram program;
     program.app.timeline.playhead.loop = true;
     program.space();
     REQUIRE(program.device->looping());
-    const Drive before = *program.device->playing();
     program.device->pretend(0.05, 0.1, false);
     program.frame();
     edit_patterns(program.app.work, [](Pattern& pattern) { pattern.amplitude_g = 0.3; });
-    program.device->pretend(0.08, 0.1, false);
-    program.frame();
-    CHECK(*program.device->playing() == before);
-    program.device->pretend(0.01, 0.1, false);
     program.frame();
     CHECK(program.plays(0));
-    CHECK(*program.device->playing() != before);
+    CHECK(program.device->begun() == 1);
     CHECK(program.device->looping());
+    undo(program.app.ui, program.app.work);
+    edit_patterns(program.app.work, [](Pattern& pattern) { pattern.duration_s = 0.08; });
+    program.frame();
+    CHECK(program.plays(0));
+    CHECK(program.device->begun() == 1);
+}
+
+TEST_CASE("playing: a loop takes up another pattern at its next round, not in the middle") {
+    FeltProgram program;
+    program.app.timeline.playhead.loop = true;
+    program.space();
+    program.device->pretend(0.05, 0.1, false);
+    program.frame();
+    select_only(program.app.work, 1);
+    program.device->pretend(0.08, 0.1, false);
+    program.frame();
+    CHECK(program.plays(0));
+    program.device->pretend(0.01, 0.1, false);
+    program.frame();
+    CHECK(program.plays(1));
+    CHECK(program.device->begun() == 2);
+    edit_patterns(program.app.work, [](Pattern& pattern) { pattern.amplitude_g = 0.3; });
+    program.frame();
+    CHECK(program.plays(1));
+    CHECK(program.device->begun() == 2);
+}
+
+TEST_CASE("playing: a long pattern is rendered beside the window, and its edits are heard, too") {
+    FeltProgram program;
+    edit_patterns(program.app.work, [](Pattern& pattern) { pattern.duration_s = 3.0; });
+    program.app.timeline.playhead.loop = true;
+    program.space();
+    const auto comes = [&] {
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        while (!program.plays(0) && std::chrono::steady_clock::now() < until) program.frame();
+        return program.plays(0);
+    };
+    CHECK(comes());
+    for (const double amplitude_g : {0.2, 0.3, 0.4}) {
+        edit_patterns(program.app.work, [&](Pattern& p) { p.amplitude_g = amplitude_g; });
+        program.frame();
+    }
+    CHECK(comes());
+    CHECK(program.device->begun() == 1);
+    CHECK(program.app.play.sounding->is_prepared);
 }
 
 TEST_CASE("playing: A|B plays the pattern and its partner in turn, with a gap") {

@@ -311,7 +311,7 @@ TEST_CASE("numbers: digits typed at a field, locked or not, do not change the la
     program.window.button(false);
     program.settle();
     program.click("row:p1");
-    program.press(U'3');
+    program.press(U'3', true);
     CHECK((program.app.layout.left != left || program.app.layout.right != right));
 }
 

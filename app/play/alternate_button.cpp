@@ -1,0 +1,135 @@
+#include "app/play/alternate_button.h"
+
+#include <array>
+#include <string>
+
+#include "app/document/pattern_looks.h"
+#include "app/play/listening.h"
+#include "app/play/playing.h"
+#include "app/ui/widgets.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kSides = 1.5F;    // width of the letters alone, of its height
+constexpr float kNamePx = 84.0F;  // a longer name ends in three dots
+constexpr float kMarkPx = 4.5F;   // radius
+
+// "A", mark and name, "|", and the same of B.
+struct Sides {
+    std::array<std::string, 2> names;  // as they are shown
+    std::array<std::string, 2> whole;
+    std::array<PatternLook, 2> looks;
+};
+
+std::optional<Sides> sides_of(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                              const PlayState& play) {
+    const auto pair = alternating_pair(work, shown_map, play);
+    if (!pair) return std::nullopt;
+    Sides sides;
+    sides.whole = {pair->first, pair->second};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto place = place_named(work.document.set, sides.whole[k]);
+        if (!place) return std::nullopt;
+        sides.looks[k] = look_of(ui, work, *place);
+        sides.names[k] =
+            shortened(ui.theme.fonts.regular, sides.whole[k], kNamePx * ui.theme.scale);
+    }
+    return sides;
+}
+
+float letter_width(const Ui& ui, const char* letter) {
+    return text_size(ui.theme.fonts.semibold, letter).x;
+}
+
+float mark_room(const Ui& ui) { return (2.0F * kMarkPx + 9.0F) * ui.theme.scale; }
+
+float width_of(const Ui& ui, const std::optional<Sides>& sides) {
+    const float letters = kSides * ImGui::GetFrameHeight();
+    if (!sides) return letters;
+    float width = letters + ui.theme.gap_px;
+    for (const std::string& name : sides->names) {
+        width += mark_room(ui) + text_size(ui.theme.fonts.regular, name).x;
+    }
+    return width;
+}
+
+// Which side sounds now.
+std::optional<std::size_t> sounding_side(const PlayState& play) {
+    const std::optional<Sounding>& sounding = play.sounding;
+    if (!sounding || sounding->names.size() != 2 || sounding->rests_until_s) return std::nullopt;
+    return sounding->at;
+}
+
+void draw_sides(const Ui& ui, const PlayState& play, const std::optional<Sides>& sides,
+                ImVec2 corner, float width) {
+    const Theme& theme = ui.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool in_turn = play.sounding && play.sounding->names.size() == 2;
+    const auto sounds = sounding_side(play);
+    float inner = width_of(ui, sides) - kSides * ImGui::GetFrameHeight();
+    for (const char* letter : {"A", "|", "B"}) inner += letter_width(ui, letter);
+    float x = corner.x + 0.5F * (width - inner);
+    const float y = corner.y + ImGui::GetStyle().FramePadding.y;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const bool is_bright = sounds == k || (play.alternates && !in_turn);
+        const ImU32 ink = is_bright ? theme.accent : in_turn ? theme.dim_text : theme.text;
+        const char* letter = k == 0 ? "A" : "B";
+        draw_text(list, theme.fonts.semibold, {x, y}, ink, letter);
+        x += letter_width(ui, letter);
+        if (sides) {
+            const ImVec2 mark{x + 0.5F * mark_room(ui), corner.y + 0.5F * ImGui::GetFrameHeight()};
+            draw_pattern_mark(list, theme, mark, kMarkPx * theme.scale, sides->looks[k],
+                              theme.pane);
+            x += mark_room(ui);
+            draw_text(list, theme.fonts.regular, {x, y},
+                      in_turn && sounds != k ? theme.dim_text : theme.text, sides->names[k]);
+            x += text_size(theme.fonts.regular, sides->names[k]).x;
+        }
+        if (k == 1) break;
+        if (sides) x += 0.5F * theme.gap_px;
+        draw_text(list, theme.fonts.semibold, {x, y}, theme.dim_text, "|");
+        x += letter_width(ui, "|") + (sides ? 0.5F * theme.gap_px : 0.0F);
+    }
+}
+
+}  // namespace
+
+float alternate_width(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                      const PlayState& play, bool names) {
+    return width_of(ui, names ? sides_of(ui, work, shown_map, play) : std::nullopt);
+}
+
+void draw_alternate(Ui& ui, const Workspace& work, const ShownMap& shown_map, PlayState& play,
+                    bool names) {
+    const Theme& theme = ui.theme;
+    const auto known = sides_of(ui, work, shown_map, play);
+    const auto sides = names ? known : std::nullopt;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size{width_of(ui, sides), ImGui::GetFrameHeight()};
+    if (ImGui::InvisibleButton("alternate", size)) toggle_alternating(play);
+    const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    note_item(ui.rects, "transport:A|B", play.alternates ? "on" : "off");
+    if (known) {
+        note_item(ui.rects, "alternate:pair", "A " + known->whole[0] + " | B " + known->whole[1]);
+    }
+    std::string tip = known ? "A is " + known->whole[0] + ", B is " + known->whole[1] + ". " : "";
+    tip +=
+        "Plays the current pattern, A, and its partner, B, in turn; X swaps them. The partner is "
+        "the pattern compared with, else the one chosen in the matrix or map, else the closest "
+        "one.";
+    draw_tooltip(ui, tip.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (play.alternates || over) {
+        list.AddRectFilled(corner, corner + size,
+                           play.alternates ? faded(theme.accent, 0.28F) : theme.hover,
+                           theme.rounding_px);
+    }
+    draw_sides(ui, play, sides, corner, size.x);
+    ImGui::SameLine(0.0F, theme.gap_px * 0.5F);
+}
+
+}  // namespace tact

@@ -1,0 +1,60 @@
+#include "app/play/listening.h"
+
+#include "app/document/editing.h"
+#include "app/document/pressing.h"
+#include "app/map/pair.h"
+#include "app/play/playing.h"
+#include "app/play/sounding.h"
+
+namespace tact {
+
+void hear_edits(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play) {
+    if (!play.sounding || !play.sounding->follows || play.halted) return;
+    const Vibration* current = current_vibration(work);
+    Vibration& before = play.sounding->as_played;
+    if (current == nullptr || current->name != before.name) return;
+    if (current->source == before.source) return;
+    before = *current;
+    play_vibration(ui, timeline, play, before);
+}
+
+void follow_hold(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
+    const std::optional<Vibration> pressed = std::exchange(work.selection.pressed, std::nullopt);
+    if (!pressed) {
+        play.hold_taken = false;
+        if (play.sounding && play.sounding->while_held) silence(timeline, play);
+        return;
+    }
+    const bool rests = static_cast<double>(ImGui::GetIO().MouseDownDuration[0]) < kHoldS;
+    if (rests || play.hold_taken || !can_sound(play)) return;
+    play.hold_taken = true;  // Esc ends it for good
+    stop_playing(timeline, play);
+    play.sounding = Sounding{.names = {}, .loops = true, .as_played = *pressed, .while_held = true};
+    play_vibration(ui, timeline, play, *pressed);
+}
+
+std::optional<std::pair<std::string, std::string>> alternating_pair(const Workspace& work,
+                                                                    const ShownMap& shown_map,
+                                                                    const PlayState& play) {
+    if (play.sounding && play.sounding->names.size() == 2) {
+        return std::pair{play.sounding->names[0], play.sounding->names[1]};
+    }
+    const std::optional<ChosenPair> pair = chosen_pair(work, shown_map);
+    if (!pair) return std::nullopt;
+    const auto& all = work.document.set.vibrations;
+    return std::pair{all[pair->current].name, all[pair->partner].name};
+}
+
+void swap_pair(Workspace& work, const ShownMap& shown_map, PlayState& play) {
+    const auto names = alternating_pair(work, shown_map, play);
+    if (!names) return;
+    const auto a = place_named(work.document.set, names->first);
+    const auto b = place_named(work.document.set, names->second);
+    if (!a || !b) return;
+    choose_pair(work, *b, *a);
+    if (!play.sounding || play.sounding->names.size() != 2) return;
+    std::swap(play.sounding->names[0], play.sounding->names[1]);
+    play.sounding->at = 1 - play.sounding->at;
+}
+
+}  // namespace tact

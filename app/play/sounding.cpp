@@ -1,0 +1,77 @@
+#include "app/play/sounding.h"
+
+#include <utility>
+
+#include "app/play/calibrating.h"
+#include "app/play/playing.h"
+#include "app/ui/failure.h"
+
+namespace tact {
+
+namespace {
+
+// Longer patterns are rendered beside the window: this much takes about a millisecond.
+constexpr double kLongestAtOnceS = 2.0;
+
+}  // namespace
+
+double level_now(const PlayState& play) {
+    return play.sounding ? play.sounding->level.value_or(play.level) : play.level;
+}
+
+void play_drive(Ui& ui, Timeline& timeline, PlayState& play, const Drive& drive, bool loop) {
+    play.halted = false;
+    if (play.sounding->has_begun) return play.device->change(drive);
+    play.sounding->has_begun = true;
+    play.device->set_level(level_now(play));
+    const Expected<Done> begun = play.device->play(drive, loop);
+    if (begun) return;
+    play.sounding.reset();
+    timeline.playhead.playing = false;
+    complain(ui, begun.error().message);
+}
+
+void play_vibration(Ui& ui, Timeline& timeline, PlayState& play, const Vibration& vibration) {
+    DriveRequest request = drive_request(play, vibration);
+    request.loops = play.sounding->loops;
+    const auto* pattern = std::get_if<Pattern>(&vibration.source);
+    const bool is_long = pattern != nullptr && pattern->duration_s > kLongestAtOnceS;
+    if (!request.calibration && !is_long) {
+        const MadeDrive made = made_drive(request);
+        if (!made.remark.empty()) say(ui, made.remark);
+        return play_drive(ui, timeline, play, made.drive, play.sounding->loops);
+    }
+    if (!play.drive_job) {
+        play.drive_job = std::make_unique<LatestJob<DriveRequest, MadeDrive>>(
+            JobPolicy::finish,
+            [](const DriveRequest& asked, std::stop_token, std::atomic<float>&) {
+                return std::optional(made_drive(asked));
+            },
+            ui.wake);
+    }
+    request.number = ++play.drives_asked;
+    play.sounding->is_prepared = false;
+    if (!play.sounding->has_begun) play.sounding->first_drive = request.number;
+    play.drive_job->submit(std::move(request));
+}
+
+bool take_drive(Ui& ui, Timeline& timeline, PlayState& play) {
+    Sounding& sounding = *play.sounding;
+    const auto made = play.drive_job ? play.drive_job->latest() : nullptr;
+    if (sounding.is_prepared) return false;
+    if (const std::string failure = failure_of(play.drive_job); !failure.empty()) {
+        complain(ui, "This cannot be played: " + failure + ".");
+        silence(timeline, play);
+        return true;
+    }
+    if (!made || made->request.number < sounding.first_drive ||
+        made->request.number == std::exchange(play.drive_taken, made->request.number)) {
+        return false;
+    }
+    sounding.is_prepared = made->request.number == play.drives_asked;
+    if (!made->remark.empty()) say(ui, made->remark);
+    play_drive(ui, timeline, play, made->drive, sounding.loops);
+    return true;
+}
+
+}  // namespace tact

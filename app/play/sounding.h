@@ -1,0 +1,23 @@
+// How the pattern that sounds gets to the device: its drive, made at once or beside the window,
+// begun or changed.
+#pragma once
+
+#include "app/play/play_state.h"
+#include "app/timeline/timeline.h"
+#include "app/ui/ui.h"
+
+namespace tact {
+
+// As the bar says, but for a signal that has a level of its own.
+double level_now(const PlayState& play);
+
+// Something is to sound (play.sounding). The first drive of it begins, the next ones change it.
+void play_drive(Ui& ui, Timeline& timeline, PlayState& play, const Drive& drive, bool loop);
+
+// At once, or when its drive is computed; until then what sounded goes on.
+void play_vibration(Ui& ui, Timeline& timeline, PlayState& play, const Vibration& vibration);
+
+// Takes what was being computed for the one that sounds; true: it did.
+bool take_drive(Ui& ui, Timeline& timeline, PlayState& play);
+
+}  // namespace tact

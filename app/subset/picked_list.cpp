@@ -1,0 +1,69 @@
+#include "app/subset/picked_list.h"
+
+#include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
+#include "app/document/pressing.h"
+#include "app/play/playing.h"
+#include "app/subset/subset_follow.h"
+#include "app/ui/widgets.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+void draw_member_menu(Ui& ui, Workspace& work, std::size_t place) {
+    if (!ImGui::BeginPopupContextItem("member menu")) return;
+    select_only(work, place);
+    const bool locked = work.document.set.vibrations[place].locked;
+    if (ImGui::MenuItem(locked ? "Unlock" : "Lock: always pick it")) toggle_locked(ui, work);
+    if (ImGui::MenuItem("Drop: never pick it")) toggle_dropped(ui, work);
+    ImGui::EndPopup();
+}
+
+}  // namespace
+
+void draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number) {
+    const auto place = place_named(work.document.set, name);
+    if (!place) return;
+    const Vibration& vibration = work.document.set.vibrations[*place];
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float s = ui.theme.scale;
+    ImGui::PushID(static_cast<int>(number));
+    const std::string text = "          " + name + (vibration.locked ? "  (locked)" : "");
+    if (ImGui::Selectable(text.c_str(), work.selection.current == *place))
+        select_only(work, *place);
+    note_item(ui.rects, "member:" + name, vibration.locked ? "locked" : "");
+    if (ImGui::IsItemActive()) note_pressed(work, vibration);
+    const bool has_key = number <= kPlayKeys;
+    const std::string key = has_key ? std::to_string(number) : std::string();
+    draw_tooltip(ui,
+                 ((has_key ? "Key " + key + " plays it. " : std::string()) + kHoldHelp).c_str());
+    if (ImGui::IsItemHovered()) work.selection.hovered = place;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_text(list, ui.theme.fonts.regular, {corner.x + 2.0F * s, corner.y}, ui.theme.dim_text,
+              key);
+    draw_pattern_mark(list, ui.theme,
+                      {corner.x + 23.0F * s, corner.y + 0.5F * ImGui::GetTextLineHeight()},
+                      5.0F * s, look_of(ui, work, *place), ui.theme.pane);
+    draw_member_menu(ui, work, *place);
+    ImGui::PopID();
+}
+
+void play_picked(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                 PlayState& play, const SubsetState& picking, std::size_t number) {
+    const Subset* subset = shown_subset(shown_map, picking);
+    if (subset == nullptr) {
+        return say(ui, "Nothing is picked yet: 1 to 9 play what View > Subset picks.");
+    }
+    const std::size_t count = subset->members.size();
+    if (number > count) return say(ui, "Only " + std::to_string(count) + " are picked.");
+    const auto& mapped = shown_map.transition.shown->request.set->vibrations;
+    const std::string& name = mapped[subset->members[number - 1]].name;
+    const auto place = place_named(work.document.set, name);
+    if (!place) return say(ui, name + " is no longer in the set.");
+    play_once(ui, work, timeline, play, *place);
+    if (is_sounding(play)) say(ui, "Plays " + std::to_string(number) + ", " + name + ".");
+}
+
+}  // namespace tact
