@@ -1,5 +1,8 @@
 #include "app/play/listening.h"
 
+#include <chrono>
+#include <cstdio>
+
 #include "app/document/editing.h"
 #include "app/document/pressing.h"
 #include "app/map/pair.h"
@@ -8,12 +11,30 @@
 
 namespace tact {
 
+namespace {
+
+// When an edit was last sent on its way, for a story that measures how soon it is heard.
+void note_edit(Ui& ui, PlayState& play, bool is_edit) {
+    if (ui.rects.file.empty()) return;
+    if (is_edit) {
+        const auto now = std::chrono::steady_clock::now().time_since_epoch();
+        play.edited_s = std::chrono::duration<double>(now).count();
+    }
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6f", play.edited_s);
+    note_rect(ui.rects, "heard edit", {}, {}, text);
+}
+
+}  // namespace
+
 void hear_edits(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play) {
     if (!play.sounding || !play.sounding->follows || play.halted) return;
     const Vibration* current = current_vibration(work);
     Vibration& before = play.sounding->as_played;
     if (current == nullptr || current->name != before.name) return;
-    if (current->source == before.source) return;
+    const bool is_edit = !(current->source == before.source);
+    note_edit(ui, play, is_edit);
+    if (!is_edit) return;
     before = *current;
     play_vibration(ui, timeline, play, before);
 }

@@ -90,6 +90,7 @@ struct PlayState {
     std::optional<Sounding> sounding;
     std::optional<std::size_t> hovered_in_map;  // in this frame
     std::string felt_on_hover;                  // until another one is pointed at
+    double edited_s = 0.0;                      // of the steady clock: the last edit that was sent
     bool hold_taken = false;                    // by what the mouse is pressed on, until it lets go
     double meter = 0.0;                         // of full scale; falls slowly
     bool clip_light = false;                    // until it is clicked
