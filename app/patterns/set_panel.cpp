@@ -136,6 +136,8 @@ void drag_row(Ui& ui, Workspace& work, std::size_t index, const Rect& row) {
 
 void draw_row_menu(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t index) {
     if (!ImGui::BeginPopupContextItem("row menu")) return;
+    const float gap = ui.theme.gap_px;  // rows of the list stand closer
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, 0.75F * gap));
     if (index != work.selection.current && !work.selection.others.contains(index)) {
         select_only(work, index);
     }
@@ -153,6 +155,7 @@ void draw_row_menu(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::si
     item("Copy", "Ctrl+C", [&] { copy_selected(ui, work); });
     draw_look_menu(ui, work, index);
     item("Delete", "Del", [&] { remove_selected(ui, work); });
+    ImGui::PopStyleVar();
     ImGui::EndPopup();
 }
 
@@ -267,8 +270,10 @@ void draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t 
         pattern_panes.list.clicked = {index, ImGui::GetIO().KeyShift, ImGui::GetIO().KeyCtrl};
     }
     if (ImGui::IsItemActive()) note_pressed(work, work.document.set.vibrations[index]);
-    draw_tooltip(ui,
-                 (std::string(kHoldHelp) + ". Drag to move it, double click to rename.").c_str());
+    // Over the picture alone: beside it, it would cover the names that are being looked through.
+    if (ImGui::GetIO().MousePos.x > corner.x + width - parts.strength_px - parts.thumbnail_px) {
+        draw_tooltip(ui, (std::string(kHoldHelp) + ". Drag a row to move it.").c_str());
+    }
     if (ImGui::IsItemHovered()) {
         work.selection.hovered = index;
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {

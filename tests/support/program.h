@@ -18,7 +18,8 @@
 
 namespace tact {
 
-// Short patterns: the laws of the interface hold for any, and DTW is quadratic.
+// Short patterns: the laws of the interface hold for any, and DTW is quadratic. They have the looks
+// that opening would give them.
 inline PatternSet short_patterns(std::size_t count) {
     PatternSet set;
     set.name = "test";
@@ -33,6 +34,7 @@ inline PatternSet short_patterns(std::size_t count) {
         vibration.source = pattern;
         set.vibrations.push_back(vibration);
     }
+    give_looks(set);
     return set;
 }
 

@@ -41,6 +41,15 @@ std::size_t kept_and_new(const std::map<std::string, Look>& before,
     return now.size() - kept;
 }
 
+PatternSet bare_patterns(std::size_t count) {
+    PatternSet set = short_patterns(count);
+    for (Vibration& vibration : set.vibrations) {
+        vibration.colour.clear();
+        vibration.ring = false;
+    }
+    return set;
+}
+
 void open_menu(Program& program, const std::string& row) {
     program.window.move(program.at("row name:" + row).middle());
     program.window.button(true, 1);
@@ -51,7 +60,7 @@ void open_menu(Program& program, const std::string& row) {
 }  // namespace
 
 TEST_CASE("looks: sixteen patterns all look different, and of more each look is as often used") {
-    PatternSet set = short_patterns(48);
+    PatternSet set = bare_patterns(48);
     give_looks(set);
     std::map<Look, int> used;
     for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
@@ -64,7 +73,7 @@ TEST_CASE("looks: sixteen patterns all look different, and of more each look is 
 }
 
 TEST_CASE("looks: a new pattern takes the least used one, whoever has one keeps it") {
-    PatternSet set = short_patterns(4);
+    PatternSet set = bare_patterns(4);
     set.vibrations[1].colour = "#56b4e9";  // the first of the palette
     set.vibrations[2].colour = "#123456";  // of nobody's palette
     give_looks(set);
@@ -109,7 +118,7 @@ TEST_CASE("looks: moving, New, Duplicate, paste, delete and undo leave every pat
 TEST_CASE("looks: a set without colours gets its own when it is opened, and is not changed by it") {
     const TemporaryFolder folder;
     const auto file = folder.path / "bare.tactspace.json";
-    REQUIRE(write_set_file(file, short_patterns(3)));
+    REQUIRE(write_set_file(file, bare_patterns(3)));
     Program program({});
     App& app = program.app;
     open_paths(app.ui, app.work, {file});
