@@ -151,6 +151,7 @@ SpaceScene scene_of(const Ui& ui, const Workspace& work, const ShownMap& shown_m
     const Dissimilarity& pm = shown_map.transition.shown->prediction.pm;
     scene.dissimilarity = [&pm](std::size_t i, std::size_t j) { return pm(i, j); };
     scene.quantity = "PM";
+    scene.point_hint = kHoldHelp;
     scene.stale = false;  // a drag would flicker; the title says what state the map is in
     return scene;
 }

@@ -54,8 +54,9 @@ struct MadeDrive {
     std::string remark;  // a sentence on what the actuator cannot do of it; empty: it can
 };
 
-// An output is rendered so far ahead in the window: an edit is to be heard within 50 ms. A study
-// and a measurement, which must have no gaps, take kBufferS.
+// An output is rendered so far ahead in the window: an edit is to be heard within 50 ms. Where that
+// leaves gaps it is doubled, up to kBufferS; a study and a measurement, which must have none, begin
+// with that.
 inline constexpr double kLiveBufferS = 0.02;
 
 inline constexpr double kFirstLevel = 0.1;  // of every start: nobody is startled
@@ -94,6 +95,7 @@ struct PlayState {
     bool hold_taken = false;                    // by what the mouse is pressed on, until it lets go
     double meter = 0.0;                         // of full scale; falls slowly
     bool clip_light = false;                    // until it is clicked
+    double live_buffer_s = kLiveBufferS;        // until the program ends
     bool held = false;                          // a study is under way: its device stays
     bool gapless = false;                       // nothing that sounds may have gaps
     bool focused = true;                        // the window, in the last frame

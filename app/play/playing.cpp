@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "app/document/editing.h"
@@ -98,8 +99,12 @@ void follow_device(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play)
 // The chosen device where it is there and not open yet, as it is chosen.
 void open_chosen(Ui& ui, PlayState& play) {
     DeviceChoice wanted = play.choice;
-    wanted.buffer_s = play.gapless ? kBufferS : kLiveBufferS;
+    wanted.buffer_s = play.gapless ? kBufferS : play.live_buffer_s;
     if (play.opened == wanted) return;
+    // Gaps are mended between two plays: opening it anew would be one more.
+    DeviceChoice longer = play.opened;
+    longer.buffer_s = wanted.buffer_s;
+    if (longer == wanted && !play.gapless && play.sounding) return;
     const std::optional<DeviceInfo> info = chosen_device(play);
     if (!info || !play.audio) return;
     auto device = open_device(play.audio, *info, wanted);
@@ -112,6 +117,20 @@ void open_chosen(Ui& ui, PlayState& play) {
     }
 }
 
+// A computer that does not keep up is given more time, and the person is told what that costs.
+void follow_gaps(Ui& ui, PlayState& play) {
+    const bool has_gaps = play.sounding && play.status.dropouts > 0 && !play.gapless;
+    if (!has_gaps || play.opened.buffer_s != play.live_buffer_s) return;
+    if (play.live_buffer_s >= kBufferS) return;
+    play.live_buffer_s = std::min(2.0 * play.live_buffer_s, kBufferS);
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "The sound had gaps: from its next start it is rendered %.0f ms ahead, and edits "
+                  "are heard that much later.",
+                  1e3 * play.live_buffer_s);
+    say(ui, text);
+}
+
 void follow_status(Ui& ui, Timeline& timeline, PlayState& play) {
     const double fall = std::pow(10.0, -kMeterFallDbPerS * ui.frame_s / 20.0);
     play.meter *= fall;
@@ -121,6 +140,7 @@ void follow_status(Ui& ui, Timeline& timeline, PlayState& play) {
     play.status = play.device->status();
     play.meter = std::max(play.meter, play.status.peak);
     play.clip_light |= play.status.clipped && is_sounding(play);
+    follow_gaps(ui, play);
     if (play.status.trouble.empty()) {
         play.told_trouble.clear();
     } else if (play.told_trouble != play.status.trouble) {

@@ -74,12 +74,15 @@ SpaceAction read_mouse(const char* id, const Theme& theme, const Rect& pane, Spa
     return action;
 }
 
-// While the mouse is over empty space: what it can do there. Returns what it covers.
+// What the mouse can do where it is. Returns what that covers.
 Rect draw_hint(const SpaceStage& stage, const SpaceAction& action) {
-    if (action.hovered || !ImGui::IsItemHovered() || ImGui::IsItemActive()) return {};
+    if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return {};
     const Theme& theme = stage.theme;
-    const char* text = stage.fit.flat ? "drag to move, wheel to zoom, double click to reset"
+    const std::string_view text = action.hovered ? stage.scene.point_hint
+                                  : stage.fit.flat
+                                      ? "drag to move, wheel to zoom, double click to reset"
                                       : "drag to turn, wheel to zoom, double click to reset";
+    if (text.empty()) return {};
     const ImVec2 size = text_size(theme.fonts.small, text);
     const float left = stage.pane.max.x - size.x - theme.gap_px;
     if (left < stage.pane.min.x + stage.pane.width() * 0.3F) return {};

@@ -46,6 +46,7 @@ struct SpaceScene {
     std::optional<std::size_t> pointed{};                             // pointed at elsewhere
     std::function<double(std::size_t, std::size_t)> dissimilarity{};  // may be empty
     std::string_view quantity{};                                      // what it is: "PM"
+    std::string_view point_hint{};  // what a press on a point does, said where the mouse is on one
     bool stale = false;
 };
 

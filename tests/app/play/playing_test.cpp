@@ -135,6 +135,31 @@ TEST_CASE("playing: a long pattern is rendered beside the window, and its edits 
     CHECK(program.app.play.sounding->is_prepared);
 }
 
+TEST_CASE("playing: an output that had gaps is rendered farther ahead, twice as far each time") {
+    FeltProgram program;
+    PlayState& play = program.app.play;
+    program.app.timeline.playhead.loop = true;
+    for (const double ahead_s : {0.02, 0.04, 0.08, 0.1, 0.1}) {
+        CHECK(play.live_buffer_s == doctest::Approx(ahead_s));
+        play.opened.buffer_s = play.live_buffer_s;  // as it would be opened
+        program.app.ui.status = {};
+        program.space();
+        program.device->drop_out();
+        program.frame();
+        program.frame();
+        CHECK(program.app.ui.status.text.starts_with("The sound had gaps") == (ahead_s < 0.1));
+        CHECK(program.device->playing());
+        program.space();
+    }
+    // A measurement is rendered far ahead anyway.
+    play.live_buffer_s = play.opened.buffer_s = 0.02;
+    program.app.ui.dialog = Dialog::calibrate;
+    program.frame();
+    play_test_buzz(program.app.ui, program.app.timeline, play);
+    program.frame();
+    CHECK(play.live_buffer_s == 0.02);
+}
+
 TEST_CASE("playing: A|B plays the pattern and its partner in turn, with a gap") {
     FeltProgram program;
     program.app.work.selection.pinned = "p3";
