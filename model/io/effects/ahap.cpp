@@ -1,0 +1,252 @@
+// Apple's haptic and audio patterns (AHAP).
+//
+// Source    Apple's "Representing haptic patterns in AHAP files": intensity controls multiply,
+//           sharpness controls add, both act on all events; what is missing takes its default, what
+//           is out of range is clamped, keys that mean nothing are ignored. Times of control points
+//           count from their curve's. Hz, g and the transient's length are the map's.
+//           Meta's and Lofelt's writers give points in the file's time instead: taken so where the
+//           first point of a curve that begins late is at the curve's own time.
+// Guessed   defaults of 1 for intensity and 0.5 for sharpness; a control is held behind its last
+//           point.
+// Refused   an entry of the pattern that is none of the three, as Meta's reader does; no event.
+// Left out  sounds; attack, decay and release.
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "model/io/effects/formats.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kLongestEventS = 30.0;
+
+struct AhapEvent {
+    double time_s = 0.0;
+    double duration_s = 0.0;  // 0: a transient
+    double intensity = 1.0;
+    double sharpness = 0.5;
+};
+
+struct Control {
+    double time_s = 0.0;
+    AmplitudeCurve points;  // in the file's time
+};
+
+struct AhapPattern {
+    std::vector<AhapEvent> events;
+    std::vector<Control> intensity;
+    std::vector<Control> sharpness;
+    std::vector<std::string> remarks;
+};
+
+double clamped_to(AhapPattern& pattern, double value, Range range, const std::string& what) {
+    if (!range.contains(value)) {
+        remark_once(pattern.remarks, what + " out of range is clamped, as Core Haptics does");
+    }
+    return std::clamp(value, range.low, range.high);
+}
+
+// A list of {"ParameterID": .., "ParameterValue": ..}.
+void read_parameters(JsonObject& event, AhapEvent& result, AhapPattern& pattern) {
+    Json unknown;
+    read_objects(event, "EventParameters", 0, 1000, unknown, [&](JsonObject& one, Json&) {
+        const std::string id = text_field(one, "ParameterID", "");
+        const double value = needed_number_of(one, "ParameterValue", kAnyNumber);
+        if (id == "HapticIntensity") {
+            result.intensity = clamped_to(pattern, value, kShare, "intensity");
+        } else if (id == "HapticSharpness") {
+            result.sharpness = clamped_to(pattern, value, kShare, "sharpness");
+        } else {
+            remark_once(pattern.remarks, in_quotes(id) + " of events is left out");
+        }
+    });
+}
+
+void read_event(JsonObject& event, AhapPattern& pattern) {
+    const std::string type = text_field(event, "EventType", "");
+    AhapEvent result;
+    result.time_s = number_field(event, "Time", 0.0, kEffectTimeS);
+    read_parameters(event, result, pattern);
+    if (type == "AudioContinuous" || type == "AudioCustom") {
+        return remark_once(pattern.remarks, "its sounds are left out");
+    }
+    if (type != "HapticContinuous" && type != "HapticTransient") {
+        return refuse_plainly(*event.reading, place_of(event, "EventType"),
+                              "expected HapticTransient, HapticContinuous, AudioContinuous or "
+                              "AudioCustom, got " +
+                                  in_quotes(type));
+    }
+    if (type == "HapticContinuous") {
+        const double length_s = number_field(event, "EventDuration", 0.0, kEffectTimeS);
+        if (!(length_s > 0.0)) {
+            return remark_once(pattern.remarks, "continuous events without a duration are silent");
+        }
+        if (length_s > kLongestEventS) {
+            remark_once(pattern.remarks,
+                        "a continuous event is longer than the 30 s that Core "
+                        "Haptics plays");
+        }
+        result.duration_s = length_s;
+    }
+    pattern.events.push_back(result);
+}
+
+// To the controls of that name; none where it is not one of ours.
+std::vector<Control>* controls_of(AhapPattern& pattern, const std::string& id) {
+    if (id == "HapticIntensityControl") return &pattern.intensity;
+    if (id == "HapticSharpnessControl") return &pattern.sharpness;
+    remark_once(pattern.remarks, in_quotes(id) + " is left out");
+    return nullptr;
+}
+
+Range range_of(const AhapPattern& pattern, const std::vector<Control>* controls) {
+    return controls == &pattern.intensity ? Range{0.0, 1.0} : Range{-1.0, 1.0};
+}
+
+void read_curve(JsonObject& curve, AhapPattern& pattern) {
+    Control control;
+    const std::string id = text_field(curve, "ParameterID", "");
+    control.time_s = number_field(curve, "Time", 0.0, kEffectTimeS);
+    std::vector<Control>* controls = controls_of(pattern, id);
+    Json unknown;
+    read_objects(curve, "ParameterCurveControlPoints", 0, kMostVoicePoints, unknown,
+                 [&](JsonObject& point, Json&) {
+                     const double time_s = number_field(point, "Time", 0.0, kEffectTimeS);
+                     const double value = needed_number_of(point, "ParameterValue", kAnyNumber);
+                     if (controls == nullptr) return;
+                     control.points.push_back(
+                         {time_s, clamped_to(pattern, value, range_of(pattern, controls), id)});
+                 });
+    if (controls == nullptr || control.points.empty()) return;
+    std::ranges::stable_sort(control.points, {}, &AmplitudePoint::time_s);
+    const bool absolute =
+        control.time_s > 0.0 && std::abs(control.points.front().time_s - control.time_s) < 1e-6;
+    if (absolute) {
+        remark_once(pattern.remarks,
+                    "times of control points are taken as the file's, not the curve's, as Meta's "
+                    "writer gives them");
+    } else {
+        for (AmplitudePoint& point : control.points) point.time_s += control.time_s;
+    }
+    controls->push_back(std::move(control));
+}
+
+void read_parameter(JsonObject& parameter, AhapPattern& pattern) {
+    const std::string id = text_field(parameter, "ParameterID", "");
+    const double time_s = number_field(parameter, "Time", 0.0, kEffectTimeS);
+    const double value = needed_number_of(parameter, "ParameterValue", kAnyNumber);
+    std::vector<Control>* controls = controls_of(pattern, id);
+    if (controls == nullptr) return;
+    const double share = clamped_to(pattern, value, range_of(pattern, controls), id);
+    controls->push_back({time_s, {{time_s, share}}});
+}
+
+void read_entry(JsonObject& entry, AhapPattern& pattern) {
+    const auto has = [&](const char* key) {
+        return entry.value != nullptr && entry.value->contains(key);
+    };
+    if (has("Event")) {
+        JsonObject event = object_field(entry, "Event");
+        read_event(event, pattern);
+    } else if (has("ParameterCurve")) {
+        JsonObject curve = object_field(entry, "ParameterCurve");
+        read_curve(curve, pattern);
+    } else if (has("Parameter")) {
+        JsonObject parameter = object_field(entry, "Parameter");
+        read_parameter(parameter, pattern);
+    } else {
+        const bool empty = entry.value == nullptr || entry.value->empty();
+        refuse_plainly(*entry.reading, entry.place,
+                       "expected \"Event\", \"ParameterCurve\" or \"Parameter\", got " +
+                           (empty ? "none" : in_quotes(entry.value->begin().key())));
+    }
+}
+
+// One after the other, each until the next begins, the last value held: one curve.
+AmplitudeCurve joined_controls(std::vector<Control> controls, double fallback) {
+    std::ranges::stable_sort(controls, {},
+                             [](const Control& control) { return control.points.front().time_s; });
+    AmplitudeCurve all;
+    double held = fallback;
+    for (std::size_t k = 0; k < controls.size(); ++k) {
+        const AmplitudeCurve& points = controls[k].points;
+        if (held != points.front().value) all.push_back({points.front().time_s, held});
+        const bool last = k + 1 == controls.size();
+        const double until_s = last ? points.back().time_s : controls[k + 1].points[0].time_s;
+        for (const AmplitudePoint& point : points) {
+            if (last || point.time_s < until_s) all.push_back(point);
+        }
+        held = points.back().value;
+        if (!last && points.back().time_s >= until_s) {
+            held = sides_at(points, until_s).before;
+            all.push_back({until_s, held});
+        }
+    }
+    if (all.empty()) all.push_back({0.0, fallback});
+    return all;
+}
+
+AmplitudeCurve with_base(AmplitudeCurve curve, const std::function<double(double)>& base) {
+    for (AmplitudePoint& point : curve) point.value = base(point.value);
+    return curve;
+}
+
+Voice voice_of(const AhapEvent& event, const AmplitudeCurve& intensity,
+               const AmplitudeCurve& sharpness, const ActuatorMap& map) {
+    Voice voice;
+    voice.start_s = event.time_s;
+    voice.end_s = event.time_s + event.duration_s;
+    voice.amplitude = acceleration_curve(
+        map, with_base(intensity, [&](double control) { return control * event.intensity; }));
+    voice.frequency = frequency_curve(
+        map, with_base(sharpness, [&](double control) { return control + event.sharpness; }));
+    return voice;
+}
+
+Expected<Sketch> sketch_of(const AhapPattern& pattern, const EffectFile& file) {
+    const AmplitudeCurve intensity = joined_controls(pattern.intensity, 1.0);
+    const AmplitudeCurve sharpness = joined_controls(pattern.sharpness, 0.0);
+    // Each continuous event has the controls once more.
+    if (pattern.events.size() * (intensity.size() + sharpness.size()) > 100 * kMostVoicePoints) {
+        return Error{file.path + ": expected fewer events under fewer control points"};
+    }
+    Sketch sketch;
+    sketch.unit_g = continuous_g(file.map, 1.0);
+    for (const AhapEvent& event : pattern.events) {
+        if (event.duration_s > 0.0) {
+            const Voice whole = voice_of(event, intensity, sharpness, file.map);
+            sketch.voices.push_back(cut_out(whole));
+        } else {
+            const double level = event.intensity * sides_at(intensity, event.time_s).behind;
+            const double sharp = event.sharpness + sides_at(sharpness, event.time_s).behind;
+            add_bursts(sketch.transients, transients_on(file.map, event.time_s, level, sharp));
+        }
+    }
+    return sketch;
+}
+
+}  // namespace
+
+Expected<Effects> read_ahap(const Json& document, const EffectFile& file) {
+    JsonReading reading{file.path, {}};
+    JsonObject object = object_at(reading, document, "");
+    AhapPattern pattern;
+    Json unknown;
+    read_objects(object, "Pattern", 1, kMostVoicePoints, unknown,
+                 [&](JsonObject& entry, Json&) { read_entry(entry, pattern); });
+    if (!reading.fault.empty()) return Error{reading.fault};
+    if (pattern.events.empty()) {
+        return Error{file.path + ": /Pattern: expected at least one haptic event, got none"};
+    }
+    const auto sketch = sketch_of(pattern, file);
+    if (!sketch) return sketch.error();
+    auto effect = finished(file, file.stem, *sketch, std::move(pattern.remarks));
+    if (!effect) return effect.error();
+    return Effects{*std::move(effect)};
+}
+
+}  // namespace tact

@@ -1,0 +1,170 @@
+#include "model/io/effects/read_effects.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "model/io/effects/formats.h"
+#include "model/io/effects/relaxed_json.h"
+#include "model/text/enough_memory.h"
+#include "model/text/numbers.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+constexpr std::array<EffectFormatTraits, 9> kFormats{{{"no effects", "core-haptics"},
+                                                      {"AHAP", "core-haptics"},
+                                                      {".haptic of Meta", "quest"},
+                                                      {"HJIF of MPEG", "mpeg"},
+                                                      {".haps of Interhaptics", "interhaptics"},
+                                                      {".he of RichTap or OpenHarmony", "richtap"},
+                                                      {"a preset of Pulsar", "core-haptics"},
+                                                      {"Android", "android"},
+                                                      {".hla of Hapticlabs", "android"}}};
+
+char first_sign(std::string_view text) {
+    const std::string_view rest = trimmed(without_bom(text));
+    return rest.empty() ? '\0' : rest.front();
+}
+
+// Of the first entry of "Pattern" that has one: what AHAP and the first version of .he differ by.
+bool has_event_with(const Json& document, const char* key) {
+    const Json& entries = document["Pattern"];
+    if (!entries.is_array()) return false;
+    return std::ranges::any_of(entries, [key](const Json& entry) {
+        if (!entry.is_object()) return false;
+        const auto event = entry.find("Event");
+        return event != entry.end() && event->is_object() && event->contains(key);
+    });
+}
+
+EffectFormat format_of(const Json& document) {
+    if (!document.is_object()) return EffectFormat::none;
+    const auto has = [&](const char* key) { return document.contains(key); };
+    if (has("signals")) return EffectFormat::haptic;
+    if (has("m_vibration") || has("m_version")) return EffectFormat::haps;
+    if (has("perceptions")) return EffectFormat::hjif;
+    if (has("continuousPattern") || has("discretePattern")) return EffectFormat::pulsar;
+    if (has("PatternList") || (has("Channels") && (has("MetaData") || has("Metadata")))) {
+        return EffectFormat::he;
+    }
+    if (has("Pattern")) {
+        return has_event_with(document, "Type") ? EffectFormat::he : EffectFormat::ahap;
+    }
+    if (has("Timings")) return EffectFormat::hla;
+    return has("timings") ? EffectFormat::android : EffectFormat::none;
+}
+
+Expected<Effects> read_format(EffectFormat format, const Json& document, const EffectFile& file) {
+    switch (format) {
+        case EffectFormat::ahap:
+            return read_ahap(document, file);
+        case EffectFormat::haptic:
+            return read_haptic(document, file);
+        case EffectFormat::hjif:
+            return read_hjif(document, file);
+        case EffectFormat::haps:
+            return read_haps(document, file);
+        case EffectFormat::he:
+            return read_he(document, file);
+        case EffectFormat::pulsar:
+            return read_pulsar(document, file);
+        case EffectFormat::android:
+        case EffectFormat::hla:
+            return read_timings(document, file);
+        case EffectFormat::none:
+            break;
+    }
+    return Effects{};
+}
+
+struct Document {
+    Json json;
+    bool relaxed = false;
+};
+
+// As written, or with the commas that JSON does not allow taken out.
+Expected<Document> document_of(std::string_view text, const std::string& path) {
+    auto strict = parse_json(text, path);
+    if (strict) return Document{*std::move(strict), false};
+    auto relaxed = parse_json(strict_json(without_bom(text)), path);
+    if (!relaxed) return strict.error();
+    return Document{*std::move(relaxed), true};
+}
+
+EffectFile file_of(const std::string& path, EffectFormat format,
+                   const std::optional<ActuatorMap>& map) {
+    const std::string stem = valid_utf8(std::filesystem::path(path).stem().string());
+    return {path, stem, map ? *map : bundled_actuator(traits(format).map)};
+}
+
+bool is_vibration_xml(std::string_view text) {
+    return text.find("<vibration-effect") != text.npos ||
+           text.find("<vibration-select") != text.npos;
+}
+
+Expected<EffectsRead> read_any(std::string_view text, const std::string& path,
+                               const std::optional<ActuatorMap>& map) {
+    EffectsRead result;
+    if (first_sign(text) == '<') {
+        if (!is_vibration_xml(text)) return result;
+        const EffectFile file = file_of(path, EffectFormat::android, map);
+        auto effects = read_android_xml(without_bom(text), file);
+        if (!effects) return effects.error();
+        return EffectsRead{EffectFormat::android, file.map, *std::move(effects)};
+    }
+    const auto document = document_of(text, path);
+    if (!document) return document.error();
+    const EffectFormat format = format_of(document->json);
+    if (format == EffectFormat::none) return result;
+    const EffectFile file = file_of(path, format, map);
+    auto effects = read_format(format, document->json, file);
+    if (!effects) return effects.error();
+    for (Effect& effect : *effects) {
+        if (!document->relaxed) continue;
+        effect.remarks.push_back("commas and quotes that JSON does not allow are tolerated");
+    }
+    return EffectsRead{format, file.map, *std::move(effects)};
+}
+
+}  // namespace
+
+const EffectFormatTraits& traits(EffectFormat format) {
+    return kFormats[static_cast<std::size_t>(format)];
+}
+
+bool is_effect_name(std::string_view path) {
+    constexpr std::array<std::string_view, 6> kEndings{".ahap", ".haptic", ".hjif",
+                                                       ".haps", ".he",     ".hla"};
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return std::ranges::find(kEndings, ending) != kEndings.end();
+}
+
+bool may_be_effects(std::string_view text) {
+    const char first = first_sign(text);
+    return first == '{' || first == '<';
+}
+
+Expected<EffectsRead> read_effects(std::string_view text, const std::string& path,
+                                   const std::optional<ActuatorMap>& map) {
+    if (text.size() > kMostEffectBytes) {
+        return Error{path + ": expected an effect of at most " + grouped_digits(kMostEffectBytes) +
+                     " bytes"};
+    }
+    return with_enough_memory(path, [&] { return read_any(text, path, map); });
+}
+
+std::string origin_of(const EffectsRead& read, const Effect& effect, const std::string& file_name) {
+    std::string text = "From " + file_name + " (" + traits(read.format).name + "). Actuator map " +
+                       read.map.name + ": " + read.map.source;
+    for (const std::string& remark : effect.remarks) text += " " + remark + ".";
+    return text;
+}
+
+}  // namespace tact

@@ -1,0 +1,47 @@
+// Files of other programs' effects, whichever of the formats it is: by content, not by name.
+//
+// AHAP, Meta .haptic, MPEG HJIF, Interhaptics .haps, RichTap and OpenHarmony .he, Pulsar presets,
+// Android's XML and its timings and amplitudes as JSON, Hapticlabs .hla.
+//
+// Output    patterns with curves and transients, not samples; several effects of a file are several
+// Valid     files of at most kMostEffectBytes; errors as "FILE: PLACE: expected .."
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "model/io/effects/effect.h"
+
+namespace tact {
+
+inline constexpr std::size_t kMostEffectBytes = std::size_t{1} << 26;
+
+enum class EffectFormat { none, ahap, haptic, hjif, haps, he, pulsar, android, hla };
+
+struct EffectFormatTraits {
+    const char* name;  // ".haptic of Meta"
+    const char* map;   // of actuator_map.h, where nobody chooses another
+};
+const EffectFormatTraits& traits(EffectFormat format);
+
+// Whether a file of this name can be nothing else: .ahap, .haptic, .hjif, .haps, .he, .hla.
+bool is_effect_name(std::string_view path);
+
+// Whether a text may be one of them: an object of JSON, or XML.
+bool may_be_effects(std::string_view text);
+
+struct EffectsRead {
+    EffectFormat format = EffectFormat::none;  // none: some other JSON or XML, and no effects
+    ActuatorMap map;
+    Effects effects;
+};
+
+// `path` for messages; its stem names the effects. Without a map each format has its own.
+Expected<EffectsRead> read_effects(std::string_view text, const std::string& path,
+                                   const std::optional<ActuatorMap>& map = {});
+
+// "From buzz.ahap (AHAP). Actuator map core-haptics: Hz, gains ..": for the note of a pattern.
+std::string origin_of(const EffectsRead& read, const Effect& effect, const std::string& file_name);
+
+}  // namespace tact

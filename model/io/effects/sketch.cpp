@@ -1,0 +1,255 @@
+#include "model/io/effects/sketch.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "model/io/effects/voices.h"
+#include "model/pattern/drawn_fault.h"
+#include "model/signal/thinning.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+double height(const AmplitudePoint& point) { return point.value; }
+double height(const FrequencyPoint& point) { return point.frequency_hz; }
+
+template <class Point>
+Sides sides(const std::vector<Point>& curve, double t_s) {
+    assert(!curve.empty() && "a curve has points");
+    const auto behind = std::ranges::upper_bound(curve, t_s, {}, &Point::time_s);
+    const auto from = std::ranges::lower_bound(curve, t_s, {}, &Point::time_s);
+    if (from != behind) return {height(*from), height(*(behind - 1))};
+    if (from == curve.begin()) return {height(*from), height(*from)};
+    if (from == curve.end()) return {height(curve.back()), height(curve.back())};
+    const Point& left = *(from - 1);
+    const double share = (t_s - left.time_s) / (from->time_s - left.time_s);
+    const double value = height(left) + (height(*from) - height(left)) * share;
+    return {value, value};
+}
+
+template <class Point>
+std::vector<Point> part_between(const std::vector<Point>& curve, double start_s, double end_s) {
+    std::vector<Point> part{{start_s, sides(curve, start_s).behind}};
+    for (const Point& point : curve) {
+        if (point.time_s > start_s && point.time_s < end_s) part.push_back(point);
+    }
+    part.push_back({end_s, sides(curve, end_s).before});
+    return part;
+}
+
+// What ends where the next begins, but for rounding, ends there.
+void close_gaps(std::vector<Voice>& voices) {
+    constexpr double kRoundingS = 1e-7;
+    for (std::size_t k = 1; k < voices.size(); ++k) {
+        Voice& last = voices[k - 1];
+        const double start_s = voices[k].start_s;
+        if (start_s > last.start_s && std::abs(last.end_s - start_s) < kRoundingS) {
+            last.end_s = start_s;
+        }
+    }
+}
+
+double peak_of(const AmplitudeCurve& curve) {
+    double peak = 0.0;
+    for (const AmplitudePoint& point : curve) peak = std::max(peak, point.value);
+    return peak;
+}
+
+// Whether one voice is the other, louder and higher.
+bool is_carrier_beside(const Voice& first, const Voice& other, const std::vector<double>& times) {
+    if (first.start_s != other.start_s || first.end_s != other.end_s) return false;
+    const double peak = peak_of(first.amplitude);
+    const double other_peak = peak_of(other.amplitude);
+    if (!(peak > 0.0) || !(other_peak > 0.0)) return false;
+    const double hz = first.frequency.front().frequency_hz;
+    const double other_hz = other.frequency.front().frequency_hz;
+    return std::ranges::all_of(times, [&](double t_s) {
+        const auto fit = [](double a, double b) { return std::abs(a - b) <= 1e-6; };
+        const Sides a = sides(first.amplitude, t_s);
+        const Sides b = sides(other.amplitude, t_s);
+        const Sides f = sides(first.frequency, t_s);
+        const Sides g = sides(other.frequency, t_s);
+        return fit(a.before / peak, b.before / other_peak) &&
+               fit(a.behind / peak, b.behind / other_peak) &&
+               fit(f.before / hz, g.before / other_hz) && fit(f.behind / hz, g.behind / other_hz);
+    });
+}
+
+bool are_carriers(const std::vector<Voice>& voices) {
+    if (voices.size() < 2 || voices.size() > limits::kMaxCarriers) return false;
+    const std::vector<double> times = times_of(voices, true, true);
+    return std::ranges::all_of(voices, [&](const Voice& voice) {
+        return is_carrier_beside(voices.front(), voice, times);
+    });
+}
+
+double in_range_hz(double hz) {
+    return std::clamp(hz, limits::kCarrierHz.low, limits::kCarrierHz.high);
+}
+
+void set_frequency(Pattern& pattern, FrequencyCurve curve, std::vector<std::string>& remarks) {
+    bool moved = false;
+    for (FrequencyPoint& point : curve) {
+        const double hz = in_range_hz(point.frequency_hz);
+        moved = moved || hz != point.frequency_hz;
+        point.frequency_hz = hz;
+    }
+    if (moved) remarks.push_back("frequencies are moved into 0.1 to 1,000 Hz");
+    pattern.carriers.front().frequency_hz = curve.front().frequency_hz;
+    const bool constant = std::ranges::all_of(curve, [&](const FrequencyPoint& point) {
+        return is_same(point.frequency_hz, curve.front().frequency_hz);
+    });
+    if (!constant) pattern.frequency_curve = std::move(curve);
+}
+
+void set_amplitude(Pattern& pattern, AmplitudeCurve curve, double unit_g,
+                   std::vector<std::string>& remarks) {
+    const double peak = peak_of(curve);
+    const double full_g = peak <= unit_g || is_same(peak, unit_g) ? unit_g : peak;
+    if (full_g > limits::kAmplitudeG.high) {
+        remarks.push_back("amplitudes above 50 g are scaled down to it");
+    }
+    pattern.amplitude_g = std::min(full_g, limits::kAmplitudeG.high);
+    for (AmplitudePoint& point : curve) {
+        point.value = full_g > 0.0 ? std::clamp(point.value / full_g, 0.0, 1.0) : 0.0;
+    }
+    pattern.amplitude_curve = std::move(curve);
+}
+
+template <class Point>
+void thin(std::vector<Point>& curve, const std::string& what, double unit,
+          const std::string& unit_text, std::vector<std::string>& remarks) {
+    if (curve.size() <= limits::kMaxCurvePoints) return;
+    std::vector<double> times;
+    std::vector<double> heights;
+    for (const Point& point : curve) {
+        times.push_back(point.time_s);
+        heights.push_back(height(point));
+    }
+    const Thinning line = thinned(times, heights, limits::kMaxCurvePoints, 0.0);
+    std::vector<Point> kept;
+    for (const std::size_t k : line.kept) kept.push_back(curve[k]);
+    remarks.push_back(grouped_digits(curve.size()) + " points of " + what + " are thinned to " +
+                      grouped_digits(kept.size()) + ", at most " +
+                      significant_digits(line.largest_error * unit, 2) + unit_text + " off");
+    curve = std::move(kept);
+}
+
+void set_transients(Pattern& pattern, std::vector<Transient> all,
+                    std::vector<std::string>& remarks) {
+    std::erase_if(all, [](const Transient& one) { return !(one.amplitude_g > 0.0); });
+    if (all.size() > limits::kMaxTransients) {
+        remarks.push_back("of " + grouped_digits(all.size()) + " transients the strongest " +
+                          grouped_digits(limits::kMaxTransients) + " are kept");
+        std::ranges::stable_sort(all, std::ranges::greater{}, &Transient::amplitude_g);
+        all.resize(limits::kMaxTransients);
+    }
+    std::ranges::stable_sort(all, {}, &Transient::time_s);
+    bool moved = false;
+    for (Transient& one : all) {
+        const Transient asked = one;
+        one.frequency_hz = in_range_hz(one.frequency_hz);
+        one.duration_s =
+            std::clamp(one.duration_s, limits::kTransientS.low, limits::kTransientS.high);
+        one.amplitude_g = std::min(one.amplitude_g, limits::kAmplitudeG.high);
+        moved = moved || one != asked;
+    }
+    if (moved) remarks.push_back("transients are moved into 0.1 to 1,000 Hz, 1 ms to 1 s and 50 g");
+    pattern.transients = std::move(all);
+}
+
+double end_of(const Sketch& sketch) {
+    double end_s = std::max(sketch.duration_s, limits::kDurationS.low);
+    for (const Voice& voice : sketch.voices) end_s = std::max(end_s, voice.end_s);
+    for (const Transient& one : sketch.transients) {
+        const bool within = sketch.duration_s > 0.0 && one.time_s <= sketch.duration_s;
+        if (!within) end_s = std::max(end_s, one.time_s + one.duration_s);
+    }
+    return end_s;
+}
+
+Expected<Done> draw_voices(Pattern& pattern, std::vector<Voice> voices, double unit_g,
+                           std::vector<std::string>& remarks) {
+    std::ranges::stable_sort(voices, {}, &Voice::start_s);
+    close_gaps(voices);
+    const bool carriers = are_carriers(voices);
+    if (carriers) {
+        const auto strongest = std::ranges::max_element(
+            voices, {}, [](const Voice& voice) { return peak_of(voice.amplitude); });
+        const double peak = peak_of(strongest->amplitude);
+        pattern.carriers.clear();
+        for (const Voice& voice : voices) {
+            pattern.carriers.push_back({in_range_hz(voice.frequency.front().frequency_hz),
+                                        peak_of(voice.amplitude) / peak, voice.phase_rad});
+        }
+        Voice envelope = voices.front();
+        envelope.amplitude = strongest->amplitude;
+        voices = {envelope};
+    }
+    const auto lines = merged(voices, pattern.duration_s);
+    if (!lines) return lines.error();
+    if (lines->overlap) {
+        remarks.push_back(
+            "vibrations at one time are merged: the root of the sum of their squares, at the "
+            "frequency of the strongest");
+    }
+    set_amplitude(pattern, lines->amplitude, unit_g, remarks);
+    set_frequency(pattern, lines->frequency, remarks);
+    if (voices.size() == 1 && !carriers) {
+        pattern.carriers.front().phase_rad = voices.front().phase_rad;
+    }
+    return Done{};
+}
+
+Expected<Done> check_size(const Sketch& sketch) {
+    std::size_t points = sketch.transients.size();
+    for (const Voice& voice : sketch.voices) {
+        points += voice.amplitude.size() + voice.frequency.size();
+    }
+    if (sketch.voices.size() > kMostVoices || points > kMostVoicePoints) {
+        return Error{"expected at most " + grouped_digits(kMostVoices) + " vibrations and " +
+                     grouped_digits(kMostVoicePoints) + " points in an effect, got more"};
+    }
+    return Done{};
+}
+
+}  // namespace
+
+Sides sides_at(const AmplitudeCurve& curve, double t_s) { return sides(curve, t_s); }
+Sides sides_at(const FrequencyCurve& curve, double t_s) { return sides(curve, t_s); }
+
+Voice cut_out(Voice voice) {
+    voice.amplitude = part_between(voice.amplitude, voice.start_s, voice.end_s);
+    voice.frequency = part_between(voice.frequency, voice.start_s, voice.end_s);
+    return voice;
+}
+
+Expected<Pattern> pattern_of(const Sketch& sketch, std::vector<std::string>& remarks) {
+    if (const auto size = check_size(sketch); !size) return size.error();
+    Pattern pattern;
+    pattern.duration_s = end_of(sketch);
+    pattern.amplitude_g = sketch.unit_g;
+    pattern.amplitude_curve = {{0.0, 0.0}, {pattern.duration_s, 0.0}};
+    std::vector<Voice> voices = sketch.voices;
+    std::erase_if(voices, [](const Voice& voice) { return !(voice.start_s < voice.end_s); });
+    if (!voices.empty()) {
+        const auto drawn = draw_voices(pattern, std::move(voices), sketch.unit_g, remarks);
+        if (!drawn) return drawn.error();
+    }
+    set_transients(pattern, sketch.transients, remarks);
+    if (pattern.duration_s > limits::kDurationS.high) {
+        remarks.push_back("cut at " + shortest_digits(limits::kDurationS.high) + " s of " +
+                          significant_digits(pattern.duration_s, 4) +
+                          " s, as long as a pattern can be");
+        pattern = with_duration(std::move(pattern), limits::kDurationS.high);
+    }
+    thin(pattern.amplitude_curve, "amplitude", 100.0, " % of full scale", remarks);
+    thin(pattern.frequency_curve, "frequency", 1.0, " Hz", remarks);
+    if (const auto fault = drawn_fault(pattern)) return Error{sentence(*fault)};
+    return pattern;
+}
+
+}  // namespace tact
