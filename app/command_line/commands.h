@@ -19,7 +19,8 @@ namespace tact {
 
 struct CommonOptions {
     std::vector<std::filesystem::path> sets;  // merged in order
-    int threads = 0;                          // 0: all cores
+    std::string actuator{};  // effects by this map (model/io/effects); empty: by their formats' own
+    int threads = 0;         // 0: all cores
     bool json = false;
     std::string
         rendered_by{};  // a key of devices/rumble/actuator_kind.h: patterns as it plays them

@@ -4,6 +4,7 @@
 
 #include "devices/calibration/rendering.h"
 #include "model/evaluation/metric.h"
+#include "model/io/effects/actuator_map.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -33,6 +34,9 @@ void add_threads(CLI::App& command, int& threads) {
 
 void add_common(CLI::App& command, CommonOptions& options) {
     command.add_option("SET", options.sets, kSetHelp)->required();
+    command.add_option("--actuator", options.actuator,
+                       "how effect files meet g and Hz: a file (.acf or .json) or one of " +
+                           actuator_names() + "; else their format's own");
     add_threads(command, options.threads);
     command.add_flag("--json", options.json, "JSON instead of CSV on standard output");
     command.add_option("--model", options.model,

@@ -9,10 +9,12 @@
 #include <iostream>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <streambuf>
 
 #include "app/rendering/rendered_set.h"
 #include "devices/calibration/calibration_file.h"
+#include "model/io/effects/actuator_map.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/load.h"
 #include "model/io/set/model_file.h"
@@ -75,7 +77,13 @@ std::string time_text(double seconds) {
 
 // The side of the sets that is asked for, and what is to be said of it.
 Expected<PatternSet> loaded_side(const CommonOptions& options, Labels& labels) {
-    Expected<Loaded> loaded = load_sets(options.sets);
+    std::optional<ActuatorMap> actuator;
+    if (!options.actuator.empty()) {
+        const Expected<ActuatorMap> named = actuator_named(options.actuator);
+        if (!named) return named.error();
+        actuator = *named;
+    }
+    Expected<Loaded> loaded = load_sets(options.sets, actuator);
     if (!loaded) return loaded.error();
     for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
     if (!options.model.empty()) {

@@ -286,6 +286,12 @@ void copy_selected(Ui& ui, Workspace& work) {
                 : "Copied " + std::to_string(work.clipboard.size()) + " patterns");
 }
 
+void add_vibrations(Ui& ui, Workspace& work, std::vector<Vibration> fresh,
+                    const std::string& label) {
+    insert_after_current(work, std::move(fresh));
+    commit_step(ui, work, label);
+}
+
 void paste(Ui& ui, Workspace& work) {
     if (work.clipboard.empty()) {
         say(ui, "Nothing to paste: copy a pattern first");

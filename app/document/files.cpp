@@ -55,6 +55,18 @@ std::filesystem::path folder_of(const Document& document) {
     return document.path.empty() ? std::filesystem::path() : document.path.parent_path();
 }
 
+void ask_for_vibrations(Ui& ui, const Workspace& work, ChooserPurpose purpose,
+                        const std::string& title) {
+    ask_for_file(ui,
+                 {.purpose = purpose,
+                  .use = ChooserUse::open,
+                  .title = title,
+                  .extensions = {".json", ".wav", ".txt", ".ahap", ".haptic", ".hjif", ".haps",
+                                 ".he", ".hla", ".xml"},
+                  .folders_too = true},
+                 folder_of(work.document));
+}
+
 std::string patterns_text(std::size_t count) {
     return count == 1 ? "1 pattern" : std::to_string(count) + " patterns";
 }
@@ -125,6 +137,22 @@ void open_paths(Ui& ui, Workspace& work, const std::vector<std::filesystem::path
     for (const auto& path : paths) remember_file(work.session, std::filesystem::absolute(path));
 }
 
+void add_paths(Ui& ui, Workspace& work, const std::vector<std::filesystem::path>& paths) {
+    Expected<Loaded> loaded = load_sets(paths);
+    if (!loaded) return complain(ui, loaded.error().message);
+    const PatternSet& set = work.document.set;
+    const std::size_t count = loaded->set.vibrations.size();
+    if (set.vibrations.size() + count > limits::kMaxPatterns) {
+        return complain(ui, "Nothing was added: a set has at most 10,000 patterns.");
+    }
+    const std::string fault = samples_fault(recorded_samples(set) + recorded_samples(loaded->set));
+    if (!fault.empty()) return complain(ui, "Nothing was added: " + fault);
+    std::string text = "Added " + patterns_text(count);
+    text += loaded->remarks.empty() ? "." : ": " + joined(loaded->remarks) + ".";
+    add_vibrations(ui, work, std::move(loaded->set.vibrations), "Add " + patterns_text(count));
+    say(ui, text);
+}
+
 namespace {
 
 // The document into the file, whatever is in it.
@@ -172,19 +200,21 @@ void save_as(Ui& ui, Workspace& work, const std::filesystem::path& path) {
 }
 
 void save(Ui& ui, Workspace& work) {
-    // Recordings in a folder become a set only under a name of its own.
-    if (!is_set_file(work.document.path)) return save_dialog(ui, work);
+    // Recordings in a folder, and effects of other programs, become a set only under a name of
+    // their own.
+    const bool is_set = is_set_file(work.document.path) && !holds_effects(work.document.path);
+    if (!is_set) return save_dialog(ui, work);
     save_as(ui, work, work.document.path);
 }
 
 void open_dialog(Ui& ui, const Workspace& work) {
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::open_document,
-                  .use = ChooserUse::open,
-                  .title = "Open a set, a folder of recordings, or a recording",
-                  .extensions = {".json", ".wav", ".txt"},
-                  .folders_too = true},
-                 folder_of(work.document));
+    ask_for_vibrations(ui, work, ChooserPurpose::open_document,
+                       "Open a set, a recording, an effect file, or a folder of them");
+}
+
+void add_dialog(Ui& ui, const Workspace& work) {
+    ask_for_vibrations(ui, work, ChooserPurpose::add_to_set,
+                       "Add a set, a recording, an effect file, or a folder of them");
 }
 
 void save_dialog(Ui& ui, const Workspace& work) {

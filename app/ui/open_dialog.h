@@ -20,6 +20,7 @@ enum class Dialog {
 // What a chosen path is for.
 enum class ChooserPurpose {
     open_document,
+    add_to_set,
     save_document,
     load_tables,
     load_ratings,

@@ -161,7 +161,8 @@ constexpr Shortcut special(int code) { return {0, code, false, false}; }
 
 const auto kCommands = std::to_array<Command>({
     {"File", "New set", {}, always, [](App& app) { new_document(app.ui, app.work); }},
-    {"File", "Open...", ctrl('o'), always, [](App& app) { open_dialog(app.ui, app.work); }, nullptr, "load import folder wav txt"},
+    {"File", "Open...", ctrl('o'), always, [](App& app) { open_dialog(app.ui, app.work); }, nullptr, "load import folder wav txt ahap haptic hjif haps he hla"},
+    {"File", "Add to set...", {}, always, [](App& app) { add_dialog(app.ui, app.work); }, nullptr, "import append effects ahap haptic folder"},
     {"File", "Open the example set", {}, always, [](App& app) { open_example(app.ui, app.work); }, nullptr, "twelve patterns PM 2023"},
     {"File", "Save", ctrl('s'), always, [](App& app) { save(app.ui, app.work); }},
     {"File", "Save as...", ctrl('s', true), always, [](App& app) { save_dialog(app.ui, app.work); }},

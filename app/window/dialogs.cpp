@@ -102,6 +102,8 @@ void draw_chooser(App& app) {
     switch (app.ui.chooser_purpose) {
         case ChooserPurpose::open_document:
             return open_paths(app.ui, app.work, {*chosen});
+        case ChooserPurpose::add_to_set:
+            return add_paths(app.ui, app.work, {*chosen});
         case ChooserPurpose::save_document:
             return save_as(app.ui, app.work, *chosen);
         case ChooserPurpose::load_tables:

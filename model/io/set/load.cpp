@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "model/io/effects/read_effects.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/set_file.h"
 #include "model/io/set/waveform_folder.h"
@@ -28,15 +29,57 @@ Expected<Loaded> load_recording(const fs::path& path) {
     return loaded;
 }
 
-Expected<Loaded> load_by_kind(const fs::path& path) {
+Expected<Loaded> load_effects(const fs::path& path, const std::optional<ActuatorMap>& actuator) {
+    std::vector<FileRemark> remarks;
+    auto effects = effects_from(path, actuator, remarks);
+    if (!effects) return effects.error();
+    Loaded loaded;
+    loaded.set.name = valid_utf8(path.stem().string());
+    loaded.set.vibrations = *std::move(effects);
+    loaded.effects = true;
+    loaded.remarks = joined(remarks);
+    return loaded;
+}
+
+using FileOfName = std::unordered_map<std::string, std::string>;
+
+// buzz, buzz.haptic, buzz.haptic 2 ..: the first that is free.
+std::string unused_beside(const FileOfName& file_of, std::string name, const fs::path& path) {
+    if (!file_of.contains(name)) return name;
+    name += valid_utf8(path.extension().string());
+    std::string numbered = name;
+    for (int k = 2; file_of.contains(numbered); ++k) numbered = name + " " + std::to_string(k);
+    return numbered;
+}
+
+// A set of ours says so in its first keys, or has its patterns there: it may be large, and is not
+// read twice.
+bool looks_like_set(std::string_view text) {
+    constexpr std::size_t kHead = 4096;
+    const std::string_view head = text.substr(0, kHead);
+    return head.find("\"tactspace\"") != head.npos || head.find("\"patterns\"") != head.npos;
+}
+
+bool may_be_effect_file(const fs::path& path) {
+    const auto text = read_text_file(path, kMostEffectBytes);
+    if (!text || !may_be_effects(*text)) return false;
+    return is_effect_name(path.string()) || !looks_like_set(*text);
+}
+
+Expected<Loaded> load_by_kind(const fs::path& path, const std::optional<ActuatorMap>& actuator) {
     std::error_code none;
-    if (fs::is_directory(path, none)) return read_waveform_folder(path);
+    if (fs::is_directory(path, none)) return read_waveform_folder(path, actuator);
     if (const auto size = readable_size(path); !size) return size.error();
     if (is_recording(path)) return load_recording(path);
-    if (extension_of(path) == ".json") return read_set_file(path);
+    const bool json = extension_of(path) == ".json";
+    if (is_effect_name(path.string()) || may_be_effect_file(path)) {
+        auto effects = load_effects(path, actuator);
+        if (!effects || !effects->set.vibrations.empty()) return effects;
+    }
+    if (json) return read_set_file(path);
     return Error{path.string() +
-                 ": expected a set (.tactspace.json), a folder of .txt or .wav files, or one such "
-                 "file"};
+                 ": expected a set (.tactspace.json), a folder of .txt, .wav or effect files, or "
+                 "one such file"};
 }
 
 template <class Value>
@@ -47,22 +90,32 @@ void append(std::vector<Value>& all, std::vector<Value>&& more) {
 
 }  // namespace
 
-Expected<Loaded> load_set(const fs::path& path) {
-    return with_enough_memory(path.string(), [&path] { return load_by_kind(path); });
+Expected<Loaded> load_set(const fs::path& path, const std::optional<ActuatorMap>& actuator) {
+    return with_enough_memory(path.string(), [&] { return load_by_kind(path, actuator); });
 }
 
-Expected<Loaded> load_sets(std::span<const fs::path> paths) {
+bool holds_effects(const fs::path& path) {
+    if (is_effect_name(path.string())) return true;
+    const auto text = read_text_file(path, kMostEffectBytes);
+    if (!text || !may_be_effects(*text) || looks_like_set(*text)) return false;
+    const auto read = read_effects(*text, path.string());
+    return read && read->format != EffectFormat::none;
+}
+
+Expected<Loaded> load_sets(std::span<const fs::path> paths,
+                           const std::optional<ActuatorMap>& actuator) {
     if (paths.empty()) return Error{"expected at least one set, got none"};
-    auto all = load_set(paths.front());
+    auto all = load_set(paths.front(), actuator);
     if (!all) return all;
-    std::unordered_map<std::string, std::string> file_of;
+    FileOfName file_of;
     for (const Vibration& vibration : all->set.vibrations) {
         file_of.emplace(vibration.name, paths.front().string());
     }
     for (const fs::path& path : paths.subspan(1)) {
-        auto more = load_set(path);
+        auto more = load_set(path, actuator);
         if (!more) return more;
-        for (const Vibration& vibration : more->set.vibrations) {
+        for (Vibration& vibration : more->set.vibrations) {
+            if (more->effects) vibration.name = unused_beside(file_of, vibration.name, path);
             const auto [other, is_new] = file_of.emplace(vibration.name, path.string());
             if (is_new) continue;
             return Error{path.string() + ": " + in_quotes(vibration.name) + " is a name in " +

@@ -21,6 +21,7 @@ std::string samples_fault(std::size_t samples);
 struct Loaded {
     PatternSet set;
     std::vector<std::string> remarks;  // sentences: resampled, first channel used, padded ..
+    bool effects = false;              // of another program: names may change to be unique
 };
 
 }  // namespace tact

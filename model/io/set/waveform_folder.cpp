@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "model/io/effects/read_effects.h"
+#include "model/text/atomic_file.h"
 #include "model/text/natural_order.h"
 #include "model/text/numbers.h"
 #include "model/text/unique_names.h"
@@ -18,16 +20,34 @@ namespace fs = std::filesystem;
 
 namespace {
 
+using Kinds = std::initializer_list<std::string_view>;
+
 struct Listing {
-    std::vector<fs::path> files;  // in natural order of their stems
-    std::size_t others = 0;       // neither recordings, nor their sidecars, nor hidden
+    std::vector<fs::path> files;  // in natural order of their stems: recordings, and what may be
+                                  // effects where those are asked for
+    std::size_t others = 0;       // neither, nor sidecars of recordings, nor hidden
 };
 
 bool is_sidecar(const fs::path& path) {
     return extension_of(path) == ".json" && extension_of(path.stem()) == ".wav";
 }
 
-Expected<Listing> listed(const fs::path& folder, std::initializer_list<std::string_view> kinds) {
+bool is_of(const fs::path& path, Kinds kinds) {
+    return std::ranges::count(kinds, extension_of(path)) > 0;
+}
+
+// Whether to look inside: any name will do, but a set of ours is no effect.
+bool may_hold_effects(const fs::path& path) {
+    std::error_code none;
+    if (!fs::is_regular_file(path, none) || fs::file_size(path, none) > kMostEffectBytes) {
+        return false;
+    }
+    if (path.filename().string().ends_with(".tactspace.json")) return false;
+    const auto text = read_text_file(path, kMostEffectBytes);
+    return text && may_be_effects(*text);
+}
+
+Expected<Listing> listed(const fs::path& folder, Kinds kinds, bool effects) {
     Listing listing;
     std::error_code fault;
     for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
@@ -35,7 +55,8 @@ Expected<Listing> listed(const fs::path& folder, std::initializer_list<std::stri
         const fs::path& path = entry->path();
         std::error_code none;
         if (path.filename().string().starts_with('.')) continue;
-        if (!entry->is_directory(none) && std::ranges::count(kinds, extension_of(path)) > 0) {
+        const bool wanted = !entry->is_directory(none) && is_of(path, kinds);
+        if (wanted || (effects && !is_sidecar(path) && may_hold_effects(path))) {
             listing.files.push_back(path);
         } else if (!is_sidecar(path)) {
             ++listing.others;
@@ -50,7 +71,7 @@ Expected<Listing> listed(const fs::path& folder, std::initializer_list<std::stri
     return listing;
 }
 
-std::string kinds_text(std::initializer_list<std::string_view> kinds) {
+std::string kinds_text(Kinds kinds) {
     std::string text;
     for (const std::string_view kind : kinds)
         text += (text.empty() ? "" : " or ") + std::string(kind);
@@ -62,68 +83,115 @@ std::string lengths_remark(const PatternSet& set) {
     std::size_t shortest = std::numeric_limits<std::size_t>::max();
     std::size_t longest = 0;
     for (const Vibration& vibration : set.vibrations) {
-        const auto& waveform = *std::get<Measurement>(vibration.source).waveform;
-        shortest = std::min(shortest, waveform.samples_g.size());
-        longest = std::max(longest, waveform.samples_g.size());
+        if (std::holds_alternative<Pattern>(vibration.source)) continue;
+        const std::size_t samples = recorded_samples(vibration);
+        shortest = std::min(shortest, samples);
+        longest = std::max(longest, samples);
     }
     if (shortest >= longest) return {};
     return "lengths of " + grouped_digits(shortest) + " to " + grouped_digits(longest) +
            " samples, the shorter ones are padded with zeros";
 }
 
-Expected<Loaded> read_folder(const fs::path& folder,
-                             std::initializer_list<std::string_view> kinds) {
-    const std::string name = folder.string();
-    const auto listing = listed(folder, kinds);
-    if (!listing) return listing.error();
-    if (listing->files.empty()) {
-        return Error{name + ": expected at least one " + kinds_text(kinds) +
-                     " file in this folder, got none"};
+// What comes of the files of a folder, one by one.
+struct Gathered {
+    PatternSet set;
+    std::vector<FileRemark> remarks;
+    std::vector<fs::path> recordings;
+    std::vector<std::string> names;  // of the recordings
+    UnusedNames taken;               // of all
+    std::size_t samples = 0;
+    std::size_t others = 0;
+};
+
+Expected<Done> gather_recording(Gathered& all, const fs::path& file) {
+    auto vibration = vibration_from(file, all.remarks);
+    if (!vibration) return vibration.error();
+    all.samples += recorded_samples(*vibration);
+    if (const auto fault = samples_fault(all.samples); !fault.empty()) {
+        return Error{file.string() + ": " + fault};
     }
+    all.recordings.push_back(file);
+    all.names.push_back(vibration->name);
+    all.set.vibrations.push_back(*std::move(vibration));
+    return Done{};
+}
+
+// A file that only its content could have made one of ours is left aside where it is faulty.
+Expected<Done> gather_effects(Gathered& all, const fs::path& file,
+                              const std::optional<ActuatorMap>& actuator) {
+    auto effects = effects_from(file, actuator, all.remarks);
+    if (!effects) {
+        if (is_effect_name(file.string())) return effects.error();
+        all.remarks.push_back({effects.error().message, "ignored"});
+        return Done{};
+    }
+    if (effects->empty()) ++all.others;
+    for (Vibration& effect : *effects) {
+        const bool is_taken = all.taken.taken.contains(effect.name);
+        if (is_taken) effect.name += valid_utf8(file.extension().string());
+        effect.name = all.taken.unused(effect.name);
+        all.set.vibrations.push_back(std::move(effect));
+    }
+    return Done{};
+}
+
+Expected<Loaded> read_folder(const fs::path& folder, Kinds kinds, bool effects,
+                             const std::optional<ActuatorMap>& actuator) {
+    const std::string name = folder.string();
+    const auto listing = listed(folder, kinds, effects);
+    if (!listing) return listing.error();
     if (listing->files.size() > limits::kMaxPatterns) {
         return Error{name + ": expected at most " + grouped_digits(limits::kMaxPatterns) +
                      " files, got " + grouped_digits(listing->files.size())};
     }
-    Loaded loaded;
+    Gathered all;
+    all.others = listing->others;
     std::error_code none;
-    loaded.set.name = valid_utf8(fs::weakly_canonical(folder, none).filename().string());
-    std::vector<std::string> names;
-    std::vector<FileRemark> remarks;
-    std::size_t samples = 0;
+    all.set.name = valid_utf8(fs::weakly_canonical(folder, none).filename().string());
+    // Recordings come first to their names: two that are equal are refused below.
     for (const fs::path& file : listing->files) {
-        auto vibration = vibration_from(file, remarks);
-        if (!vibration) return vibration.error();
-        samples += recorded_samples(*vibration);
-        if (const auto fault = samples_fault(samples); !fault.empty()) {
-            return Error{file.string() + ": " + fault};
-        }
-        names.push_back(vibration->name);
-        loaded.set.vibrations.push_back(*std::move(vibration));
+        if (is_of(file, kinds)) all.taken.taken.insert(valid_utf8(file.stem().string()));
     }
-    if (const auto equal = first_equal(names)) {
-        return Error{name + ": " + listing->files[equal->first].filename().string() + " and " +
-                     listing->files[equal->second].filename().string() + " both give the name " +
-                     in_quotes(names[equal->second]) + ", expected names that differ"};
+    for (const fs::path& file : listing->files) {
+        const auto read =
+            is_of(file, kinds) ? gather_recording(all, file) : gather_effects(all, file, actuator);
+        if (!read) return read.error();
     }
-    loaded.remarks = joined(remarks);
+    if (all.set.vibrations.empty()) {
+        return Error{name + ": expected at least one " + kinds_text(kinds) +
+                     (effects ? " or effect" : "") + " file in this folder, got none"};
+    }
+    if (const auto equal = first_equal(all.names)) {
+        return Error{name + ": " + all.recordings[equal->first].filename().string() + " and " +
+                     all.recordings[equal->second].filename().string() + " both give the name " +
+                     in_quotes(all.names[equal->second]) + ", expected names that differ"};
+    }
+    if (all.set.vibrations.size() > limits::kMaxPatterns) {
+        return Error{name + ": expected at most " + grouped_digits(limits::kMaxPatterns) +
+                     " vibrations, got " + grouped_digits(all.set.vibrations.size())};
+    }
+    Loaded loaded{std::move(all.set), joined(all.remarks)};
     if (const auto remark = lengths_remark(loaded.set); !remark.empty()) {
         loaded.remarks.push_back(name + ": " + remark);
     }
-    if (listing->others > 0) {
-        loaded.remarks.push_back(name + ": " + grouped_digits(listing->others) +
-                                 (listing->others == 1 ? " other file" : " other files") +
-                                 " ignored");
+    if (all.others > 0) {
+        loaded.remarks.push_back(name + ": " + grouped_digits(all.others) +
+                                 (all.others == 1 ? " other file" : " other files") + " ignored");
     }
     return loaded;
 }
 
 }  // namespace
 
-Expected<Loaded> read_waveform_folder(const fs::path& folder) {
-    return read_folder(folder, {".txt", ".wav"});
+Expected<Loaded> read_waveform_folder(const fs::path& folder,
+                                      const std::optional<ActuatorMap>& actuator) {
+    return read_folder(folder, {".txt", ".wav"}, true, actuator);
 }
 
-Expected<Loaded> read_text_folder(const fs::path& folder) { return read_folder(folder, {".txt"}); }
+Expected<Loaded> read_text_folder(const fs::path& folder) {
+    return read_folder(folder, {".txt"}, false, {});
+}
 
 Expected<Vibration> vibration_from(const fs::path& path, std::vector<FileRemark>& remarks) {
     auto recording = read_recording(path);
@@ -142,6 +210,33 @@ Expected<Vibration> vibration_from(const fs::path& path, std::vector<FileRemark>
     measurement.waveform = std::make_shared<const Waveform>(std::move(recording->waveform));
     vibration.source = std::move(measurement);
     return vibration;
+}
+
+Expected<std::vector<Vibration>> effects_from(const fs::path& path,
+                                              const std::optional<ActuatorMap>& actuator,
+                                              std::vector<FileRemark>& remarks) {
+    const auto text = read_text_file(path, kMostEffectBytes);
+    if (!text) return text.error();
+    const auto read = read_effects(*text, path.string(), actuator);
+    if (!read) return read.error();
+    const std::string file = valid_utf8(path.filename().string());
+    std::vector<Vibration> vibrations;
+    for (const Effect& effect : read->effects) {
+        Vibration vibration;
+        vibration.name = effect.name;
+        vibration.source = effect.pattern;
+        vibration.note = origin_of(*read, effect, file);
+        vibrations.push_back(std::move(vibration));
+        for (const std::string& remark : effect.remarks) {
+            const FileRemark one{path.string(), remark};
+            if (std::ranges::find(remarks, one) == remarks.end()) remarks.push_back(one);
+        }
+    }
+    if (!vibrations.empty()) {
+        remarks.push_back(
+            {path.string(), "actuator map " + read->map.name + " (" + read->map.source + ")"});
+    }
+    return vibrations;
 }
 
 std::vector<std::string> joined(const std::vector<FileRemark>& remarks) {

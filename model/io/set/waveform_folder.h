@@ -1,23 +1,29 @@
-// A folder of recordings as a set: one vibration a file, named by its stem.
+// A folder of recordings and of other programs' effects as a set: a vibration of each recording,
+// named by its stem; of an effect file as many as it holds.
 //
 // Source    the layout of the files that the paper's authors publish (testVibration_0.txt ..)
-// Output    vibrations in natural order of their names: 2 before 10
+// Output    vibrations in natural order of their files' names: 2 before 10. An effect whose name is
+//           taken is named by its whole file name.
 // Valid     1 to 10,000 files of kMaxSetSamples in all (loaded.h)
 // Left out  folders within the folder.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/io/effects/actuator_map.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/loaded.h"
 
 namespace tact {
 
-// All .txt and .wav files of a folder; the remarks count the others.
-Expected<Loaded> read_waveform_folder(const std::filesystem::path& folder);
+// All .txt and .wav files of a folder, and what reads as an effect; the remarks count the others.
+// Effects meet g and Hz by `actuator`, else by their formats' own maps.
+Expected<Loaded> read_waveform_folder(const std::filesystem::path& folder,
+                                      const std::optional<ActuatorMap>& actuator = {});
 
 // Only the .txt files.
 Expected<Loaded> read_text_folder(const std::filesystem::path& folder);
@@ -26,9 +32,17 @@ Expected<Loaded> read_text_folder(const std::filesystem::path& folder);
 struct FileRemark {
     std::string file;
     std::string text;
+
+    bool operator==(const FileRemark&) const = default;
 };
 Expected<Vibration> vibration_from(const std::filesystem::path& path,
                                    std::vector<FileRemark>& remarks);
+
+// The effects of a file, with a note of where each comes from; none: it holds none. Remarks get the
+// file's name, the actuator map among them.
+Expected<std::vector<Vibration>> effects_from(const std::filesystem::path& path,
+                                              const std::optional<ActuatorMap>& actuator,
+                                              std::vector<FileRemark>& remarks);
 
 // Equal remarks of many files as one: "a.wav and 11 more: full scale taken as 1 g".
 std::vector<std::string> joined(const std::vector<FileRemark>& remarks);

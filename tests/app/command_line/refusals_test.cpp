@@ -43,7 +43,7 @@ TEST_CASE("refusals: what is not there is named") {
           "tactspace: " + folder.at("gone.json") + ": there is no such file\n");
     CHECK(refusal_of({"predict", folder.path.string()}) ==
           "tactspace: " + folder.path.string() +
-              ": expected at least one .txt or .wav file in this folder, got none\n");
+              ": expected at least one .txt or .wav or effect file in this folder, got none\n");
     const std::string sentence = folder.refusal(
         "set.json", R"({"tactspace": 1, "patterns": [{"name": "a", "waveform": "gone.wav"}]})");
     CHECK(contains(sentence, "set.json: /patterns/0/waveform of \"a\": "));

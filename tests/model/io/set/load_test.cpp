@@ -69,7 +69,8 @@ TEST_CASE("load: what is missing or unknown is refused by name") {
     CHECK(
         fault(load_set(other)) ==
         other.string() +
-            ": expected a set (.tactspace.json), a folder of .txt or .wav files, or one such file");
+            ": expected a set (.tactspace.json), a folder of .txt, .wav or effect files, or "
+            "one such file");
     CHECK(fault(load_sets({})) == "expected at least one set, got none");
 }
 

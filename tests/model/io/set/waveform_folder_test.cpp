@@ -65,7 +65,7 @@ TEST_CASE("waveform folder: nothing to read, equal names and bad files are refus
     const TemporaryFolder folder;
     const std::string place = folder.path.string();
     CHECK(fault(read_waveform_folder(folder.path)) ==
-          place + ": expected at least one .txt or .wav file in this folder, got none");
+          place + ": expected at least one .txt or .wav or effect file in this folder, got none");
     CHECK(contains(fault(read_text_folder(folder.path / "none")), "No such file or directory"));
     folder.write("a.txt", "1\n");
     folder.write("a.TXT", "1\n");
