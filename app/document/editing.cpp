@@ -232,7 +232,12 @@ void add_pattern(Ui& ui, Workspace& work) {
 }
 
 void add_vibration(Ui& ui, Workspace& work, const Vibration& fresh, const std::string& label) {
-    insert_after_current(work, {fresh});
+    add_vibrations(ui, work, {fresh}, label);
+}
+
+void add_vibrations(Ui& ui, Workspace& work, std::vector<Vibration> fresh,
+                    const std::string& label) {
+    insert_after_current(work, std::move(fresh));
     commit_step(ui, work, label);
 }
 
@@ -284,12 +289,6 @@ void copy_selected(Ui& ui, Workspace& work) {
     say(ui, work.clipboard.size() == 1
                 ? "Copied " + work.clipboard[0].name
                 : "Copied " + std::to_string(work.clipboard.size()) + " patterns");
-}
-
-void add_vibrations(Ui& ui, Workspace& work, std::vector<Vibration> fresh,
-                    const std::string& label) {
-    insert_after_current(work, std::move(fresh));
-    commit_step(ui, work, label);
 }
 
 void paste(Ui& ui, Workspace& work) {

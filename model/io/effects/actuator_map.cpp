@@ -138,24 +138,33 @@ double shape_at(BurstShape shape, double turns) {
     return 0.0;
 }
 
-// Of squares over the burst, in g^2 s; its middle points, so that steps do no harm.
+// Of squares, in g^2 s; at middle points, so that steps of a square wave do no harm.
 template <class Sample>
-double energy_of(double duration_s, const Sample& sample) {
-    constexpr int kSteps = 512;
+double energy_of(double duration_s, int steps, const Sample& sample) {
     double sum = 0.0;
-    for (int n = 0; n < kSteps; ++n) {
-        const double x = sample(duration_s * (n + 0.5) / kSteps);
+    for (int n = 0; n < steps; ++n) {
+        const double x = sample(duration_s * (n + 0.5) / steps);
         sum += x * x;
     }
-    return sum * duration_s / kSteps;
+    return sum * duration_s / steps;
 }
 
-// Ours of 1 g beside theirs of 1 g.
-double equal_energy_gain(const Transient& ours, double their_energy) {
-    Transient of_1_g = ours;
-    of_1_g.amplitude_g = 1.0;
-    const double own = energy_of(ours.duration_s, [&](double t) { return transient_g(of_1_g, t); });
-    return own > 0.0 ? std::sqrt(their_energy / own) : 0.0;
+// What ours has to be, in g, to have the energy of theirs: `theirs` at a time and so many turns.
+template <class Theirs>
+double equal_energy_g(Transient ours, double their_length_s, const Theirs& theirs) {
+    // Of more periods these tell as much, in as many steps as a square wave needs.
+    constexpr double kEnoughPeriods = 16.0;
+    constexpr double kStepsAPeriod = 32.0;
+    const double hz = std::min(ours.frequency_hz, kEnoughPeriods / their_length_s);
+    const double periods = std::clamp(hz * their_length_s, 2.0, kEnoughPeriods);
+    const int steps = static_cast<int>(std::ceil(kStepsAPeriod * periods));
+    ours.amplitude_g = 1.0;
+    ours.frequency_hz = hz;
+    const double own =
+        energy_of(ours.duration_s, steps, [&](double t_s) { return transient_g(ours, t_s); });
+    const double their =
+        energy_of(their_length_s, steps, [&](double t_s) { return theirs(t_s, hz * t_s); });
+    return own > 0.0 ? std::sqrt(their / own) : 0.0;
 }
 
 bool is_square_like(BurstShape shape) {
@@ -248,14 +257,13 @@ std::vector<Transient> transients_on(const ActuatorMap& map, double time_s, doub
         const double from_s = k * cycles / hz;
         const double until_s = k + 1 < pieces ? (k + 1) * cycles / hz : length_s;
         Transient piece = steady_piece(map, share, hz, until_s - from_s);
-        const double their_energy = energy_of(until_s - from_s, [&](double t_s) {
-            const double turns = hz * (from_s + t_s);
-            return (1.0 - map.fade_out * (from_s + t_s) / whole_s) *
-                   mixed(shape_at(map.burst_at_0.shape, turns),
-                         shape_at(map.burst_at_1.shape, turns), share);
-        });
         piece.time_s = time_s + from_s;
-        piece.amplitude_g = full_g * equal_energy_gain(piece, their_energy);
+        piece.amplitude_g =
+            full_g * equal_energy_g(piece, until_s - from_s, [&](double t_s, double turns) {
+                return (1.0 - map.fade_out * (from_s + t_s) / whole_s) *
+                       mixed(shape_at(map.burst_at_0.shape, turns),
+                             shape_at(map.burst_at_1.shape, turns), share);
+            });
         result.push_back(piece);
     }
     return result;
@@ -263,9 +271,9 @@ std::vector<Transient> transients_on(const ActuatorMap& map, double time_s, doub
 
 Transient held_burst(double time_s, double amplitude_g, double hz, double duration_s) {
     Transient transient{time_s, amplitude_g, hz, duration_s, TransientShape::sine};
-    const double their_energy =
-        energy_of(duration_s, [&](double t_s) { return shape_at(BurstShape::sine, hz * t_s); });
-    transient.amplitude_g *= equal_energy_gain(transient, their_energy);
+    transient.amplitude_g *= equal_energy_g(transient, duration_s, [](double, double turns) {
+        return shape_at(BurstShape::sine, turns);
+    });
     return transient;
 }
 

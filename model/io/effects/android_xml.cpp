@@ -25,6 +25,7 @@ namespace tact {
 namespace {
 
 constexpr double kUnknownHz = 165.0;
+constexpr Range kXmlHz{0.001, 1e6};
 
 struct XmlReading {
     const EffectFile& file;
@@ -80,15 +81,14 @@ bool has_only(XmlReading& xml, const pugi::xml_node& node, const char* child_nam
 
 void read_waveform_envelope(XmlReading& xml, const pugi::xml_node& node) {
     if (!has_only(xml, node, "control-point")) return;
-    double hz = node.first_child().attribute("frequencyHz").as_double();
-    if (node.attribute("initialFrequencyHz")) {
-        hz = attribute_number(xml, node, "initialFrequencyHz", limits::kCarrierHz);
-    }
+    const bool initial = !node.attribute("initialFrequencyHz").empty();
+    double hz = initial ? attribute_number(xml, node, "initialFrequencyHz", kXmlHz)
+                        : attribute_number(xml, node.first_child(), "frequencyHz", kXmlHz);
     double amplitude_g = 0.0;
     const ActuatorMap& map = xml.file.map;
     for (const pugi::xml_node& point : node.children()) {
         const double share = attribute_number(xml, point, "amplitude", kShare);
-        const double to_hz = attribute_number(xml, point, "frequencyHz", limits::kCarrierHz);
+        const double to_hz = attribute_number(xml, point, "frequencyHz", kXmlHz);
         const double to_g = map.full_scale_g * map.continuous_gain * share;
         const double end_s = xml.voice.end_s + length_s_of(xml, point, 1.0);
         line_to(xml.voice, end_s, amplitude_g, hz, to_g, to_hz);
@@ -106,10 +106,10 @@ double felt_g(const ActuatorMap& map, double intensity) {
 void read_basic_envelope(XmlReading& xml, const pugi::xml_node& node) {
     if (!has_only(xml, node, "control-point")) return;
     const ActuatorMap& map = xml.file.map;
-    double sharpness = node.first_child().attribute("sharpness").as_double();
-    if (node.attribute("initialSharpness")) {
-        sharpness = attribute_number(xml, node, "initialSharpness", kShare);
-    }
+    const bool initial = !node.attribute("initialSharpness").empty();
+    const double sharpness = initial
+                                 ? attribute_number(xml, node, "initialSharpness", kShare)
+                                 : attribute_number(xml, node.first_child(), "sharpness", kShare);
     AmplitudeCurve intensities{{xml.voice.end_s, 0.0}};
     AmplitudeCurve sharpnesses{{xml.voice.end_s, sharpness}};
     for (const pugi::xml_node& point : node.children()) {

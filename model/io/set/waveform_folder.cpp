@@ -1,6 +1,8 @@
 #include "model/io/set/waveform_folder.h"
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <initializer_list>
 #include <limits>
 #include <map>
@@ -43,8 +45,10 @@ bool may_hold_effects(const fs::path& path) {
         return false;
     }
     if (path.filename().string().ends_with(".tactspace.json")) return false;
-    const auto text = read_text_file(path, kMostEffectBytes);
-    return text && may_be_effects(*text);
+    std::array<char, 256> head{};
+    std::ifstream stream(path, std::ios::binary);
+    stream.read(head.data(), head.size());
+    return may_be_effects({head.data(), static_cast<std::size_t>(stream.gcount())});
 }
 
 Expected<Listing> listed(const fs::path& folder, Kinds kinds, bool effects) {

@@ -135,6 +135,22 @@ TEST_CASE("AHAP: what Core Haptics clamps or does not play is clamped or left ou
           "a.x: /Pattern: expected an array of 1 to 100000, got an array of 0");
 }
 
+TEST_CASE(
+    "AHAP: points in the file's time, as Meta's writer has them, are taken so with a remark") {
+    const std::string head = R"({"Pattern": [
+      {"Event": {"EventType": "HapticContinuous", "EventDuration": 1, "EventParameters": [
+        {"ParameterID": "HapticSharpness", "ParameterValue": 0}]}},
+      {"ParameterCurve": {"ParameterID": "HapticSharpnessControl", "Time": 0.4,
+        "ParameterCurveControlPoints": [{"Time": )";
+    const std::string tail = R"(, "ParameterValue": 0}, {"Time": 0.5, "ParameterValue": 1}]}}]})";
+    const Effect absolute = only(head + "0.4" + tail);
+    CHECK(has_remark(absolute, "taken as the file's, not the curve's"));
+    CHECK(first_carrier_hz(absolute.pattern, 0.45) == doctest::Approx(182.5));
+    const Effect relative = only(head + "0.0" + tail);
+    CHECK(!has_remark(relative, "taken as the file's"));
+    CHECK(first_carrier_hz(relative.pattern, 0.65) == doctest::Approx(182.5));
+}
+
 TEST_CASE("he: intensity multiplies its curve, frequency adds, channel 0 is one pattern") {
     const Effect effect = only(kHe);
     const Pattern& pattern = effect.pattern;
