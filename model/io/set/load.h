@@ -19,7 +19,8 @@ namespace tact {
 Expected<Loaded> load_set(const std::filesystem::path& path,
                           const std::optional<ActuatorMap>& actuator = {});
 
-// Whether a file reads as effects of another program: what is made of it is not to be saved over it.
+// Whether a file reads as effects of another program: what is made of it is not to be saved over
+// it.
 bool holds_effects(const std::filesystem::path& path);
 
 // Several as one. Name, duration, model parameters and unknown keys are those of the first; two

@@ -66,11 +66,10 @@ TEST_CASE("load: what is missing or unknown is refused by name") {
     CHECK(fault(load_set("no/such.json")) == "no/such.json: there is no such file");
     CHECK(fault(load_set("no/folder")) == "no/folder: there is no such file");
     const fs::path other = folder.write("a.mp3", "x");
-    CHECK(
-        fault(load_set(other)) ==
-        other.string() +
-            ": expected a set (.tactspace.json), a folder of .txt, .wav or effect files, or "
-            "one such file");
+    CHECK(fault(load_set(other)) ==
+          other.string() +
+              ": expected a set (.tactspace.json), a folder of .txt, .wav or effect files, or "
+              "one such file");
     CHECK(fault(load_sets({})) == "expected at least one set, got none");
 }
 
