@@ -38,9 +38,7 @@ void give_looks(PatternSet& set) {
     }
 }
 
-double shown_reach_g(const Workspace& work) {
-    return work.own_heights ? 0.0 : work.cache.reach_g;
-}
+double shown_reach_g(const Workspace& work) { return work.own_heights ? 0.0 : work.cache.reach_g; }
 
 void draw_thumbnail(const Ui& ui, Workspace& work, const Rect& area, const Vibration& vibration,
                     ImU32 colour, double reach_g) {
