@@ -88,6 +88,8 @@ TEST_CASE("numbers: what is looked at and left keeps the digits that are not sho
 
 TEST_CASE("numbers: a click selects all of it, and typing replaces it") {
     Program program(odd_numbers(1));
+    program.app.layout.left_split = 0.2F;  // times are in sight as well
+    program.settle();
     enter(program, "entry:amplitude_g", "2");
     CHECK(program.pattern(0).amplitude_g == 2.0);
     enter(program, "entry:amplitude_g", "0,8");
