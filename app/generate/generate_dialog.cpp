@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/document/pressing.h"
 #include "app/generate/generate_dialog.h"
@@ -221,6 +222,21 @@ void push_dialog_colours(const Theme& theme) {
 
 }  // namespace
 
+namespace {
+
+// Whose numbers the design may have begun with.
+void draw_what_is_left_out(Ui& ui, const Workspace& work) {
+    const Vibration* current = current_vibration(work);
+    const auto* pattern = current == nullptr ? nullptr : std::get_if<Pattern>(&current->source);
+    if (pattern == nullptr || !is_drawn(*pattern)) return;
+    const std::string words =
+        "Candidates have no curves and no transients: those of " + current->name + " stay its own.";
+    coloured_text(ui.theme.warning, words);
+    note_item(ui.rects, "generate:left out", words);
+}
+
+}  // namespace
+
 void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating) {
     if (!begin_dialog(ui, "Generate candidates", kDialogWidthPx)) return;
     push_dialog_colours(ui.theme);
@@ -228,6 +244,7 @@ void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating) {
     const bool typing = !generating.typing.empty() || is_number_typed(ui);
     const bool popup = ImGui::IsPopupOpen("rhythms", ImGuiPopupFlags_AnyPopupId);
     dim_text(ui, "Give every parameter a number, several levels, or a range.");
+    draw_what_is_left_out(ui, work);
     draw_parameters(ui, generating);
     ImGui::Separator();
     draw_design_row(ui, generating);

@@ -62,6 +62,18 @@ TEST_CASE("generate dialog: it opens on the current pattern varied, counted befo
     CHECK(program.app.work.history.undo_label() == nullptr);
 }
 
+TEST_CASE("generate dialog: what was drawn by hand is said to be left out") {
+    Program program(short_patterns(1));
+    open_dialog(program);
+    CHECK(!program.shows("generate:left out"));
+    program.press_key(key::kEscape);
+    auto& pattern = std::get<Pattern>(program.app.work.document.set.vibrations[0].source);
+    pattern.transients = {{0.05, 1.0}};
+    program.settle();
+    open_dialog(program);
+    CHECK(program.at("generate:left out").value.find("p1") != std::string::npos);
+}
+
 TEST_CASE("generate dialog: adding is one step with its generator; undo and redo take it whole") {
     Program program(short_patterns(3));
     open_dialog(program);
