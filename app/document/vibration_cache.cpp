@@ -92,6 +92,7 @@ void follow_render_job(VibrationCache& cache) {
     if (auto rendered = cache.render_job->latest(); rendered && rendered != cache.taken) {
         for (const auto& [vibration, waveform] : *rendered) keep(cache, vibration, waveform);
         cache.taken = std::move(rendered);
+        cache.asked.clear();  // what is wanted again later is asked for again
     }
     const WantedWaveforms wanted = std::exchange(cache.wanted, {});
     if (wanted.empty() || wanted == cache.asked) return;

@@ -61,13 +61,21 @@ TEST_CASE("cache: a long pattern is rendered beside the window, and shown as it 
     vibration.source = louder;
     CHECK(*waveform_in_time(cache, vibration) == before);
     CHECK_FALSE(cache.behind);  // no frames for nothing
+    const auto becomes = [&](const Waveform& after) {
+        for (int k = 0; k < 4000 && *waveform_in_time(cache, vibration) != after; ++k) {
+            follow_render_job(cache);
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        return *waveform_in_time(cache, vibration) == after;
+    };
     const Waveform after = render(louder);
-    for (int k = 0; k < 4000 && *waveform_in_time(cache, vibration) != after; ++k) {
-        follow_render_job(cache);
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    CHECK(*waveform_in_time(cache, vibration) == after);
+    CHECK(becomes(after));
     CHECK(cache.entries.at("long").peak_g == peak_g(after));
+    // Short, which needs no job, and as it was again.
+    vibration.source = Pattern{};
+    CHECK(*waveform_in_time(cache, vibration) == render(Pattern{}));
+    vibration.source = louder;
+    CHECK(becomes(after));
 }
 
 TEST_CASE("cache: the scale of a set is its strongest peak, rendered or not, recordings among it") {
