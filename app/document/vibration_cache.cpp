@@ -118,6 +118,11 @@ const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibrati
     return &fresh;
 }
 
+double peak_in_time(const VibrationCache& cache, const Vibration& vibration) {
+    const auto found = cache.entries.find(vibration.name);
+    return found == cache.entries.end() ? 0.0 : found->second.peak_g;
+}
+
 void follow_reach(VibrationCache& cache, const PatternSet& set, std::uint64_t revision) {
     if (cache.reach_of == revision) return;
     double reach_g = 0.0;

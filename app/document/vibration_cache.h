@@ -60,6 +60,9 @@ void follow_render_job(VibrationCache& cache);
 // The same while there are samples left to render; then what it was before, or null.
 const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibration);
 
+// Of what waveform_in_time() gives: 0 for null.
+double peak_in_time(const VibrationCache& cache, const Vibration& vibration);
+
 // Finds the scale of the set anew where its revision is another one, or peaks were not yet known:
 // until a pattern is rendered it counts with what its numbers tell.
 void follow_reach(VibrationCache& cache, const PatternSet& set, std::uint64_t revision);

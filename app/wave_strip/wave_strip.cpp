@@ -178,7 +178,7 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip) {
     const Rect area =
         rect_at(ImGui::GetCursorScreenPos(),
                 {ImGui::GetContentRegionAvail().x, std::round(strip.height * ui.theme.scale)});
-    const double peak = waveform == nullptr ? 0.0 : peak_g(*waveform);
+    const double peak = peak_in_time(work.cache, *vibration);
     const StripScale scale = strip.held ? strip.held->scale
                                         : strip_scale(pattern, peak, area, ui.theme,
                                                       strip.view.value_or(whole(pattern)));
