@@ -26,6 +26,7 @@ void add_commands(CLI::App& app, Commands& commands, Chosen& chosen) {
     add_space_command(app, commands.space, chosen);
     add_stages_command(app, commands.stages, chosen);
     add_render_command(app, commands.render, chosen);
+    add_export_command(app, commands.exported, chosen);
     add_devices_command(app, commands.devices, chosen);
     add_play_command(app, commands.play, chosen);
     add_calibrate_command(app, commands.calibrate, chosen);

@@ -72,6 +72,16 @@ struct RenderCommand {
 };
 Expected<Done> run(const RenderCommand& command);
 
+struct ExportCommand {
+    CommonOptions common;
+    std::string format;                 // a key of model/io/effects_out/write_effect.h
+    std::vector<std::string> patterns;  // by name; empty: all
+    std::string onto;                   // an actuator map, its name or file; empty: the format's
+    std::filesystem::path out;          // a folder
+    bool overwrite = false;
+};
+Expected<Done> run(const ExportCommand& command);
+
 struct SnapshotCommand {
     CommonOptions common;
     std::string view = "window";  // window, physiology, wave, spectrum, matrix, space

@@ -60,6 +60,7 @@ void add_findings_command(CLI::App& app, FindingsCommand& command, Chosen& chose
 // pattern_options.cpp
 void add_stages_command(CLI::App& app, StagesCommand& command, Chosen& chosen);
 void add_render_command(CLI::App& app, RenderCommand& command, Chosen& chosen);
+void add_export_command(CLI::App& app, ExportCommand& command, Chosen& chosen);
 void add_generate_command(CLI::App& app, GenerateCommand& command, Chosen& chosen);
 void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chosen);
 
@@ -81,6 +82,7 @@ struct Commands {
     SpaceCommand space;
     StagesCommand stages;
     RenderCommand render;
+    ExportCommand exported;
     SnapshotCommand snapshot;
     CompareCommand compare;
     StudyCommand study;

@@ -3,6 +3,8 @@
 
 #include "app/physiology/stages.h"
 #include "app/pictures/frame_sequence.h"
+#include "model/io/effects/actuator_map.h"
+#include "model/io/effects_out/write_effect.h"
 
 namespace tact {
 
@@ -62,6 +64,24 @@ void add_render_command(CLI::App& app, RenderCommand& command, Chosen& chosen) {
     render.add_option("--format", command.format, "wav, txt or csv")
         ->check(CLI::IsMember({"wav", "txt", "csv"}));
     render.add_option("--out", command.out, "folder for the files")->required();
+}
+
+void add_export_command(CLI::App& app, ExportCommand& command, Chosen& chosen) {
+    CLI::App& sub = add_command(app, "export",
+                                "patterns as files of phones and other programs, a file each, with "
+                                "what each loses",
+                                command, chosen);
+    std::vector<std::string> keys;
+    for (const TargetTraits& target : target_formats()) keys.emplace_back(target.key);
+    sub.add_option("--format", command.format, "of the files")
+        ->required()
+        ->check(CLI::IsMember(keys));
+    sub.add_option("--pattern", command.patterns, "names; else all");
+    sub.add_option("--onto", command.onto,
+                   "the actuator that 0 to 1 are written for: a file (.acf, .json) or one of " +
+                       actuator_names() + "; else the format's own");
+    sub.add_option("--out", command.out, "folder for the files")->required();
+    sub.add_flag("--overwrite", command.overwrite, "files of the same names are replaced");
 }
 
 void add_generate_command(CLI::App& app, GenerateCommand& command, Chosen& chosen) {

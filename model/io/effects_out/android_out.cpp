@@ -1,0 +1,111 @@
+// Envelopes of Android 16: XML, and the builder's calls as Kotlin.
+//
+// Source    VibrationEffect.WaveformEnvelopeBuilder (API 36): points of amplitude, Hz and the ms to
+//           get there, from amplitude 0 on. Devices have at least 16 points of at least 20 ms each;
+//           the platform splits segments longer than the device's longest, 1 s at least. What is
+//           outside of the device's band is not played at all: moved into the map's. The XML's
+//           parser is not public, hence the Kotlin.
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/io/effects/effect.h"
+#include "model/io/effects_out/knots.h"
+#include "model/io/effects_out/shares.h"
+#include "model/io/effects_out/writers.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+constexpr std::size_t kMostControlPoints = 16;
+constexpr double kShortestSegmentS = 0.020;
+
+struct ControlPoint {
+    double amplitude = 0.0;
+    double frequency_hz = 0.0;
+    long long duration_ms = 0;
+};
+
+struct AndroidEnvelope {
+    double initial_hz = 0.0;
+    std::vector<ControlPoint> points;
+};
+
+AmplitudeCurve heights_of(const FrequencyCurve& curve) {
+    AmplitudeCurve result;
+    for (const FrequencyPoint& point : curve) result.push_back({point.time_s, point.frequency_hz});
+    return result;
+}
+
+AndroidEnvelope android_envelope(const Pattern& pattern, const ActuatorMap& map,
+                                 std::vector<std::string>& remarks) {
+    PlainCurves curves = with_pulses(as_curves(pattern, remarks), remarks);
+    const double full_g = map.full_scale_g * map.continuous_gain;
+    const double peak = full_g > 0.0 ? peak_value(curves.amplitude) / full_g : 0.0;
+    const double scale = scale_to_full(peak, remarks);
+    for (AmplitudePoint& point : curves.amplitude) {
+        point.value = full_g > 0.0 ? std::min(scale * point.value / full_g, 1.0) : 0.0;
+    }
+    if (!(full_g > 0.0)) remarks.push_back("the actuator plays nothing continuous: silent");
+    const FrequencyCurve hz = in_band(curves.frequency, map.frequency_hz, remarks);
+    KnotRules rules;
+    rules.most = kMostControlPoints + 1;  // the first one is where the player begins
+    rules.least_gap_s = kShortestSegmentS;
+    rules.frequency_unit = std::max(map.frequency_hz.high - map.frequency_hz.low, 1.0);
+    rules.from_silence = true;
+    const FittedKnots fit =
+        fitted_knots(curves.amplitude, heights_of(hz), curves.duration_s, rules);
+    remark_fit(fit, rules, curves.duration_s, " Hz", remarks);
+    AndroidEnvelope envelope{fit.knots.front().frequency, {}};
+    for (std::size_t k = 1; k < fit.knots.size(); ++k) {
+        const Knot& to = fit.knots[k];
+        const double length_s = to.time_s - fit.knots[k - 1].time_s;
+        envelope.points.push_back({to.amplitude, to.frequency, std::llround(1e3 * length_s)});
+    }
+    return envelope;
+}
+
+std::string kotlin_float(double value) { return significant_digits(value, 9) + "f"; }
+
+std::string as_camel_case(const std::string& name) {
+    std::string text = identifier(name);
+    if (text.front() >= 'A' && text.front() <= 'Z') {
+        text.front() = static_cast<char>(text.front() - 'A' + 'a');
+    }
+    return text;
+}
+
+}  // namespace
+
+WrittenEffect write_android_xml(const Pattern& pattern, const EffectTarget& target) {
+    WrittenEffect written;
+    const AndroidEnvelope envelope = android_envelope(pattern, target.map, written.remarks);
+    written.text = "<vibration-effect>\n    <waveform-envelope-effect initialFrequencyHz=\"" +
+                   shortest_digits(envelope.initial_hz) + "\">\n";
+    for (const ControlPoint& point : envelope.points) {
+        written.text += "        <control-point amplitude=\"" + shortest_digits(point.amplitude) +
+                        "\" frequencyHz=\"" + shortest_digits(point.frequency_hz) +
+                        "\" durationMs=\"" + std::to_string(point.duration_ms) + "\"/>\n";
+    }
+    written.text += "    </waveform-envelope-effect>\n</vibration-effect>\n";
+    return written;
+}
+
+WrittenEffect write_android_kotlin(const Pattern& pattern, const EffectTarget& target) {
+    WrittenEffect written;
+    const AndroidEnvelope envelope = android_envelope(pattern, target.map, written.remarks);
+    written.text = "import android.os.VibrationEffect\n\nval `" + as_camel_case(target.name) +
+                   "`: VibrationEffect = VibrationEffect.WaveformEnvelopeBuilder()\n" +
+                   "    .setInitialFrequencyHz(" + kotlin_float(envelope.initial_hz) + ")\n";
+    for (const ControlPoint& point : envelope.points) {
+        written.text += "    .addControlPoint(" + kotlin_float(point.amplitude) + ", " +
+                        kotlin_float(point.frequency_hz) + ", " +
+                        std::to_string(point.duration_ms) + ")\n";
+    }
+    written.text += "    .build()\n";
+    return written;
+}
+
+}  // namespace tact

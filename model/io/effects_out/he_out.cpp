@@ -1,0 +1,201 @@
+// RichTap's .he, version 2.
+//
+// Source    files of its editor, and OpenHarmony's limits of the sibling format: times in whole ms,
+//           at most 128 events, 5 s a continuous one, 4 to 16 points in its curve, intensities and
+//           frequencies of events whole from 0 to 100; a curve's intensity multiplies its event's,
+//           its frequency, a whole number, is added.
+// Guessed   that times of a curve have to rise: jumps become ramps of 1 ms.
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "model/io/effects_out/knots.h"
+#include "model/io/effects_out/shares.h"
+#include "model/io/effects_out/writers.h"
+#include "model/text/numbers.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+constexpr std::size_t kMostEvents = 128;
+constexpr std::size_t kMostContinuous = 64;
+constexpr std::size_t kMostHePoints = 16;
+constexpr std::size_t kLeastHePoints = 4;
+constexpr double kLongestEventMs = 5000.0;
+
+long long whole_ms(double t_s) { return std::llround(1e3 * t_s); }
+long long percent(double share) { return std::llround(100.0 * share); }
+
+Knot middle_of(const Knot& a, const Knot& b, double t_s) {
+    const double share = (t_s - a.time_s) / (b.time_s - a.time_s);
+    return {t_s, a.amplitude + share * (b.amplitude - a.amplitude),
+            a.frequency + share * (b.frequency - a.frequency)};
+}
+
+// No two of them farther apart than an event may last.
+std::vector<Knot> with_short_segments(const std::vector<Knot>& knots) {
+    std::vector<Knot> result{knots.front()};
+    for (std::size_t k = 1; k < knots.size(); ++k) {
+        while (1e3 * (knots[k].time_s - result.back().time_s) > kLongestEventMs + 1e-6) {
+            const double next_s = result.back().time_s + kLongestEventMs / 1e3;
+            result.push_back(middle_of(result.back(), knots[k], next_s));
+        }
+        result.push_back(knots[k]);
+    }
+    return result;
+}
+
+// More points on the longest lines, until there are enough; twice the last where no ms is left.
+void fill_up(std::vector<Knot>& knots) {
+    while (knots.size() < kLeastHePoints) {
+        std::size_t longest = 1;
+        for (std::size_t k = 1; k < knots.size(); ++k) {
+            const double own_s = knots[k].time_s - knots[k - 1].time_s;
+            if (own_s > knots[longest].time_s - knots[longest - 1].time_s) longest = k;
+        }
+        const Knot& from = knots[longest - 1];
+        const Knot& to = knots[longest];
+        const long long ms = (whole_ms(from.time_s) + whole_ms(to.time_s)) / 2;
+        if (ms == whole_ms(from.time_s)) {
+            knots.push_back(knots.back());
+            continue;
+        }
+        knots.insert(knots.begin() + static_cast<std::ptrdiff_t>(longest),
+                     middle_of(from, to, static_cast<double>(ms) / 1e3));
+    }
+}
+
+struct HeLosses {
+    double frequency = 0.0;
+    double intensity = 0.0;
+};
+
+Json he_event(const char* type, long long time_ms, Json parameters) {
+    Json event{{"Type", type}, {"RelativeTime", time_ms}};
+    event["Index"] = 0;
+    event["Parameters"] = std::move(parameters);
+    return event;
+}
+
+Json continuous_event(std::vector<Knot> knots, HeLosses& losses) {
+    fill_up(knots);
+    const long long start_ms = whole_ms(knots.front().time_s);
+    const long long base = percent(knots.front().frequency);
+    Json curve = Json::array();
+    for (const Knot& knot : knots) {
+        const long long own = percent(knot.frequency);
+        losses.frequency =
+            std::max(losses.frequency, std::abs(knot.frequency - 0.01 * static_cast<double>(own)));
+        curve.push_back({{"Time", whole_ms(knot.time_s) - start_ms},
+                         {"Intensity", knot.amplitude},
+                         {"Frequency", own - base}});
+    }
+    Json event = he_event("continuous", start_ms,
+                          {{"Intensity", 100}, {"Frequency", base}, {"Curve", curve}});
+    event["Duration"] = whole_ms(knots.back().time_s) - start_ms;
+    return event;
+}
+
+// Events of at most 16 points and 5 s, each from the last one's last point on; none for silence.
+std::vector<Json> continuous_events(const std::vector<Knot>& knots, HeLosses& losses) {
+    std::vector<Json> events;
+    std::size_t first = 0;
+    while (first + 1 < knots.size()) {
+        std::size_t last = first + 1;
+        while (last + 1 < knots.size() && last - first + 2 <= kMostHePoints &&
+               1e3 * (knots[last + 1].time_s - knots[first].time_s) <= kLongestEventMs + 1e-6) {
+            ++last;
+        }
+        const std::vector<Knot> part(knots.begin() + static_cast<std::ptrdiff_t>(first),
+                                     knots.begin() + static_cast<std::ptrdiff_t>(last + 1));
+        const bool sounds =
+            std::ranges::any_of(part, [](const Knot& knot) { return knot.amplitude > 0.0; });
+        if (sounds) events.push_back(continuous_event(part, losses));
+        first = last;
+    }
+    return events;
+}
+
+Json tap_event(const Tap& tap, HeLosses& losses) {
+    const auto off = [](double share) {
+        return std::abs(share - 0.01 * static_cast<double>(percent(share)));
+    };
+    losses.frequency = std::max(losses.frequency, off(tap.frequency));
+    losses.intensity = std::max(losses.intensity, off(tap.amplitude));
+    return he_event("transient", whole_ms(tap.time_s),
+                    {{"Intensity", percent(tap.amplitude)}, {"Frequency", percent(tap.frequency)}});
+}
+
+void keep_strongest(std::vector<Tap>& taps, std::size_t most, std::vector<std::string>& remarks) {
+    if (taps.size() <= most) return;
+    remarks.push_back("of " + grouped_digits(taps.size()) + " transients the strongest " +
+                      grouped_digits(most) + " are kept");
+    std::ranges::stable_sort(taps, std::ranges::greater{}, &Tap::amplitude);
+    taps.resize(most);
+    std::ranges::stable_sort(taps, {}, &Tap::time_s);
+}
+
+void remark_steps(const HeLosses& losses, const Shares& shares, std::vector<std::string>& remarks) {
+    constexpr double kRoundingPercent = 1e-9;
+    if (losses.frequency > kRoundingPercent) {
+        remarks.push_back("frequency is in steps of 1/100 of the band: at most " +
+                          significant_digits(losses.frequency, 2) + " of it off");
+    }
+    if (losses.intensity > kRoundingPercent) {
+        remarks.push_back("intensity of transients is in steps of 1/100: at most " +
+                          significant_digits(losses.intensity, 2) + " off");
+    }
+    const bool between = std::ranges::any_of(shares.taps, [](const Tap& tap) {
+        return std::abs(1e3 * tap.time_s - std::round(1e3 * tap.time_s)) > 1e-6;
+    });
+    if (between) remarks.push_back("times of transients are whole ms");
+}
+
+}  // namespace
+
+WrittenEffect write_he(const Pattern& pattern, const EffectTarget& target) {
+    WrittenEffect written;
+    std::vector<std::string>& remarks = written.remarks;
+    Shares shares = as_shares(as_curves(pattern, remarks), target.map, remarks);
+    HeLosses losses;
+    std::vector<Json> events;
+    double end_s = 0.0;
+    if (peak_value(shares.amplitude) > 0.0 || shares.taps.empty()) {
+        KnotRules rules;
+        rules.most = kMostContinuous * (kMostHePoints - 1) / 2;  // 5 s may cut an event before
+        rules.least_gap_s = 0.001;
+        rules.tolerance = 1e-9;
+        const FittedKnots fit =
+            fitted_knots(shares.amplitude, shares.frequency, shares.duration_s, rules);
+        remark_fit(fit, rules, shares.duration_s, " of the band", remarks);
+        const std::vector<Knot> knots = with_short_segments(fit.knots);
+        events = continuous_events(knots, losses);
+        if (events.empty()) events.push_back(continuous_event({knots[0], knots[1]}, losses));
+    }
+    for (const Json& event : events) {
+        end_s = std::max(
+            end_s, 1e-3 * (event["RelativeTime"].get<double>() + event["Duration"].get<double>()));
+    }
+    keep_strongest(shares.taps, kMostEvents - events.size(), remarks);
+    for (const Tap& tap : shares.taps) {
+        events.push_back(tap_event(tap, losses));
+        end_s = std::max(end_s, tap.time_s + burst_duration_s(target.map, tap.frequency));
+    }
+    remark_steps(losses, shares, remarks);
+    remark_end(end_s, std::round(1e3 * shares.duration_s) / 1e3, remarks);
+    std::ranges::stable_sort(
+        events, {}, [](const Json& event) { return event["RelativeTime"].get<long long>(); });
+    Json list = Json::array();
+    for (Json& event : events) list.push_back({{"Event", std::move(event)}});
+    const Json part{{"AbsoluteTime", 0}, {"Pattern", std::move(list)}};
+    written.text = printed(
+        {{"Metadata",
+          {{"Version", 2}, {"Created", target.date}, {"Description", valid_utf8(target.name)}}},
+         {"PatternList", Json::array({part})}});
+    return written;
+}
+
+}  // namespace tact

@@ -1,0 +1,165 @@
+#include "model/io/effects_out/knots.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "model/io/effects/sketch.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+double whole_ticks_s(double t_s, double tick_s) { return std::round(t_s / tick_s) * tick_s; }
+
+std::vector<double> times_of_both(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
+                                  double duration_s) {
+    std::vector<double> times{0.0, duration_s};
+    for (const AmplitudeCurve* curve : {&amplitude, &frequency}) {
+        for (const AmplitudePoint& point : *curve) {
+            if (point.time_s <= duration_s) times.push_back(point.time_s);
+        }
+    }
+    std::ranges::sort(times);
+    times.erase(std::ranges::unique(times).begin(), times.end());
+    return times;
+}
+
+Knot knot_between(const Knot& a, const Knot& b, double t_s) {
+    const double length_s = b.time_s - a.time_s;
+    const double share = length_s > 0.0 ? (t_s - a.time_s) / length_s : 0.0;
+    return {t_s, a.amplitude + share * (b.amplitude - a.amplitude),
+            a.frequency + share * (b.frequency - a.frequency)};
+}
+
+// The lines at a time; held behind the last one.
+Knot knot_at(const std::vector<Knot>& knots, double t_s) {
+    const auto next = std::ranges::upper_bound(knots, t_s, {}, &Knot::time_s);
+    if (next == knots.begin()) return knots.front();
+    if (next == knots.end()) return knots.back();
+    return knot_between(*(next - 1), *next, t_s);
+}
+
+struct Off {
+    double amplitude = 0.0;
+    double frequency = 0.0;
+};
+
+Off off_by(const Knot& asked, const Knot& got) {
+    return {std::abs(asked.amplitude - got.amplitude), std::abs(asked.frequency - got.frequency)};
+}
+
+double weighed(const Off& off, const KnotRules& rules) {
+    return std::max(off.amplitude, off.frequency / rules.frequency_unit);
+}
+
+// What points there may be: where the curves have theirs, and a gap beside each jump.
+std::vector<Knot> candidates_of(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
+                                const std::vector<double>& times, double end_s,
+                                const KnotRules& rules) {
+    std::vector<Knot> all;
+    const auto add = [&](double t_s, const Sides& a, const Sides& f, bool behind) {
+        const double at_s = std::clamp(whole_ticks_s(t_s, rules.tick_s), 0.0, end_s);
+        double hz = behind ? f.behind : f.before;
+        if (rules.frequency_step > 0.0) hz = whole_ticks_s(hz, rules.frequency_step);
+        all.push_back({at_s, behind ? a.behind : a.before, hz});
+    };
+    for (const double t_s : times) {
+        const Sides a = sides_at(amplitude, t_s);
+        const Sides f = sides_at(frequency, t_s);
+        const bool jumps = a.before != a.behind || f.before != f.behind;
+        add(t_s, a, f, t_s == 0.0);
+        const bool ramp = jumps || (rules.from_silence && t_s == 0.0 && a.behind > 0.0);
+        if (!ramp) continue;
+        for (const double beside_s : {t_s - rules.least_gap_s, t_s + rules.least_gap_s}) {
+            if (beside_s <= 0.0 || beside_s >= end_s) continue;
+            add(beside_s, sides_at(amplitude, beside_s), sides_at(frequency, beside_s),
+                beside_s > t_s);
+        }
+    }
+    std::ranges::stable_sort(all, {}, &Knot::time_s);
+    if (rules.from_silence) all.front().amplitude = 0.0;
+    return all;
+}
+
+// Adds the candidate that is farthest off and has room; false where none is.
+bool add_worst(std::vector<Knot>& kept, const std::vector<Knot>& candidates,
+               const KnotRules& rules) {
+    const double least_s = rules.least_gap_s - 1e-9;
+    const Knot* worst = nullptr;
+    double worst_off = rules.tolerance;
+    for (const Knot& one : candidates) {
+        const auto next = std::ranges::upper_bound(kept, one.time_s, {}, &Knot::time_s);
+        if (next == kept.begin() || next == kept.end()) continue;
+        if (one.time_s - (next - 1)->time_s < least_s || next->time_s - one.time_s < least_s) {
+            continue;
+        }
+        const double off =
+            weighed(off_by(one, knot_between(*(next - 1), *next, one.time_s)), rules);
+        if (off > worst_off) {
+            worst = &one;
+            worst_off = off;
+        }
+    }
+    if (worst == nullptr) return false;
+    kept.insert(std::ranges::upper_bound(kept, worst->time_s, {}, &Knot::time_s), *worst);
+    return true;
+}
+
+}  // namespace
+
+FittedKnots fitted_knots(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
+                         double duration_s, const KnotRules& rules) {
+    assert(!amplitude.empty() && !frequency.empty() && "curves have points");
+    const double end_s =
+        std::max({whole_ticks_s(duration_s, rules.tick_s), rules.least_gap_s, rules.tick_s});
+    const std::vector<double> times = times_of_both(amplitude, frequency, duration_s);
+    const std::vector<Knot> candidates = candidates_of(amplitude, frequency, times, end_s, rules);
+    FittedKnots fit;
+    fit.points = times.size();
+    fit.knots = {candidates.front(), candidates.back()};
+    fit.knots.back().time_s = end_s;
+    while (fit.knots.size() < rules.most && add_worst(fit.knots, candidates, rules)) {
+    }
+    for (const double t_s : times) {
+        const Knot got = knot_at(fit.knots, t_s);
+        const Sides a = sides_at(amplitude, t_s);
+        const Sides f = sides_at(frequency, t_s);
+        const bool starts = t_s == 0.0;  // nothing is before it, and nothing behind the end
+        const bool ends = t_s == duration_s;
+        for (const bool behind : {false, true}) {
+            if ((starts && !behind) || (ends && behind && !starts)) continue;
+            const Knot asked{t_s, behind ? a.behind : a.before, behind ? f.behind : f.before};
+            const Off off = off_by(asked, got);
+            fit.amplitude_error = std::max(fit.amplitude_error, off.amplitude);
+            fit.frequency_error = std::max(fit.frequency_error, off.frequency);
+        }
+    }
+    return fit;
+}
+
+void remark_fit(const FittedKnots& fit, const KnotRules& rules, double duration_s,
+                const std::string& frequency_unit, std::vector<std::string>& remarks) {
+    constexpr double kRoundingOff = 1e-9;
+    const double end_s = fit.knots.back().time_s;
+    if (std::abs(end_s - duration_s) > kRoundingOff) {
+        remarks.push_back("lasts " + significant_digits(1e3 * end_s, 6) + " ms in place of " +
+                          significant_digits(1e3 * duration_s, 6) + " ms");
+    }
+    const bool amplitude = fit.amplitude_error > kRoundingOff;
+    const bool frequency = fit.frequency_error > kRoundingOff * rules.frequency_unit;
+    if (!amplitude && !frequency) return;
+    std::string text = grouped_digits(fit.points) + " points thinned to " +
+                       grouped_digits(fit.knots.size()) + ", at least " +
+                       significant_digits(1e3 * rules.least_gap_s, 3) + " ms apart";
+    if (amplitude) {
+        text += ", at most " + significant_digits(fit.amplitude_error, 2) + " of full scale off";
+    }
+    if (frequency) {
+        text += ", at most " + significant_digits(fit.frequency_error, 2) + frequency_unit + " off";
+    }
+    remarks.push_back(text);
+}
+
+}  // namespace tact

@@ -1,0 +1,52 @@
+// Amplitude and frequency in the same points, few and far between: for formats that have them so.
+//
+// From the two ends on, a point is added where the lines are farthest off, if there is room for it:
+// Ramer, Douglas and Peucker's way, with a least distance between points.
+//
+// Source    model/signal/thinning.h, for two heights at once
+// Output    how far off the result is, measured at the points of the curves themselves; jumps cost
+//           what the ramp that replaces them costs
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/pattern/curves.h"
+
+namespace tact {
+
+struct Knot {
+    double time_s = 0.0;
+    double amplitude = 0.0;
+    double frequency = 0.0;
+
+    bool operator==(const Knot&) const = default;
+};
+
+struct KnotRules {
+    std::size_t most = 16;
+    double least_gap_s = 0.020;
+    double tick_s = 0.001;        // times are whole ones
+    double frequency_unit = 1.0;  // that counts as much as an amplitude of 1
+    double tolerance = 0.0;       // of which no more points are needed
+    bool from_silence = false;    // its player begins at amplitude 0
+    double frequency_step = 0.0;  // frequencies are whole ones of this; 0: any
+};
+
+struct FittedKnots {
+    std::vector<Knot> knots;  // from 0 s to the end
+    std::size_t points = 0;   // of the curves, together
+    double amplitude_error = 0.0;
+    double frequency_error = 0.0;
+};
+
+// Of curves from 0 s to `duration_s`, which becomes a whole number of ticks and a gap at least.
+FittedKnots fitted_knots(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
+                         double duration_s, const KnotRules& rules);
+
+// "37 points become 16, at least 20 ms apart: at most 0.03 of full scale off, and 1.2 Hz"; nothing
+// where nothing is lost.
+void remark_fit(const FittedKnots& fit, const KnotRules& rules, double duration_s,
+                const std::string& frequency_unit, std::vector<std::string>& remarks);
+
+}  // namespace tact

@@ -1,0 +1,49 @@
+// Presets of Pulsar (Software Mansion).
+//
+// Source    its documentation: times in ms, amplitude and frequency from 0 to 1.
+
+#include <nlohmann/json.hpp>
+
+#include "model/io/effects_out/shares.h"
+#include "model/io/effects_out/writers.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+Json preset_points(const AmplitudeCurve& curve) {
+    Json points = Json::array();
+    for (const AmplitudePoint& point : curve) {
+        points.push_back({{"time", 1e3 * point.time_s}, {"value", point.value}});
+    }
+    return points;
+}
+
+}  // namespace
+
+WrittenEffect write_pulsar(const Pattern& pattern, const EffectTarget& target) {
+    WrittenEffect written;
+    const Shares shares =
+        as_shares(as_curves(pattern, written.remarks), target.map, written.remarks);
+    Json taps = Json::array();
+    for (const Tap& tap : shares.taps) {
+        taps.push_back({{"time", 1e3 * tap.time_s},
+                        {"amplitude", tap.amplitude},
+                        {"frequency", tap.frequency}});
+    }
+    const bool continuous = peak_value(shares.amplitude) > 0.0;
+    const AmplitudeCurve none;
+    written.text = printed(
+        {{"name", valid_utf8(target.name)},
+         {"description", "written by tactspace"},
+         {"tags", Json::array()},
+         {"duration", 1e3 * shares.duration_s},
+         {"continuousPattern",
+          {{"amplitude", preset_points(continuous || taps.empty() ? shares.amplitude : none)},
+           {"frequency", preset_points(continuous ? shares.frequency : none)}}},
+         {"discretePattern", taps}});
+    return written;
+}
+
+}  // namespace tact

@@ -1,0 +1,188 @@
+#include "model/io/effects_out/shares.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/common/portable.h"
+#include "model/io/effects/effect.h"
+#include "model/signal/thinning.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+std::string four_digits(double value) { return significant_digits(value, 4); }
+
+AmplitudeCurve band_shares(const ActuatorMap& map, const FrequencyCurve& curve) {
+    constexpr double kToleranceHz = 0.1;
+    AmplitudeCurve hz;
+    for (const FrequencyPoint& point : curve) hz.push_back({point.time_s, point.frequency_hz});
+    const double width_hz = map.frequency_hz.high - map.frequency_hz.low;
+    if (!(width_hz > 0.0)) return {{0.0, 0.5}};
+    return mapped(
+        hz, [&](double value) { return frequency_01(map, value); }, kToleranceHz / width_hz);
+}
+
+// A transient as the map plays it at full intensity.
+struct FullBurst {
+    double frequency_01 = 0.5;
+    double frequency_hz = 0.0;
+    double duration_s = 0.0;
+    double energy_g2_s = 0.0;
+    TransientShape shape = TransientShape::sine;
+};
+
+FullBurst full_burst(const ActuatorMap& map, double hz) {
+    const double low = map.burst_at_0.frequency_hz;
+    const double high = map.burst_at_1.frequency_hz;
+    FullBurst burst;
+    if (low != high) burst.frequency_01 = std::clamp((hz - low) / (high - low), 0.0, 1.0);
+    for (const Transient& piece : transients_on(map, 0.0, 1.0, burst.frequency_01)) {
+        burst.frequency_hz = piece.frequency_hz;
+        burst.shape = piece.shape;
+        burst.duration_s = piece.time_s + piece.duration_s;
+        burst.energy_g2_s += energy_g2_s(piece);
+    }
+    return burst;
+}
+
+struct TapChanges {
+    Changes frequency;
+    Changes length;
+    std::size_t shapes = 0;
+};
+
+void note_changes(TapChanges& changes, const Transient& asked, const FullBurst& got) {
+    changes.frequency.note(asked.frequency_hz, got.frequency_hz, 0.05);
+    changes.length.note(1e3 * asked.duration_s, 1e3 * got.duration_s, 1e-3);
+    if (asked.shape != got.shape) ++changes.shapes;
+}
+
+void remark_changes(const TapChanges& changes, std::vector<std::string>& remarks) {
+    changes.frequency.remark("another frequency", " Hz", remarks);
+    changes.length.remark("another length", " ms", remarks);
+    if (changes.shapes > 0) {
+        remarks.push_back(transients_text(changes.shapes) + ": sine and square exchanged");
+    }
+}
+
+}  // namespace
+
+std::string transients_text(std::size_t count) {
+    return grouped_digits(count) + (count == 1 ? " transient" : " transients");
+}
+
+void Changes::note(double asked, double got, double tolerance) {
+    if (std::abs(asked - got) <= tolerance) return;
+    if (count++ > 0) return;
+    from = asked;
+    to = got;
+}
+
+void Changes::remark(const std::string& what, const std::string& unit,
+                     std::vector<std::string>& remarks) const {
+    if (count == 0) return;
+    remarks.push_back(transients_text(count) + ": " + what + ", the first " + four_digits(to) +
+                      unit + " in place of " + four_digits(from));
+}
+
+double intensity_01(const ActuatorMap& map, double share_of_full_scale) {
+    const double share = std::clamp(share_of_full_scale, 0.0, 1.0);
+    return map.intensity_law == IntensityLaw::linear ? share : std::sqrt(share);
+}
+
+double frequency_01(const ActuatorMap& map, double hz) {
+    const auto [low, high] = map.frequency_hz;
+    if (!(low < high)) return 0.5;
+    const double within = std::clamp(hz, low, high);
+    if (map.frequency_law == FrequencyLaw::linear) return (within - low) / (high - low);
+    const double share = portable::log(within / low) / portable::log(high / low);
+    return std::clamp(share, 0.0, 1.0);
+}
+
+double scale_to_full(double loudest, std::vector<std::string>& remarks) {
+    constexpr double kRoundingShare = 1e-9;
+    if (!(loudest > 1.0 + kRoundingShare)) return 1.0;
+    remarks.push_back("louder than full scale: scaled by " + significant_digits(1.0 / loudest, 3));
+    return 1.0 / loudest;
+}
+
+FrequencyCurve in_band(FrequencyCurve curve, Range band_hz, std::vector<std::string>& remarks) {
+    constexpr double kRoundingHz = 1e-6;
+    const auto [low, high] = std::ranges::minmax(curve, {}, &FrequencyPoint::frequency_hz);
+    const double low_hz = low.frequency_hz;
+    const double high_hz = high.frequency_hz;
+    if (low_hz >= band_hz.low - kRoundingHz && high_hz <= band_hz.high + kRoundingHz) return curve;
+    const auto inside = [&](double hz) { return std::clamp(hz, band_hz.low, band_hz.high); };
+    remarks.push_back(low_hz == high_hz
+                          ? four_digits(low_hz) + " Hz is out of the band, written as " +
+                                four_digits(inside(low_hz)) + " Hz"
+                          : four_digits(low_hz) + " to " + four_digits(high_hz) +
+                                " Hz is out of the band, moved into " + four_digits(band_hz.low) +
+                                " to " + four_digits(band_hz.high) + " Hz");
+    AmplitudeCurve hz;
+    for (const FrequencyPoint& point : curve) hz.push_back({point.time_s, point.frequency_hz});
+    curve.clear();
+    for (const AmplitudePoint& point : mapped(hz, inside, 0.1)) {
+        curve.push_back({point.time_s, point.value});
+    }
+    return curve;
+}
+
+double energy_g2_s(const Transient& transient) {
+    const double of_shape = transient.shape == TransientShape::sine ? 0.5 : 1.0;
+    return of_shape * transient.amplitude_g * transient.amplitude_g * transient.duration_s;
+}
+
+Shares as_shares(const PlainCurves& curves, const ActuatorMap& map,
+                 std::vector<std::string>& remarks) {
+    const double full_g = map.full_scale_g * map.continuous_gain;
+    double loudest = full_g > 0.0 ? peak_value(curves.amplitude) / full_g : 0.0;
+    if (!(full_g > 0.0) && peak_value(curves.amplitude) > 0.0) {
+        remarks.push_back("the actuator plays nothing continuous: silent");
+    }
+    Shares shares;
+    shares.duration_s = curves.duration_s;
+    TapChanges changes;
+    std::vector<double> tap_shares;
+    for (const Transient& one : curves.transients) {
+        const FullBurst burst = full_burst(map, one.frequency_hz);
+        note_changes(changes, one, burst);
+        const double energy = burst.energy_g2_s;
+        tap_shares.push_back(energy > 0.0 ? std::sqrt(energy_g2_s(one) / energy) : 0.0);
+        loudest = std::max(loudest, tap_shares.back());
+        shares.taps.push_back({one.time_s, 0.0, burst.frequency_01});
+    }
+    const double scale = scale_to_full(loudest, remarks);
+    for (std::size_t k = 0; k < tap_shares.size(); ++k) {
+        shares.taps[k].amplitude = intensity_01(map, scale * tap_shares[k]);
+    }
+    const auto to_share = [&](double g) {
+        return full_g > 0.0 ? intensity_01(map, scale * g / full_g) : 0.0;
+    };
+    shares.amplitude = mapped(curves.amplitude, to_share, 1e-3);
+    shares.frequency = band_shares(map, in_band(curves.frequency, map.frequency_hz, remarks));
+    remark_changes(changes, remarks);
+    return shares;
+}
+
+void thin_shares(AmplitudeCurve& curve, std::size_t most, const std::string& what,
+                 std::vector<std::string>& remarks) {
+    if (curve.size() <= most) return;
+    std::vector<double> times;
+    std::vector<double> values;
+    for (const AmplitudePoint& point : curve) {
+        times.push_back(point.time_s);
+        values.push_back(point.value);
+    }
+    const Thinning line = thinned(times, values, most, 0.0);
+    AmplitudeCurve kept;
+    for (const std::size_t k : line.kept) kept.push_back(curve[k]);
+    remarks.push_back(grouped_digits(curve.size()) + " points of " + what + " thinned to " +
+                      grouped_digits(kept.size()) + ", at most " +
+                      significant_digits(line.largest_error, 2) + " of full scale off");
+    curve = std::move(kept);
+}
+
+}  // namespace tact

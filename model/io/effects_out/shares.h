@@ -1,0 +1,72 @@
+// Curves in g and Hz as the shares, 0 to 1, that an actuator map makes them of: the readers' way,
+// backwards.
+//
+// What is louder than full scale scales the whole pattern down, so that its parts keep their
+// strengths beside each other. What lies outside of the map's band is moved to its nearer end. A
+// transient gets the frequency that is nearest, and the intensity that makes its energy equal,
+// where the map's burst is longer or shorter or of another shape.
+//
+// Source    model/io/effects/actuator_map.h
+// Output    exact where the map's laws are linear; else straight lines within 0.1 %
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/io/effects/actuator_map.h"
+#include "model/io/effects_out/plain_curves.h"
+
+namespace tact {
+
+struct Tap {
+    double time_s = 0.0;
+    double amplitude = 0.0;
+    double frequency = 0.0;
+};
+
+struct Shares {
+    double duration_s = 0.0;
+    AmplitudeCurve amplitude;
+    AmplitudeCurve frequency;  // at least one point
+    std::vector<Tap> taps;     // by time
+};
+
+// Of the map's full scale, 0 where it has none.
+double intensity_01(const ActuatorMap& map, double share_of_full_scale);
+
+// Of the map's band; the middle where that is a single frequency.
+double frequency_01(const ActuatorMap& map, double hz);
+
+// What multiplies all, at most 1, so that the loudest is full scale; `loudest` is a share of it.
+double scale_to_full(double loudest, std::vector<std::string>& remarks);
+
+// Moved into the band, said in words.
+FrequencyCurve in_band(FrequencyCurve curve, Range band_hz, std::vector<std::string>& remarks);
+
+// Of the square of the waveform, g^2 s, but for the phase of its last period.
+double energy_g2_s(const Transient& transient);
+
+Shares as_shares(const PlainCurves& curves, const ActuatorMap& map,
+                 std::vector<std::string>& remarks);
+
+// At most so many points, and a remark on how far off that is.
+void thin_shares(AmplitudeCurve& curve, std::size_t most, const std::string& what,
+                 std::vector<std::string>& remarks);
+
+// "1 transient", "3 transients".
+std::string transients_text(std::size_t count);
+
+// How many transients differ from what was asked for, and the first of them: "3 transients: another
+// length, the first 22 ms in place of 10".
+struct Changes {
+    std::size_t count = 0;
+    double from = 0.0;
+    double to = 0.0;
+
+    void note(double asked, double got, double tolerance);
+    void remark(const std::string& what, const std::string& unit,
+                std::vector<std::string>& remarks) const;
+};
+
+}  // namespace tact

@@ -1,0 +1,96 @@
+#include "model/io/effects_out/write_effect.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "model/io/effects_out/writers.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+constexpr std::array<TargetTraits, 12> kTargets{
+    {{"haptic", ".haptic of Meta", ".haptic", "quest"},
+     {"ahap", "AHAP", ".ahap", "core-haptics"},
+     {"ahap-continuous", "AHAP, the continuous part of a pair", "_continuous.ahap", "core-haptics"},
+     {"ahap-transients", "AHAP, the transients of a pair", "_transients.ahap", "core-haptics"},
+     {"hjif", "HJIF of MPEG", ".hjif", "mpeg"},
+     {"android-xml", "an envelope of Android 16 as XML", ".xml", "android"},
+     {"android-kotlin", "an envelope of Android 16 as Kotlin", ".kt", "android"},
+     {"android-timings", "timings and amplitudes of Android", ".json", "android"},
+     {"hla", ".hla of Hapticlabs", ".hla", "android"},
+     {"pulsar", "a preset of Pulsar", ".json", "core-haptics"},
+     {"he", ".he of RichTap", ".he", "richtap"},
+     {"openxr", "XR_EXT_haptic_parametric as C", ".c", "quest"}}};
+
+}  // namespace
+
+std::span<const TargetTraits> target_formats() { return kTargets; }
+
+const TargetTraits& traits(TargetFormat format) {
+    return kTargets[static_cast<std::size_t>(format)];
+}
+
+std::optional<TargetFormat> target_format_of(std::string_view key) {
+    const auto found = std::ranges::find(kTargets, key, &TargetTraits::key);
+    if (found == kTargets.end()) return std::nullopt;
+    return static_cast<TargetFormat>(found - kTargets.begin());
+}
+
+WrittenEffect write_effect(TargetFormat format, const Pattern& pattern,
+                           const EffectTarget& target) {
+    switch (format) {
+        case TargetFormat::haptic:
+            return write_haptic(pattern, target);
+        case TargetFormat::ahap:
+            return write_ahap(pattern, target, AhapPart::whole);
+        case TargetFormat::ahap_continuous:
+            return write_ahap(pattern, target, AhapPart::continuous);
+        case TargetFormat::ahap_transients:
+            return write_ahap(pattern, target, AhapPart::transients);
+        case TargetFormat::hjif:
+            return write_hjif(pattern, target);
+        case TargetFormat::android_xml:
+            return write_android_xml(pattern, target);
+        case TargetFormat::android_kotlin:
+            return write_android_kotlin(pattern, target);
+        case TargetFormat::android_timings:
+            return write_android_timings(pattern, target);
+        case TargetFormat::hla:
+            return write_hla(pattern, target);
+        case TargetFormat::pulsar:
+            return write_pulsar(pattern, target);
+        case TargetFormat::he:
+            return write_he(pattern, target);
+        case TargetFormat::openxr:
+            return write_openxr(pattern, target);
+    }
+    assert(false && "a format that is written");
+    return {};
+}
+
+std::string printed(const Json& document) { return document.dump(2) + "\n"; }
+
+void remark_end(double written_s, double duration_s, std::vector<std::string>& remarks) {
+    constexpr double kRoundingEndS = 1e-9;
+    if (std::abs(written_s - duration_s) <= kRoundingEndS) return;
+    remarks.push_back("ends at " + significant_digits(written_s, 4) + " s in place of " +
+                      significant_digits(duration_s, 4) +
+                      " s: the format has no length of its own");
+}
+
+std::string identifier(const std::string& name) {
+    std::string result;
+    for (const char c : name) {
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        result += letter || (c >= '0' && c <= '9') ? c : '_';
+    }
+    const bool starts = !result.empty() && !(result.front() >= '0' && result.front() <= '9');
+    return starts ? result : "effect_" + result;
+}
+
+}  // namespace tact

@@ -1,0 +1,31 @@
+// The writers, one a format, and what they share.
+#pragma once
+
+#include "model/io/effects_out/write_effect.h"
+#include "model/text/json_fields.h"
+
+namespace tact {
+
+enum class AhapPart { whole, continuous, transients };
+
+WrittenEffect write_haptic(const Pattern& pattern, const EffectTarget& target);
+WrittenEffect write_ahap(const Pattern& pattern, const EffectTarget& target, AhapPart part);
+WrittenEffect write_hjif(const Pattern& pattern, const EffectTarget& target);
+WrittenEffect write_android_xml(const Pattern& pattern, const EffectTarget& target);
+WrittenEffect write_android_kotlin(const Pattern& pattern, const EffectTarget& target);
+WrittenEffect write_android_timings(const Pattern& pattern, const EffectTarget& target);
+WrittenEffect write_hla(const Pattern& pattern, const EffectTarget& target);
+WrittenEffect write_pulsar(const Pattern& pattern, const EffectTarget& target);
+WrittenEffect write_he(const Pattern& pattern, const EffectTarget& target);
+WrittenEffect write_openxr(const Pattern& pattern, const EffectTarget& target);
+
+// As text that ends with a line break.
+std::string printed(const Json& document);
+
+// Where a format has no length of its own, and what it holds ends at another time than the pattern.
+void remark_end(double written_s, double duration_s, std::vector<std::string>& remarks);
+
+// Letters, digits and underscores, not a digit first: a name in source text.
+std::string identifier(const std::string& name);
+
+}  // namespace tact

@@ -1,0 +1,315 @@
+// What is written, read back by our own readers with the same actuator map.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "model/io/effects/read_effects.h"
+#include "model/io/effects_out/write_effect.h"
+#include "model/pattern/drawn_fault.h"
+
+namespace round_trip_test {
+
+using namespace tact;
+
+namespace {
+
+constexpr int kPatterns = 60;  // of each format
+
+// Linear, no ducking, and one length of transients: nothing that only a map would lose.
+ActuatorMap plain_map() {
+    ActuatorMap map;
+    map.name = "plain";
+    map.frequency_hz = {50.0, 250.0};
+    map.full_scale_g = 2.0;
+    map.burst_at_0 = {60.0, 0.020, BurstShape::sine};
+    map.burst_at_1 = {240.0, 0.020, BurstShape::sine};
+    return map;
+}
+
+double between(std::mt19937& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+int whole(std::mt19937& random, int low, int high) {
+    return std::uniform_int_distribution<int>(low, high)(random);
+}
+
+// What a format can hold.
+struct Holds {
+    bool jumps = true;
+    bool transients = true;
+    bool begins_at_0 = false;
+    double tick_s = 1e-4;  // of times
+    int least_gap_ticks = 1;
+    int most_points = 40;
+    double frequency_step = 0.0;  // share of 50 to 250 Hz
+};
+
+double some_hz(std::mt19937& random, const Holds& holds) {
+    const double share = between(random, 0.0, 1.0);
+    if (holds.frequency_step == 0.0) return 50.0 + 200.0 * share;
+    return 50.0 + 200.0 * holds.frequency_step * std::round(share / holds.frequency_step);
+}
+
+Pattern some_pattern(std::mt19937& random, const Holds& holds) {
+    Pattern pattern;
+    pattern.amplitude_g = 0.8;
+    pattern.carriers.front().frequency_hz = some_hz(random, holds);
+    const bool sweeps = whole(random, 0, 1) == 1;
+    const int points = whole(random, 2, holds.most_points);
+    int ticks = 0;
+    for (int k = 0; k < points; ++k) {
+        const double t_s = ticks * holds.tick_s;
+        const double value = k == 0 && holds.begins_at_0 ? 0.0 : between(random, 0.0, 1.0);
+        pattern.amplitude_curve.push_back({t_s, value});
+        const bool jump = holds.jumps && k > 0 && whole(random, 0, 3) == 0;
+        if (jump) pattern.amplitude_curve.push_back({t_s, between(random, 0.0, 1.0)});
+        if (sweeps) pattern.frequency_curve.push_back({t_s, some_hz(random, holds)});
+        pattern.duration_s = t_s;
+        ticks += holds.least_gap_ticks + whole(random, 0, static_cast<int>(0.08 / holds.tick_s));
+    }
+    if (!holds.transients || pattern.duration_s < 0.1) return pattern;
+    const int taps = whole(random, 0, 4);
+    for (int k = 0; k < taps; ++k) {
+        const int ms = 5 + 25 * k;
+        if (1e-3 * ms > pattern.duration_s - 0.03) break;
+        // As strong as some intensity from 0.6 on, and above all that is continuous.
+        for (const Transient& one :
+             transients_on(plain_map(), 1e-3 * ms, 0.01 * whole(random, 60, 100),
+                           0.01 * whole(random, 0, 100))) {
+            pattern.transients.push_back(one);
+        }
+    }
+    return pattern;
+}
+
+EffectsRead read_back(const std::string& text) {
+    const auto read = read_effects(text, "a.x", plain_map());
+    REQUIRE_MESSAGE(read, (read ? "" : read.error().message + "\n" + text));
+    REQUIRE(read->effects.size() == 1);
+    REQUIRE(!drawn_fault(read->effects.front().pattern));
+    return *read;
+}
+
+double largest_difference_g(const Pattern& a, const Pattern& b) {
+    double largest = 0.0;
+    for (double t_s = 0.00005; t_s < a.duration_s; t_s += 0.0001) {
+        largest = std::max(largest, std::abs(envelope_g(a, t_s) - envelope_g(b, t_s)));
+    }
+    return largest;
+}
+
+double largest_difference_hz(const Pattern& a, const Pattern& b) {
+    double largest = 0.0;
+    for (double t_s = 0.00005; t_s < a.duration_s; t_s += 0.0001) {
+        if (!(envelope_g(a, t_s) > 1e-9)) continue;
+        largest = std::max(largest, std::abs(first_carrier_hz(a, t_s) - first_carrier_hz(b, t_s)));
+    }
+    return largest;
+}
+
+bool same_transients(const Pattern& a, const Pattern& b) {
+    return std::ranges::equal(
+        a.transients, b.transients, [](const Transient& one, const Transient& other) {
+            return std::abs(one.time_s - other.time_s) < 1e-9 &&
+                   std::abs(one.amplitude_g - other.amplitude_g) < 1e-6 &&
+                   std::abs(one.frequency_hz - other.frequency_hz) < 1e-6 &&
+                   std::abs(one.duration_s - other.duration_s) < 1e-9 && one.shape == other.shape;
+        });
+}
+
+// Equal in what a plain pattern has: the carrier's envelope and frequency, and transients.
+bool is_equal(const Pattern& a, const Pattern& b) {
+    return std::abs(a.duration_s - b.duration_s) < 1e-9 && largest_difference_g(a, b) < 1e-6 &&
+           largest_difference_hz(a, b) < 1e-6 && same_transients(a, b);
+}
+
+void check_held(TargetFormat format, const Holds& holds, bool quiet = true) {
+    std::mt19937 random(20261122);
+    for (int k = 0; k < kPatterns; ++k) {
+        CAPTURE(k);
+        const Pattern pattern = some_pattern(random, holds);
+        const WrittenEffect written = write_effect(format, pattern, {"one", plain_map()});
+        const EffectsRead read = read_back(written.text);
+        const Pattern& back = read.effects.front().pattern;
+        CAPTURE(written.text);
+        CHECK(std::abs(back.duration_s - pattern.duration_s) < 1e-9);
+        CHECK(largest_difference_g(pattern, back) < 1e-6);
+        CHECK(largest_difference_hz(pattern, back) < 1e-6);
+        CHECK(same_transients(pattern, back));
+        const std::string first = written.remarks.empty() ? "" : written.remarks.front();
+        if (quiet) CHECK(first == "");
+    }
+}
+
+}  // namespace
+
+TEST_CASE("round trip: .haptic holds curves, jumps and transients") {
+    check_held(TargetFormat::haptic, {});
+}
+
+TEST_CASE("round trip: Pulsar's presets hold curves, jumps and transients") {
+    check_held(TargetFormat::pulsar, {});
+}
+
+TEST_CASE("round trip: AHAP holds curves, however many chunks of 16 points they make") {
+    check_held(TargetFormat::ahap, {.transients = false, .most_points = 100});
+}
+
+TEST_CASE("round trip: a pair of AHAP holds curves in one file and transients in the other") {
+    std::mt19937 random(7);
+    for (int k = 0; k < kPatterns; ++k) {
+        const Pattern pattern = some_pattern(random, {});
+        const EffectTarget target{"one", plain_map()};
+        const auto first = write_effect(TargetFormat::ahap_continuous, pattern, target);
+        const Pattern curves = read_back(first.text).effects.front().pattern;
+        CHECK(curves.transients.empty());
+        CHECK(largest_difference_g(pattern, curves) < 1e-6);
+        CHECK(largest_difference_hz(pattern, curves) < 1e-6);
+        if (pattern.transients.empty()) continue;
+        const auto second = write_effect(TargetFormat::ahap_transients, pattern, target);
+        const Pattern bursts = read_back(second.text).effects.front().pattern;
+        CHECK(same_transients(pattern, bursts));
+        CHECK(envelope_g(bursts, 0.01) == 0.0);
+        CHECK(first.remarks.front() == "its transients are in the other file");
+    }
+}
+
+TEST_CASE("round trip: HJIF holds curves at whole Hz, and transients") {
+    std::mt19937 random(3);
+    for (int k = 0; k < kPatterns; ++k) {
+        Pattern pattern = some_pattern(random, {.frequency_step = 0.005});
+        for (Transient& one : pattern.transients) one.frequency_hz = std::round(one.frequency_hz);
+        pattern.carriers.front().phase_rad = between(random, 0.0, 6.0);
+        const auto written = write_effect(TargetFormat::hjif, pattern, {"one", plain_map()});
+        const Pattern back = read_back(written.text).effects.front().pattern;
+        CAPTURE(written.text);
+        CHECK(is_equal(pattern, back));
+        CHECK(back.carriers.front().phase_rad == doctest::Approx(pattern.carriers[0].phase_rad));
+        CHECK(written.remarks.empty());
+    }
+}
+
+TEST_CASE("round trip: HJIF holds several carriers, their weights and phases") {
+    Pattern pattern;
+    pattern.amplitude_g = 0.5;
+    pattern.carriers = {{70.0, 1.0, 0.5}, {230.0, 0.4, 1.5}, {150.0, 0.8, 0.0}};
+    pattern.rhythm = {"x=-x", 0.125};
+    pattern.duration_s = 1.0;
+    const auto written = write_effect(TargetFormat::hjif, pattern, {"three", plain_map()});
+    CHECK(written.remarks.empty());
+    const Pattern back = read_back(written.text).effects.front().pattern;
+    REQUIRE(back.carriers.size() == 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(back.carriers[k].frequency_hz == pattern.carriers[k].frequency_hz);
+        CHECK(back.carriers[k].weight == doctest::Approx(pattern.carriers[k].weight));
+        CHECK(back.carriers[k].phase_rad == pattern.carriers[k].phase_rad);
+    }
+    CHECK(largest_difference_g(pattern, back) < 1e-6);
+}
+
+TEST_CASE("round trip: Android's envelopes hold points at least 20 ms apart, from silence on") {
+    check_held(TargetFormat::android_xml, {.jumps = false,
+                                           .transients = false,
+                                           .begins_at_0 = true,
+                                           .tick_s = 1e-3,
+                                           .least_gap_ticks = 20,
+                                           .most_points = 17});
+}
+
+TEST_CASE("round trip: .he holds points at whole ms and frequencies in 1/100 of the band") {
+    check_held(TargetFormat::he,
+               {.jumps = false, .tick_s = 1e-3, .least_gap_ticks = 1, .frequency_step = 0.01});
+}
+
+TEST_CASE("round trip: timings and amplitudes hold steps of 10 ms and 1/255") {
+    std::mt19937 random(11);
+    for (const TargetFormat format : {TargetFormat::android_timings, TargetFormat::hla}) {
+        for (int k = 0; k < kPatterns; ++k) {
+            Pattern pattern;
+            pattern.amplitude_g = 2.0;
+            const int steps = whole(random, 1, 60);
+            for (int n = 0; n < steps; ++n) {
+                const double value = whole(random, 0, 255) / 255.0;
+                pattern.amplitude_curve.push_back({n * 0.01, value});
+                pattern.amplitude_curve.push_back({(n + 1) * 0.01, value});
+            }
+            pattern.duration_s = steps * 0.01;
+            pattern.amplitude_curve.back().time_s = pattern.duration_s;
+            const auto written = write_effect(format, pattern, {"steps", plain_map()});
+            const Pattern back = read_back(written.text).effects.front().pattern;
+            CHECK(back.duration_s == doctest::Approx(pattern.duration_s));
+            CHECK(largest_difference_g(pattern, back) < 1e-6);
+        }
+    }
+}
+
+TEST_CASE("round trip: laws that are not straight are met within 1 % of full scale and 1 Hz") {
+    ActuatorMap map = plain_map();
+    map.intensity_law = IntensityLaw::squared;
+    map.frequency_law = FrequencyLaw::logarithmic;
+    std::mt19937 random(5);
+    for (int k = 0; k < 20; ++k) {
+        const Pattern pattern = some_pattern(random, {.transients = false, .least_gap_ticks = 100});
+        for (const TargetFormat format : {TargetFormat::haptic, TargetFormat::ahap}) {
+            const auto written = write_effect(format, pattern, {"one", map});
+            const auto read = read_effects(written.text, "a.x", map);
+            REQUIRE(read);
+            CHECK(largest_difference_g(pattern, read->effects[0].pattern) < 0.02);
+            CHECK(largest_difference_hz(pattern, read->effects[0].pattern) < 1.0);
+        }
+    }
+}
+
+// Anything that a pattern can be, also what no format holds.
+Pattern wild_pattern(std::mt19937& random) {
+    Pattern pattern = some_pattern(random, {});
+    pattern.amplitude_g = between(random, 0.1, 4.0);
+    if (whole(random, 0, 2) == 0) pattern.carriers.push_back({between(random, 20, 400), 0.7, 1.0});
+    if (whole(random, 0, 2) == 0) pattern.modulation.frequency_hz = between(random, 1, 60);
+    if (whole(random, 0, 1) == 0) pattern.modulation.kind = ModulationKind::am;
+    if (whole(random, 0, 2) == 0) pattern.rhythm = {"x=-x", 0.0371};
+    if (whole(random, 0, 2) == 0) pattern.attack_s = 0.013;
+    if (whole(random, 0, 3) == 0) pattern.carriers.front().frequency_hz = between(random, 1, 900);
+    if (whole(random, 0, 3) == 0) pattern.carriers.front().phase_rad = 1.0;
+    for (Transient& one : pattern.transients) {
+        if (whole(random, 0, 3) == 0) one.duration_s = between(random, 0.002, 0.1);
+        if (whole(random, 0, 3) == 0) one.frequency_hz = between(random, 1, 900);
+        if (whole(random, 0, 3) == 0) one.shape = TransientShape::square;
+    }
+    return pattern;
+}
+
+bool is_plain(const Pattern& pattern) {
+    return pattern.carriers.size() == 1 && pattern.modulation.frequency_hz == 0.0 &&
+           pattern.carriers.front().phase_rad == 0.0;
+}
+
+TEST_CASE("round trip: no loss is silent") {
+    std::mt19937 random(29);
+    int lossless = 0;
+    for (int k = 0; k < 300; ++k) {
+        CAPTURE(k);
+        const Pattern pattern = wild_pattern(random);
+        for (std::size_t f = 0; f < target_formats().size(); ++f) {
+            const auto format = static_cast<TargetFormat>(f);
+            CAPTURE(target_formats()[f].key);
+            const auto written = write_effect(format, pattern, {"wild \"one\"", plain_map()});
+            CHECK(written == write_effect(format, pattern, {"wild \"one\"", plain_map()}));
+            if (!written.remarks.empty()) continue;
+            CAPTURE(written.text);
+            const bool source =
+                format == TargetFormat::android_kotlin || format == TargetFormat::openxr;
+            if (source || format == TargetFormat::ahap_transients) continue;
+            const Pattern back = read_back(written.text).effects.front().pattern;
+            if (format != TargetFormat::hjif) CHECK(is_plain(pattern));
+            if (is_plain(pattern)) CHECK(is_equal(pattern, back));
+            ++lossless;
+        }
+    }
+    CHECK(lossless > 50);
+}
+
+}  // namespace round_trip_test
