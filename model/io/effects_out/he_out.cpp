@@ -99,13 +99,17 @@ Json continuous_event(std::vector<Knot> knots, HeLosses& losses) {
     return event;
 }
 
-// Events of at most 16 points and 5 s, each from the last one's last point on; none for silence.
+// Events of at most 16 points and 5 s, as many in each as can be, each from the last one's last
+// point on; none for silence.
 std::vector<Json> continuous_events(const std::vector<Knot>& knots, HeLosses& losses) {
     std::vector<Json> events;
     std::size_t first = 0;
     while (first + 1 < knots.size()) {
+        const std::size_t lines = knots.size() - 1 - first;
+        const std::size_t parts = (lines + kMostHePoints - 2) / (kMostHePoints - 1);
+        const std::size_t most = (lines + parts - 1) / parts;
         std::size_t last = first + 1;
-        while (last + 1 < knots.size() && last - first + 2 <= kMostHePoints &&
+        while (last + 1 < knots.size() && last - first < most &&
                1e3 * (knots[last + 1].time_s - knots[first].time_s) <= kLongestEventMs + 1e-6) {
             ++last;
         }
