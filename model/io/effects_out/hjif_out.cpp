@@ -217,6 +217,9 @@ WrittenEffect write_hjif(const Pattern& pattern, const EffectTarget& target) {
     if (!envelope.transients.empty()) {
         bands.push_back(transient_band(envelope.transients, target.map, unit_g, losses));
         remark_transients(envelope.transients, target.map, written.remarks);
+        const double length_s = burst_duration_s(target.map, 0.5);
+        const double end_s = envelope.transients.back().time_s + length_s;
+        remark_end(std::max(end_s, pattern.duration_s), pattern.duration_s, written.remarks);
     }
     remark_whole_numbers(losses, written.remarks);
     written.text = printed(document_of_bands(std::move(bands), scale * unit_g / full_g, target));
