@@ -107,6 +107,48 @@ bool add_worst(std::vector<Knot>& kept, const std::vector<Knot>& candidates,
     return true;
 }
 
+// Where a ramp is in the place of a jump; the beginning is one where the player is silent before.
+std::vector<double> times_of_jumps(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
+                                   const std::vector<double>& times, const KnotRules& rules) {
+    std::vector<double> jumps;
+    for (const double t_s : times) {
+        const Sides a = sides_at(amplitude, t_s);
+        const Sides f = sides_at(frequency, t_s);
+        const bool within = t_s > 0.0 && t_s < times.back();
+        const bool jump = within && (a.before != a.behind || f.before != f.behind);
+        const bool at_once = t_s == 0.0 && rules.from_silence && a.behind > 0.0;
+        if (jump || at_once) jumps.push_back(t_s);
+    }
+    return jumps;
+}
+
+void measure(FittedKnots& fit, const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
+             const std::vector<double>& times, const KnotRules& rules) {
+    const std::vector<double> jumps = times_of_jumps(amplitude, frequency, times, rules);
+    fit.ramps = jumps.size();
+    const auto note = [&](double t_s, bool behind) {
+        const Sides a = sides_at(amplitude, t_s);
+        const Sides f = sides_at(frequency, t_s);
+        const Knot asked{t_s, behind ? a.behind : a.before, behind ? f.behind : f.before};
+        const Off off = off_by(asked, knot_at(fit.knots, t_s));
+        fit.amplitude_error = std::max(fit.amplitude_error, off.amplitude);
+        fit.frequency_error = std::max(fit.frequency_error, off.frequency);
+    };
+    for (const double t_s : times) {
+        const bool on_ramp = std::ranges::any_of(jumps, [&](double jump_s) {
+            return std::abs(t_s - jump_s) < rules.least_gap_s - 0.5 * rules.tick_s;
+        });
+        if (!on_ramp) note(t_s, t_s == 0.0);
+    }
+    // Whether each ramp is there, or was thinned away.
+    for (const double jump_s : jumps) {
+        const double from_s = jump_s - rules.least_gap_s;
+        const double to_s = jump_s + rules.least_gap_s;
+        if (from_s >= 0.0) note(from_s, true);
+        if (to_s <= times.back()) note(to_s, false);
+    }
+}
+
 }  // namespace
 
 FittedKnots fitted_knots(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
@@ -122,20 +164,7 @@ FittedKnots fitted_knots(const AmplitudeCurve& amplitude, const AmplitudeCurve& 
     fit.knots.back().time_s = end_s;
     while (fit.knots.size() < rules.most && add_worst(fit.knots, candidates, rules)) {
     }
-    for (const double t_s : times) {
-        const Knot got = knot_at(fit.knots, t_s);
-        const Sides a = sides_at(amplitude, t_s);
-        const Sides f = sides_at(frequency, t_s);
-        const bool starts = t_s == 0.0;  // nothing is before it, and nothing behind the end
-        const bool ends = t_s == duration_s;
-        for (const bool behind : {false, true}) {
-            if ((starts && !behind) || (ends && behind && !starts)) continue;
-            const Knot asked{t_s, behind ? a.behind : a.before, behind ? f.behind : f.before};
-            const Off off = off_by(asked, got);
-            fit.amplitude_error = std::max(fit.amplitude_error, off.amplitude);
-            fit.frequency_error = std::max(fit.frequency_error, off.frequency);
-        }
-    }
+    measure(fit, amplitude, frequency, times, rules);
     return fit;
 }
 
@@ -147,12 +176,18 @@ void remark_fit(const FittedKnots& fit, const KnotRules& rules, double duration_
         remarks.push_back("lasts " + significant_digits(1e3 * end_s, 6) + " ms in place of " +
                           significant_digits(1e3 * duration_s, 6) + " ms");
     }
+    const std::string gap = significant_digits(1e3 * rules.least_gap_s, 3) + " ms";
+    if (fit.ramps > 0) {
+        remarks.push_back(fit.ramps == 1 ? "a jump becomes a ramp of " + gap
+                                         : grouped_digits(fit.ramps) + " jumps become ramps of " +
+                                               gap + " or more");
+    }
     const bool amplitude = fit.amplitude_error > kRoundingOff;
     const bool frequency = fit.frequency_error > kRoundingOff * rules.frequency_unit;
     if (!amplitude && !frequency) return;
-    std::string text = grouped_digits(fit.points) + " points thinned to " +
-                       grouped_digits(fit.knots.size()) + ", at least " +
-                       significant_digits(1e3 * rules.least_gap_s, 3) + " ms apart";
+    std::string text = grouped_digits(fit.points) +
+                       (fit.knots.size() < fit.points ? " points thinned to " : " points become ") +
+                       grouped_digits(fit.knots.size()) + ", at least " + gap + " apart";
     if (amplitude) {
         text += ", at most " + significant_digits(fit.amplitude_error, 2) + " of full scale off";
     }

@@ -4,8 +4,9 @@
 // Ramer, Douglas and Peucker's way, with a least distance between points.
 //
 // Source    model/signal/thinning.h, for two heights at once
-// Output    how far off the result is, measured at the points of the curves themselves; jumps cost
-//           what the ramp that replaces them costs
+// Output    how far off the result is, measured at the points of the curves themselves, but for
+// those
+//           within a gap of a jump: a ramp is in its place, and that is counted
 #pragma once
 
 #include <string>
@@ -36,6 +37,7 @@ struct KnotRules {
 struct FittedKnots {
     std::vector<Knot> knots;  // from 0 s to the end
     std::size_t points = 0;   // of the curves, together
+    std::size_t ramps = 0;    // in the place of a jump, a beginning at once among them
     double amplitude_error = 0.0;
     double frequency_error = 0.0;
 };
@@ -44,8 +46,8 @@ struct FittedKnots {
 FittedKnots fitted_knots(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
                          double duration_s, const KnotRules& rules);
 
-// "37 points become 16, at least 20 ms apart: at most 0.03 of full scale off, and 1.2 Hz"; nothing
-// where nothing is lost.
+// "2 jumps become ramps of 20 ms", "37 points thinned to 16, at least 20 ms apart, at most 0.03 of
+// full scale off"; nothing where nothing is lost.
 void remark_fit(const FittedKnots& fit, const KnotRules& rules, double duration_s,
                 const std::string& frequency_unit, std::vector<std::string>& remarks);
 

@@ -191,6 +191,18 @@ TEST_CASE(
     CHECK(kotlin.text.find("    .build()\n") != std::string::npos);
 }
 
+TEST_CASE("writers: a rhythm of more notes than Android has points for is not only ramps") {
+    Pattern pattern = tone(150.0);
+    pattern.rhythm = {"x---x-", 0.05};
+    pattern.duration_s = 0.3;
+    const WrittenEffect few = written(TargetFormat::android_xml, pattern);
+    CHECK(few.remarks == std::vector<std::string>{"4 jumps become ramps of 20 ms or more"});
+    pattern.duration_s = 3.0;
+    const WrittenEffect many = written(TargetFormat::android_xml, pattern);
+    CHECK(has_remark(many, "jumps become ramps of 20 ms or more"));
+    CHECK(has_remark(many, "points thinned to 17, at least 20 ms apart, at most 0."));
+}
+
 TEST_CASE("writers: events of .he have 4 to 16 points and last 5 s at most") {
     for (const Pattern& pattern :
          {zigzag(300, 0.04), tone(150.0, 0.4, 12.0), tone(90.0, 1.0, 0.02)}) {
