@@ -17,9 +17,9 @@ struct Selection {
     std::string partner;           // name of the pattern that makes a pair with the current one
     std::size_t current = 0;       // shown in the editor and the middle column
     std::set<std::size_t> others;  // edited together with it
-    std::optional<std::size_t> hovered;  // in this frame, by any panel drawn so far
-    std::string search;                  // what the list is narrowed to
-    bool scroll_to_current = false;  // in the list, in the next frame
+    std::optional<std::size_t> hovered;       // in this frame, by any panel drawn so far
+    std::string search;                       // what the list is narrowed to
+    bool scroll_to_current = false;           // in the list, in the next frame
     std::set<std::string> too_close{};        // names in pairs that are marked as too close
     std::set<std::string> unfelt{};           // names of those that no receptor answers to
     std::optional<std::size_t> hovered_last;  // in the last frame, by any panel

@@ -1,8 +1,8 @@
 // The wave strip in the program's frames: by mouse and keys.
 
+#include "app/wave_strip/wave_strip.h"
 #include "app/document/editing.h"
 #include "app/screen/input_queue.h"
-#include "app/wave_strip/wave_strip.h"
 #include "tests/support/program.h"
 
 namespace wave_strip_test {
