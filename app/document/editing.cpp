@@ -228,11 +228,7 @@ void add_pattern(Ui& ui, Workspace& work) {
     Pattern pattern;
     pattern.duration_s = work.document.set.duration_s;
     fresh.source = pattern;
-    add_vibration(ui, work, fresh, "Add pattern");
-}
-
-void add_vibration(Ui& ui, Workspace& work, const Vibration& fresh, const std::string& label) {
-    add_vibrations(ui, work, {fresh}, label);
+    add_vibrations(ui, work, {fresh}, "Add pattern");
 }
 
 void add_vibrations(Ui& ui, Workspace& work, std::vector<Vibration> fresh,

@@ -61,7 +61,6 @@ void redo(Ui& ui, Workspace& work);
 
 // One step each. New vibrations come after the current one and are selected.
 void add_pattern(Ui& ui, Workspace& work);
-void add_vibration(Ui& ui, Workspace& work, const Vibration& fresh, const std::string& label);
 void add_vibrations(Ui& ui, Workspace& work, std::vector<Vibration> fresh,
                     const std::string& label);
 void duplicate_selected(Ui& ui, Workspace& work);

@@ -206,7 +206,7 @@ void make_parametric(Ui& ui, Workspace& work, const RecordingEditor& editor,
     fresh.name = editor.name + " traced";
     fresh.source = traced.pattern;
     fresh.note = "Traced from " + editor.name + ": " + trace_words(traced) + ".";
-    add_vibration(ui, work, fresh, "Make " + editor.name + " parametric");
+    add_vibrations(ui, work, {fresh}, "Make " + editor.name + " parametric");
     if (const auto recording = place_named(work.document.set, editor.name)) {
         choose_pair(work, work.selection.current, *recording);
     }

@@ -98,9 +98,9 @@ void draw_sides(const Ui& ui, const PlayState& play, const std::optional<Sides>&
 
 }  // namespace
 
-float alternate_width(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
-                      const PlayState& play, bool names) {
-    return width_of(ui, names ? sides_of(ui, work, shown_map, play) : std::nullopt);
+AlternateWidths alternate_widths(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                                 const PlayState& play) {
+    return {width_of(ui, std::nullopt), width_of(ui, sides_of(ui, work, shown_map, play))};
 }
 
 void draw_alternate(Ui& ui, const Workspace& work, const ShownMap& shown_map, PlayState& play,

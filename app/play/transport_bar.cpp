@@ -132,7 +132,8 @@ constexpr std::array<bool BarParts::*, 10> kFirstToGo{&BarParts::computing_in_fu
 constexpr const char* kShowAll = "Show all";
 
 float bar_width(const Ui& ui, const Workspace& work, const Timeline& timeline,
-                const ShownMap& shown_map, const PlayState& play, const BarParts& parts) {
+                const ShownMap& shown_map, const PlayState& play, const AlternateWidths& alternate,
+                const BarParts& parts) {
     const float gap = ui.theme.gap_px;
     const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
     const float icon = 1.15F * ImGui::GetFrameHeight() + 0.5F * gap;
@@ -140,7 +141,7 @@ float bar_width(const Ui& ui, const Workspace& work, const Timeline& timeline,
     const ComputingTexts computing = computing_texts(ui, shown_map);
     float sum = icon * (1.0F + (parts.steps ? 3.0F : 0.0F) + (parts.loop ? 1.0F : 0.0F));
     if (parts.loop) {
-        sum += alternate_width(ui, work, shown_map, play, parts.pair_names) + 0.5F * gap;
+        sum += (parts.pair_names ? alternate.with_names : alternate.letters) + 0.5F * gap;
     }
     if (parts.speeds) {
         sum += ui.theme.padding_px;
@@ -162,9 +163,10 @@ float bar_width(const Ui& ui, const Workspace& work, const Timeline& timeline,
 
 BarParts fitting_parts(const Ui& ui, const Workspace& work, const Timeline& timeline,
                        const ShownMap& shown_map, const PlayState& play, float room_px) {
+    const AlternateWidths alternate = alternate_widths(ui, work, shown_map, play);
     BarParts parts;
     for (const auto part : kFirstToGo) {
-        if (bar_width(ui, work, timeline, shown_map, play, parts) <= room_px) break;
+        if (bar_width(ui, work, timeline, shown_map, play, alternate, parts) <= room_px) break;
         parts.*part = false;
     }
     return parts;

@@ -1,5 +1,4 @@
 #include "app/window/commands.h"
-#include "app/wave_strip/wave_strip.h"
 
 #include <array>
 
@@ -20,6 +19,7 @@
 #include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"
 #include "app/tour/tour.h"
+#include "app/wave_strip/wave_strip.h"
 #include "app/window/animation.h"
 #include "app/window/session_layout.h"
 
@@ -28,6 +28,7 @@ namespace tact {
 namespace {
 
 bool always(const App&) { return true; }
+
 void remove_chosen_or_selected(App& app) {
     if (remove_chosen(app.ui, app.work, app.pattern_panes.strip)) return;
     remove_selected(app.ui, app.work);

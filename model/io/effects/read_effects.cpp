@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "model/io/effects/formats.h"
@@ -146,9 +147,17 @@ bool is_effect_name(std::string_view path) {
     return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
-bool may_be_effects(std::string_view text) {
-    const char first = first_sign(text);
-    return first == '{' || first == '<';
+std::string head_of_effects(const std::filesystem::path& path) {
+    constexpr std::size_t kHead = 4096;
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(path, none)) return {};
+    if (std::filesystem::file_size(path, none) > kMostEffectBytes) return {};
+    std::string head(kHead, '\0');
+    std::ifstream stream(path, std::ios::binary);
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(stream.gcount()));
+    const char first = first_sign(head);
+    return first == '{' || first == '<' ? head : std::string();
 }
 
 Expected<EffectsRead> read_effects(std::string_view text, const std::string& path,

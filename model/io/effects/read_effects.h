@@ -7,6 +7,7 @@
 // Valid     files of at most kMostEffectBytes; errors as "FILE: PLACE: expected .."
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,8 +29,9 @@ const EffectFormatTraits& traits(EffectFormat format);
 // Whether a file of this name can be nothing else: .ahap, .haptic, .hjif, .haps, .he, .hla.
 bool is_effect_name(std::string_view path);
 
-// Whether a text may be one of them: an object of JSON, or XML.
-bool may_be_effects(std::string_view text);
+// The beginning of a regular file that may be one of them, an object of JSON or XML; empty: it is
+// something else, or too large.
+std::string head_of_effects(const std::filesystem::path& path);
 
 struct EffectsRead {
     EffectFormat format = EffectFormat::none;  // none: some other JSON or XML, and no effects

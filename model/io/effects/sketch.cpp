@@ -5,28 +5,25 @@
 #include <cmath>
 
 #include "model/io/effects/voices.h"
+#include "model/pattern/drawn_curve.h"
 #include "model/pattern/drawn_fault.h"
-#include "model/signal/thinning.h"
 #include "model/text/numbers.h"
 
 namespace tact {
 
 namespace {
 
-double height(const AmplitudePoint& point) { return point.value; }
-double height(const FrequencyPoint& point) { return point.frequency_hz; }
-
 template <class Point>
 Sides sides(const std::vector<Point>& curve, double t_s) {
     assert(!curve.empty() && "a curve has points");
     const auto behind = std::ranges::upper_bound(curve, t_s, {}, &Point::time_s);
     const auto from = std::ranges::lower_bound(curve, t_s, {}, &Point::time_s);
-    if (from != behind) return {height(*from), height(*(behind - 1))};
-    if (from == curve.begin()) return {height(*from), height(*from)};
-    if (from == curve.end()) return {height(curve.back()), height(curve.back())};
+    if (from != behind) return {height_of(*from), height_of(*(behind - 1))};
+    if (from == curve.begin()) return {height_of(*from), height_of(*from)};
+    if (from == curve.end()) return {height_of(curve.back()), height_of(curve.back())};
     const Point& left = *(from - 1);
     const double share = (t_s - left.time_s) / (from->time_s - left.time_s);
-    const double value = height(left) + (height(*from) - height(left)) * share;
+    const double value = height_of(left) + (height_of(*from) - height_of(left)) * share;
     return {value, value};
 }
 
@@ -52,17 +49,11 @@ void close_gaps(std::vector<Voice>& voices) {
     }
 }
 
-double peak_of(const AmplitudeCurve& curve) {
-    double peak = 0.0;
-    for (const AmplitudePoint& point : curve) peak = std::max(peak, point.value);
-    return peak;
-}
-
 // Whether one voice is the other, louder and higher.
 bool is_carrier_beside(const Voice& first, const Voice& other, const std::vector<double>& times) {
     if (first.start_s != other.start_s || first.end_s != other.end_s) return false;
-    const double peak = peak_of(first.amplitude);
-    const double other_peak = peak_of(other.amplitude);
+    const double peak = peak_value(first.amplitude);
+    const double other_peak = peak_value(other.amplitude);
     if (!(peak > 0.0) || !(other_peak > 0.0)) return false;
     const double hz = first.frequency.front().frequency_hz;
     const double other_hz = other.frequency.front().frequency_hz;
@@ -107,7 +98,7 @@ void set_frequency(Pattern& pattern, FrequencyCurve curve, std::vector<std::stri
 
 void set_amplitude(Pattern& pattern, AmplitudeCurve curve, double unit_g,
                    std::vector<std::string>& remarks) {
-    const double peak = peak_of(curve);
+    const double peak = peak_value(curve);
     const double full_g = peak <= unit_g || is_same(peak, unit_g) ? unit_g : peak;
     if (full_g > limits::kAmplitudeG.high) {
         remarks.push_back("amplitudes above 50 g are scaled down to it");
@@ -120,22 +111,14 @@ void set_amplitude(Pattern& pattern, AmplitudeCurve curve, double unit_g,
 }
 
 template <class Point>
-void thin(std::vector<Point>& curve, const std::string& what, double unit,
-          const std::string& unit_text, std::vector<std::string>& remarks) {
-    if (curve.size() <= limits::kMaxCurvePoints) return;
-    std::vector<double> times;
-    std::vector<double> heights;
-    for (const Point& point : curve) {
-        times.push_back(point.time_s);
-        heights.push_back(height(point));
-    }
-    const Thinning line = thinned(times, heights, limits::kMaxCurvePoints, 0.0);
-    std::vector<Point> kept;
-    for (const std::size_t k : line.kept) kept.push_back(curve[k]);
-    remarks.push_back(grouped_digits(curve.size()) + " points of " + what + " are thinned to " +
-                      grouped_digits(kept.size()) + ", at most " +
-                      significant_digits(line.largest_error * unit, 2) + unit_text + " off");
-    curve = std::move(kept);
+void thin_to_limit(std::vector<Point>& curve, const std::string& what, double unit,
+                   const std::string& unit_text, std::vector<std::string>& remarks) {
+    const std::size_t before = curve.size();
+    if (before <= limits::kMaxCurvePoints) return;
+    const double error = thin(curve, limits::kMaxCurvePoints, 0.0);
+    remarks.push_back(grouped_digits(before) + " points of " + what + " are thinned to " +
+                      grouped_digits(curve.size()) + ", at most " +
+                      significant_digits(error * unit, 2) + unit_text + " off");
 }
 
 void set_transients(Pattern& pattern, std::vector<Transient> all,
@@ -178,12 +161,12 @@ Expected<Done> draw_voices(Pattern& pattern, std::vector<Voice> voices, double u
     const bool carriers = are_carriers(voices);
     if (carriers) {
         const auto strongest = std::ranges::max_element(
-            voices, {}, [](const Voice& voice) { return peak_of(voice.amplitude); });
-        const double peak = peak_of(strongest->amplitude);
+            voices, {}, [](const Voice& voice) { return peak_value(voice.amplitude); });
+        const double peak = peak_value(strongest->amplitude);
         pattern.carriers.clear();
         for (const Voice& voice : voices) {
             pattern.carriers.push_back({in_range_hz(voice.frequency.front().frequency_hz),
-                                        peak_of(voice.amplitude) / peak, voice.phase_rad});
+                                        peak_value(voice.amplitude) / peak, voice.phase_rad});
         }
         Voice envelope = voices.front();
         envelope.amplitude = strongest->amplitude;
@@ -246,8 +229,8 @@ Expected<Pattern> pattern_of(const Sketch& sketch, std::vector<std::string>& rem
                           " s, as long as a pattern can be");
         pattern = with_duration(std::move(pattern), limits::kDurationS.high);
     }
-    thin(pattern.amplitude_curve, "amplitude", 100.0, " % of full scale", remarks);
-    thin(pattern.frequency_curve, "frequency", 1.0, " Hz", remarks);
+    thin_to_limit(pattern.amplitude_curve, "amplitude", 100.0, " % of full scale", remarks);
+    thin_to_limit(pattern.frequency_curve, "frequency", 1.0, " Hz", remarks);
     if (const auto fault = drawn_fault(pattern)) return Error{sentence(*fault)};
     return pattern;
 }

@@ -13,6 +13,7 @@
 #include "model/io/effects_out/knots.h"
 #include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/writers.h"
+#include "model/pattern/drawn_curve.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -32,12 +33,6 @@ struct AndroidEnvelope {
     double initial_hz = 0.0;
     std::vector<ControlPoint> points;
 };
-
-AmplitudeCurve heights_of(const FrequencyCurve& curve) {
-    AmplitudeCurve result;
-    for (const FrequencyPoint& point : curve) result.push_back({point.time_s, point.frequency_hz});
-    return result;
-}
 
 AndroidEnvelope android_envelope(const Pattern& pattern, const ActuatorMap& map,
                                  std::vector<std::string>& remarks) {

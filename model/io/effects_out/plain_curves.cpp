@@ -6,7 +6,7 @@
 
 #include "model/common/portable.h"
 #include "model/io/effects/sketch.h"
-#include "model/signal/thinning.h"
+#include "model/pattern/drawn_curve.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -151,23 +151,12 @@ std::string points_text(std::size_t points) {
 void thin_envelope(PlainCurves& curves, bool bent, std::vector<std::string>& remarks) {
     AmplitudeCurve& curve = curves.amplitude;
     if (!bent && curve.size() <= limits::kMaxCurvePoints) return;
-    std::vector<double> times;
-    std::vector<double> values;
-    for (const AmplitudePoint& point : curve) {
-        times.push_back(point.time_s);
-        values.push_back(point.value);
-    }
     const double peak = peak_value(curve);
     const double tolerance = bent ? kBendTolerance * peak : 0.0;
-    const Thinning line = thinned(times, values, limits::kMaxCurvePoints, tolerance);
-    if (line.largest_error > 0.0) {
-        remarks.push_back("its envelope is drawn with " + points_text(line.kept.size()) +
-                          ", at most " + significant_digits(100.0 * line.largest_error / peak, 2) +
-                          " % of its largest off");
-    }
-    AmplitudeCurve kept;
-    for (const std::size_t k : line.kept) kept.push_back(curve[k]);
-    curve = std::move(kept);
+    const double error = thin(curve, limits::kMaxCurvePoints, tolerance);
+    if (!(error > 0.0)) return;
+    remarks.push_back("its envelope is drawn with " + points_text(curve.size()) + ", at most " +
+                      significant_digits(100.0 * error / peak, 2) + " % of its largest off");
 }
 
 void remark_modulation(const Pattern& pattern, std::vector<std::string>& remarks) {
@@ -232,12 +221,6 @@ std::vector<Point> with_stretch(const std::vector<Point>& curve, double from_s, 
 }
 
 }  // namespace
-
-double peak_value(const AmplitudeCurve& curve) {
-    double peak = 0.0;
-    for (const AmplitudePoint& point : curve) peak = std::max(peak, point.value);
-    return peak;
-}
 
 PlainCurves as_curves(const Pattern& pattern, std::vector<std::string>& remarks) {
     PlainCurves curves;

@@ -34,7 +34,4 @@ PlainCurves as_curves(const Pattern& pattern, std::vector<std::string>& remarks)
 // beneath it. For formats that have none.
 PlainCurves with_pulses(PlainCurves curves, std::vector<std::string>& remarks);
 
-// The largest amplitude of the curve; 0 of none.
-double peak_value(const AmplitudeCurve& curve);
-
 }  // namespace tact

@@ -6,6 +6,7 @@
 
 #include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/writers.h"
+#include "model/pattern/drawn_curve.h"
 #include "model/text/utf8.h"
 
 namespace tact {

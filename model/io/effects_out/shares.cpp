@@ -5,7 +5,7 @@
 
 #include "model/common/portable.h"
 #include "model/io/effects/effect.h"
-#include "model/signal/thinning.h"
+#include "model/pattern/drawn_curve.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -16,12 +16,11 @@ std::string four_digits(double value) { return significant_digits(value, 4); }
 
 AmplitudeCurve band_shares(const ActuatorMap& map, const FrequencyCurve& curve) {
     constexpr double kToleranceHz = 0.1;
-    AmplitudeCurve hz;
-    for (const FrequencyPoint& point : curve) hz.push_back({point.time_s, point.frequency_hz});
     const double width_hz = map.frequency_hz.high - map.frequency_hz.low;
     if (!(width_hz > 0.0)) return {{0.0, 0.5}};
     return mapped(
-        hz, [&](double value) { return frequency_01(map, value); }, kToleranceHz / width_hz);
+        heights_of(curve), [&](double value) { return frequency_01(map, value); },
+        kToleranceHz / width_hz);
 }
 
 // A transient as the map plays it at full intensity.
@@ -121,8 +120,7 @@ FrequencyCurve in_band(FrequencyCurve curve, Range band_hz, std::vector<std::str
                           : four_digits(low_hz) + " to " + four_digits(high_hz) +
                                 " Hz is out of the band, moved into " + four_digits(band_hz.low) +
                                 " to " + four_digits(band_hz.high) + " Hz");
-    AmplitudeCurve hz;
-    for (const FrequencyPoint& point : curve) hz.push_back({point.time_s, point.frequency_hz});
+    const AmplitudeCurve hz = heights_of(curve);
     curve.clear();
     for (const AmplitudePoint& point : mapped(hz, inside, 0.1)) {
         curve.push_back({point.time_s, point.value});
@@ -170,19 +168,11 @@ Shares as_shares(const PlainCurves& curves, const ActuatorMap& map,
 void thin_shares(AmplitudeCurve& curve, std::size_t most, const std::string& what,
                  std::vector<std::string>& remarks) {
     if (curve.size() <= most) return;
-    std::vector<double> times;
-    std::vector<double> values;
-    for (const AmplitudePoint& point : curve) {
-        times.push_back(point.time_s);
-        values.push_back(point.value);
-    }
-    const Thinning line = thinned(times, values, most, 0.0);
-    AmplitudeCurve kept;
-    for (const std::size_t k : line.kept) kept.push_back(curve[k]);
-    remarks.push_back(grouped_digits(curve.size()) + " points of " + what + " thinned to " +
-                      grouped_digits(kept.size()) + ", at most " +
-                      significant_digits(line.largest_error, 2) + " of full scale off");
-    curve = std::move(kept);
+    const std::size_t before = curve.size();
+    const double error = thin(curve, most, 0.0);
+    remarks.push_back(grouped_digits(before) + " points of " + what + " thinned to " +
+                      grouped_digits(curve.size()) + ", at most " + significant_digits(error, 2) +
+                      " of full scale off");
 }
 
 }  // namespace tact

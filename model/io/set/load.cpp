@@ -54,16 +54,11 @@ std::string unused_beside(const FileOfName& file_of, std::string name, const fs:
 
 // A set of ours says so in its first keys, or has its patterns there: it may be large, and is not
 // read twice.
-bool looks_like_set(std::string_view text) {
-    constexpr std::size_t kHead = 4096;
-    const std::string_view head = text.substr(0, kHead);
-    return head.find("\"tactspace\"") != head.npos || head.find("\"patterns\"") != head.npos;
-}
-
 bool may_be_effect_file(const fs::path& path) {
-    const auto text = read_text_file(path, kMostEffectBytes);
-    if (!text || !may_be_effects(*text)) return false;
-    return is_effect_name(path.string()) || !looks_like_set(*text);
+    const std::string head = head_of_effects(path);
+    if (head.empty()) return false;
+    const auto has = [&head](const char* key) { return head.find(key) != head.npos; };
+    return is_effect_name(path.string()) || !(has("\"tactspace\"") || has("\"patterns\""));
 }
 
 Expected<Loaded> load_by_kind(const fs::path& path, const std::optional<ActuatorMap>& actuator) {
@@ -96,8 +91,9 @@ Expected<Loaded> load_set(const fs::path& path, const std::optional<ActuatorMap>
 
 bool holds_effects(const fs::path& path) {
     if (is_effect_name(path.string())) return true;
+    if (!may_be_effect_file(path)) return false;
     const auto text = read_text_file(path, kMostEffectBytes);
-    if (!text || !may_be_effects(*text) || looks_like_set(*text)) return false;
+    if (!text) return false;
     const auto read = read_effects(*text, path.string());
     return read && read->format != EffectFormat::none;
 }

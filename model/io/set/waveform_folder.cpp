@@ -1,8 +1,6 @@
 #include "model/io/set/waveform_folder.h"
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <initializer_list>
 #include <limits>
 #include <map>
@@ -40,15 +38,8 @@ bool is_of(const fs::path& path, Kinds kinds) {
 
 // Whether to look inside: any name will do, but a set of ours is no effect.
 bool may_hold_effects(const fs::path& path) {
-    std::error_code none;
-    if (!fs::is_regular_file(path, none) || fs::file_size(path, none) > kMostEffectBytes) {
-        return false;
-    }
-    if (path.filename().string().ends_with(".tactspace.json")) return false;
-    std::array<char, 256> head{};
-    std::ifstream stream(path, std::ios::binary);
-    stream.read(head.data(), head.size());
-    return may_be_effects({head.data(), static_cast<std::size_t>(stream.gcount())});
+    const bool is_set = path.filename().string().ends_with(".tactspace.json");
+    return !is_set && !head_of_effects(path).empty();
 }
 
 Expected<Listing> listed(const fs::path& folder, Kinds kinds, bool effects) {
