@@ -36,6 +36,7 @@
 #include "app/window/dialogs.h"
 #include "app/window/jobs.h"
 #include "model/map/mds.h"
+#include "viz/drawing/body_cache.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -299,6 +300,7 @@ App make_app() {
 void make_theme(App& app) {
     const float scale = app.ui.content_scale * app.ui.text_scale;
     app.ui.theme = app.ui.dark ? dark_theme(scale) : light_theme(scale);
+    app.ui.theme.bodies = std::make_shared<BodyCache>();
     app.ui.theme.fonts =
         load_fonts(*ImGui::GetIO().Fonts, scale, drawn_text(app.work.document.set));
     ImGui::GetStyle() = ImGuiStyle();

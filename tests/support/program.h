@@ -48,7 +48,7 @@ struct Place {
 struct Program {
     HeadlessWindow window;
     App app = make_app();
-    std::map<std::string, Place> places;  // of the last frame
+    std::map<std::string, Place> places;  // of the last frame that noted them
 
     explicit Program(const PatternSet& set) {
         ImGuiIO& io = ImGui::GetIO();
@@ -179,6 +179,7 @@ struct Program {
 
   private:
     void read_places() {
+        if (app.ui.rects.file.empty()) return;
         places.clear();
         std::istringstream lines(app.ui.rects.written);
         for (std::string line; std::getline(lines, line);) {

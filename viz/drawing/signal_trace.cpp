@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "viz/drawing/body_cache.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 #include "viz/drawing/wave_body.h"
@@ -55,20 +57,22 @@ double unseen(const Axis& axis) {
 
 // One column a pixel of what is in view; columns beyond the signal are left out.
 struct PixelColumns {
-    std::vector<Extremes> extremes;
+    std::shared_ptr<const std::vector<Extremes>> extremes;
     std::size_t begin = 0;
     std::size_t end = 0;
 
     double from_s(const Axis& time, std::size_t column) const {
         return time.low + static_cast<double>(column) * (time.high - time.low) /
-                              static_cast<double>(extremes.size());
+                              static_cast<double>(extremes->size());
     }
 };
 
-PixelColumns pixel_columns(const Plot& plot, std::span<const double> samples, double rate_hz,
-                           double widest_px) {
+PixelColumns pixel_columns(const Theme& theme, const Plot& plot, std::span<const double> samples,
+                           double rate_hz, double widest_px) {
     const auto count = static_cast<std::size_t>(std::ceil(plot.area.width()));
-    PixelColumns result{body_columns(samples, plot.x.low * rate_hz, plot.x.high * rate_hz, count,
+    BodyCache none;
+    PixelColumns result{kept_columns(theme.bodies ? *theme.bodies : none, ImGui::GetFrameCount(),
+                                     samples, plot.x.low * rate_hz, plot.x.high * rate_hz, count,
                                      {widest_px, unseen(plot.y)})};
     const double per_column = (plot.x.high - plot.x.low) / static_cast<double>(count);
     const double length_s = static_cast<double>(samples.size()) / rate_hz;
@@ -88,12 +92,13 @@ double samples_per_pixel(const Plot& plot, double rate_hz) {
 void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
                   std::span<const double> samples, double rate_hz, ImU32 colour) {
     constexpr double kWidestPx = 6.0;
-    const PixelColumns columns = pixel_columns(plot, samples, rate_hz, kWidestPx);
+    const PixelColumns columns = pixel_columns(theme, plot, samples, rate_hz, kWidestPx);
     const float half_px = theme.trace_px / 2.0F;
     const double half_s = 0.5 * (columns.from_s(plot.x, 1) - plot.x.low);
     std::vector<StripColumn> strip;
+    strip.reserve(columns.end - columns.begin);
     for (std::size_t c = columns.begin; c < columns.end; ++c) {
-        const Extremes& e = columns.extremes[c];
+        const Extremes& e = (*columns.extremes)[c];
         strip.push_back({to_pixel(plot.x, columns.from_s(plot.x, c) + half_s),
                          to_pixel(plot.y, e.high) - half_px, to_pixel(plot.y, e.low) + half_px});
     }
@@ -101,8 +106,8 @@ void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
 }
 
 // From zero to each value for as long as it lasts: bars, with upright sides on whole pixels.
-void draw_steps(ImDrawList& list, const Plot& plot, std::span<const double> samples, double rate_hz,
-                ImU32 colour) {
+void draw_steps(ImDrawList& list, const Theme& theme, const Plot& plot,
+                std::span<const double> samples, double rate_hz, ImU32 colour) {
     std::vector<StripColumn> strip;
     const auto add = [&](double from_s, double to_s, const Extremes& e) {
         const float top = to_pixel(plot.y, std::max(0.0, e.high));
@@ -125,9 +130,9 @@ void draw_steps(ImDrawList& list, const Plot& plot, std::span<const double> samp
         }
     } else {
         constexpr double kWidestPx = 3.0;  // a pause of two pixels is seen beside a bar
-        const PixelColumns columns = pixel_columns(plot, samples, rate_hz, kWidestPx);
+        const PixelColumns columns = pixel_columns(theme, plot, samples, rate_hz, kWidestPx);
         for (std::size_t c = columns.begin; c < columns.end; ++c) {
-            add(columns.from_s(plot.x, c), columns.from_s(plot.x, c + 1), columns.extremes[c]);
+            add(columns.from_s(plot.x, c), columns.from_s(plot.x, c + 1), (*columns.extremes)[c]);
         }
     }
     draw_strip(list, strip, colour);
@@ -156,7 +161,7 @@ void draw_signal(ImDrawList& list, const Theme& theme, const Plot& plot,
     list.PushClipRect({plot.area.min.x, plot.area.min.y - stroke_px},
                       {plot.area.max.x, plot.area.max.y + stroke_px}, true);
     if (style == TraceStyle::filled) {
-        draw_steps(list, plot, samples, rate_hz, colour);
+        draw_steps(list, theme, plot, samples, rate_hz, colour);
     } else if (samples_per_pixel(plot, rate_hz) < 1.0) {
         draw_polyline(list, theme, plot, samples, rate_hz, colour);
     } else {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -15,6 +16,8 @@
 #include "viz/drawing/fonts.h"
 
 namespace tact {
+
+struct BodyCache;
 
 inline constexpr std::size_t kPatternColourCount = 8;
 
@@ -35,8 +38,9 @@ inline constexpr std::array<PatternColour, kPatternColourCount> kPatternColours{
 
 struct Theme {
     bool is_dark = true;
-    float scale = 1.0F;  // of everything below
-    Fonts fonts;         // empty until load_fonts; ImGui's current font then
+    float scale = 1.0F;                 // of everything below
+    Fonts fonts;                        // empty until load_fonts; ImGui's current font then
+    std::shared_ptr<BodyCache> bodies;  // of what is drawn every frame; none: nothing is kept
 
     ImU32 background = 0;  // of the window, between panes
     ImU32 pane = 0;        // under all content

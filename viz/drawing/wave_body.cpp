@@ -208,13 +208,16 @@ void raise_to_bridges(const Edge& edge, double first, double step, std::size_t c
 
 }  // namespace
 
+double reach_beyond(double first, double last, std::size_t columns, const BodyScale& scale) {
+    return 4.0 * scale.widest * (last - first) / static_cast<double>(columns);
+}
+
 std::vector<Extremes> body_columns(std::span<const double> samples, double first, double last,
                                    std::size_t columns, const BodyScale& scale) {
     std::vector<Extremes> result = extremes(samples, first, last, columns);
     if (result.empty()) return result;
     const double step = (last - first) / static_cast<double>(columns);
-    // What is beyond the view tells how what is at its rim goes on.
-    const double beyond = 4.0 * scale.widest * step;
+    const double beyond = reach_beyond(first, last, columns, scale);
     const double last_index = static_cast<double>(samples.size()) - 1.0;
     const auto begin =
         static_cast<std::size_t>(std::clamp(std::floor(first - beyond), 0.0, last_index));

@@ -31,4 +31,8 @@ struct BodyScale {
 std::vector<Extremes> body_columns(std::span<const double> samples, double first, double last,
                                    std::size_t columns, const BodyScale& scale);
 
+// Samples before `first` and behind `last` that the columns depend on, too: what is beyond the view
+// tells how what is at its rim goes on.
+double reach_beyond(double first, double last, std::size_t columns, const BodyScale& scale);
+
 }  // namespace tact
