@@ -35,7 +35,7 @@ inline std::string after_mishaps(std::string bytes, std::mt19937& random) {
                 bytes[at] = static_cast<char>(bytes[at] ^ (1 << any_below(random, 8)));
                 break;
             case 1:
-                bytes.resize(bytes.size() - any_below(random, 20) % bytes.size());
+                bytes.erase(bytes.size() - any_below(random, 20) % bytes.size());
                 break;
             case 2:
                 bytes.insert(at, bytes.substr(at, length));
