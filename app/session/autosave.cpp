@@ -1,8 +1,6 @@
 #include "app/session/autosave.h"
 
 #include <algorithm>
-#include <array>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "app/session/document_file.h"
@@ -59,24 +57,9 @@ Expected<Document> document_of(const Kept& kept, const fs::path& file) {
     return document;
 }
 
-// recovered-20260131-235959.tactspace.json, or with -2, -3 ...: never one that is there.
-fs::path unused_file(const fs::path& folder) {
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
-    std::array<char, 32> stamp{};
-    std::strftime(stamp.data(), stamp.size(), "recovered-%Y%m%d-%H%M%S", &local);
-    const std::string name = stamp.data();
-    fs::path file = folder / (name + ".tactspace.json");
-    for (int n = 2; is_there(file); ++n) {
-        file = folder / (name + "-" + std::to_string(n) + ".tactspace.json");
-    }
-    return file;
-}
-
 // Turns an autosave into a set file. One that is no autosave keeps its bytes under the new name.
 Expected<fs::path> move_aside(Session& session, const fs::path& autosave_file) {
-    const fs::path file = unused_file(session.folder);
+    const fs::path file = unused_file(session.folder, "recovered-", ".tactspace.json");
     if (const std::optional<Kept> kept = read_kept(autosave_file)) {
         if (const auto written = write_atomically(file, kept->set_text); !written) {
             return written.error();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "model/common/expected.h"
 
@@ -12,5 +13,10 @@ bool is_there(const std::filesystem::path& path);
 
 // The folder, made with its parents where it is missing.
 Expected<Done> make_folder(const std::filesystem::path& folder);
+
+// A name by the time of the clock on the wall, such as recovered-20260131-235959.json, or with -2,
+// -3 ...: never one that is there.
+std::filesystem::path unused_file(const std::filesystem::path& folder, const std::string& prefix,
+                                  const std::string& ending);
 
 }  // namespace tact

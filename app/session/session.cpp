@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session/autosave.h"
+#include "app/session/crash_report.h"
 #include "app/session/document_file.h"
 #include "app/session/folders.h"
 #include "model/text/atomic_file.h"
@@ -173,6 +174,11 @@ fs::path state_folder() {
     return {};
 }
 
+fs::path crash_report_file() {
+    const fs::path folder = state_folder();
+    return folder.empty() ? fs::path{} : folder / "crash.txt";
+}
+
 Session open_session(const fs::path& folder) {
     Session session;
     session.folder = folder;
@@ -183,6 +189,7 @@ Session open_session(const fs::path& folder) {
                                   " cannot be written.");
     }
     read_settings(session);
+    session.crash_report = take_crash_report(folder / "crash.txt");
     if (!session.is_first) {
         session.document.clear();  // it is open in the other instance
         return session;

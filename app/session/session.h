@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -44,14 +45,18 @@ struct Session {
     bool is_first = true;                          // no other instance was running
     bool ended_in_crash = false;                   // the run before this one
     std::vector<std::filesystem::path> recovered;  // unsaved changes of instances that are gone
-    std::vector<std::string> remarks;              // what was wrong and what was done about it
-    std::shared_ptr<FileLock> lock;                // shared, so that a session can be copied
-    std::shared_ptr<FileLock> document_lock;       // of the open document, among windows
+    std::optional<std::filesystem::path> crash_report;  // of a run before this one
+    std::vector<std::string> remarks;                   // what was wrong and what was done about it
+    std::shared_ptr<FileLock> lock;                     // shared, so that a session can be copied
+    std::shared_ptr<FileLock> document_lock;            // of the open document, among windows
     std::filesystem::path document_lock_file;
 };
 
 // $XDG_STATE_HOME/tactspace or ~/.local/state/tactspace; empty without a home.
 std::filesystem::path state_folder();
+
+// Where the report of a crash is written while the program runs; empty where nothing can be kept.
+std::filesystem::path crash_report_file();
 
 // Never fails: what goes wrong is in the remarks.
 Session open_session(const std::filesystem::path& folder);

@@ -47,7 +47,8 @@ struct FieldEntry {
 struct StatusLine {
     std::string text;
     bool is_error = false;
-    double since_s = 0.0;
+    double since_s = 0.0;  // it was said, or the mouse or a key was used for the first time since
+    bool is_seen = false;  // somebody is there
 };
 
 struct Ui {

@@ -1,5 +1,6 @@
 #include "app/ui/widget_rects.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <utility>
@@ -17,8 +18,10 @@ void note_rect(WidgetRects& rects, const std::string& name, ImVec2 min, ImVec2 m
                const std::string& value) {
     if (rects.file.empty()) return;
     const auto pixel = [](float position) { return std::to_string(static_cast<int>(position)); };
+    std::string line = value;
+    std::ranges::replace(line, '\n', ' ');
     rects.lines += name + "\t" + pixel(min.x) + "\t" + pixel(min.y) + "\t" + pixel(max.x) + "\t" +
-                   pixel(max.y) + "\t" + value + "\n";
+                   pixel(max.y) + "\t" + line + "\n";
 }
 
 void note_item(WidgetRects& rects, const std::string& name, const std::string& value) {

@@ -14,6 +14,7 @@
 #include "app/patterns/tapping.h"
 #include "app/play/listening.h"
 #include "app/play/playing.h"
+#include "app/session/crash_report.h"
 #include "app/study/study_follow.h"
 #include "app/subset/picked_list.h"
 #include "app/subset/subset_export.h"
@@ -383,5 +384,10 @@ const auto kCommands = std::to_array<Command>({
 }  // namespace
 
 std::span<const Command> commands() { return kCommands; }
+
+void carry_out(App& app, const Command& command) {
+    note_command(command.name);
+    command.run(app);
+}
 
 }  // namespace tact

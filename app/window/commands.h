@@ -29,6 +29,9 @@ struct Command {
 
 std::span<const Command> commands();
 
+// Runs it, and notes its name for what a crash would tell.
+void carry_out(App& app, const Command& command);
+
 // "Ctrl+Shift+Z"; empty without one.
 std::string shortcut_text(const Shortcut& shortcut);
 

@@ -48,7 +48,9 @@ constexpr double kStatusFadeS = 8.0;
 
 double status_left_s(const App& app) {
     if (app.ui.status.text.empty()) return 0.0;
-    if (app.ui.status.is_error) return std::numeric_limits<double>::infinity();
+    if (app.ui.status.is_error || !app.ui.status.is_seen) {
+        return std::numeric_limits<double>::infinity();
+    }
     return std::max(0.0, app.ui.status.since_s + kStatusFadeS - app.ui.time_s);
 }
 
@@ -168,6 +170,11 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     app.ui.field.nudges_on = false;
     const bool moved = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
     if (moved) app.ui.hover_since_s = app.ui.time_s;
+    const bool acted = moved || io.MouseClicked[0] || io.MouseClicked[1] || !pressed.empty();
+    if (acted && !app.ui.status.is_seen) {
+        app.ui.status.is_seen = true;
+        app.ui.status.since_s = app.ui.time_s;
+    }
 }
 
 // Input, and what has come since the last frame.

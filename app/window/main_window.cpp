@@ -7,6 +7,7 @@
 #include "app/play/emergency_stop.h"
 #include "app/play/playing.h"
 #include "app/screen/window.h"
+#include "app/session/crash_report.h"
 #include "app/study/study_follow.h"
 #include "app/window/animation.h"
 #include "app/window/dialogs.h"
@@ -65,6 +66,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
             "SET\" work without one (see tactspace --help)"};
     }
     App app = make_app();
+    watch_for_crashes(crash_report_file());
     app.ui.wake = wake_window;
     const Expected<Done> started = start_session(app, sets);
     if (!started) return started.error();

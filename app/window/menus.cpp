@@ -21,7 +21,7 @@ void draw_item(App& app, const Command& command) {
     const std::string text = item_text(app, command);
     if (ImGui::MenuItem(text.c_str(), shortcut_text(command.shortcut).c_str(), checked,
                         command.enabled(app))) {
-        command.run(app);
+        carry_out(app, command);
     }
     note_item(app.ui.rects, std::string("menu:") + command.name);
 }

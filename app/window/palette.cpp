@@ -93,7 +93,7 @@ void draw_palette(App& app, std::span<const KeyPress> pressed) {
         if (was_pressed(pressed, key::kEscape)) state.open = false;
         if (chosen != nullptr) {
             state.open = false;
-            chosen->run(app);
+            carry_out(app, *chosen);
         }
     }
     ImGui::End();

@@ -9,6 +9,7 @@
 #include "app/play/playing.h"
 #include "app/session/autosave.h"
 #include "app/study/study_follow.h"
+#include "model/text/atomic_file.h"
 
 namespace tact {
 
@@ -54,6 +55,12 @@ Expected<Done> open_instead(App& app, const std::vector<std::filesystem::path>& 
     return Done{};
 }
 
+void show_report(Ui& ui, const fs::path& file) {
+    constexpr std::size_t kMostBytes = 1 << 16;
+    const Expected<std::string> text = read_text_file(file, kMostBytes);
+    tell(ui, file.filename().string(), text ? *text : text.error().message);
+}
+
 }  // namespace
 
 void tell_of_start(App& app) {
@@ -67,14 +74,28 @@ void tell_of_start(App& app) {
                 "Unsaved changes of a window that did not end as it should are kept in " +
                 file.string() + ".";
     }
+    const std::optional<fs::path>& report = app.work.session.crash_report;
+    if (report) {
+        text += std::string(text.empty() ? "" : " ") +
+                "The program crashed. What is known of it, " + "and nothing of your sets, is in " +
+                report->string() + ".";
+    }
     if (text.empty()) return;
-    if (recovered.size() != 1) return tell(app.ui, "Before you begin", text);
-    ask(app.ui,
-        {.title = "Before you begin",
-         .text = text,
-         .answers = {
-             {"Open them", [&app, file = recovered[0]] { open_paths(app.ui, app.work, {file}); }},
-             {"Not now"}}});
+    std::vector<Answer> answers;
+    if (recovered.size() == 1) {
+        answers.push_back(
+            {"Open them", [&app, file = recovered[0]] { open_paths(app.ui, app.work, {file}); }});
+    }
+    if (report) {
+        answers.push_back(
+            {"Show the report", [&app, file = *report] { show_report(app.ui, file); }});
+    }
+    if (answers.empty()) return tell(app.ui, "Before you begin", text);
+    answers.push_back({"Not now"});
+    ask(app.ui, {.title = "Before you begin",
+                 .text = text,
+                 .answers = answers,
+                 .marked = answers.size() - 1});
 }
 
 Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>& paths) {

@@ -49,9 +49,9 @@ bool touches_document(const Command& command) {
 // A drag or an entry in mid-air ends first, on the pattern it began on: it takes its value and its
 // undo step while the panels are drawn, and the command follows in the same frame.
 void run(App& app, const Command& command) {
-    if (!ImGui::IsAnyItemActive() || !touches_document(command)) return command.run(app);
+    if (!ImGui::IsAnyItemActive() || !touches_document(command)) return carry_out(app, command);
     ImGui::ClearActiveID();
-    app.ui.waiting.emplace_back([&app, then = command.run] { then(app); });
+    app.ui.waiting.emplace_back([&app, &command] { carry_out(app, command); });
 }
 
 }  // namespace

@@ -26,6 +26,9 @@ std::array<Place, 16> places;
 constexpr std::array kSignals{SIGSEGV, SIGBUS,  SIGFPE, SIGILL,  SIGABRT, SIGTERM, SIGHUP,
                               SIGINT,  SIGQUIT, SIGSYS, SIGXCPU, SIGXFSZ, SIGALRM, SIGPIPE};
 
+// What answered each signal before, and does so once the words are said.
+std::array<struct sigaction, kSignals.size()> others{};
+
 void say_last_words(int signal) {
     for (const Place& place : places) {
         const std::size_t size = place.size.load();
@@ -37,27 +40,40 @@ void say_last_words(int signal) {
         }
     }
     // The handler was for once: now the signal does what it would have done.
+    for (std::size_t k = 0; k < kSignals.size(); ++k) {
+        if (kSignals[k] == signal) sigaction(signal, &others[k], nullptr);
+    }
     raise(signal);
 }
 
-// Where somebody else answers a signal already, a debugger or a sanitizer, it stays theirs.
+// What answers a crash by writing a report, and by nothing else, comes after the last words. A
+// debugger or a sanitizer asks for details of the signal, and it stays theirs.
+bool comes_after(const struct sigaction& before) {
+    return (before.sa_flags & SA_SIGINFO) == 0 &&
+           (before.sa_handler == SIG_DFL ||
+            (before.sa_handler != SIG_IGN && (before.sa_flags & SA_RESETHAND) != 0));
+}
+
 void listen() {
-    for (const int signal : kSignals) {
+    static std::mutex one_at_a_time;
+    const std::lock_guard lock(one_at_a_time);
+    for (std::size_t k = 0; k < kSignals.size(); ++k) {
         struct sigaction before {};
-        if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL) continue;
+        if (sigaction(kSignals[k], nullptr, &before) != 0 || !comes_after(before)) continue;
+        if (before.sa_handler == say_last_words) continue;
+        others[k] = before;
         struct sigaction action {};
         action.sa_handler = say_last_words;
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
+        action.sa_flags = static_cast<int>(SA_RESETHAND | SA_ONSTACK);
         sigemptyset(&action.sa_mask);
-        sigaction(signal, &action, nullptr);
+        sigaction(kSignals[k], &action, nullptr);
     }
 }
 
 }  // namespace
 
 LastWords::LastWords(const std::string& path) {
-    static std::once_flag listening;
-    std::call_once(listening, listen);
+    listen();
     for (std::size_t k = 0; k < places.size(); ++k) {
         bool free = false;
         if (!places[k].taken.compare_exchange_strong(free, true)) continue;

@@ -6,7 +6,7 @@ if declare -F until_true >/dev/null; then return 0; fi
 set -euo pipefail
 
 program=$1
-deadline_s=90
+deadline_s=300
 
 # need PACKAGES TOOL...: without the tools there is no story.
 need() {

@@ -12,4 +12,9 @@ inline PatternSet quick_study() {
     return set;
 }
 
+// What is on screen is of the files as they are: nothing moves under the mouse any more.
+inline bool answers_are_read(const StudyState& studying) {
+    return studying.answers && studying.answers->question == studying.asked;
+}
+
 }  // namespace tact

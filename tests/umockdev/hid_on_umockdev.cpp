@@ -12,6 +12,7 @@
 #include "devices/hid/hid_device.h"
 #include "devices/hid/last_words.h"
 #include "tests/support/haptic_descriptor.h"
+#include "tests/support/patience.h"
 #include "tests/umockdev/mock_bench.h"
 
 using namespace tact;
@@ -61,7 +62,7 @@ Drive sweep() {
 
 template <class Condition>
 bool soon(const Condition& condition) {
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    const auto until = end_of_patience();
     while (!condition()) {
         if (std::chrono::steady_clock::now() > until) return false;
         std::this_thread::sleep_for(std::chrono::milliseconds(2));

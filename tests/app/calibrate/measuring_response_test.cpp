@@ -9,6 +9,7 @@
 #include "devices/calibration/calibration_file.h"
 #include "model/io/recordings/wave_file.h"
 #include "tests/support/felt_program.h"
+#include "tests/support/patience.h"
 #include "tests/support/temporary_folder.h"
 
 namespace measuring_response_test {
@@ -52,7 +53,7 @@ struct Measuring : Program {
     Drive signal() const { return calibration_plan(app.calibrating.params).drive; }
 
     void wait_for_answer() {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+        const auto until = end_of_patience();
         while (current_answer(app.calibrating) == nullptr) {
             REQUIRE(std::chrono::steady_clock::now() < until);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));

@@ -4,6 +4,7 @@
 #include "app/document/files.h"
 #include "app/generate/generating.h"
 #include "model/io/set/set_file.h"
+#include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 // Frames until the plan on screen is that of the draft.
 std::shared_ptr<const GeneratePlan> wait_for_plan(Program& program) {
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    const auto until = end_of_patience();
     program.settle();
     while (!current_plan(program.app.work, program.app.generating)) {
         REQUIRE(std::chrono::steady_clock::now() < until);

@@ -4,6 +4,7 @@
 #include "app/subset/subset_follow.h"
 #include "app/window/jobs.h"
 #include "tests/support/felt_program.h"
+#include "tests/support/patience.h"
 
 namespace alternating_test {
 
@@ -70,7 +71,7 @@ TEST_CASE("keys: 1 to 9 play what was picked, by its number in the list") {
     app.layout.bench = BenchTab::subset;
     app.picking.count = 3;
     program.compute_map();
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    const auto until = end_of_patience();
     while (shown_subset(app.shown_map, app.picking) == nullptr) {
         REQUIRE(std::chrono::steady_clock::now() < until);
         std::this_thread::sleep_for(std::chrono::milliseconds(2));

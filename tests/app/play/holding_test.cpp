@@ -5,6 +5,7 @@
 #include "app/generate/generating.h"
 #include "app/window/jobs.h"
 #include "tests/support/felt_program.h"
+#include "tests/support/patience.h"
 
 namespace holding_test {
 
@@ -114,7 +115,7 @@ TEST_CASE("holding: a point of the map is felt, and a click on it still selects"
 TEST_CASE("holding: a candidate is felt before it is in the set") {
     FeltProgram program;
     program.press('g', true);
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    const auto until = end_of_patience();
     while (!program.shows("generate:preview 2")) {
         REQUIRE(std::chrono::steady_clock::now() < until);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -7,6 +7,7 @@
 #include "app/play/emergency_stop.h"
 #include "app/window/jobs.h"
 #include "tests/support/felt_program.h"
+#include "tests/support/patience.h"
 #include "tests/support/program.h"
 
 namespace playing_test {
@@ -121,7 +122,7 @@ TEST_CASE("playing: a long pattern is rendered beside the window, and its edits 
     program.app.timeline.playhead.loop = true;
     program.space();
     const auto comes = [&] {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        const auto until = end_of_patience();
         while (!program.plays(0) && std::chrono::steady_clock::now() < until) program.frame();
         return program.plays(0);
     };
@@ -277,7 +278,7 @@ TEST_CASE("playing: a calibrated drive is computed beside the frames, and then p
     const Vibration& first = program.app.work.document.set.vibrations[0];
     const Drive wanted = calibrated_drive(waveform_of(first), flat).drive;
     program.window.press(key::kSpace, U' ');
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    const auto until = end_of_patience();
     while (!program.device->playing()) {
         REQUIRE(std::chrono::steady_clock::now() < until);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -298,7 +299,7 @@ TEST_CASE("playing: what was being computed when it was silenced is not played")
     program.app.play.calibration = std::make_shared<const Calibration>(flat);
     play_once(program.app.ui, program.app.work, program.app.timeline, program.app.play, 0);
     silence(program.app.timeline, program.app.play);
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    const auto until = end_of_patience();
     while (!program.app.play.drive_job->latest()) {
         REQUIRE(std::chrono::steady_clock::now() < until);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));

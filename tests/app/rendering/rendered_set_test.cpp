@@ -3,6 +3,7 @@
 #include "app/compare/live_comparison.h"
 #include "app/rendering/rendering_state.h"
 #include "app/window/jobs.h"
+#include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -100,7 +101,7 @@ TEST_CASE("device tab: at the level of the bar it reports what is played, and fo
     program.wait_for_exact_map();
     program.click("tab:Device");
     const auto wait_for = [&program](const char* words) {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        const auto until = end_of_patience();
         while (!program.shows("rendering:origin") ||
                !contains(program.at("rendering:origin").value, words)) {
             REQUIRE(std::chrono::steady_clock::now() < until);
@@ -129,7 +130,7 @@ TEST_CASE("device tab: the report stands there, and the switch makes the map tha
     program.wait_for_exact_map();
     const Dissimilarity meant = app.shown_map.transition.shown->prediction.nc;
     program.click("tab:Device");
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    const auto until = end_of_patience();
     while (!program.shows("rendering:summary")) {
         REQUIRE(std::chrono::steady_clock::now() < until);
         program.frame();

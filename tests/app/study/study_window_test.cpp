@@ -4,6 +4,7 @@
 #include "app/study/study_follow.h"
 #include "app/window/jobs.h"
 #include "devices/device/memory_device.h"
+#include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/quick_study.h"
 #include "tests/support/temporary_folder.h"
@@ -37,8 +38,8 @@ struct StudyProgram : Program {
         for (double t = 0.0; t < 0.5 * seconds; t += window.frame_s) frame();
     }
     void wait_for(const std::string& name) {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-        while (!shows(name)) {
+        const auto until = end_of_patience();
+        while (!shows(name) || !answers_are_read(app.studying)) {
             REQUIRE_MESSAGE(std::chrono::steady_clock::now() < until, name);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
             frame();

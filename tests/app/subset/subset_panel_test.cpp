@@ -9,6 +9,7 @@
 #include "app/subset/subset_marks.h"
 #include "app/window/jobs.h"
 #include "model/subset/set_subset.h"
+#include "tests/support/patience.h"
 #include "tests/support/program.h"
 
 namespace subset_panel_test {
@@ -31,7 +32,7 @@ struct SubsetBench {
 
     template <class Arrived>
     void wait(const Arrived& arrived) {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        const auto until = end_of_patience();
         do {
             REQUIRE(std::chrono::steady_clock::now() < until);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));

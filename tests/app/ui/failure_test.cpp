@@ -11,6 +11,7 @@
 #include "app/generate/generating.h"
 #include "app/study/study_follow.h"
 #include "app/window/jobs.h"
+#include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 #pragma GCC diagnostic pop
@@ -41,7 +42,7 @@ struct Failing : Program {
 
     // What is asked anew meanwhile fails anew.
     bool says(const std::string& pane) {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        const auto until = end_of_patience();
         const std::string name = "failed:" + pane;
         do {
             frame();

@@ -127,7 +127,8 @@ TEST_CASE("gestures: Esc closes an open menu") {
     CHECK(program.app.work.selection.current == 1);
 }
 
-TEST_CASE("gestures: a line at the foot asks for the frame it fades in, an error for none") {
+TEST_CASE(
+    "gestures: a line at the foot waits for somebody to read it, then for the frame it fades in") {
     Program program(short_patterns(2));
     const auto wake_after_s = [&program] {
         program.app.work.autosave_pending = false;  // asks for frames of its own
@@ -135,9 +136,16 @@ TEST_CASE("gestures: a line at the foot asks for the frame it fades in, an error
     };
     CHECK(std::isinf(wake_after_s()));
     say(program.app.ui, "Done.");
+    CHECK(std::isinf(wake_after_s()));
+    program.window.now_s += 100.0;
+    program.settle();
+    CHECK(program.shows("status"));
+    for (const float x : {300.0F, 301.0F}) {
+        program.window.move({x, 300.0F});
+        program.settle();
+    }
     const double wake_s = wake_after_s();
     CHECK(wake_s > 1.0);
-    program.settle();
     CHECK(program.shows("status"));
     program.window.now_s += wake_s;
     program.settle();

@@ -1,0 +1,94 @@
+#include "app/session/crash_report.h"
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <vector>
+
+#include "devices/hid/last_words.h"
+#include "model/text/atomic_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tact::crash_report_test {
+namespace {
+
+// How a child ended that watched for crashes.
+int end_of_child(const std::filesystem::path& file, const std::function<void()>& crash) {
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        std::signal(SIGABRT, SIG_DFL);  // which doctest has for itself
+        watch_for_crashes(file);
+        crash();
+        _exit(0);
+    }
+    int ended = 0;
+    REQUIRE(waitpid(child, &ended, 0) == child);
+    return ended;
+}
+
+}  // namespace
+
+TEST_CASE("crash report: it tells the signal, the stack and the last 16 commands") {
+    const TemporaryFolder folder;
+    const auto file = folder.path / "crash.txt";
+    const int ended = end_of_child(file, [] {
+        note_command("long ago");
+        for (int k = 0; k < 15; ++k) note_command("Undo");
+        note_command("Redo");
+        std::abort();
+    });
+    CHECK(WIFSIGNALED(ended));
+    CHECK(WTERMSIG(ended) == SIGABRT);
+    const auto text = read_text_file(file);
+    REQUIRE(text);
+    CHECK(text->starts_with("tactspace "));
+    CHECK(text->find("SIGABRT") != std::string::npos);
+    CHECK(text->find("tactspace_tests(") != std::string::npos);
+    CHECK(text->find("  Redo\n  Undo\n") != std::string::npos);
+    CHECK(text->find("long ago") == std::string::npos);
+}
+
+TEST_CASE("crash report: a controller is told to be still before it is written") {
+    const TemporaryFolder folder;
+    const auto file = folder.path / "crash.txt";
+    const auto controller = folder.path / "controller";
+    REQUIRE(write_atomically(controller, "......"));
+    end_of_child(file, [&] {
+        LastWords words(controller);
+        words.set(std::vector<std::uint8_t>{'o', 'f', 'f'});
+        std::abort();
+    });
+    CHECK(*read_text_file(controller) == "offoff");
+    CHECK(read_text_file(file)->find("SIGABRT") != std::string::npos);
+}
+
+TEST_CASE("crash report: it is told of once, and kept") {
+    const TemporaryFolder folder;
+    const auto file = folder.path / "crash.txt";
+    CHECK_FALSE(take_crash_report(file));
+    REQUIRE(write_atomically(file, "first"));
+    const auto first = take_crash_report(file);
+    REQUIRE(first);
+    CHECK(*read_text_file(*first) == "first");
+    CHECK_FALSE(take_crash_report(file));
+    REQUIRE(write_atomically(file, "second"));
+    const auto second = take_crash_report(file);
+    REQUIRE(second);
+    CHECK(*second != *first);
+    CHECK(*read_text_file(*first) == "first");
+}
+
+TEST_CASE("crash report: a normal end leaves none") {
+    const TemporaryFolder folder;
+    const auto file = folder.path / "crash.txt";
+    CHECK(end_of_child(file, [] { note_command("Quit"); }) == 0);
+    CHECK_FALSE(take_crash_report(file));
+}
+
+}  // namespace tact::crash_report_test
