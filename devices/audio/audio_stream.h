@@ -86,6 +86,7 @@ class AudioStream {
     DeviceStatus status_of(const Asked& asked, DeviceStatus status);
     Expected<Done> open(AudioHost& host);
     Expected<Done> open_once(SoundServer& server);
+    void note_calls();
     Expected<Done> start_stream(SoundServer& server, const std::set<std::uint32_t>& before,
                                 bool alsa);
     Expected<Done> find_behind(SoundServer& server, const std::set<std::uint32_t>& before);

@@ -1,0 +1,42 @@
+// Whether a controller is there: unplugged, out of reach, back again.
+#include "devices/hid/hid_device.h"
+
+namespace tact {
+
+void HidDevice::lose(const std::string& why) {
+    port_.reset();
+    const bool there = door_.may_be_opened(actuator_).operator bool();
+    const std::lock_guard lock(mutex_);
+    next_.reset();
+    status_.connected = there;
+    status_.playing = false;
+    status_.trouble = why;
+}
+
+// Between plays: unplugged, or there again.
+void HidDevice::watch() {
+    bool connected = false;
+    {
+        const std::lock_guard lock(mutex_);
+        connected = status_.connected;
+    }
+    if (port_ && !port_->is_there()) {
+        return lose(actuator_.name + " was unplugged, or is out of reach");
+    }
+    if (connected || !is_back()) return;
+    const std::lock_guard lock(mutex_);
+    status_.connected = true;
+    status_.trouble.clear();
+}
+
+// Perhaps as another node than before.
+bool HidDevice::is_back() {
+    for (const HidActuator& actuator : door_.list()) {
+        if (lasting_id(actuator) != lasting_id(actuator_)) continue;
+        actuator_ = actuator;
+        return door_.may_be_opened(actuator_).operator bool();
+    }
+    return false;
+}
+
+}  // namespace tact
