@@ -10,7 +10,6 @@
 #include "viz/charts/wave_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/picture/svg.h"
-#include "viz/space/space_view.h"
 
 namespace tact {
 
@@ -21,8 +20,11 @@ PictureOptions options_of(const PictureSize& size, std::string extra_text) {
     options.dark = size.dark;
     options.scale = size.scale;
     options.extra_text = std::move(extra_text);
+    options.svg_ids = size.svg_ids;
     return options;
 }
+
+Rect whole() { return rect_at(ImGui::GetWindowPos(), ImGui::GetWindowSize()); }
 
 // Title at the top left, a dim detail after it; what is left of the picture.
 Rect draw_title(const Theme& theme, const std::string& title, const std::string& detail) {
@@ -60,14 +62,14 @@ Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilari
 }
 
 Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
-                      const PictureSize& size, std::span<const std::size_t> chosen,
-                      const std::string& quantity) {
+                      const PictureSize& size, const SpaceMarks& marks) {
     const std::vector<std::string> labels = names_of(set);
     char stress[64];
     std::snprintf(stress, sizeof stress, ", stress-1 %.3f, ", space.stress1);
-    const std::string detail = "predicted by " + quantity + stress + stress_label(space.stress1);
+    const std::string detail =
+        "predicted by " + marks.quantity + stress + stress_label(space.stress1);
     return drawn(size, options_of(size, drawn_text(set)), [&](const Theme& theme) {
-        const Rect area = draw_title(theme, "Perceptual space", detail);
+        const Rect area = size.titled ? draw_title(theme, "Perceptual space", detail) : whole();
         std::vector<PatternLook> looks;
         for (std::size_t k = 0; k < labels.size(); ++k) {
             looks.push_back(look_of(theme, set, k));
@@ -76,9 +78,13 @@ Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const Perc
         scene.labels = labels;
         scene.looks = looks;
         scene.points = &space.points;
-        scene.chosen = chosen;
+        scene.chosen = marks.chosen;
+        scene.links = marks.links;
+        scene.ghosts = marks.before;
+        scene.ghost_opacity = 1.0;
+        scene.arrows = true;
         scene.dissimilarity = [&pm](std::size_t i, std::size_t j) { return pm(i, j); };
-        scene.quantity = quantity;
+        scene.quantity = marks.quantity;
         SpaceCamera camera;
         draw_space("space", theme, area, scene, camera);
     });

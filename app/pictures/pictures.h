@@ -3,6 +3,7 @@
 // Exact     same input, same bytes.
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -15,6 +16,7 @@
 #include "model/map/mds.h"
 #include "model/set/pattern_set.h"
 #include "viz/picture/picture.h"
+#include "viz/space/space_view.h"
 
 namespace tact {
 
@@ -26,6 +28,8 @@ struct PictureSize {
     float scale = 1.0F;
     bool dark = true;
     PictureFormat format = PictureFormat::png;
+    bool titled = true;     // above what is drawn: what it is
+    std::string svg_ids{};  // as PictureOptions has them
 };
 
 struct Svg {
@@ -41,10 +45,16 @@ Picture drawn(const PictureSize& size, const PictureOptions& options,
 Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
                        const std::string& quantity, const PictureSize& size);
 
-// `chosen`: a subset, ringed; `quantity`: what the matrix is.
+// What a space is drawn with besides its points.
+struct SpaceMarks {
+    std::span<const std::size_t> chosen{};    // a subset, ringed
+    std::span<const SpaceLink> links{};       // pairs that are too close
+    const Eigen::MatrixXd* before = nullptr;  // where the points were, n x k: arrows from there
+    std::string quantity = "PM";              // what the matrix is
+};
+
 Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
-                      const PictureSize& size, std::span<const std::size_t> chosen = {},
-                      const std::string& quantity = "PM");
+                      const PictureSize& size, const SpaceMarks& marks = {});
 
 Picture wave_picture(const Vibration& vibration, const PictureSize& size);
 

@@ -150,8 +150,9 @@ Expected<Done> write_subset(const fs::path& folder, const SubsetReport& report) 
         PictureSize size;
         size.format = format;
         size.dark = false;
-        const Picture picture = space_picture(report.set, report.dissimilarity, report.space, size,
-                                              report.answer.best.members, report.space_of);
+        const Picture picture =
+            space_picture(report.set, report.dissimilarity, report.space, size,
+                          {.chosen = report.answer.best.members, .quantity = report.space_of});
         const fs::path file = folder / kFiles[format == PictureFormat::png ? 2 : 3];
         if (auto written = write_picture(file, picture); !written) return written;
     }

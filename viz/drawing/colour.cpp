@@ -31,6 +31,16 @@ std::optional<ImU32> parse_colour(std::string_view text) {
     return rgb(hex);
 }
 
+std::string hex_text(ImU32 colour) {
+    std::string text = "#";
+    for (const unsigned shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT}) {
+        for (const unsigned half : {4U, 0U}) {
+            text += "0123456789abcdef"[(colour >> shift >> half) & 0xFU];
+        }
+    }
+    return text;
+}
+
 ImU32 faded(ImU32 colour, float opacity) {
     const float alpha = component(colour, IM_COL32_A_SHIFT) * opacity;
     return (colour & ~IM_COL32_A_MASK) | packed(alpha, IM_COL32_A_SHIFT);

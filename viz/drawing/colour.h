@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace tact {
@@ -18,6 +19,9 @@ constexpr ImU32 rgb(std::uint32_t hex) {
 
 // "#RRGGBB"; nothing for any other text.
 std::optional<ImU32> parse_colour(std::string_view text);
+
+// "#rrggbb", without the opacity.
+std::string hex_text(ImU32 colour);
 
 // The colour with its opacity multiplied, 0..1.
 ImU32 faded(ImU32 colour, float opacity);

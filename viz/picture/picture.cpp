@@ -107,7 +107,8 @@ std::string draw_svg(int width, int height, const PictureOptions& options,
                      const std::function<void(const Theme&)>& draw) {
     std::string text;
     draw_frames(width, height, options, Edges::exact, draw, [&](const Theme& theme) {
-        text = svg_text(*ImGui::GetDrawData(), theme.fonts, ground_of(theme, options));
+        text = svg_text(*ImGui::GetDrawData(), theme.fonts, ground_of(theme, options),
+                        options.svg_ids);
     });
     return text;
 }

@@ -51,6 +51,7 @@ struct PictureOptions {
     std::string extra_text{};          // names in the picture, for the choice of glyphs
     std::optional<ImVec2> mouse_px{};  // where the mouse hovers, if anywhere
     bool has_panes = false;            // the drawing brings panes of its own, on the background
+    std::string svg_ids{};             // what names in an SVG begin with
 };
 
 // Runs `draw` for two frames (layout settles in the first) inside a borderless window that fills

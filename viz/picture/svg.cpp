@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "model/text/atomic_file.h"
+#include "viz/drawing/colour.h"
 #include "viz/picture/frame_shapes.h"
 
 namespace tact {
@@ -25,6 +26,7 @@ constexpr std::size_t kManyCells = 2000;
 
 struct Writer {
     const Fonts& fonts;
+    const std::string& ids;
     std::string definitions{};
     std::string body{};
     std::map<std::tuple<float, float, float, float>, int> clips{};
@@ -52,20 +54,10 @@ std::string attribute(const char* name, float value) { return attribute(name, nu
 
 unsigned component(ImU32 colour, unsigned shift) { return (colour >> shift) & 0xFFU; }
 
-std::string hex(ImU32 colour) {
-    std::string text = "#";
-    for (const unsigned shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT}) {
-        for (const unsigned half : {4U, 0U}) {
-            text += "0123456789abcdef"[(component(colour, shift) >> half) & 0xFU];
-        }
-    }
-    return text;
-}
-
 // "fill", "stroke" or "stop": the colour, and its opacity where it is not opaque.
 std::string paint(const std::string& what, ImU32 colour) {
     const std::string name = what == "stop" ? "stop-color" : what;
-    std::string text = attribute(name.c_str(), hex(colour));
+    std::string text = attribute(name.c_str(), hex_text(colour));
     const unsigned alpha = component(colour, IM_COL32_A_SHIFT);
     if (alpha == 255) return text;
     return text + attribute((what + "-opacity").c_str(), static_cast<float>(alpha) / 255.0F);
@@ -80,7 +72,7 @@ std::string clip_of(Writer& writer, const std::optional<Rect>& clip) {
     if (!clip) return {};
     const std::tuple key{clip->min.x, clip->min.y, clip->max.x, clip->max.y};
     const auto [at, is_new] = writer.clips.insert({key, static_cast<int>(writer.clips.size()) + 1});
-    const std::string id = "clip" + std::to_string(at->second);
+    const std::string id = writer.ids + "clip" + std::to_string(at->second);
     if (is_new) {
         writer.definitions +=
             "<clipPath" + attribute("id", id) + "><rect" + box(*clip) + "/></clipPath>\n";
@@ -147,7 +139,7 @@ void write(Writer& writer, const Shape& shape, const Circle& circle) {
 }
 
 void write(Writer& writer, const Shape& shape, const GradientPolygon& polygon) {
-    const std::string id = "gradient" + std::to_string(++writer.gradients);
+    const std::string id = writer.ids + "gradient" + std::to_string(++writer.gradients);
     writer.definitions +=
         "<linearGradient" + attribute("id", id) + attribute("gradientUnits", "userSpaceOnUse") +
         attribute("x1", polygon.from.x) + attribute("y1", polygon.from.y) +
@@ -282,8 +274,9 @@ void write_all(Writer& writer, std::span<const Shape> shapes, ImVec2 size) {
 
 }  // namespace
 
-std::string svg_text(const ImDrawData& frame, const Fonts& fonts, ImU32 ground) {
-    Writer writer{fonts};
+std::string svg_text(const ImDrawData& frame, const Fonts& fonts, ImU32 ground,
+                     const std::string& ids) {
+    Writer writer{fonts, ids};
     const Rect whole = rect_at({0, 0}, frame.DisplaySize);
     write_all(writer, shapes_of(frame, fonts), frame.DisplaySize);
     std::string text =

@@ -18,8 +18,10 @@
 
 namespace tact {
 
-// The frame on a ground of one colour.
-std::string svg_text(const ImDrawData& frame, const Fonts& fonts, ImU32 ground);
+// The frame on a ground of one colour. `ids` begins the names of what is defined in it: several
+// pictures in one page need names of their own.
+std::string svg_text(const ImDrawData& frame, const Fonts& fonts, ImU32 ground,
+                     const std::string& ids = {});
 
 // A failed write leaves an existing file as it was.
 Expected<Done> write_svg(const std::string& path, const std::string& text);

@@ -27,6 +27,19 @@ Eigen::Matrix2d seen_covariance(const SpaceStage& stage, const SpaceCamera& came
     return change * stage.scene.spread[i] * change.transpose();
 }
 
+// A head at the rim of a disc that an arrow of this length ends at; too short a way has none.
+void draw_arrow_head(const SpaceStage& stage, ImVec2 from, const Disc& to, ImU32 ink) {
+    const ImVec2 way = to.centre - from;
+    const float length = std::hypot(way.x, way.y);
+    const float head = 7.0F * stage.theme.scale;
+    if (length < to.radius + head) return;
+    const ImVec2 along{way.x / length, way.y / length};
+    const ImVec2 aside{-0.4F * head * along.y, 0.4F * head * along.x};
+    const ImVec2 tip = to.centre - along * (to.radius + 2.0F * stage.theme.scale);
+    const ImVec2 foot = tip - along * head;
+    stage.list.AddTriangleFilled(tip, foot + aside, foot - aside, ink);
+}
+
 }  // namespace
 
 void draw_paths(const SpaceStage& stage) {
@@ -102,6 +115,7 @@ void draw_ghosts(const SpaceStage& stage, const SpaceCamera& camera) {
         const ImU32 ink = faded(stage.scene.looks[i].colour, 0.45F * opacity);
         stage.list.AddLine(at, stage.discs[i].centre, faded(ink, 0.7F), stage.theme.hairline_px);
         stage.list.AddCircle(at, stage.discs[i].radius, ink, 0, stage.theme.hairline_px);
+        if (stage.scene.arrows) draw_arrow_head(stage, at, stage.discs[i], faded(ink, 2.0F));
     }
 }
 

@@ -15,10 +15,20 @@ float base_radius_px(const Theme& theme, std::size_t n) {
     return theme.scale * (7.0F - 2.0F * crowd);
 }
 
+// Arrows are seen from end to end. Ghosts without them come and go: the map stands still meanwhile.
+SpaceFit fit_of(const SpaceScene& scene) {
+    const Eigen::MatrixXd& now = *scene.points;
+    const Eigen::MatrixXd* before = scene.arrows ? scene.ghosts : nullptr;
+    if (before == nullptr || before->cols() != now.cols()) return fit(now);
+    Eigen::MatrixXd both(now.rows() + before->rows(), now.cols());
+    both << now, *before;
+    return fit(both);
+}
+
 }  // namespace
 
 SpaceStage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene) {
-    return {list, theme, pane, scene, fit(*scene.points), {}, {}, {}, {}, {}};
+    return {list, theme, pane, scene, fit_of(scene), {}, {}, {}, {}, {}};
 }
 
 float nearness(const SpaceStage& stage, std::size_t i) {

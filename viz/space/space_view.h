@@ -36,6 +36,7 @@ struct SpaceScene {
     const Eigen::MatrixXd* points = nullptr;            // n x 2 or n x 3; never null
     const Eigen::MatrixXd* ghosts = nullptr;            // where the points were before, or null
     double ghost_opacity = 0.0;                         // 1: just left, 0: gone
+    bool arrows = false;                                // from the ghosts to the points, with heads
     std::span<const std::vector<std::size_t>> paths{};  // points to join, along a parameter
     std::span<const std::size_t> chosen{};              // a subset, ringed; others step back
     std::span<const std::size_t> faint{};               // filtered out: they step back farther
