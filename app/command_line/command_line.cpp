@@ -31,6 +31,7 @@ void add_commands(CLI::App& app, Commands& commands, Chosen& chosen) {
     add_play_command(app, commands.play, chosen);
     add_calibrate_command(app, commands.calibrate, chosen);
     add_subset_command(app, commands.subset, chosen);
+    add_report_command(app, commands.report, chosen);
     add_separate_command(app, commands.separate, chosen);
     add_compare_command(app, commands.compare, chosen);
     add_train_command(app, commands.train, chosen);

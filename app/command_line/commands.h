@@ -198,6 +198,16 @@ struct SubsetCommand {
 };
 Expected<Done> run(const SubsetCommand& command);
 
+struct ReportCommand {
+    CommonOptions common;
+    std::optional<int> count;    // of the most distinct; none: 8, or half of a small set
+    std::string confused_at;     // a number, or "A,B"; empty: the weakest pair of those
+    int draws = 0;               // of uncertain models: how sure; 0: none
+    double time_limit_s = 60.0;  // of the search
+    std::filesystem::path out;   // a page, .html
+};
+Expected<Done> run(const ReportCommand& command);
+
 struct SeparateCommand {
     CommonOptions common;
     std::string pair;                 // "A,B"

@@ -19,19 +19,25 @@ std::string sentence_on(const RenderedBy& by) {
     return "the patterns " + words_on(by) + ": " + strength_words(by);
 }
 
-std::string text_of(const Labels& labels) {
-    std::string text;
-    if (labels.by) text += sentence_on(*labels.by) + "\n";
+std::vector<std::string> lines_of(const Labels& labels) {
+    std::vector<std::string> lines;
+    if (labels.by) lines.push_back(sentence_on(*labels.by));
     if (labels.only != Side::both) {
-        text += std::string("only the ") + kSideNames[static_cast<std::size_t>(labels.only)] +
-                " patterns\n";
+        lines.push_back(std::string("only the ") +
+                        kSideNames[static_cast<std::size_t>(labels.only)] + " patterns");
     }
     if (labels.synthetic_patterns) {
-        text += "SYNTHETIC: some or all of these patterns were measured by nobody\n";
+        lines.push_back("SYNTHETIC: some or all of these patterns were measured by nobody");
     }
     if (labels.synthetic_model) {
-        text += "SYNTHETIC: the model was fitted to ratings that nobody gave\n";
+        lines.push_back("SYNTHETIC: the model was fitted to ratings that nobody gave");
     }
+    return lines;
+}
+
+std::string text_of(const Labels& labels) {
+    std::string text;
+    for (const std::string& line : lines_of(labels)) text += line + "\n";
     return text;
 }
 

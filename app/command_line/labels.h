@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "devices/calibration/rendering.h"
 #include "model/set/measured_twin.h"
@@ -23,7 +24,8 @@ bool has_synthetic_patterns(const PatternSet& set);
 // "the patterns as a Joy-Con plays them, uncalibrated: full scale stands for 1.00 g"
 std::string sentence_on(const RenderedBy& by);
 
-// A line each; empty where there is nothing to say.
+// A sentence each, none where there is nothing to say; and as lines.
+std::vector<std::string> lines_of(const Labels& labels);
 std::string text_of(const Labels& labels);
 
 // Keys of an object: synthetic_patterns and synthetic_model always; only, and rendered_by with

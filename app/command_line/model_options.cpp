@@ -79,6 +79,30 @@ void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen) {
     subset.footer(list_of_metrics());
 }
 
+void add_report_command(CLI::App& app, ReportCommand& command, Chosen& chosen) {
+    CLI::App& report = add_command(app, "report",
+                                   "one page to send: groups that people would confuse, the most "
+                                   "distinct patterns, map, matrix, players",
+                                   command, chosen);
+    add_rendering(report, command.common);
+    add_only(report, command.common);
+    report.add_option("--out", command.out, "file for the page, .html")->required();
+    report
+        .add_option("-k,--count", command.count,
+                    "how many most distinct patterns; else 8, or half of a small set")
+        ->check(within(2, 10'000));
+    report.add_option(
+        "--confused-at", command.confused_at,
+        "pairs closer than this PM, or than the pair of these two names with a comma "
+        "between, count as confused; else than the weakest pair of the most distinct");
+    report
+        .add_option("--sure", command.draws,
+                    "draws of what is uncertain in the model: how often the subset stays")
+        ->check(within(0, 100'000));
+    report.add_option("--time-limit", command.time_limit_s, "s for the search; else 60")
+        ->check(within(0.0, kMost));
+}
+
 void add_separate_command(CLI::App& app, SeparateCommand& command, Chosen& chosen) {
     CLI::App& separate = add_command(
         app, "separate", "the smallest changes that part two patterns people may confuse", command,

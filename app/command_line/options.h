@@ -54,6 +54,7 @@ CLI::App& add_command(CLI::App& app, const char* name, const char* help, Command
 void add_predict_command(CLI::App& app, PredictCommand& command, Chosen& chosen);
 void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen);
 void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen);
+void add_report_command(CLI::App& app, ReportCommand& command, Chosen& chosen);
 void add_separate_command(CLI::App& app, SeparateCommand& command, Chosen& chosen);
 void add_findings_command(CLI::App& app, FindingsCommand& command, Chosen& chosen);
 
@@ -88,6 +89,7 @@ struct Commands {
     StudyCommand study;
     TrainCommand train;
     SubsetCommand subset;
+    ReportCommand report;
     SeparateCommand separate;
     FindingsCommand findings;
     DevicesCommand devices;

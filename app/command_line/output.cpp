@@ -176,6 +176,23 @@ Expected<std::size_t> place_of(const PatternSet& set, const std::string& name) {
     return Error{"there is no pattern \"" + name + "\", expected one of " + known};
 }
 
+Expected<NamedPair> pair_of(const PatternSet& set, const std::string& option,
+                            const std::string& text) {
+    for (std::size_t at = text.find(','); at != std::string::npos; at = text.find(',', at + 1)) {
+        const auto a = place_named(set, text.substr(0, at));
+        const auto b = place_named(set, text.substr(at + 1));
+        if (a && b && *a != *b) return NamedPair{*a, *b};
+    }
+    const std::size_t comma = text.find(',');
+    if (comma != std::string::npos) {
+        for (const std::string& name : {text.substr(0, comma), text.substr(comma + 1)}) {
+            const Expected<std::size_t> place = place_of(set, name);
+            if (!place) return Error{option + ": " + place.error().message};
+        }
+    }
+    return Error{option + ": expected two patterns with a comma between, got \"" + text + "\""};
+}
+
 Expected<PictureFormat> picture_format(const std::filesystem::path& file) {
     const std::string ending = extension_of(file);
     if (ending != ".png" && ending != ".svg" && !ending.empty()) {

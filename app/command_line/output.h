@@ -36,6 +36,15 @@ Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options);
 // Where the pattern of a name stands. An Error names some that there are.
 Expected<std::size_t> place_of(const PatternSet& set, const std::string& name);
 
+// "A,B": two different patterns, at the comma that parts two names, as a name may have one of its
+// own. `option` begins what an Error says.
+struct NamedPair {
+    std::size_t a = 0;
+    std::size_t b = 0;
+};
+Expected<NamedPair> pair_of(const PatternSet& set, const std::string& option,
+                            const std::string& text);
+
 // What the ending of a picture's name asks for: .png or .svg; none is PNG. An Error also if the
 // file cannot be written.
 Expected<PictureFormat> picture_format(const std::filesystem::path& file);

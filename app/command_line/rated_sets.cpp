@@ -7,6 +7,7 @@
 
 #include "app/command_line/output.h"
 #include "model/io/people/ratings_file.h"
+#include "model/io/tables/matrix_file.h"
 #include "model/set/measured_twin.h"
 #include "model/set/set_ratings.h"
 #include "model/set/set_study.h"
@@ -127,6 +128,28 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
                        std::move(loaded->labels)});
     }
     return all;
+}
+
+Expected<Dissimilarity> dissimilarities_in(const std::filesystem::path& file,
+                                           const std::vector<std::string>& names) {
+    const Expected<LabelledMatrix> matrix = read_matrix_file(file);
+    if (!matrix) return matrix.error();
+    std::vector<std::size_t> places;
+    for (const std::string& name : names) {
+        const auto found = std::ranges::find(matrix->labels, name);
+        if (found == matrix->labels.end()) {
+            return Error{file.string() + ": expected a row \"" + name +
+                         "\" as the set has such a pattern"};
+        }
+        places.push_back(static_cast<std::size_t>(found - matrix->labels.begin()));
+    }
+    Dissimilarity result{names.size(), {}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::size_t j = i + 1; j < places.size(); ++j) {
+            result.condensed.push_back(matrix->dissimilarity(places[i], places[j]));
+        }
+    }
+    return result;
 }
 
 }  // namespace tact

@@ -8,6 +8,7 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/labels.h"
+#include "model/dissimilarity/dissimilarity.h"
 #include "model/set/pattern_set.h"
 #include "model/study/who_counts.h"
 
@@ -32,5 +33,9 @@ nlohmann::json json_of(const std::vector<LeftOutParticipant>& left_out);
 // without files, those of the set file. Remarks go to standard error.
 Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
                                                 const RatingFiles& ratings);
+
+// How far apart the patterns of these names are by a matrix that may have others and another order.
+Expected<Dissimilarity> dissimilarities_in(const std::filesystem::path& file,
+                                           const std::vector<std::string>& names);
 
 }  // namespace tact

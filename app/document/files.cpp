@@ -22,11 +22,10 @@ namespace tact {
 namespace {
 
 constexpr double kAutosaveRestS = 0.6;
-constexpr const char* kExample = "sets/pm_2023_twelve.tactspace.json";
 constexpr const char* kSetEnding = ".tactspace.json";
 
-PatternSet example_set() {
-    auto set = parse_set(asset(kExample), kExample, {});
+PatternSet parsed(const ExampleSet& example) {
+    auto set = parse_set(asset(example.path), example.path, {});
     assert(set && "the compiled-in example set does not parse");
     return *std::move(set);
 }
@@ -114,8 +113,13 @@ bool show_document(Ui& ui, Workspace& work, Document document, std::string text)
 void new_document(Ui& ui, Workspace& work) { show_document(ui, work, {}, "A new, empty set."); }
 
 void open_example(Ui& ui, Workspace& work) {
-    const PatternSet set = example_set();
+    const PatternSet set = parsed(kExampleSets[0]);
     show_document(ui, work, {set, {}, set}, "The twelve patterns of Lim & Park 2023, section 6.1.");
+}
+
+void open_example_set(Ui& ui, Workspace& work, const ExampleSet& example) {
+    const PatternSet set = parsed(example);
+    show_document(ui, work, {set, {}, set}, "Opened the example set " + set.name + ".");
 }
 
 void open_paths(Ui& ui, Workspace& work, const std::vector<std::filesystem::path>& paths) {

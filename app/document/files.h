@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/document/example_sets.h"
 #include "app/document/workspace.h"
 #include "app/ui/ui.h"
 
@@ -15,7 +16,8 @@ std::string document_title(const Workspace& work);
 std::string document_name(const Workspace& work);  // the same without the mark
 
 void new_document(Ui& ui, Workspace& work);
-void open_example(Ui& ui, Workspace& work);
+void open_example(Ui& ui, Workspace& work);  // the paper's twelve
+void open_example_set(Ui& ui, Workspace& work, const ExampleSet& example);
 void open_dialog(Ui& ui, const Workspace& work);
 void add_dialog(Ui& ui, const Workspace& work);
 void save_dialog(Ui& ui, const Workspace& work);

@@ -108,22 +108,6 @@ void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area
                "The first map of a set takes a moment.");
 }
 
-std::string verdict_text(const PerceptualSpace& space, std::size_t patterns) {
-    switch (space.verdict) {
-        case MdsVerdict::constant:
-            return "All pairs are equally alike: any map fits, so none is drawn.";
-        case MdsVerdict::trivial:
-            return std::to_string(patterns) +
-                   " patterns always fit: stress says nothing, the picture little.";
-        case MdsVerdict::colocated:
-            return "Some different patterns fell onto one point.";
-        case MdsVerdict::too_few:
-        case MdsVerdict::fine:
-            break;
-    }
-    return {};
-}
-
 SpaceScene scene_of(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
                     const std::vector<std::string>& labels, const std::vector<PatternLook>& looks,
                     const Eigen::MatrixXd& points,
@@ -201,6 +185,22 @@ void draw_remarks(const Ui& ui, const Rect& area, const std::string& verdict,
 }
 
 }  // namespace
+
+std::string verdict_text(const PerceptualSpace& space, std::size_t patterns) {
+    switch (space.verdict) {
+        case MdsVerdict::constant:
+            return "All pairs are equally alike: any map fits, so none is drawn.";
+        case MdsVerdict::trivial:
+            return std::to_string(patterns) +
+                   " patterns always fit: stress says nothing, the picture little.";
+        case MdsVerdict::colocated:
+            return "Some different patterns fell onto one point.";
+        case MdsVerdict::too_few:
+        case MdsVerdict::fine:
+            break;
+    }
+    return {};
+}
 
 SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
                                  const MapMarks& marks) {

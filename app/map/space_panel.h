@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "app/document/workspace.h"
 #include "app/map/map_look.h"
 #include "app/map/map_state.h"
 #include "app/ui/ui.h"
+#include "model/map/mds.h"
 
 namespace tact {
 
@@ -19,5 +21,8 @@ struct SpacePaneAction {
 
 SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
                                  const MapMarks& marks);
+
+// Why a map says little; empty: it says what it shows.
+std::string verdict_text(const PerceptualSpace& space, std::size_t patterns);
 
 }  // namespace tact

@@ -35,14 +35,14 @@ table{border-collapse:collapse;width:100%;font-size:13px}
 th,td{text-align:left;padding:5px 10px 5px 0;border-bottom:1px solid var(--line);
   vertical-align:middle}
 thead th{color:var(--dim-text);font-weight:600;vertical-align:bottom;line-height:1.25}
-.number{text-align:right}
+.number{text-align:right;white-space:nowrap}
 .dark{display:none}
 )css";
 
 constexpr const char* kPrintStyle = R"css(
 @page{size:A4;margin:14mm}
 @media print{
-html{font-size:9.5pt}
+html{font-size:9.5pt;background:none}
 body{max-width:none;padding:0}
 section{border:0;border-radius:0;padding:0;margin:0 0 8mm}
 h2{break-after:avoid}

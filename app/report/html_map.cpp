@@ -8,8 +8,8 @@ namespace tact {
 
 namespace {
 
-constexpr int kMapWidth = 900;
-constexpr int kMapHeight = 640;
+constexpr int kMapWidth = 760;
+constexpr int kMapHeight = 480;
 
 // As wide as there is room, instead of a size in pixels.
 std::string map_svg(const HtmlMap& map, bool dark) {

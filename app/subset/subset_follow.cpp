@@ -189,7 +189,8 @@ void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& 
     take(picking.stability_job, picking.stability);
     const bool has_pairs = map_state(work, shown_map) == MapState::exact &&
                            shown_map.transition.shown->prediction.pm.size > 1;
-    if (layout.bench != BenchTab::subset || !has_pairs) return;
+    const bool is_wanted = layout.bench == BenchTab::subset || !picking.report_to.empty();
+    if (!is_wanted || !has_pairs) return;
     PickRequest request = request_of(work, shown_map, picking);
     if (request == picking.asked) return;
     picking.asked = request;

@@ -107,6 +107,7 @@ struct SubsetState {
     bool change_second = false;                                 // of the open pair
 
     std::filesystem::path export_to;  // when the frame is done
+    std::filesystem::path report_to;  // when a subset has been picked
 
     // Null until the program has begun; the answers may be of an earlier document.
     std::unique_ptr<LatestJob<PickRequest, Pick>> pick_job;

@@ -35,6 +35,7 @@ enum class ChooserPurpose {
     export_study,
     export_view,
     export_subset,
+    export_report,
     export_stages,
     export_animation
 };

@@ -75,8 +75,9 @@ bool is_exporting(const App& app) {
 }
 
 void continue_exports(App& app) {
-    if (!app.picking.export_to.empty())
-        return continue_subset_export(app.ui, app.shown_map, app.picking);
+    if (!app.picking.export_to.empty() || !app.picking.report_to.empty()) {
+        continue_subset_export(app.ui, app.work, app.shown_map, app.picking);
+    }
     if (!app.exports.picture.empty()) return draw_waiting_picture(app);
     if (app.exports.animation) draw_next_frame(app);
 }

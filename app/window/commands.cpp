@@ -1,6 +1,8 @@
 #include "app/window/commands.h"
 
 #include <array>
+#include <utility>
+#include <vector>
 
 #include "app/compare/compare_follow.h"
 #include "app/document/editing.h"
@@ -43,6 +45,8 @@ bool has_answers(const App& app) {
 }
 
 bool has_subset(const App& app) { return shown_pick(app.shown_map, app.picking) != nullptr; }
+
+bool has_pairs(const App& app) { return app.work.document.set.vibrations.size() > 1; }
 
 bool has_editable_pattern(const App& app) {
     const Vibration* vibration = current_vibration(app.work);
@@ -165,7 +169,6 @@ const auto kCommands = std::to_array<Command>({
     {"File", "New set", {}, always, [](App& app) { new_document(app.ui, app.work); }},
     {"File", "Open...", ctrl('o'), always, [](App& app) { open_dialog(app.ui, app.work); }, nullptr, "load import folder wav txt ahap haptic hjif haps he hla"},
     {"File", "Add to set...", {}, always, [](App& app) { add_dialog(app.ui, app.work); }, nullptr, "import append effects ahap haptic folder"},
-    {"File", "Open the example set", {}, always, [](App& app) { open_example(app.ui, app.work); }, nullptr, "twelve patterns PM 2023"},
     {"File", "Save", ctrl('s'), always, [](App& app) { save(app.ui, app.work); }},
     {"File", "Save as...", ctrl('s', true), always, [](App& app) { save_dialog(app.ui, app.work); }},
     {"File", "Load ratings...", {}, has_selection, [](App& app) { load_ratings_dialog(app.ui, app.work); }, nullptr,
@@ -175,7 +178,9 @@ const auto kCommands = std::to_array<Command>({
     {"File", "Export view...", ctrl('e'), always, [](App& app) { export_view_dialog(app.ui); }, nullptr,
      "picture image png svg save"},
     {"File", "Export subset...", {}, has_subset, [](App& app) { export_subset_dialog(app.ui, app.work, app.shown_map, app.picking); }, nullptr,
-     "report picked distinct set table map"},
+     "picked distinct set table map"},
+    {"File", "Export report...", {}, has_pairs, [](App& app) { export_report_dialog(app.ui, app.work); }, nullptr,
+     "page html groups confuse distinct players client print"},
     {"File", "Export stage as CSV...", {}, has_selection, [](App& app) { export_stages_dialog(app.ui, app.work, app.rendered, app.physiology); }, nullptr,
      "stages table numbers save"},
     {"File", "Export animation...", {}, has_selection, [](App& app) { export_animation_dialog(app.ui, app.work, app.exports); }, nullptr,
@@ -381,9 +386,25 @@ const auto kCommands = std::to_array<Command>({
     {"", "Next pattern", special(key::kDown), always, [](App& app) { select_next(app.work, 1); }},
 });
 
+template <std::size_t kPlace>
+void open_example_at(App& app) {
+    open_example_set(app.ui, app.work, kExampleSets[kPlace]);
+}
+
+// A row for each set that comes with the program: a menu of its own within File.
+template <std::size_t... kPlaces>
+std::vector<Command> with_examples(std::index_sequence<kPlaces...>) {
+    std::vector<Command> all(kCommands.begin(), kCommands.end());
+    (all.push_back({kExampleMenu, kExampleSets[kPlaces].name, {}, always, open_example_at<kPlaces>, nullptr, "open bundled"}), ...);
+    return all;
+}
+
 }  // namespace
 
-std::span<const Command> commands() { return kCommands; }
+std::span<const Command> commands() {
+    static const std::vector<Command> all = with_examples(std::make_index_sequence<kExampleSets.size()>());
+    return all;
+}
 
 void carry_out(App& app, const Command& command) {
     note_command(command.name);

@@ -27,6 +27,8 @@ struct Command {
     const char* words = "";  // that the palette finds it by, besides its name
 };
 
+inline constexpr const char* kExampleMenu = "Example sets";  // within File
+
 std::span<const Command> commands();
 
 // Runs it, and notes its name for what a crash would tell.

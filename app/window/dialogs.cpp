@@ -132,6 +132,8 @@ void draw_chooser(App& app) {
             return export_view(app.exports, *chosen);
         case ChooserPurpose::export_subset:
             return export_subset(app.shown_map, app.picking, *chosen);
+        case ChooserPurpose::export_report:
+            return export_report(app.ui, app.picking, *chosen);
         case ChooserPurpose::export_stages:
             return export_stages(app.ui, app.work, app.rendered, app.physiology, *chosen);
         case ChooserPurpose::export_animation:

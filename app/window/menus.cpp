@@ -39,6 +39,16 @@ void draw_recent(App& app) {
     ImGui::EndMenu();
 }
 
+void draw_examples(App& app) {
+    const bool open = ImGui::BeginMenu(kExampleMenu);
+    note_item(app.ui.rects, std::string("menu:") + kExampleMenu);
+    if (!open) return;
+    for (const Command& command : commands()) {
+        if (std::string_view(command.menu) == kExampleMenu) draw_item(app, command);
+    }
+    ImGui::EndMenu();
+}
+
 }  // namespace
 
 std::string item_text(const App& app, const Command& command) {
@@ -60,7 +70,9 @@ void draw_menus(App& app) {
         for (const Command& command : commands()) {
             if (std::string_view(command.menu) != menu) continue;
             draw_item(app, command);
-            if (std::string_view(command.name) == "Open the example set") draw_recent(app);
+            if (std::string_view(command.name) != "Add to set...") continue;
+            draw_recent(app);
+            draw_examples(app);
         }
         ImGui::EndMenu();
     }

@@ -15,44 +15,22 @@ namespace tact {
 
 namespace {
 
-struct Pair {
-    std::size_t a = 0;
-    std::size_t b = 0;
-};
-
 struct Change {
     std::size_t place = 0;  // of the pattern that is changed
     Separation separation;
 };
 
 struct SeparateResult {
-    Pair pair;
+    NamedPair pair;
     double dissimilarity = 0.0;
     double threshold = 0.0;
     std::vector<Change> changes;  // the smallest first
     Labels labels;
 };
 
-// "A,B": at the comma that parts two names, as a name may have one of its own.
-Expected<Pair> pair_of(const PatternSet& set, const std::string& text) {
-    for (std::size_t at = text.find(','); at != std::string::npos; at = text.find(',', at + 1)) {
-        const auto a = place_named(set, text.substr(0, at));
-        const auto b = place_named(set, text.substr(at + 1));
-        if (a && b && *a != *b) return Pair{*a, *b};
-    }
-    const std::size_t comma = text.find(',');
-    if (comma != std::string::npos) {
-        for (const std::string& name : {text.substr(0, comma), text.substr(comma + 1)}) {
-            const Expected<std::size_t> place = place_of(set, name);
-            if (!place) return Error{"--pair: " + place.error().message};
-        }
-    }
-    return Error{"--pair: expected two patterns with a comma between, got \"" + text + "\""};
-}
-
 // Which of the two may be changed: the one asked for, else those that are not locked.
 Expected<std::vector<std::size_t>> changeable(const SeparateCommand& command, const PatternSet& set,
-                                              Pair pair) {
+                                              NamedPair pair) {
     std::vector<std::size_t> places;
     for (const std::size_t place : {pair.a, pair.b}) {
         const Vibration& vibration = set.vibrations[place];
@@ -73,7 +51,7 @@ Expected<std::vector<std::size_t>> changeable(const SeparateCommand& command, co
 }
 
 Expected<std::vector<std::size_t>> others_of(const SeparateCommand& command, const PatternSet& set,
-                                             Pair pair) {
+                                             NamedPair pair) {
     std::vector<std::size_t> others;
     for (const std::string& name : command.among) {
         const Expected<std::size_t> place = place_of(set, name);
@@ -89,7 +67,7 @@ Expected<std::vector<std::size_t>> others_of(const SeparateCommand& command, con
 }
 
 double threshold_of(const SeparateCommand& command, const Dissimilarity& pm,
-                    const std::vector<std::size_t>& others, Pair pair) {
+                    const std::vector<std::size_t>& others, NamedPair pair) {
     if (command.threshold) return *command.threshold;
     const double share =
         threshold_at(others.empty() ? pm : among(pm, others), command.percent / 100.0);
@@ -101,7 +79,7 @@ Expected<SeparateResult> separated(const SeparateCommand& command, const FeltSet
                                    std::stop_token stop) {
     const PatternSet& set = sets.meant;
     const Error stopped{"stopped before the search had come to its end"};
-    const Expected<Pair> pair = pair_of(set, command.pair);
+    const Expected<NamedPair> pair = pair_of(set, "--pair", command.pair);
     if (!pair) return pair.error();
     const auto places = changeable(command, set, *pair);
     if (!places) return places.error();

@@ -10,16 +10,16 @@
 #include "app/command_line/output.h"
 #include "app/command_line/rated_sets.h"
 #include "app/command_line/text_table.h"
-#include "app/rendering/rendered_set.h"
+#include "app/report/report.h"
 #include "app/subset/subset_export.h"
 #include "model/evaluation/metric_matrix.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/set/set_file.h"
-#include "model/io/tables/matrix_file.h"
 #include "model/map/mds.h"
 #include "model/subset/set_subset.h"
 #include "model/subset/subset.h"
 #include "model/subset/subset_stability.h"
+#include "model/text/utc_time.h"
 
 namespace tact {
 
@@ -40,28 +40,6 @@ struct Source {
     Labels labels;
     bool synthetic_ratings = false;
 };
-
-// How far apart the set's patterns are in a matrix that may have others and another order.
-Expected<Dissimilarity> of_matrix(const fs::path& file, const Names& names) {
-    const Expected<LabelledMatrix> matrix = read_matrix_file(file);
-    if (!matrix) return matrix.error();
-    std::vector<std::size_t> places;
-    for (const std::string& name : names) {
-        const auto found = std::ranges::find(matrix->labels, name);
-        if (found == matrix->labels.end()) {
-            return Error{file.string() + ": expected a row \"" + name +
-                         "\" as the set has such a pattern"};
-        }
-        places.push_back(static_cast<std::size_t>(found - matrix->labels.begin()));
-    }
-    Dissimilarity result{names.size(), {}};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        for (std::size_t j = i + 1; j < places.size(); ++j) {
-            result.condensed.push_back(matrix->dissimilarity(places[i], places[j]));
-        }
-    }
-    return result;
-}
 
 Expected<Dissimilarity> of_ratings(const std::vector<fs::path>& files, const Names& names,
                                    bool& synthetic) {
@@ -101,10 +79,10 @@ Expected<Source> source_of(const SubsetCommand& command, std::stop_token stop) {
     if (const auto pair = need_a_pair(sets->meant, command.common); !pair) return pair.error();
     const Names names = names_of(sets->meant);
     bool synthetic_ratings = false;
-    Expected<Dissimilarity> matrix = !command.matrix.empty() ? of_matrix(command.matrix, names)
-                                     : !command.ratings.empty()
-                                         ? of_ratings(command.ratings, names, synthetic_ratings)
-                                         : of_metric(command, sets->felt, stop);
+    Expected<Dissimilarity> matrix =
+        !command.matrix.empty()    ? dissimilarities_in(command.matrix, names)
+        : !command.ratings.empty() ? of_ratings(command.ratings, names, synthetic_ratings)
+                                   : of_metric(command, sets->felt, stop);
     if (!matrix) return matrix.error();
     return Source{std::move(sets->meant), std::move(sets->felt), *std::move(matrix),
                   std::move(sets->labels), synthetic_ratings};
@@ -295,9 +273,31 @@ Expected<SubsetResult> picked(const SubsetCommand& command, const Source& source
     return result;
 }
 
-// What the page about the subset is headed by.
-std::string origin_of(const Source& source) {
-    return source.labels.by ? words_on(*source.labels.by) : "";
+Expected<Done> write_report_of(const SubsetCommand& command, const Source& source,
+                               const SubsetResult& result, std::stop_token stop) {
+    const PerceptualSpace space = map_of(command, source, stop);
+    const std::string quantity = !command.matrix.empty() ? "Dissimilarity"
+                                 : !command.ratings.empty()
+                                     ? "Rating"
+                                     : traits(*metric_named(command.metric)).name;
+    const double threshold = result.answer.best.weakest_dissimilarity;
+    Report report{
+        .set = source.set,
+        .felt = source.felt,
+        .dissimilarity = source.dissimilarity,
+        .quantity = source.synthetic_ratings ? "Synthetic rating" : quantity,
+        .objective = result.objective,
+        .answer = result.answer,
+        .space = space,
+        .space_of = quantity,
+        .confusion = confusion(source.dissimilarity, {threshold, kSameShare * threshold}),
+        .confused_at = confused_at_words(result.answer, result.answer.best.members.size()),
+        .by = source.labels.by,
+        .program = std::string("tactspace ") + TACT_VERSION,
+        .date = utc_now().substr(0, 10),
+        .labels = lines_of(source.labels)};
+    if (result.stability) report.stability = &*result.stability;
+    return write_subset(command.report, report);
 }
 
 }  // namespace
@@ -322,20 +322,7 @@ Expected<Done> run(const SubsetCommand& command) {
         if (const auto written = write_set_file(command.out, part); !written) return written;
     }
     if (!command.report.empty()) {
-        const PerceptualSpace space = map_of(command, *source, interrupt.token());
-        const std::string quantity = !command.matrix.empty() ? "Dissimilarity"
-                                     : !command.ratings.empty()
-                                         ? "Rating"
-                                         : traits(*metric_named(command.metric)).name;
-        const auto written = write_subset(command.report, {source->set,
-                                                           source->dissimilarity,
-                                                           quantity,
-                                                           result->objective,
-                                                           result->answer,
-                                                           space,
-                                                           quantity,
-                                                           {},
-                                                           origin_of(*source)});
+        const auto written = write_report_of(command, *source, *result, interrupt.token());
         if (!written) return written;
     }
     const Names names = names_of(source->set);

@@ -125,10 +125,10 @@ TEST_CASE("subset command: --out is a set that can be picked from, --report a pa
     CHECK(tact::read_set_file(out)->set.vibrations.size() == 3);
     const Json again = Json::parse(output_of({"subset", out, "-k", "2", "--json"}));
     CHECK(again.at("patterns").size() == 2);
-    const std::string page = bytes_of(report / "subset.md");
-    CHECK(page.starts_with("# 3 most distinct of 5 patterns\n"));
-    CHECK(page.find("| d\\|e |") != std::string::npos);
-    CHECK(page.find("Kept beforehand: d\\|e.") != std::string::npos);
+    const std::string page = bytes_of(report / "report.html");
+    CHECK(contains(page, "<h2>The 3 most distinct</h2>"));
+    CHECK(contains(page, "Kept beforehand: <span class=\"name picked\">d|e</span>."));
+    CHECK(contains(page, "In 3 draws of what is uncertain in the model"));
     CHECK(bytes_of(report / "map.svg").find("<svg") != std::string::npos);
     CHECK(tact::read_set_file(report / "subset.tactspace.json")->set ==
           tact::read_set_file(out)->set);

@@ -59,7 +59,9 @@ TEST_CASE("html: a page forbids itself to fetch or to run anything, and names no
 TEST_CASE("html: a map is there on either ground, with arrows from where the points were") {
     PatternSet set;
     for (const char* name : {"one", "two", "three"}) {
-        set.vibrations.push_back({.name = name, .source = Pattern{}});
+        Vibration vibration;
+        vibration.name = name;
+        set.vibrations.push_back(vibration);
     }
     const Dissimilarity apart{3, {1.0, 2.0, 3.0}};
     PerceptualSpace space;
@@ -69,7 +71,7 @@ TEST_CASE("html: a map is there on either ground, with arrows from where the poi
     const std::string still = html_of(HtmlMap{.set = set, .dissimilarity = apart, .space = space});
     CHECK(times(still, "<svg") == 2);
     CHECK(times(still, "xmlns=") == 0);
-    CHECK(times(still, "viewBox=\"0 0 900 640\"") == 2);
+    CHECK(times(still, "viewBox=\"0 0 760 480\"") == 2);
     const std::string moved = html_of(
         HtmlMap{.set = set, .dissimilarity = apart, .space = space, .marks = {.before = &before}});
     const auto shapes = [](const std::string& html) {

@@ -2,15 +2,18 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/compare/compare_follow.h"
 #include "app/subset/separation_follow.h"
+#include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_marks.h"
 #include "app/window/jobs.h"
 #include "model/subset/set_subset.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace subset_panel_test {
 
@@ -240,6 +243,37 @@ TEST_CASE("subset panel: models are drawn on request, and the map has an ellipse
     CHECK(bench.program.shows("stability:" + bench.app.work.document.set.vibrations[0].name) ==
           (stability.share_picked[0] > 0.0 ||
            std::ranges::binary_search(stability.subset.members, std::size_t{0})));
+}
+
+TEST_CASE("subset panel: a report waits for the subset of the set as it is, whatever tab is open") {
+    SubsetBench bench;
+    App& app = bench.app;
+    const TemporaryFolder folder;
+    const auto written = [&](const std::filesystem::path& file) {
+        return [&app, file] {
+            continue_subset_export(app.ui, app.work, app.shown_map, app.picking);  // after a frame
+            return std::filesystem::exists(file);
+        };
+    };
+    app.layout.bench = BenchTab::matrix;
+    app.picking.count = 3;  // nobody looks, so nobody has picked three
+    export_report(app.ui, app.picking, folder.path / "page");
+    bench.wait(written(folder.path / "page.html"));
+    CHECK(app.picking.report_to.empty());
+    const std::string page = bytes_of(folder.path / "page.html");
+    CHECK(page.find("<h2>The 3 most distinct</h2>") != std::string::npos);
+    CHECK(page.find("the weakest pair of the 3 most distinct, proven") != std::string::npos);
+    for (const std::string& name : names_of(app.work.document.set)) {
+        CHECK(page.find(name) != std::string::npos);
+    }
+    // A pair that the person took for a measure decides.
+    app.picking.too_close = TooClose::reference;
+    app.picking.reference_a = app.work.document.set.vibrations[0].name;
+    app.picking.reference_b = app.work.document.set.vibrations[1].name;
+    export_report(app.ui, app.picking, folder.path / "other.html");
+    bench.wait(written(folder.path / "other.html"));
+    CHECK(bytes_of(folder.path / "other.html").find("the reference pair that was taken") !=
+          std::string::npos);
 }
 
 }  // namespace subset_panel_test

@@ -1,0 +1,245 @@
+#include "app/report/report.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "app/map/space_panel.h"
+#include "app/rendering/rendered_set.h"
+#include "app/report/html.h"
+#include "app/report/html_map.h"
+#include "app/report/report_parts.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return grouped_digits(count) + " " + (count == 1 ? one : many);
+}
+
+std::size_t confused_patterns(const Confusion& confusion) {
+    std::size_t count = 0;
+    for (const ConfusedGroup& group : confusion.groups) count += group.members.size();
+    return count;
+}
+
+std::string pair_html(const Report& report, const ConfusablePair& pair) {
+    return name_html(report, pair.a) + " \u2013 " + name_html(report, pair.b) +
+           " <span class=\"value\">" + value_text(report, pair.dissimilarity) + "</span>";
+}
+
+// One group of nearly everything says little: who reads it is to know why, and what to do.
+std::string chain_remark(const Report& report) {
+    const auto& groups = report.confusion.groups;
+    const std::size_t all = report.set.vibrations.size();
+    if (groups.empty() || 2 * groups.front().members.size() <= all || all < 8) return {};
+    return "<p class=\"note\">One group holds more than half of the patterns: neighbours hang "
+           "together in a chain whose ends people do tell apart. A lower threshold, or a pair "
+           "whose "
+           "likeness you know, parts it.</p>\n";
+}
+
+std::string threshold_sentence(const Report& report) {
+    const double at = report.confusion.thresholds.confused;
+    return "Two patterns count as confused where their " + html_escaped(report.quantity) +
+           " is below <b>" + significant_digits(at, 4) + "</b>, " +
+           html_escaped(report.confused_at) + ": " +
+           grouped_digits(report.confusion.confused_pairs) + " of " +
+           counted(report.dissimilarity.condensed.size(), "pair.", "pairs.");
+}
+
+std::string tile(const std::string& number, const std::string& words) {
+    return "<div><b>" + number + "</b>" + words + "</div>";
+}
+
+std::string tiles(const Report& report) {
+    const Confusion& confusion = report.confusion;
+    const Subset& best = report.answer.best;
+    return "<div class=\"tiles\">" +
+           tile(grouped_digits(report.set.vibrations.size()), "patterns") +
+           tile(grouped_digits(confused_patterns(confusion)),
+                "of them in " + counted(confusion.groups.size(), "group", "groups") +
+                    " that people would confuse") +
+           tile(grouped_digits(distinct_count(confusion)), "left if each group were one") +
+           tile(grouped_digits(best.members.size()),
+                std::string("most distinct, ") +
+                    (report.answer.proof == SubsetProof::open || report.weakest_of_best
+                         ? "the best that was found"
+                         : "proven")) +
+           "</div>\n";
+}
+
+std::string labels_html(const Report& report) {
+    std::string html;
+    for (const std::string& label : report.labels) {
+        html += "<p class=\"warning\">" + html_escaped(label) + "</p>\n";
+    }
+    return html;
+}
+
+std::string sure_html(const Report& report) {
+    if (report.stability == nullptr) return {};
+    const Stability& sure = *report.stability;
+    const auto percent = [](double share) { return significant_digits(100.0 * share, 3) + " %"; };
+    std::string html =
+        "<h3>How sure</h3>\n<p>In " + counted(sure.draws, "draw", "draws") +
+        " of what is uncertain in the model (thresholds of the skin by 6 dB either way, choices "
+        "that the publication leaves open) this very subset stays the best in <b>" +
+        percent(sure.share_same) + "</b>, its weakest pair the weakest in " +
+        percent(sure.share_weakest) + ".</p>\n";
+    HtmlTable table{{{"pattern"}, {"picked in", true}}, {}, "narrow"};
+    for (const std::size_t place : ever_picked(sure)) {
+        table.rows.push_back({name_html(report, place), percent(sure.share_picked[place])});
+    }
+    return html + html_of(table);
+}
+
+}  // namespace
+
+bool is_picked(const Report& report, std::size_t place) {
+    return std::ranges::binary_search(report.answer.best.members, place);
+}
+
+std::string name_html(const Report& report, std::size_t place) {
+    return std::string("<span class=\"") + (is_picked(report, place) ? "name picked" : "name") +
+           "\">" + html_escaped(report.set.vibrations[place].name) + "</span>";
+}
+
+std::string value_text(const Report& report, double dissimilarity) {
+    return html_escaped(report.quantity) + " " + significant_digits(dissimilarity, 4);
+}
+
+std::string confused_at_words(const SubsetAnswer& answer, std::size_t count) {
+    const bool is_proven = answer.proof != SubsetProof::open;
+    return std::string("as far apart as the weakest pair of the ") + std::to_string(count) +
+           (is_proven ? " most distinct, proven" : " most distinct that were found");
+}
+
+std::string proof_sentence(const Report& report) {
+    if (report.weakest_of_best) {
+        return "It was taken instead of the best one, whose weakest pair has " +
+               significant_digits(*report.weakest_of_best, 4) + ".";
+    }
+    const bool by_sum = report.objective == SubsetObjective::max_sum;
+    switch (report.answer.proof) {
+        case SubsetProof::optimal:
+            return by_sum ? "Proven optimal: no other subset of this size has a larger sum."
+                          : "Proven optimal: in no other subset of this size is the weakest pair "
+                            "farther apart.";
+        case SubsetProof::ties_open:
+            return "No weakest pair can be farther apart; time ran out before the sum was settled.";
+        case SubsetProof::open:
+            break;
+    }
+    return "Time ran out: the best that was found. No " +
+           std::string(by_sum ? "sum" : "weakest pair") + " is above " +
+           significant_digits(report.answer.bound, 6) + ".";
+}
+
+std::string map_section(const Report& report) {
+    if (report.space.points.rows() == 0) {
+        const std::string why = verdict_text(report.space, report.set.vibrations.size());
+        return html_section("map", "Map", "<p>" + html_escaped(why) + "</p>\n");
+    }
+    std::vector<SpaceLink> links;
+    for (const ConfusablePair& pair : report.confusion.links) links.push_back({pair.a, pair.b});
+    std::string caption = "Near is alike, far is told apart. Ringed: the " +
+                          counted(report.answer.best.members.size(), "pattern", "patterns") +
+                          " picked.";
+    if (!links.empty()) caption += " Lines hold groups together that people would confuse.";
+    caption += " From " + html_escaped(report.space_of) + " of all pairs, stress-1 " +
+               significant_digits(report.space.stress1, 3) + ", " +
+               stress_label(report.space.stress1) + ". " +
+               html_escaped(verdict_text(report.space, report.set.vibrations.size()));
+    const HtmlMap map{.set = report.set,
+                      .dissimilarity = report.dissimilarity,
+                      .space = report.space,
+                      .marks = {.chosen = report.answer.best.members,
+                                .links = links,
+                                .before = nullptr,
+                                .quantity = report.space_of},
+                      .id = "space",
+                      .alt = "Map of the patterns: near ones feel alike",
+                      .caption = caption};
+    return html_section("map", "Map", html_of(map));
+}
+
+std::string groups_section(const Report& report) {
+    std::string html = "<p>" + threshold_sentence(report) + "</p>\n";
+    if (report.confusion.groups.empty()) {
+        return html_section("groups", "Groups that people would confuse",
+                            html + "<p>None: all patterns are clear of each other.</p>\n");
+    }
+    html += chain_remark(report);
+    HtmlTable table{{{"patterns"}, {"closest pair"}, {"farthest pair"}}, {}, "groups"};
+    for (const ConfusedGroup& group : report.confusion.groups) {
+        std::string members;
+        for (const std::size_t place : group.members) {
+            members += (members.empty() ? "" : " ") + name_html(report, place);
+        }
+        table.rows.push_back({"<div class=\"names\">" + members + "</div>",
+                              pair_html(report, group.closest),
+                              group.members.size() > 2 ? pair_html(report, group.farthest) : ""});
+    }
+    html += html_of(table) +
+            "<p class=\"dim\">Single linkage: each member is below the threshold from some other, "
+            "not from all. Ringed names are picked.</p>\n";
+    return html_section("groups", "Groups that people would confuse", html);
+}
+
+std::string subset_section(const Report& report) {
+    const Subset& best = report.answer.best;
+    std::string html = "<p>The weakest pair is " + name_html(report, best.weakest.first) + " and " +
+                       name_html(report, best.weakest.second) + ", <b>" +
+                       value_text(report, best.weakest_dissimilarity) +
+                       "</b>; all pairs together " + significant_digits(best.sum, 6) + ". " +
+                       html_escaped(proof_sentence(report)) + "</p>\n";
+    std::string kept;
+    HtmlTable table{
+        {{"pattern"}, {"nearest of the others picked"}, {report.quantity, true}}, {}, {}};
+    for (const std::size_t place : best.members) {
+        std::size_t nearest = place;
+        double least = std::numeric_limits<double>::infinity();
+        for (const std::size_t other : best.members) {
+            const double apart = report.dissimilarity(place, other);
+            if (other != place && apart < least) {
+                nearest = other;
+                least = apart;
+            }
+        }
+        if (report.set.vibrations[place].locked) {
+            kept += (kept.empty() ? "" : ", ") + name_html(report, place);
+        }
+        const bool has_nearest = nearest != place;
+        table.rows.push_back({name_html(report, place),
+                              has_nearest ? name_html(report, nearest) : "",
+                              has_nearest ? significant_digits(least, 4) : ""});
+    }
+    if (!kept.empty()) html += "<p>Kept beforehand: " + kept + ".</p>\n";
+    return html_section("subset", "The " + std::to_string(best.members.size()) + " most distinct",
+                        html + html_of(table) + sure_html(report));
+}
+
+std::string report_page(const Report& report) {
+    const std::string name = report.set.name.empty() ? "A set of vibrations" : report.set.name;
+    const bool is_predicted = report.quantity == "PM";
+    HtmlPage page;
+    page.title = name;
+    page.lead = "Which of these vibrations people would confuse, and which to take instead: " +
+                (is_predicted ? std::string("predicted from the physiology of touch")
+                              : "by " + html_escaped(report.quantity)) +
+                (report.by ? ", " + html_escaped(words_on(*report.by)) : "") + ".";
+    page.body = labels_html(report) + tiles(report) + map_section(report) + groups_section(report) +
+                subset_section(report) + patterns_section(report) + matrix_section(report) +
+                assumed_section(report);
+    page.foot =
+        "<p>Made by " + html_escaped(report.program) +
+        (report.date.empty() ? "" : ", " + html_escaped(report.date)) +
+        (is_predicted ? ". A prediction: nobody was asked about these patterns for it." : ".") +
+        "</p>\n";
+    page.style = report_style();
+    return html_of(page);
+}
+
+}  // namespace tact

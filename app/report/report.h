@@ -1,0 +1,56 @@
+// The page about a set that one sends to a client: what people would confuse, whom to take instead.
+//
+// Input     what was computed of the set elsewhere; nothing here decides
+// Output    one HTML page that stands alone (html.h): map, groups, subset, table of patterns with
+//           players, matrix, what was assumed
+// Valid     any n; the matrix up to kMostMatrixRows, players up to kMostPlayedBytes together: the
+//           page says what it leaves out
+// Exact     same input, same bytes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "devices/calibration/rendering.h"
+#include "model/dissimilarity/dissimilarity.h"
+#include "model/map/mds.h"
+#include "model/set/measured_twin.h"
+#include "model/set/pattern_set.h"
+#include "model/subset/confusion.h"
+#include "model/subset/subset.h"
+#include "model/subset/subset_stability.h"
+
+namespace tact {
+
+inline constexpr std::size_t kMostMatrixRows = 300;
+
+struct Report {
+    const PatternSet& set;               // as it is meant
+    const PatternSet& felt;              // as a device plays it; the same set where none does
+    const Dissimilarity& dissimilarity;  // of what is felt
+    std::string quantity = "PM";         // what that is
+    SubsetObjective objective = SubsetObjective::max_min;
+    SubsetAnswer answer;
+    std::optional<double> weakest_of_best{};  // where `answer.best` is an alternative to it
+    const PerceptualSpace& space;             // of the whole set ...
+    std::string space_of = "PM";              // ... by this
+    Confusion confusion;
+    std::string confused_at{};             // where its threshold is from: "the weakest pair of .."
+    const Stability* stability = nullptr;  // how sure: if it was asked
+    std::optional<RenderedBy> by{};        // the device
+    std::string program{};                 // "tactspace 0.1.0"
+    std::string date{};                    // of the page
+    std::vector<std::string> labels{};     // further sentences that every number is to be read with
+};
+
+std::string report_page(const Report& report);
+
+// What the threshold is from by default: the weakest pair of the best subset, which is proven or
+// not. `weakest_of_best` as in a report.
+std::string confused_at_words(const SubsetAnswer& answer, std::size_t count);
+
+// "Proven optimal: ..": what is known of the subset, as a sentence.
+std::string proof_sentence(const Report& report);
+
+}  // namespace tact

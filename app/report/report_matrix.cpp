@@ -1,0 +1,106 @@
+// The matrix of a report as a heat map of cells that say their value.
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "app/report/html.h"
+#include "app/report/report_parts.h"
+#include "model/text/numbers.h"
+#include "viz/drawing/colormap.h"
+#include "viz/drawing/colour.h"
+
+namespace tact {
+
+namespace {
+
+constexpr int kShades = 24;
+constexpr std::size_t kMostWrittenRows = 16;  // values have room in the cells
+
+// Groups first, the largest at the corner: what people would confuse stands in blocks.
+std::vector<std::size_t> by_groups(const Report& report) {
+    std::vector<std::size_t> order;
+    std::vector<bool> placed(report.dissimilarity.size, false);
+    for (const ConfusedGroup& group : report.confusion.groups) {
+        for (const std::size_t place : group.members) {
+            order.push_back(place);
+            placed[place] = true;
+        }
+    }
+    for (std::size_t k = 0; k < placed.size(); ++k) {
+        if (!placed[k]) order.push_back(k);
+    }
+    return order;
+}
+
+double largest(const Dissimilarity& dissimilarity) {
+    double most = 0.0;
+    for (const double value : dissimilarity.condensed) {
+        if (std::isfinite(value)) most = std::max(most, value);
+    }
+    return most;
+}
+
+std::string cell_html(const Report& report, std::size_t i, std::size_t j, double most) {
+    if (i == j) return "<td>";
+    const double value = report.dissimilarity(i, j);
+    const std::string pair = html_escaped(report.set.vibrations[i].name) + " \u2013 " +
+                             html_escaped(report.set.vibrations[j].name);
+    if (!std::isfinite(value)) return "<td title=\"" + pair + ": none\">";
+    const double share = most > 0.0 ? value / most : 0.0;
+    const int shade = std::clamp(static_cast<int>(share * kShades), 0, kShades - 1);
+    const bool is_confused = value < report.confusion.thresholds.confused;
+    const std::string text = significant_digits(value, 4);
+    return "<td class=\"c" + std::to_string(shade) + (is_confused ? " x" : "") + "\" title=\"" +
+           pair + ": " + text + "\">" +
+           (report.dissimilarity.size <= kMostWrittenRows ? significant_digits(value, 3) : "");
+}
+
+std::string legend(double most) {
+    std::string html = "<p class=\"legend\">0 <span class=\"bar\">";
+    for (int k = 0; k < kShades; ++k) html += "<i class=\"c" + std::to_string(k) + "\"></i>";
+    return html + "</span> " + significant_digits(most, 4) + "</p>\n";
+}
+
+}  // namespace
+
+std::string shade_styles() {
+    std::string css;
+    for (int k = 0; k < kShades; ++k) {
+        const ImU32 colour = viridis((k + 0.5) / kShades);
+        css += ".c" + std::to_string(k) + "{background-color:" + hex_text(colour) +
+               ";color:" + hex_text(readable_on(colour)) + "}";
+    }
+    return css;
+}
+
+std::string matrix_section(const Report& report) {
+    const std::size_t n = report.dissimilarity.size;
+    const std::string heading = report.quantity + " of every pair";
+    if (n > kMostMatrixRows) {
+        return html_section("matrix", heading,
+                            "<p>Left out: the page would be too large with more than " +
+                                grouped_digits(kMostMatrixRows) + " patterns.</p>\n");
+    }
+    const double most = largest(report.dissimilarity);
+    const std::vector<std::size_t> order = by_groups(report);
+    // Ends of cells and rows go without saying in HTML: a fifth of the page.
+    std::string html =
+        "<p>Groups first. A dot: people would confuse the two. Each cell "
+        "says its pair and value where the pointer rests.</p>\n" +
+        legend(most) +
+        "<div class=\"frame\"><table class=\"matrix\" style=\"--n:" + std::to_string(n) +
+        "\">\n<thead><tr><th></th>";
+    for (const std::size_t k : order) {
+        html += "<th scope=\"col\"><div>" + name_html(report, k) + "</div>";
+    }
+    html += "</thead>\n<tbody>\n";
+    for (const std::size_t i : order) {
+        html += "<tr><th scope=\"row\"><div>" + name_html(report, i) + "</div>";
+        for (const std::size_t j : order) html += cell_html(report, i, j, most);
+        html += "\n";
+    }
+    return html_section("matrix", heading, html + "</tbody></table></div>\n");
+}
+
+}  // namespace tact

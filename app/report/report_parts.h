@@ -1,0 +1,31 @@
+// The sections of a report. Private to the report.
+#pragma once
+
+#include <string>
+
+#include "app/report/report.h"
+
+namespace tact {
+
+// The name of a vibration as html; the picked ones are marked by a ring.
+std::string name_html(const Report& report, std::size_t place);
+bool is_picked(const Report& report, std::size_t place);
+
+// "PM 34.5".
+std::string value_text(const Report& report, double dissimilarity);
+
+std::string map_section(const Report& report);
+std::string groups_section(const Report& report);
+std::string subset_section(const Report& report);
+std::string patterns_section(const Report& report);  // report_patterns.cpp
+std::string matrix_section(const Report& report);    // report_matrix.cpp
+std::string assumed_section(const Report& report);   // report_assumed.cpp
+
+// Of a note, which says first where a pattern is from.
+std::string first_sentence(const std::string& note);
+
+// CSS of all of them.
+std::string report_style();
+std::string shade_styles();  // of the matrix's cells
+
+}  // namespace tact

@@ -1,0 +1,148 @@
+// The table of a report: each pattern by itself.
+
+#include <algorithm>
+
+#include "app/report/html.h"
+#include "app/report/report_parts.h"
+#include "app/report/wave_html.h"
+#include "model/pattern/pattern_parameter.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+constexpr std::size_t kMostPlayedBytes = 24'000'000;  // more, and pages are slow to open
+
+struct ShownWaves {
+    std::vector<Waveform> waves;
+    double reach_g = 0.0;  // of the strongest
+    double end_s = 0.0;    // of the longest
+    bool played = true;
+};
+
+ShownWaves waves_of(const PatternSet& set) {
+    ShownWaves shown;
+    std::size_t bytes = 0;
+    for (const Vibration& vibration : set.vibrations) {
+        shown.waves.push_back(waveform_of(vibration));
+        shown.reach_g = std::max(shown.reach_g, peak_g(shown.waves.back()));
+        shown.end_s = std::max(shown.end_s, duration_s(shown.waves.back()));
+        bytes += player_bytes(shown.waves.back());
+    }
+    shown.played = bytes <= kMostPlayedBytes;
+    return shown;
+}
+
+std::string drawn_words(const Pattern& pattern) {
+    std::string words;
+    const auto add = [&](std::size_t count, const char* what) {
+        if (count == 0) return;
+        words += (words.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+    };
+    add(pattern.amplitude_curve.size(), "points of amplitude");
+    add(pattern.frequency_curve.size(), "points of frequency");
+    add(pattern.transients.size(), pattern.transients.size() == 1 ? "transient" : "transients");
+    return words;
+}
+
+// Numbers that are at work: what is 0 (a ramp, a modulation) goes without saying, and so does the
+// unit of a rhythm that there is none of.
+std::string parameters_html(const Vibration& vibration) {
+    const auto* pattern = std::get_if<Pattern>(&vibration.source);
+    if (pattern == nullptr) {
+        const auto& measured = std::get<Measurement>(vibration.source);
+        return measured.synthetic ? "<b>synthetic</b>: computed, not recorded" : "recorded";
+    }
+    std::string html;
+    const auto add = [&](const std::string& words) {
+        html += (html.empty() ? "" : " \u00B7 ") + html_escaped(words);
+    };
+    for (const PatternParameter parameter : kPatternParameters) {
+        const auto value = value_of(*pattern, parameter);
+        const bool is_idle =
+            parameter == PatternParameter::rhythm_unit && pattern->rhythm.text.empty();
+        if (!value || *value == 0.0 || is_idle) continue;
+        const ParameterTraits& about = traits(parameter);
+        const std::string unit = about.unit;
+        add(std::string(about.name) + " " + significant_digits(*value, 4) +
+            (unit.empty() ? "" : " " + unit));
+    }
+    if (!pattern->rhythm.text.empty()) add("rhythm " + pattern->rhythm.text);
+    if (is_drawn(*pattern)) add(drawn_words(*pattern));
+    add(significant_digits(pattern->duration_s, 3) + " s");
+    return html;
+}
+
+std::string verdict_html(ConfusionVerdict verdict) {
+    switch (verdict) {
+        case ConfusionVerdict::same:
+            return "<span class=\"verdict same\">same</span>";
+        case ConfusionVerdict::hard_to_tell:
+            return "<span class=\"verdict hard\">hard to tell</span>";
+        case ConfusionVerdict::clear:
+            break;
+    }
+    return "<span class=\"verdict clear\">clear</span>";
+}
+
+std::string nearest_html(const Report& report, std::size_t place) {
+    const NearestNeighbour& nearest = report.confusion.nearest[place];
+    if (nearest.place == place) return "";
+    return name_html(report, nearest.place) + " <span class=\"value\">" +
+           value_text(report, nearest.dissimilarity) + "</span>";
+}
+
+// Where it is from; how it was read is said once for all (report_assumed.cpp).
+std::string note_html(const Vibration& vibration) {
+    const std::string first = first_sentence(vibration.note);
+    return first.empty() ? "" : "<div class=\"origin\">" + html_escaped(first) + "</div>";
+}
+
+std::string about_the_table(const Report& report, const ShownWaves& shown) {
+    const ConfusionThresholds& at = report.confusion.thresholds;
+    const std::string quantity = html_escaped(report.quantity);
+    std::string html = "<p><span class=\"verdict same\">same</span> nearest neighbour below " +
+                       quantity + " " + significant_digits(at.same, 4) +
+                       ", <span class=\"verdict hard\">hard to tell</span> below " +
+                       significant_digits(at.confused, 4) +
+                       ", <span class=\"verdict clear\">clear</span> from there on.</p>\n" +
+                       "<p class=\"dim\">Waveforms: up to " + significant_digits(shown.reach_g, 3) +
+                       " g and " + significant_digits(shown.end_s, 3) +
+                       " s.<span class=\"screen\"> ";
+    if (!shown.played) {
+        return html + "Players are left out: they would make the page too large.</span></p>\n";
+    }
+    return html + "Players: at " + significant_digits(kPlayerRateHz, 4) +
+           " Hz and 16 bits, the strongest pattern at full scale; for an actuator, not for "
+           "ears.</span></p>\n";
+}
+
+}  // namespace
+
+std::string first_sentence(const std::string& note) {
+    const std::size_t end = note.find(". ");
+    return end == std::string::npos ? note : note.substr(0, end + 1);
+}
+
+std::string patterns_section(const Report& report) {
+    const ShownWaves shown = waves_of(report.felt);
+    HtmlTable table{
+        {{"#", true}, {"pattern"}, {"waveform"}, {"nearest"}, {"verdict"}}, {}, "patterns"};
+    for (std::size_t k = 0; k < shown.waves.size(); ++k) {
+        const Vibration& vibration = report.set.vibrations[k];
+        std::string wave = thumbnail_html(shown.waves[k], shown.reach_g, shown.end_s);
+        if (shown.played) {
+            wave += "<div class=\"screen\">" +
+                    player_html(shown.waves[k], shown.reach_g, vibration.name) + "</div>";
+        }
+        table.rows.push_back({std::to_string(k + 1),
+                              name_html(report, k) + "<div class=\"numbers\">" +
+                                  parameters_html(vibration) + "</div>" + note_html(vibration),
+                              wave, nearest_html(report, k),
+                              verdict_html(report.confusion.nearest[k].verdict)});
+    }
+    return html_section("patterns", "Patterns", about_the_table(report, shown) + html_of(table));
+}
+
+}  // namespace tact

@@ -1,0 +1,192 @@
+#include "app/report/report.h"
+
+#include <doctest/doctest.h>
+
+#include <memory>
+
+namespace report_test {
+
+using namespace tact;
+
+namespace {
+
+std::size_t times(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+        ++count;
+    }
+    return count;
+}
+
+std::string section(const std::string& page, const std::string& id) {
+    const std::size_t begin = page.find("<section id=\"" + id + "\">");
+    REQUIRE(begin != std::string::npos);
+    return page.substr(begin, page.find("</section>", begin) - begin);
+}
+
+// Two that are the same, one that is hard to tell from them, and two far away.
+struct Five {
+    PatternSet set;
+    Dissimilarity apart{5, {1.0, 3.0, 9.0, 9.5, 2.5, 8.0, 8.5, 7.0, 7.5, 4.0}};
+    PerceptualSpace space;
+
+    Five() {
+        set.name = "Five & more";
+        for (const char* name : {"one", "two", "<three>", "four", "five"}) {
+            Pattern pattern;
+            pattern.duration_s = 0.05;
+            pattern.carriers[0].frequency_hz =
+                60.0 + 40.0 * static_cast<double>(set.vibrations.size());
+            Vibration vibration;
+            vibration.name = name;
+            vibration.source = pattern;
+            set.vibrations.push_back(vibration);
+        }
+        space.points.resize(5, 3);
+        space.points << 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 5.0, 5.0, 1.0, 6.0, 7.0, 2.0;
+    }
+
+    Report report(std::size_t count = 3) const {
+        const SubsetAnswer answer = *most_distinct_subset(apart, {.count = count});
+        const double threshold = answer.best.weakest_dissimilarity;
+        return {.set = set,
+                .felt = set,
+                .dissimilarity = apart,
+                .answer = answer,
+                .space = space,
+                .confusion = confusion(apart, {threshold, kSameShare * threshold}),
+                .confused_at = confused_at_words(answer, count),
+                .program = "tactspace 1.2.3",
+                .date = "2026-11-22"};
+    }
+};
+
+}  // namespace
+
+TEST_CASE("report: a page alone, of all its parts, the same each time, and no name breaks it") {
+    const Five five;
+    const std::string page = report_page(five.report());
+    CHECK(page == report_page(five.report()));
+    for (const char* id : {"map", "groups", "subset", "patterns", "matrix", "assumed"}) {
+        CHECK_FALSE(section(page, id).empty());
+    }
+    CHECK(times(page, "<title>Five &amp; more</title>") == 1);
+    CHECK(times(page, "<three>") == 0);
+    CHECK(times(page, "&lt;three&gt;") > 3);
+    for (const char* way_out : {"http://", "https://", "<script", "@import", "src=\"/"}) {
+        CHECK(times(page, way_out) == 0);
+    }
+    CHECK(times(page, "src=\"") == times(page, "src=\"data:audio/wav;base64,"));
+    CHECK(times(page, "tactspace 1.2.3, 2026-11-22") == 1);
+}
+
+TEST_CASE("report: thresholds are said, groups lie below them, and the picked are clear") {
+    const Five five;
+    const Report report = five.report();
+    REQUIRE((report.answer.best.members == std::vector<std::size_t>{0, 3, 4}));  // weakest 4
+    const std::string page = report_page(report);
+    const std::string groups = section(page, "groups");
+    CHECK(times(groups,
+                "is below <b>4</b>, as far apart as the weakest pair of the 3 most "
+                "distinct, proven: 3 of 10 pairs.") == 1);
+    CHECK(times(groups, "<tr><td>") == 1);
+    CHECK(times(groups, "<span class=\"name\">two</span>") >= 1);
+    CHECK(times(groups, ">four<") == 0);
+    const std::string patterns = section(page, "patterns");
+    // Once each in the sentence on them, then of a pattern each.
+    CHECK(times(patterns, "verdict same") == 1 + 2);
+    CHECK(times(patterns, "verdict hard") == 1 + 1);
+    CHECK(times(patterns, "verdict clear") == 1 + 2);
+    CHECK(times(patterns, "<audio") == 5);
+    CHECK(times(patterns, "class=\"wave\"") == 5);
+    CHECK(times(section(page, "subset"), "Proven optimal") == 1);
+    CHECK(times(section(page, "assumed"), "Neither is measured") == 1);
+    CHECK(times(section(page, "assumed"), "no probability of a confusion") == 1);
+}
+
+TEST_CASE("report: the matrix has a cell for each ordered pair, with names and value on hover") {
+    const Five five;
+    const std::string matrix = section(report_page(five.report()), "matrix");
+    CHECK(times(matrix, "<td") == 25);
+    CHECK(times(matrix, "title=\"one \u2013 two: 1\"") == 1);
+    CHECK(times(matrix, "title=\"two \u2013 one: 1\"") == 1);
+    CHECK(times(matrix, " x\" title=") == 2 * 3);  // confused: three pairs, both ways
+    const Five many;
+    Report large = many.report();
+    PatternSet set = many.set;
+    while (set.vibrations.size() <= kMostMatrixRows) set.vibrations.push_back(set.vibrations[0]);
+    const Dissimilarity apart{set.vibrations.size(),
+                              std::vector<double>(pair_count(set.vibrations.size()), 1.0)};
+    PerceptualSpace none;
+    none.verdict = MdsVerdict::constant;
+    const Report left_out{.set = set,
+                          .felt = set,
+                          .dissimilarity = apart,
+                          .answer = large.answer,
+                          .space = none,
+                          .confusion = confusion(apart, {0.5, 0.2})};
+    const std::string page = report_page(left_out);
+    CHECK(times(section(page, "matrix"), "Left out") == 1);
+    CHECK(times(section(page, "map"), "any map fits") == 1);
+    CHECK(times(section(page, "groups"), "None: all patterns are clear") == 1);
+}
+
+TEST_CASE("report: marks travel with the numbers: synthetic, device, trained model, labels") {
+    Five five;
+    five.set.model_origin.trained_on = "Trained on nobody.";
+    Measurement computed;
+    computed.waveform = std::make_shared<const Waveform>(render(Pattern{}));
+    computed.synthetic = true;
+    five.set.vibrations[1].source = computed;
+    five.set.vibrations[2].note = "From a.ahap (AHAP). Actuator map quest: g is guessed.";
+    five.set.vibrations[3].note = "From b.ahap (AHAP). Actuator map quest: g is guessed.";
+    Report report = five.report();
+    report.by = RenderedBy{};
+    report.labels = {"SYNTHETIC: some"};
+    const std::string page = report_page(report);
+    CHECK(times(page, "<p class=\"warning\">SYNTHETIC: some</p>") == 1);
+    CHECK(times(section(page, "patterns"), "<b>synthetic</b>") == 1);
+    CHECK(times(section(page, "patterns"), "From a.ahap (AHAP).") == 1);
+    const std::string assumed = section(page, "assumed");
+    CHECK(times(assumed, "1 SYNTHETIC: measured by nobody") == 1);
+    CHECK(times(assumed, "Trained on nobody.") == 1);
+    CHECK(times(assumed, "uncalibrated") == 1);
+    CHECK(times(assumed, "<dt>2 patterns</dt><dd>Actuator map quest: g is guessed.</dd>") == 1);
+}
+
+TEST_CASE(
+    "report: a search that ran out of time is not called proven, an alternative not the best") {
+    const Five five;
+    Report report = five.report();
+    report.answer.proof = SubsetProof::open;
+    report.answer.bound = 7.25;
+    report.confused_at = confused_at_words(report.answer, 3);
+    std::string page = report_page(report);
+    CHECK(times(page, "roven") == 0);
+    CHECK(times(section(page, "subset"), "No weakest pair is above 7.25") == 1);
+    report.answer.proof = SubsetProof::optimal;
+    report.weakest_of_best = 5.5;
+    page = report_page(report);
+    CHECK(times(section(page, "subset"),
+                "taken instead of the best one, whose weakest pair has 5.5") == 1);
+    CHECK(times(section(page, "subset"), "Proven optimal") == 0);
+}
+
+TEST_CASE("report: how sure is there only where it was asked, with a share of draws for each") {
+    const Five five;
+    Report report = five.report();
+    CHECK(times(report_page(report), "How sure") == 0);
+    Stability sure;
+    sure.draws = 20;
+    sure.share_picked = {1.0, 0.25, 0.0, 0.75, 1.0};
+    sure.share_same = 0.5;
+    sure.subset = report.answer.best;
+    report.stability = &sure;
+    const std::string subset = section(report_page(report), "subset");
+    CHECK(times(subset, "In 20 draws") == 1);
+    CHECK(times(subset, "<b>50 %</b>") == 1);
+    CHECK(times(subset, "25 %") == 1);
+    CHECK(times(subset, "&lt;three&gt;") == 0);  // never picked
+}
+
+}  // namespace report_test
