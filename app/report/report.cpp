@@ -49,6 +49,18 @@ std::string threshold_sentence(const Report& report) {
            counted(report.dissimilarity.condensed.size(), "pair.", "pairs.");
 }
 
+// How the groups fall apart below the threshold: it is nobody's measurement.
+std::string ladder_sentence(const Report& report) {
+    const double at = report.confusion.thresholds.confused;
+    const auto left_at = [&](double threshold) {
+        return grouped_digits(distinct_count(confusion(report.dissimilarity, {threshold, 0.0})));
+    };
+    return "Were each group one, " + left_at(at) + " would be left of " +
+           counted(report.set.vibrations.size(), "pattern", "patterns") +
+           "; at half the threshold (" + value_text(report, at / 2.0) + ") " + left_at(at / 2.0) +
+           ", at a quarter (" + value_text(report, at / 4.0) + ") " + left_at(at / 4.0) + ".";
+}
+
 std::string tile(const std::string& number, const std::string& words) {
     return "<div><b>" + number + "</b>" + words + "</div>";
 }
@@ -61,7 +73,8 @@ std::string tiles(const Report& report) {
            tile(grouped_digits(confused_patterns(confusion)),
                 "of them in " + counted(confusion.groups.size(), "group", "groups") +
                     " that people would confuse") +
-           tile(grouped_digits(distinct_count(confusion)), "left if each group were one") +
+           tile(grouped_digits(report.set.vibrations.size() - confused_patterns(confusion)),
+                "clear of all others") +
            tile(grouped_digits(best.members.size()),
                 std::string("most distinct, ") +
                     (report.answer.proof == SubsetProof::open || report.weakest_of_best
@@ -166,7 +179,8 @@ std::string map_section(const Report& report) {
 }
 
 std::string groups_section(const Report& report) {
-    std::string html = "<p>" + threshold_sentence(report) + "</p>\n";
+    std::string html =
+        "<p>" + threshold_sentence(report) + " " + ladder_sentence(report) + "</p>\n";
     if (report.confusion.groups.empty()) {
         return html_section("groups", "Groups that people would confuse",
                             html + "<p>None: all patterns are clear of each other.</p>\n");

@@ -36,6 +36,7 @@ constexpr const char* kLooks = R"css(
 .patterns td:nth-child(3){width:184px}
 .patterns td:nth-child(4){width:150px}
 .patterns td:nth-child(5){width:92px;padding-right:0}
+.groups td{vertical-align:top}
 .groups td:nth-child(1){width:50%}
 .wave{display:block;width:172px;height:32px}
 .wave path{fill:var(--accent)}

@@ -89,6 +89,9 @@ TEST_CASE("report: thresholds are said, groups lie below them, and the picked ar
     CHECK(times(groups,
                 "is below <b>4</b>, as far apart as the weakest pair of the 3 most "
                 "distinct, proven: 3 of 10 pairs.") == 1);
+    CHECK(times(groups,
+                "Were each group one, 3 would be left of 5 patterns; at half the threshold (PM "
+                "2) 4, at a quarter (PM 1) 5.") == 1);
     CHECK(times(groups, "<tr><td>") == 1);
     CHECK(times(groups, "<span class=\"name\">two</span>") >= 1);
     CHECK(times(groups, ">four<") == 0);
