@@ -142,8 +142,8 @@ nlohmann::json json_of(const ReportAnswer& answer, const std::vector<std::string
 
 std::string text_of(const ReportAnswer& answer, const std::vector<std::string>& names) {
     const Confusion& confused = answer.confused;
-    std::string text = "confused below PM " + significant_digits(confused.thresholds.confused, 6) + ", " +
-                       answer.confused_at + ": " + grouped_digits(confused.confused_pairs) +
+    std::string text = "confused below PM " + significant_digits(confused.thresholds.confused, 6) +
+                       ", " + answer.confused_at + ": " + grouped_digits(confused.confused_pairs) +
                        " of " + grouped_digits(answer.pm.condensed.size()) + " pairs\n";
     for (const ConfusedGroup& group : confused.groups) {
         text += "\n";
