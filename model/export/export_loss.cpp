@@ -1,0 +1,216 @@
+#include "model/export/export_loss.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/common/portable.h"
+#include "model/export/ranks_among.h"
+#include "model/map/mds.h"
+#include "model/map/procrustes.h"
+#include "model/perceptual_model/rank_sum.h"
+#include "model/subset/set_subset.h"
+
+namespace tact {
+
+namespace {
+
+// Both sets, coded and compared.
+struct BothSides {
+    Prediction meant;
+    Prediction back;
+};
+
+// Root of the mean square of the difference, g; of waveforms of one length.
+double rms_error_g(const Waveform& a, const Waveform& b) {
+    Waveform difference = a;
+    for (std::size_t n = 0; n < difference.samples_g.size(); ++n) {
+        difference.samples_g[n] -= b.samples_g[n];
+    }
+    return rms_g(difference);
+}
+
+std::function<void(double)> share_of(const std::function<void(double)>& progress, double from,
+                                     double to) {
+    if (!progress) return {};
+    return [&progress, from, to](double share) { progress(from + (to - from) * share); };
+}
+
+// Both padded to the longer one, so that a waveform that comes back as it was is the same one.
+std::optional<BothSides> both_sides(const PatternSet& set, const PatternSet& back,
+                                    const ExportLossOptions& options) {
+    const std::size_t samples = std::max(longest_samples(set), longest_samples(back));
+    const auto padded_waveforms = [samples](const PatternSet& one) {
+        std::vector<Waveform> waveforms;
+        for (const Vibration& vibration : one.vibrations) {
+            waveforms.push_back(padded(waveform_of(vibration), samples));
+        }
+        return waveforms;
+    };
+    PredictOptions how;
+    how.threads = options.threads;
+    how.stop = options.stop;
+    how.previous = options.known;
+    how.progress = share_of(options.progress, 0.0, 0.45);
+    auto meant = predict(padded_waveforms(set), set.model, how);
+    if (!meant) return std::nullopt;
+    how.previous = &*meant;
+    how.progress = share_of(options.progress, 0.45, 0.9);
+    auto came = predict(padded_waveforms(back), set.model, how);
+    if (!came) return std::nullopt;
+    return BothSides{*std::move(meant), *std::move(came)};
+}
+
+// Of pairs by their NC and OC, on the scale of what was meant.
+std::vector<double> pm_among(const Prediction& meant, std::span<const double> nc,
+                             std::span<const double> oc) {
+    const std::vector<double> nc_ranks = ranks_among(nc, meant.nc.condensed);
+    const std::vector<double> oc_ranks = ranks_among(oc, meant.oc.condensed);
+    std::vector<double> pm;
+    for (std::size_t k = 0; k < nc.size(); ++k) {
+        pm.push_back(
+            pm_of(nc_ranks[k], oc_ranks[k], meant.params.nc_weight, meant.params.oc_weight));
+    }
+    return pm;
+}
+
+// How far each pattern is from itself. Of a set of one there are no pairs to hold that against.
+std::vector<double> moved_by(const BothSides& sides, const ExportLossOptions& options) {
+    const std::size_t count = sides.meant.codes.size();
+    if (count < 2) return std::vector<double>(count, 0.0);
+    PredictOptions how;
+    how.threads = options.threads;
+    std::vector<double> nc;
+    std::vector<double> oc;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::vector both{sides.meant.codes[k], sides.back.codes[k]};
+        nc.push_back(nc_matrix(both, sides.meant.params, how).condensed.front());
+        oc.push_back(oc_matrix(both, how).condensed.front());
+    }
+    std::vector<double> moved = pm_among(sides.meant, nc, oc);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (sides.meant.codes[k]->waveform == sides.back.codes[k]->waveform) moved[k] = 0.0;
+    }
+    return moved;
+}
+
+std::vector<PatternLoss> losses_of(const PatternSet& set, const ExportedSet& exported,
+                                   const BothSides& sides, const std::vector<double>& moved) {
+    std::vector<PatternLoss> losses;
+    for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
+        PatternLoss loss{set.vibrations[k].name, !exported.patterns[k], {}, 0.0, {}, moved[k]};
+        if (exported.patterns[k]) loss.remarks = exported.patterns[k]->remarks;
+        const Waveform& meant = sides.meant.codes[k]->waveform;
+        loss.rms_error_g = rms_error_g(meant, sides.back.codes[k]->waveform);
+        const double peak = peak_g(meant);
+        if (loss.rms_error_g > 0.0 && peak > 0.0) {
+            loss.psnr_db = 20.0 * portable::log10(peak / loss.rms_error_g);
+        }
+        losses.push_back(std::move(loss));
+    }
+    return losses;
+}
+
+std::optional<ConfusablePair> closest_of(const Dissimilarity& pm) {
+    if (pm.condensed.empty()) return std::nullopt;
+    const auto least = std::ranges::min_element(pm.condensed);
+    const auto place = static_cast<std::size_t>(least - pm.condensed.begin());
+    const auto [a, b] = pair_at(pm.size, place);
+    return ConfusablePair{a, b, *least};
+}
+
+std::vector<PairChange> most_moved(const Dissimilarity& before, const Dissimilarity& after,
+                                   std::size_t most) {
+    std::vector<PairChange> all;
+    for (std::size_t k = 0; k < before.condensed.size(); ++k) {
+        if (before.condensed[k] == after.condensed[k]) continue;
+        const auto [a, b] = pair_at(before.size, k);
+        all.push_back({a, b, before.condensed[k], after.condensed[k]});
+    }
+    const auto size = [](const PairChange& one) { return std::abs(one.after - one.before); };
+    std::ranges::stable_sort(
+        all, [&](const PairChange& x, const PairChange& y) { return size(x) > size(y); });
+    all.resize(std::min(all.size(), most));
+    return all;
+}
+
+// As many as can be picked at all, where nobody said how many.
+std::size_t wanted_count(const SubsetProblem& problem, std::size_t objects, std::size_t asked) {
+    if (asked > 0) return asked;
+    const std::size_t most = objects - std::min(objects, problem.drop.size());
+    const std::size_t least = std::max<std::size_t>(2, problem.keep.size());
+    return std::clamp(usual_subset_count(objects), std::min(least, most), most);
+}
+
+void pick(ExportLoss& loss, const PatternSet& set, const BothSides& sides,
+          const ExportLossOptions& options) {
+    const std::size_t objects = set.vibrations.size();
+    if (objects < 3) {
+        loss.no_subset = "fewer than three patterns: there is nothing to choose";
+        return;
+    }
+    SubsetProblem problem = subset_problem(set, 0, options.objective);
+    problem.count = wanted_count(problem, objects, options.subset_count);
+    SubsetOptions how;
+    how.time_limit_s = options.time_limit_s;
+    how.threads = options.threads;
+    how.stop = options.stop;
+    const auto meant = most_distinct_subset(sides.meant.pm, problem, how);
+    if (!meant) {
+        loss.no_subset = meant.error().message;
+        return;
+    }
+    SubsetChange change{problem, *meant, {}, *most_distinct_subset(sides.back.pm, problem, how),
+                        {},      true};
+    change.kept = subset_of(sides.back.pm, meant->best.members);
+    const Subset after = subset_of(loss.after, meant->best.members);
+    change.weakest = {after.weakest.first, after.weakest.second, after.weakest_dissimilarity};
+    const Subset& best = change.best.best;
+    change.is_still_best = change.kept.members == best.members ||
+                           (change.kept.weakest_dissimilarity == best.weakest_dissimilarity &&
+                            change.kept.sum == best.sum);
+    loss.subset = std::move(change);
+}
+
+void draw_maps(ExportLoss& loss, const BothSides& sides, const ExportLossOptions& options) {
+    const std::size_t objects = loss.patterns.size();
+    if (objects < 3) return;
+    MdsParams params = standard_mds_params(objects, options.dimensions);
+    params.threads = options.threads;
+    const PerceptualSpace before = nonmetric_mds(sides.meant.pm, params, options.stop);
+    const PerceptualSpace after = nonmetric_mds(sides.back.pm, params, options.stop);
+    const ProcrustesFit fit = procrustes(after.points, before.points);
+    loss.map =
+        MapChange{before.points, fit.aligned, before.stress1, after.stress1, fit.correlation};
+}
+
+}  // namespace
+
+std::size_t usual_subset_count(std::size_t patterns) {
+    if (patterns < 3) return 0;
+    return std::clamp<std::size_t>(patterns / 2, 2, 8);
+}
+
+std::optional<ExportLoss> export_loss(const PatternSet& set, const ExportTarget& target,
+                                      const ExportLossOptions& options) {
+    const auto exported = exported_set(set, target, options.threads, options.stop, options.date);
+    if (!exported) return std::nullopt;
+    const auto sides = both_sides(set, exported->back, options);
+    if (!sides) return std::nullopt;
+    ExportLoss loss{target, {}, {}, sides->meant.pm, sides->back.pm, {}, {}, {}, {}, {}, {}};
+    loss.patterns = losses_of(set, *exported, *sides, moved_by(*sides, options));
+    for (const auto& pattern : exported->patterns) {
+        loss.files.push_back(pattern ? pattern->text : std::string());
+    }
+    loss.after.condensed =
+        pm_among(sides->meant, sides->back.nc.condensed, sides->back.oc.condensed);
+    loss.closest_before = closest_of(loss.before);
+    loss.closest_after = closest_of(loss.after);
+    loss.most_moved = most_moved(loss.before, loss.after, options.most_pairs);
+    pick(loss, set, *sides, options);
+    draw_maps(loss, *sides, options);
+    if (options.stop.stop_requested()) return std::nullopt;
+    if (options.progress) options.progress(1.0);
+    return loss;
+}
+
+}  // namespace tact

@@ -1,0 +1,122 @@
+#include "model/export/loss_words.h"
+
+#include <algorithm>
+
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+std::string pair_with_number(const ExportLoss& loss, const ConfusablePair& pair) {
+    return loss_number(pair.dissimilarity) + ", " + pair_text(loss, pair.a, pair.b);
+}
+
+const char* proof_word(const SubsetAnswer& answer) {
+    switch (answer.proof) {
+        case SubsetProof::optimal:
+            return "proven";
+        case SubsetProof::ties_open:
+            return "proven but for ties";
+        case SubsetProof::open:
+            break;
+    }
+    return "the best found in time";
+}
+
+// "without a, with b": what another subset has that this one has not.
+std::string exchange_of(const ExportLoss& loss, const Subset& from, const Subset& to) {
+    std::vector<std::size_t> gone;
+    std::vector<std::size_t> come;
+    std::ranges::set_difference(from.members, to.members, std::back_inserter(gone));
+    std::ranges::set_difference(to.members, from.members, std::back_inserter(come));
+    return names_text(loss, come) + " in place of " + names_text(loss, gone);
+}
+
+// How much better the best one is, by what was asked for.
+std::string gain_of(const SubsetChange& change) {
+    const Subset& best = change.best.best;
+    const bool by_weakest = change.problem.objective == SubsetObjective::max_min &&
+                            best.weakest_dissimilarity != change.kept.weakest_dissimilarity;
+    const double from = by_weakest ? change.kept.weakest_dissimilarity : change.kept.sum;
+    const double to = by_weakest ? best.weakest_dissimilarity : best.sum;
+    return std::string(by_weakest ? "its weakest pair" : "the sum of its pairs") + " is at " +
+           loss_number(to) + " in place of " + loss_number(from) +
+           ", by PM of the exported set alone";
+}
+
+}  // namespace
+
+std::string loss_number(double value) { return significant_digits(value, 4); }
+
+std::string psnr_text(const PatternLoss& loss) {
+    return loss.psnr_db ? significant_digits(*loss.psnr_db, 3) : "-";
+}
+
+std::string pair_text(const ExportLoss& loss, std::size_t a, std::size_t b) {
+    return loss.patterns[a].name + " and " + loss.patterns[b].name;
+}
+
+std::vector<BeforeAfter> before_after_rows(const ExportLoss& loss) {
+    std::vector<BeforeAfter> rows;
+    if (loss.closest_before && loss.closest_after) {
+        rows.push_back({"closest pair", pair_with_number(loss, *loss.closest_before),
+                        pair_with_number(loss, *loss.closest_after)});
+    }
+    if (loss.subset) {
+        const Subset& meant = loss.subset->meant.best;
+        const ConfusablePair before{meant.weakest.first, meant.weakest.second,
+                                    meant.weakest_dissimilarity};
+        rows.push_back({"weakest pair of the " + std::to_string(meant.members.size()) + " picked",
+                        pair_with_number(loss, before),
+                        pair_with_number(loss, loss.subset->weakest)});
+    }
+    if (loss.map) {
+        rows.push_back({"stress-1 of the map", loss_number(loss.map->stress_before),
+                        loss_number(loss.map->stress_after)});
+    }
+    return rows;
+}
+
+std::string names_text(const ExportLoss& loss, const std::vector<std::size_t>& members) {
+    std::string text;
+    for (const std::size_t member : members) {
+        text += (text.empty() ? "" : ", ") + loss.patterns[member].name;
+    }
+    return text;
+}
+
+std::string subset_verdict(const ExportLoss& loss) {
+    if (!loss.subset) return "No subset: " + loss.no_subset;
+    const SubsetChange& change = *loss.subset;
+    const std::string count = std::to_string(change.meant.best.members.size());
+    const std::string picked = "The " + count + " most distinct, " + proof_word(change.meant) +
+                               ": " + names_text(loss, change.meant.best.members);
+    if (change.is_still_best) {
+        return picked + ". They are still the best for this target, " + proof_word(change.best);
+    }
+    return picked + ". For this target they are not the best: " +
+           exchange_of(loss, change.kept, change.best.best) + ", " + proof_word(change.best) +
+           ": " + gain_of(change);
+}
+
+std::string summary_of(const ExportLoss& loss) {
+    std::size_t exported = 0;
+    std::size_t lossy = 0;
+    std::size_t far = 0;
+    for (const PatternLoss& one : loss.patterns) {
+        if (one.recording) continue;
+        ++exported;
+        if (!one.remarks.empty()) ++lossy;
+        if (loss.closest_before && one.moved > loss.closest_before->dissimilarity) ++far;
+    }
+    const std::string of = " of " + std::to_string(exported) + " patterns ";
+    std::string text =
+        (lossy == 0 ? "None" : std::to_string(lossy)) + of + (lossy > 1 ? "lose" : "loses") +
+        (lossy == 0 ? " anything" : " something");
+    if (far == 0) return text;
+    return text + "; " + std::to_string(far) + (far > 1 ? " are" : " is") +
+           " farther from what was meant than the closest pair is apart";
+}
+
+}  // namespace tact

@@ -1,0 +1,48 @@
+// What an export costs, in words and short numbers: the same on the terminal, in the window and on
+// the page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/export/export_loss.h"
+
+namespace tact {
+
+// "12.5" of PM, g or stress; four digits that count.
+std::string loss_number(double value);
+
+// "41.3"; "-" where nothing is lost, or nothing was meant.
+std::string psnr_text(const PatternLoss& loss);
+
+// "a and b".
+std::string pair_text(const ExportLoss& loss, std::size_t a, std::size_t b);
+
+// "closest pair": "3.5, a and b" before, "1, a and c" after.
+struct BeforeAfter {
+    std::string what;
+    std::string before;
+    std::string after;
+
+    bool operator==(const BeforeAfter&) const = default;
+};
+
+// Closest pair, weakest pair of the picked subset, stress of the maps: what there is of them.
+std::vector<BeforeAfter> before_after_rows(const ExportLoss& loss);
+
+// Names of some patterns: "a, b, c".
+std::string names_text(const ExportLoss& loss, const std::vector<std::size_t>& members);
+
+// Whether the proven subset is still the best, and what would be; or why nothing can be said. A
+// sentence without its stop.
+std::string subset_verdict(const ExportLoss& loss);
+
+// "9 of 12 patterns lose something; 2 are farther from what was meant than the closest pair is
+// apart": the first thing to know.
+std::string summary_of(const ExportLoss& loss);
+
+// What PM after the export means: a sentence for the foot of each table.
+inline constexpr const char* kAfterScale =
+    "PM after is on the scale of the set as it was meant: where its pairs would stand among those";
+
+}  // namespace tact
