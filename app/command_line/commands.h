@@ -22,6 +22,7 @@ struct CommonOptions {
     std::string actuator{};  // effects by this map (model/io/effects); empty: by their formats' own
     int threads = 0;         // 0: all cores
     bool json = false;
+    std::string exported_as{};  // FORMAT[:ACTUATOR] (model/export): as they come back from it
     std::string
         rendered_by{};  // a key of devices/rumble/actuator_kind.h: patterns as it plays them
     double full_scale_g = 1.0;                     // that its full scale stands for
@@ -77,6 +78,8 @@ struct ExportCommand {
     std::string format;                 // a key of model/io/effects_out/write_effect.h
     std::vector<std::string> patterns;  // by name; empty: all
     std::string onto;                   // an actuator map, its name or file; empty: the format's
+    int count = 0;                      // of the subset that is held against it; 0: usual
+    bool without_loss = false;          // nothing is predicted
     std::filesystem::path out;          // a folder
     bool overwrite = false;
 };

@@ -19,8 +19,13 @@ std::string sentence_on(const RenderedBy& by) {
     return "the patterns " + words_on(by) + ": " + strength_words(by);
 }
 
+std::string sentence_on(const ExportTarget& target) {
+    return "the patterns " + words_on(target) + ": " + target.map.source;
+}
+
 std::vector<std::string> lines_of(const Labels& labels) {
     std::vector<std::string> lines;
+    if (labels.exported) lines.push_back(sentence_on(*labels.exported));
     if (labels.by) lines.push_back(sentence_on(*labels.by));
     if (labels.only != Side::both) {
         lines.push_back(std::string("only the ") +
@@ -46,6 +51,11 @@ void add_labels(nlohmann::json& json, const Labels& labels) {
     json["synthetic_model"] = labels.synthetic_model;
     if (labels.only != Side::both) {
         json["only"] = kSideNames[static_cast<std::size_t>(labels.only)];
+    }
+    if (labels.exported) {
+        json["exported_as"] = traits(labels.exported->format).key;
+        json["exported_onto"] = labels.exported->map.name;
+        json["exported_onto_source"] = labels.exported->map.source;
     }
     if (!labels.by) return;
     json["rendered_by"] = traits(labels.by->kind).key;

@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "devices/calibration/rendering.h"
+#include "model/export/export_target.h"
 #include "model/set/measured_twin.h"
 
 namespace tact {
 
 struct Labels {
-    std::optional<RenderedBy> by{};  // none: the patterns as they are meant
+    std::optional<RenderedBy> by{};          // none: the patterns as they are meant
+    std::optional<ExportTarget> exported{};  // as they come back from its files, before any device
     Side only = Side::both;
     bool synthetic_patterns = false;  // measurements that were computed
     bool synthetic_model = false;     // fitted to ratings that nobody gave
@@ -24,12 +26,16 @@ bool has_synthetic_patterns(const PatternSet& set);
 // "the patterns as a Joy-Con plays them, uncalibrated: full scale stands for 1.00 g"
 std::string sentence_on(const RenderedBy& by);
 
+// "the patterns as AHAP for core-haptics holds them: 0 to 1 as 65 to 300 Hz, .."
+std::string sentence_on(const ExportTarget& target);
+
 // A sentence each, none where there is nothing to say; and as lines.
 std::vector<std::string> lines_of(const Labels& labels);
 std::string text_of(const Labels& labels);
 
-// Keys of an object: synthetic_patterns and synthetic_model always; only, and rendered_by with
-// calibrated, full_scale_g and level, where they apply.
+// Keys of an object: synthetic_patterns and synthetic_model always; only, exported_as with
+// exported_onto and exported_onto_source, and rendered_by with calibrated, full_scale_g and level,
+// where they apply.
 void add_labels(nlohmann::json& json, const Labels& labels);
 
 }  // namespace tact

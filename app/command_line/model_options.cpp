@@ -14,6 +14,7 @@ void add_predict_command(CLI::App& app, PredictCommand& command, Chosen& chosen)
     CLI::App& predict = add_command(
         app, "predict", "dissimilarity matrix of a set, as labelled CSV", command, chosen);
     add_rendering(predict, command.common);
+    add_exporting(predict, command.common);
     predict.add_option("--metric", command.metric, "pm unless another of those below")
         ->check(fault_of_metric);
     predict.add_option("--out", command.out, "file for the matrix");
@@ -31,6 +32,7 @@ void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen) {
     CLI::App& space =
         add_command(app, "space", "coordinates of the perceptual space, as CSV", command, chosen);
     add_rendering(space, command.common);
+    add_exporting(space, command.common);
     space.add_option("--dim", command.dimensions, "2 or 3")->check(within(2, 3));
     add_only(space, command.common);
     space.add_option("--starts", command.starts, "random starts besides Torgerson's")
@@ -43,6 +45,7 @@ void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen) {
     CLI::App& subset = add_command(app, "subset", "the k most distinct patterns of a set, proven",
                                    command, chosen);
     add_rendering(subset, command.common);
+    add_exporting(subset, command.common);
     add_only(subset, command.common);
     subset.add_option("-k,--count", command.count, "how many to pick")
         ->required()

@@ -5,6 +5,7 @@
 #include "devices/calibration/rendering.h"
 #include "model/evaluation/metric.h"
 #include "model/io/effects/actuator_map.h"
+#include "model/io/effects_out/write_effect.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -77,6 +78,15 @@ void add_rendering(CLI::App& command, CommonOptions& options) {
         ->check(within(0.0, 1.0));
     command.add_option("--calibration", options.rendered_calibration,
                        "of a voice coil, in the place of its full scale; see calibrate");
+}
+
+void add_exporting(CLI::App& command, CommonOptions& options) {
+    std::string keys;
+    for (const TargetTraits& one : target_formats()) keys += std::string(" ") + one.key;
+    command.add_option("--exported-as", options.exported_as,
+                       "the patterns as they come back from files, FORMAT or FORMAT:ACTUATOR, "
+                       "before any device plays them; formats:" +
+                           keys);
 }
 
 void add_only(CLI::App& command, CommonOptions& options) {

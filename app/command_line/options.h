@@ -32,6 +32,7 @@ void add_who_counts(CLI::App& command, CountRule& who);
 
 // The patterns as a device plays them, in the place of what was meant.
 void add_rendering(CLI::App& command, CommonOptions& options);
+void add_exporting(CLI::App& command, CommonOptions& options);
 
 // For the commands whose answer two sides of a set can be compared by.
 void add_only(CLI::App& command, CommonOptions& options);

@@ -14,6 +14,7 @@
 
 #include "app/rendering/rendered_set.h"
 #include "devices/calibration/calibration_file.h"
+#include "model/export/exported_set.h"
 #include "model/io/effects/actuator_map.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/load.h"
@@ -130,16 +131,41 @@ Expected<std::optional<RenderedBy>> rendered_by(const CommonOptions& options) {
                  " has none, expected --rendered-by " + traits(ActuatorKind::voice_coil).key};
 }
 
+Expected<std::optional<ExportTarget>> exported_as(const CommonOptions& options) {
+    if (options.exported_as.empty()) return std::optional<ExportTarget>();
+    Expected<ExportTarget> target = export_target_named(options.exported_as);
+    if (!target) return Error{"--exported-as: " + target.error().message};
+    return std::optional(*std::move(target));
+}
+
 Expected<FeltSet> load_felt(const CommonOptions& options) {
     Expected<std::optional<RenderedBy>> by = rendered_by(options);
     if (!by) return by.error();
+    Expected<std::optional<ExportTarget>> target = exported_as(options);
+    if (!target) return target.error();
     Labels labels;
     Expected<PatternSet> set = loaded_side(options, labels);
     if (!set) return set.error();
     FeltSet result{*set, *std::move(set), std::move(labels)};
+    const auto label_name = [&result](const std::string& words) {
+        result.felt.name += (result.felt.name.empty() ? "" : ", ") + words;
+    };
+    if (*target) {
+        ExportedSet exported = *exported_set(result.meant, **target, options.threads);
+        result.felt = std::move(exported.back);
+        label_name(words_on(**target));
+        std::cerr << "tactspace: " << sentence_on(**target) << "\n";
+        if (exported.recordings > 0) {
+            std::cerr << "tactspace: " << exported.recordings
+                      << " recordings stay as they are: no such file holds them\n";
+        }
+        result.labels.exported = *std::move(target);
+    }
     if (!*by) return result;
-    result.felt = rendered_set(result.meant, **by, nullptr, {options.threads, {}})->played;
-    result.felt.name += (result.felt.name.empty() ? "" : ", ") + words_on(**by);
+    const std::string name = std::move(result.felt.name);
+    result.felt = rendered_set(result.felt, **by, nullptr, {options.threads, {}})->played;
+    result.felt.name = name;
+    label_name(words_on(**by));
     result.labels.by = *std::move(by);
     std::cerr << "tactspace: " << sentence_on(*result.labels.by) << "\n";
     return result;

@@ -16,8 +16,9 @@
 
 namespace tact {
 
-// The sets of a command as one, or the side of it asked for: as it was meant, and as the device
-// plays it that the options name; the same where they name none. Remarks go to standard error.
+// The sets of a command as one, or the side of it asked for: as it was meant, and as it comes back
+// from the files, and is played by the device, that the options name; the same where they name
+// none. Remarks go to standard error.
 struct FeltSet {
     PatternSet meant;
     PatternSet felt;
@@ -25,10 +26,11 @@ struct FeltSet {
 };
 Expected<FeltSet> load_felt(const CommonOptions& options);
 
-// One of the two alone, and the device, if any.
+// One of the two alone; the device and the files, if any.
 Expected<PatternSet> load_for(const CommonOptions& options);
 Expected<PatternSet> load_as_meant(const CommonOptions& options);
 Expected<std::optional<RenderedBy>> rendered_by(const CommonOptions& options);
+Expected<std::optional<ExportTarget>> exported_as(const CommonOptions& options);
 
 // An Error unless the set has at least two patterns: fewer make no matrix and no map.
 Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options);

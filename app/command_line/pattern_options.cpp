@@ -69,7 +69,7 @@ void add_render_command(CLI::App& app, RenderCommand& command, Chosen& chosen) {
 void add_export_command(CLI::App& app, ExportCommand& command, Chosen& chosen) {
     CLI::App& sub = add_command(app, "export",
                                 "patterns as files of phones and other programs, a file each, with "
-                                "what each loses",
+                                "what each loses and what that costs in perception",
                                 command, chosen);
     std::vector<std::string> keys;
     for (const TargetTraits& target : target_formats()) keys.emplace_back(target.key);
@@ -80,6 +80,14 @@ void add_export_command(CLI::App& app, ExportCommand& command, Chosen& chosen) {
     sub.add_option("--onto", command.onto,
                    "the actuator that 0 to 1 are written for: a file (.acf, .json) or one of " +
                        actuator_names() + "; else the format's own");
+    CLI::Option* count =
+        sub.add_option("-k,--count", command.count,
+                       "of the most distinct patterns, which are held against what the target "
+                       "makes of them; else half of them, at most 8")
+            ->check(within(2, 10'000));
+    sub.add_flag("--no-loss", command.without_loss,
+                 "only write the files: what they cost takes two predictions of the set")
+        ->excludes(count);
     sub.add_option("--out", command.out, "folder for the files")->required();
     sub.add_flag("--overwrite", command.overwrite, "files of the same names are replaced");
 }

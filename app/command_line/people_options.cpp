@@ -27,6 +27,7 @@ void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen)
     CLI::App& compare = add_command(
         app, "compare", "how well metrics agree with people: rho and K of each", options, chosen);
     add_rendering(compare, options.common);
+    add_exporting(compare, options.common);
     add_ratings(compare, options.ratings);
     compare.add_option("--metric", options.metrics, "only these of those below")
         ->check(fault_of_metric);

@@ -113,7 +113,7 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
             ratings_for(set, sets[k], one_each ? all_files.subspan(k, 1) : all_files, files);
         if (!people) return with_hint(people.error(), set);
         if (common.only != Side::measured && common.rendered_by.empty() &&
-            common.rendered_calibration.empty()) {
+            common.rendered_calibration.empty() && common.exported_as.empty()) {
             warn_of_changes(set, people->study);
         }
         const auto unrated = unrated_patterns(people->study);

@@ -306,10 +306,12 @@ Expected<Done> run(const SubsetCommand& command) {
     if (command.draws > 0 && !is_by_pm(command)) {
         return Error{"--sensitivity is for pm: nothing else has the model's parameters"};
     }
-    if (!command.common.rendered_by.empty() &&
-        !(command.matrix.empty() && command.ratings.empty())) {
-        return Error{
-            "--rendered-by is for a metric: what people rated, or a matrix holds, is as it is"};
+    const bool is_metric = command.matrix.empty() && command.ratings.empty();
+    for (const auto& [option, value] : {std::pair("--rendered-by", &command.common.rendered_by),
+                                        std::pair("--exported-as", &command.common.exported_as)}) {
+        if (is_metric || value->empty()) continue;
+        return Error{std::string(option) +
+                     " is for a metric: what people rated, or a matrix holds, is as it is"};
     }
     const Interrupt interrupt;
     Expected<Source> source = source_of(command, interrupt.token());

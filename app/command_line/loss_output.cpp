@@ -1,0 +1,134 @@
+#include "app/command_line/loss_output.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/command_line/text_table.h"
+#include "model/export/loss_words.h"
+
+namespace tact {
+
+namespace {
+
+using Json = nlohmann::json;
+
+Json json_of(const ExportLoss& loss, const std::vector<std::size_t>& members) {
+    Json names = Json::array();
+    for (const std::size_t member : members) names.push_back(loss.patterns[member].name);
+    return names;
+}
+
+Json pair_json(const ExportLoss& loss, std::size_t a, std::size_t b, double pm) {
+    return {{"a", loss.patterns[a].name}, {"b", loss.patterns[b].name}, {"dissimilarity", pm}};
+}
+
+Json json_of(const ExportLoss& loss, const Subset& subset) {
+    return {{"patterns", json_of(loss, subset.members)},
+            {"weakest", pair_json(loss, subset.weakest.first, subset.weakest.second,
+                                  subset.weakest_dissimilarity)},
+            {"sum", subset.sum}};
+}
+
+Json json_of(const ExportLoss& loss, const std::optional<ConfusablePair>& pair) {
+    return pair ? pair_json(loss, pair->a, pair->b, pair->dissimilarity) : Json();
+}
+
+Json subset_json(const ExportLoss& loss) {
+    if (!loss.subset) return {{"none", loss.no_subset}};
+    const SubsetChange& change = *loss.subset;
+    Json before = json_of(loss, change.meant.best);
+    before["optimal"] = change.meant.proof == SubsetProof::optimal;
+    Json best = json_of(loss, change.best.best);
+    best["optimal"] = change.best.proof == SubsetProof::optimal;
+    return {{"before", before},
+            {"weakest_after", json_of(loss, std::optional(change.weakest))},
+            {"still_best", change.is_still_best},
+            {"exported_alone", {{"best", best}, {"kept", json_of(loss, change.kept)}}}};
+}
+
+Json json_of(const Eigen::MatrixXd& points) {
+    Json rows = Json::array();
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        Json row = Json::array();
+        for (Eigen::Index k = 0; k < points.cols(); ++k) row.push_back(points(i, k));
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+Json map_json(const ExportLoss& loss) {
+    if (!loss.map) return {};
+    return {{"before", json_of(loss.map->before)},
+            {"after", json_of(loss.map->after)},
+            {"stress1_before", loss.map->stress_before},
+            {"stress1_after", loss.map->stress_after},
+            {"correlation", loss.map->correlation}};
+}
+
+std::string patterns_text(const ExportLoss& loss) {
+    std::vector<TextRow> rows{{"pattern", "RMS error, g", "PSNR, dB", "PM from what was meant"}};
+    for (const PatternLoss& one : loss.patterns) {
+        if (one.recording) continue;
+        rows.push_back(
+            {one.name, loss_number(one.rms_error_g), psnr_text(one), loss_number(one.moved)});
+    }
+    return aligned(rows);
+}
+
+std::string set_text(const ExportLoss& loss) {
+    std::vector<TextRow> rows{{"PM", "as it was meant", "as it comes back"}};
+    for (const BeforeAfter& row : before_after_rows(loss)) {
+        rows.push_back({row.what, row.before, row.after});
+    }
+    if (rows.size() == 1) return {};
+    return "\n" + aligned(rows) + kAfterScale + "\n";
+}
+
+std::string pairs_text(const ExportLoss& loss) {
+    if (loss.most_moved.empty()) return {};
+    std::vector<TextRow> rows{{"pairs that moved most", "PM before", "after"}};
+    for (const PairChange& one : loss.most_moved) {
+        rows.push_back(
+            {pair_text(loss, one.a, one.b), loss_number(one.before), loss_number(one.after)});
+    }
+    return "\n" + aligned(rows);
+}
+
+}  // namespace
+
+std::string text_of(const ExportLoss& loss) {
+    return "\n" + summary_of(loss) + "\n\n" + patterns_text(loss) + set_text(loss) +
+           pairs_text(loss) + "\n" + subset_verdict(loss) + "\n";
+}
+
+Json json_of(const ExportLoss& loss) {
+    Json patterns = Json::array();
+    Json labels = Json::array();
+    for (const PatternLoss& one : loss.patterns) {
+        labels.push_back(one.name);
+        patterns.push_back({{"pattern", one.name},
+                            {"recording", one.recording},
+                            {"rms_error_g", one.rms_error_g},
+                            {"psnr_db", one.psnr_db ? Json(*one.psnr_db) : Json()},
+                            {"moved", one.moved},
+                            {"remarks", one.remarks}});
+    }
+    Json moved = Json::array();
+    for (const PairChange& one : loss.most_moved) {
+        moved.push_back({{"a", loss.patterns[one.a].name},
+                         {"b", loss.patterns[one.b].name},
+                         {"before", one.before},
+                         {"after", one.after}});
+    }
+    return {{"labels", labels},
+            {"patterns", patterns},
+            {"before", loss.before.condensed},
+            {"after", loss.after.condensed},
+            {"closest",
+             {{"before", json_of(loss, loss.closest_before)},
+              {"after", json_of(loss, loss.closest_after)}}},
+            {"most_moved", moved},
+            {"subset", subset_json(loss)},
+            {"map", map_json(loss)}};
+}
+
+}  // namespace tact
