@@ -130,6 +130,22 @@ TEST_CASE("export loss: what comes back alike is as close as can be, and says wh
     CHECK(loss.closest_after->dissimilarity == loss.after(0, 1));
 }
 
+TEST_CASE("export loss: where all become one, all are closer than any two were meant to be") {
+    PatternSet set;
+    set.vibrations = {tone("low", 0.5, 60.0), tone("middle", 0.5, 130.0), tone("high", 0.5, 240.0)};
+    const ExportLoss loss = loss_of(set, one_frequency(150.0));
+    const double least = *std::ranges::min_element(loss.before.condensed);
+    for (const double after : loss.after.condensed) CHECK(after < least);
+}
+
+TEST_CASE("export loss: patterns that come back longer are compared at that length") {
+    PatternSet set = six_tones();
+    for (Vibration& one : set.vibrations) std::get<Pattern>(one.source).duration_s = 0.007;
+    const ExportLoss loss = loss_of(set, own_target(TargetFormat::android_xml));
+    CHECK(contains(loss.patterns[0].remarks, "s in place of"));
+    CHECK(loss.patterns[0].rms_error_g > 0.0);
+}
+
 TEST_CASE("export loss: the verdict turns where the target makes two of the subset one") {
     PatternSet set;  // two that differ in frequency alone, and two that are almost one
     set.vibrations = {tone("low", 0.5, 60.0), tone("high", 0.5, 240.0),
@@ -150,6 +166,7 @@ TEST_CASE("export loss: the verdict turns where the target makes two of the subs
     CHECK(merged.subset->best.proof == SubsetProof::optimal);
     CHECK(merged.subset->weakest.a == 0);
     CHECK(merged.subset->weakest.b == 1);
+    CHECK(merged.subset->weakest.dissimilarity == merged.after(0, 1));
     CHECK(merged.subset->weakest.dissimilarity < merged.subset->meant.best.weakest_dissimilarity);
     CHECK(merged.subset->kept.weakest_dissimilarity <
           merged.subset->best.best.weakest_dissimilarity);
