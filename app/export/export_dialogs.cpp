@@ -187,6 +187,7 @@ void draw_progress(Ui& ui, ExportState& exports) {
 void draw_exports(Ui& ui, const Workspace& work, ExportState& exports) {
     if (ui.dialog == Dialog::export_view) draw_view_dialog(ui, work, exports);
     if (ui.dialog == Dialog::export_animation) draw_animation_dialog(ui, work, exports);
+    if (ui.dialog == Dialog::export_effects) draw_effect_dialog(ui, work, exports.effects);
     if (exports.animation) draw_progress(ui, exports);
 }
 

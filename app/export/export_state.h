@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/export/effect_export.h"
 #include "app/pictures/frame_sequence.h"
 #include "app/pictures/pictures.h"
 
@@ -41,6 +42,7 @@ struct ExportState {
     std::filesystem::path picture;  // to be drawn when the window's own frame is done
     std::shared_ptr<RunningAnimation> animation;
     bool cancel_asked = false;  // of the animation
+    EffectExport effects;       // patterns for phones and other programs
 };
 
 }  // namespace tact

@@ -11,6 +11,7 @@ enum class Dialog {
     calibrate,
     export_view,
     export_animation,
+    export_effects,
     generate,
     import_recordings,
     simulate_measurement,
@@ -36,6 +37,7 @@ enum class ChooserPurpose {
     export_view,
     export_subset,
     export_report,
+    export_effects,
     export_stages,
     export_animation
 };

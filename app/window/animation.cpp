@@ -71,13 +71,15 @@ void cancel_animation(App& app) {
 
 bool is_exporting(const App& app) {
     return app.exports.animation != nullptr || !app.exports.picture.empty() ||
-           !app.picking.export_to.empty();
+           !app.picking.export_to.empty() || !app.exports.effects.export_to.empty();
 }
 
 void continue_exports(App& app) {
     if (!app.picking.export_to.empty() || !app.picking.report_to.empty()) {
         continue_subset_export(app.ui, app.work, app.shown_map, app.picking);
     }
+    if (!app.exports.effects.export_to.empty())
+        return continue_effect_export(app.ui, app.exports.effects);
     if (!app.exports.picture.empty()) return draw_waiting_picture(app);
     if (app.exports.animation) draw_next_frame(app);
 }

@@ -88,6 +88,19 @@ void play_picked_at(App& app) {
     play_picked(app.ui, app.work, app.timeline, app.shown_map, app.play, app.picking, kNumber);
 }
 
+void open_effect_export(App& app) {
+    std::vector<std::string> picked;
+    if (const Subset* subset = shown_subset(app.shown_map, app.picking)) {
+        const PatternSet& set = *shown_pick(app.shown_map, app.picking)->request.map->request.set;
+        for (const std::size_t member : subset->members) {
+            picked.push_back(set.vibrations[member].name);
+        }
+    }
+    export_effects_dialog(app.ui, app.work, app.shown_map, picked,
+                          static_cast<std::size_t>(app.picking.count), app.picking.objective,
+                          app.exports.effects);
+}
+
 void swap_alternating(App& app) { swap_pair(app.work, app.shown_map, app.play); }
 
 void rewind(App& app) {
@@ -181,6 +194,8 @@ const auto kCommands = std::to_array<Command>({
      "picked distinct set table map"},
     {"File", "Export report...", {}, has_pairs, [](App& app) { export_report_dialog(app.ui, app.work); }, nullptr,
      "page html groups confuse distinct players client print"},
+    {"File", "Export vibrations...", {}, has_selection, open_effect_export, nullptr,
+     "ahap haptic hjif android pulsar richtap he hla openxr phone kotlin loss"},
     {"File", "Export stage as CSV...", {}, has_selection, [](App& app) { export_stages_dialog(app.ui, app.work, app.rendered, app.physiology); }, nullptr,
      "stages table numbers save"},
     {"File", "Export animation...", {}, has_selection, [](App& app) { export_animation_dialog(app.ui, app.work, app.exports); }, nullptr,

@@ -134,6 +134,8 @@ void draw_chooser(App& app) {
             return export_subset(app.shown_map, app.picking, *chosen);
         case ChooserPurpose::export_report:
             return export_report(app.ui, app.picking, *chosen);
+        case ChooserPurpose::export_effects:
+            return export_effects(app.exports.effects, *chosen);
         case ChooserPurpose::export_stages:
             return export_stages(app.ui, app.work, app.rendered, app.physiology, *chosen);
         case ChooserPurpose::export_animation:

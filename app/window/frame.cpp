@@ -287,7 +287,7 @@ bool wants_another_frame(const App& app) {
 double next_wake_s(const App& app) {
     double wake_s = std::numeric_limits<double>::infinity();
     if (is_computing(app) || is_comparing(app) || is_subset_busy(app.picking) ||
-        is_training(app.model_bench)) {
+        is_training(app.model_bench) || is_predicting_loss(app.exports.effects)) {
         wake_s = 0.1;  // progress
     }
     if (app.work.autosave_pending || is_autosaving(app.work)) wake_s = std::min(wake_s, 0.5);

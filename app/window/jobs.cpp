@@ -16,6 +16,7 @@ void make_jobs(App& app) {
     make_stages_jobs(app.ui, app.physiology);
     make_compare_jobs(app.ui, app.rendered, app.comparing);
     make_subset_jobs(app.ui, app.picking);
+    make_effect_job(app.ui, app.exports.effects);
     make_training_job(app.ui, app.model_bench);
 }
 
@@ -27,6 +28,7 @@ void stop_jobs(App& app) {
     stop_import(app.importing);
     stop_subset_jobs(app.picking);
     stop_training(app.model_bench);
+    app.exports.effects.job.reset();
     app.comparing.findings_job.reset();
     app.rendered.job.reset();
     app.comparing.fit_job.reset();

@@ -82,6 +82,7 @@ std::vector<double> moved_by(const BothSides& sides, const ExportLossOptions& op
     std::vector<double> nc;
     std::vector<double> oc;
     for (std::size_t k = 0; k < count; ++k) {
+        if (options.stop.stop_requested()) return std::vector<double>(count, 0.0);
         const std::vector both{sides.meant.codes[k], sides.back.codes[k]};
         nc.push_back(nc_matrix(both, sides.meant.params, how).condensed.front());
         oc.push_back(oc_matrix(both, how).condensed.front());
@@ -184,6 +185,12 @@ void draw_maps(ExportLoss& loss, const BothSides& sides, const ExportLossOptions
 }
 
 }  // namespace
+
+std::vector<std::size_t> best_for_target(const ExportLoss& loss) {
+    if (!loss.subset) return {};
+    const SubsetChange& change = *loss.subset;
+    return change.is_still_best ? change.kept.members : change.best.best.members;
+}
 
 std::size_t usual_subset_count(std::size_t patterns) {
     if (patterns < 3) return 0;

@@ -100,6 +100,9 @@ struct ExportLossOptions {
     std::function<void(double)> progress{};  // 0..1, from any thread
 };
 
+// The best subset for the target: of equals the one that was meant. Empty where there is none.
+std::vector<std::size_t> best_for_target(const ExportLoss& loss);
+
 // Eight, or half of a smaller set; 0 of fewer than three, where there is nothing to choose.
 std::size_t usual_subset_count(std::size_t patterns);
 

@@ -1,6 +1,8 @@
 #include "model/export/loss_words.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include "model/text/numbers.h"
 
@@ -47,7 +49,10 @@ std::string gain_of(const SubsetChange& change) {
 
 }  // namespace
 
-std::string loss_number(double value) { return significant_digits(value, 4); }
+std::string loss_number(double value) {
+    constexpr double kNothing = 1e-6;
+    return std::abs(value) < kNothing ? "0" : significant_digits(value, 4);
+}
 
 std::string psnr_text(const PatternLoss& loss) {
     return loss.psnr_db ? significant_digits(*loss.psnr_db, 3) : "-";
@@ -111,9 +116,8 @@ std::string summary_of(const ExportLoss& loss) {
         if (loss.closest_before && one.moved > loss.closest_before->dissimilarity) ++far;
     }
     const std::string of = " of " + std::to_string(exported) + " patterns ";
-    std::string text =
-        (lossy == 0 ? "None" : std::to_string(lossy)) + of + (lossy > 1 ? "lose" : "loses") +
-        (lossy == 0 ? " anything" : " something");
+    std::string text = (lossy == 0 ? "None" : std::to_string(lossy)) + of +
+                       (lossy > 1 ? "lose" : "loses") + (lossy == 0 ? " anything" : " something");
     if (far == 0) return text;
     return text + "; " + std::to_string(far) + (far > 1 ? " are" : " is") +
            " farther from what was meant than the closest pair is apart";

@@ -9,7 +9,7 @@
 
 namespace tact {
 
-// "12.5" of PM, g or stress; four digits that count.
+// "12.5" of PM, g or stress; four digits that count, and 0 below a millionth.
 std::string loss_number(double value);
 
 // "41.3"; "-" where nothing is lost, or nothing was meant.

@@ -13,6 +13,7 @@
 #include "app/command_line/loss_output.h"
 #include "app/command_line/output.h"
 #include "app/export/effect_files.h"
+#include "app/export/export_report.h"
 #include "model/export/export_loss.h"
 #include "model/subset/set_subset.h"
 #include "model/text/utc_time.h"
@@ -74,10 +75,13 @@ Expected<Exported> exported_part(const ExportCommand& command, const PatternSet&
     options.progress = progress_line("predicting what it costs");
     result.loss = export_loss(part, target, options);
     if (!result.loss) return stopped;
+    std::vector<std::size_t> written;
     for (std::size_t k = 0; k < names.size(); ++k) {
+        written.push_back(k);
         result.files.push_back({names[k], result.loss->files[k]});
         result.remarks.push_back(result.loss->patterns[k].remarks);
     }
+    result.files.push_back({kExportReport, export_report({*result.loss, part, written, names})});
     return result;
 }
 
@@ -111,6 +115,7 @@ Expected<Done> check_free(const ExportCommand& command, const PatternSet& part,
                           const ExportTarget& target) {
     if (command.overwrite) return Done{};
     std::vector<std::string> names = effect_file_names(part, target.format);
+    if (!command.without_loss) names.emplace_back(kExportReport);
     const std::vector<std::string> taken = taken_names(command.out, names);
     if (taken.empty()) return Done{};
     return Error{(command.out / taken.front()).string() +
@@ -131,7 +136,8 @@ Expected<Done> run(const ExportCommand& command) {
     const auto exported = exported_part(command, *part, *target, interrupt.token());
     if (!exported) return exported.error();
     if (const auto written = write_files(command.out, exported->files); !written) return written;
-    std::cerr << "tactspace: wrote " << exported->files.size() << " files to "
+    std::cerr << "tactspace: wrote " << exported->remarks.size() << " patterns"
+              << (exported->loss ? std::string(" and ") + kExportReport : "") << " to "
               << command.out.string() << "; actuator " << target->map.name << ": "
               << target->map.source << "\n";
     const std::size_t left_out = set->vibrations.size() - part->vibrations.size();

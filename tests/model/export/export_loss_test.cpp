@@ -98,6 +98,7 @@ TEST_CASE("export loss: HJIF loses nothing of plain patterns, and all is as befo
     REQUIRE(loss.subset);
     CHECK(loss.subset->is_still_best);
     CHECK(loss.subset->meant == loss.subset->best);
+    CHECK(best_for_target(loss) == loss.subset->meant.best.members);
     CHECK(loss.subset->weakest.dissimilarity == loss.subset->meant.best.weakest_dissimilarity);
     REQUIRE(loss.map);
     CHECK((loss.map->before - loss.map->after).cwiseAbs().maxCoeff() < 1e-9);
@@ -163,6 +164,7 @@ TEST_CASE("export loss: the verdict turns where the target makes two of the subs
     REQUIRE(merged.subset);
     CHECK(merged.subset->meant == kept.subset->meant);
     CHECK_FALSE(merged.subset->is_still_best);
+    CHECK(best_for_target(merged) == merged.subset->best.best.members);
     CHECK(merged.subset->best.proof == SubsetProof::optimal);
     CHECK(merged.subset->weakest.a == 0);
     CHECK(merged.subset->weakest.b == 1);

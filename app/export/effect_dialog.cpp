@@ -1,0 +1,120 @@
+// The dialog of effect_export.h.
+
+#include <algorithm>
+#include <array>
+
+#include "app/export/effect_export.h"
+#include "app/export/loss_pane.h"
+#include "app/ui/dialog.h"
+#include "app/ui/widgets.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kEffectDialogPx = 1060.0F;
+constexpr float kRowsPx = 275.0F;  // of the dialog, besides the pane
+constexpr float kPanePx = 420.0F;
+constexpr float kComboPx = 320.0F;
+
+void draw_format(Ui& ui, EffectChoice& choice) {
+    draw_label(ui, "Format");
+    ImGui::SetNextItemWidth(kComboPx * ui.theme.scale);
+    const bool open =
+        ImGui::BeginCombo("##format", traits(choice.format).title, ImGuiComboFlags_HeightLargest);
+    note_item(ui.rects, "export:format", traits(choice.format).key);
+    if (!open) return;
+    for (const TargetTraits& one : target_formats()) {
+        const TargetFormat format = *target_format_of(one.key);
+        if (ImGui::Selectable(one.title, format == choice.format) && format != choice.format) {
+            choice.format = format;
+            choice.actuator.clear();
+        }
+        note_item(ui.rects, std::string("export format:") + one.key);
+    }
+    ImGui::EndCombo();
+}
+
+// The format's own is the first one.
+void draw_actuator(Ui& ui, EffectChoice& choice) {
+    draw_label(ui, "Actuator");
+    const std::string own = std::string(traits(choice.format).map) + ", the format's own";
+    ImGui::SetNextItemWidth(kComboPx * ui.theme.scale);
+    const bool open = ImGui::BeginCombo(
+        "##actuator", choice.actuator.empty() ? own.c_str() : choice.actuator.c_str(),
+        ImGuiComboFlags_HeightLargest);
+    note_item(ui.rects, "export:actuator", target_of(choice).map.name);
+    if (open) {
+        if (ImGui::Selectable(own.c_str(), choice.actuator.empty())) choice.actuator.clear();
+        for (const ActuatorMap& map : bundled_actuators()) {
+            if (map.name == traits(choice.format).map) continue;
+            if (ImGui::Selectable(map.name.c_str(), map.name == choice.actuator)) {
+                choice.actuator = map.name;
+            }
+            note_item(ui.rects, "export actuator:" + map.name);
+        }
+        ImGui::EndCombo();
+    }
+    draw_tooltip(ui, "What 0 to 1 of the files mean in Hz and g: the device that they are for.");
+    draw_label(ui, "");
+    ImGui::PushFont(ui.theme.fonts.small);
+    ImGui::PushTextWrapPos(0.0F);
+    dim_text(ui, target_of(choice).map.source);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
+void draw_which(Ui& ui, EffectExport& effects) {
+    draw_label(ui, "Patterns");
+    const ExportGround& ground = effects.ground;
+    const auto draw = [&](ExportWhich which, const char* name, std::size_t count) {
+        const std::string label = std::string(name) + " (" + std::to_string(count) + ")";
+        ImGui::BeginDisabled(count == 0);
+        if (draw_radio(ui, label.c_str(), effects.choice.which == which)) {
+            effects.choice.which = which;
+        }
+        ImGui::EndDisabled();
+        note_item(ui.rects, std::string("export which:") + name, std::to_string(count));
+        ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
+    };
+    draw(ExportWhich::all, "All", ground.set->vibrations.size());
+    draw(ExportWhich::selected, "Selected", ground.selected.size());
+    draw(ExportWhich::picked, "Picked", ground.picked.size());
+    const std::size_t recordings = effects.request.recordings;
+    std::string note;
+    if (recordings == 1) note = "1 recording is left out: no such file holds it";
+    if (recordings > 1) {
+        note = std::to_string(recordings) + " recordings are left out: no such file holds them";
+    } else if (note.empty() && effects.choice.which == ExportWhich::picked) {
+        note = "all of the set is predicted, these are written";
+    }
+    dim_text(ui, note);
+    note_item(ui.rects, "export:left out", note);
+}
+
+}  // namespace
+
+void draw_effect_dialog(Ui& ui, const Workspace& work, EffectExport& effects) {
+    follow_effects(ui, effects);
+    if (!begin_dialog(ui, "Export vibrations", kEffectDialogPx)) return;
+    const ImU32 field = dialog_field(ui.theme);
+    for (const ImGuiCol which : {ImGuiCol_FrameBg, ImGuiCol_Button}) {
+        ImGui::PushStyleColor(which, field);
+    }
+    draw_format(ui, effects.choice);
+    draw_actuator(ui, effects.choice);
+    draw_which(ui, effects);
+    ImGui::Separator();
+    const float s = ui.theme.scale;
+    const float room = 0.9F * ImGui::GetIO().DisplaySize.y - kRowsPx * s;
+    draw_loss_pane(ui, work, effects, std::clamp(room, 120.0F * s, kPanePx * s));
+    ImGui::PopStyleColor(2);
+    const bool chosen_is_asked = effects.asked == effects.choice;
+    const bool ready = is_loss_current(effects) || effects.without;
+    const bool enabled = chosen_is_asked && ready && !effects.request.written.empty();
+    const bool go = draw_ends(ui, "Choose a folder...", enabled);
+    if (ui.dialog != Dialog::export_effects && effects.job) effects.job->cancel();
+    if (go) choose_effect_folder(ui, work, effects);
+}
+
+}  // namespace tact
