@@ -40,6 +40,7 @@ void head_row(const Ui& ui, const std::vector<std::string>& heads) {
 void draw_before_after(Ui& ui, const ExportLoss& loss) {
     const std::vector<BeforeAfter> rows = before_after_rows(loss);
     if (rows.empty() || !ImGui::BeginTable("before after", 3, kLossTable)) return;
+    for (int k = 0; k < 3; ++k) ImGui::TableSetupColumn("", 0, k == 0 ? 1.2F : 1.0F);
     head_row(ui, {"PM", "as it was meant", "as it comes back"});
     for (const BeforeAfter& row : rows) {
         ImGui::TableNextRow();
@@ -100,9 +101,9 @@ void draw_loss(Ui& ui, const ExportLoss& loss) {
     ImGui::Spacing();
     draw_before_after(ui, loss);
     ImGui::Spacing();
-    draw_moved_pairs(ui, loss);
-    ImGui::Spacing();
     draw_pattern_losses(ui, loss);
+    ImGui::Spacing();
+    draw_moved_pairs(ui, loss);
     ImGui::PushFont(ui.theme.fonts.small);
     wrapped_line(ui, std::string(kAfterScale) + ".", true);
     ImGui::PopFont();
