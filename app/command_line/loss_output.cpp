@@ -68,8 +68,7 @@ std::string patterns_text(const ExportLoss& loss) {
     std::vector<TextRow> rows{{"pattern", "RMS error, g", "PSNR, dB", "PM from what was meant"}};
     for (const PatternLoss& one : loss.patterns) {
         if (one.recording) continue;
-        rows.push_back(
-            {one.name, loss_number(one.rms_error_g), psnr_text(one), loss_number(one.moved)});
+        rows.push_back({one.name, loss_number(one.rms_error_g), psnr_text(one), moved_text(one)});
     }
     return aligned(rows);
 }
@@ -109,7 +108,7 @@ Json json_of(const ExportLoss& loss) {
                             {"recording", one.recording},
                             {"rms_error_g", one.rms_error_g},
                             {"psnr_db", one.psnr_db ? Json(*one.psnr_db) : Json()},
-                            {"moved", one.moved},
+                            {"moved", one.moved ? Json(*one.moved) : Json()},
                             {"remarks", one.remarks}});
     }
     Json moved = Json::array();

@@ -46,7 +46,7 @@ std::string patterns_section(const ExportPage& page) {
         table.rows.push_back({html_escaped(one.name) + "<br><span class=\"dim\">" +
                                   (file.empty() ? "not written" : html_escaped(file)) + "</span>",
                               remarks_html(one), loss_number(one.rms_error_g), psnr_text(one),
-                              loss_number(one.moved)});
+                              moved_text(one)});
     }
     return html_section("patterns", "Pattern by pattern", html_of(table));
 }

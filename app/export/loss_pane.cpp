@@ -66,11 +66,11 @@ void draw_pattern_losses(Ui& ui, const ExportLoss& loss) {
         for (const std::string& remark : one.remarks) wrapped_line(ui, remark, true);
         ImGui::PopFont();
         for (const std::string& cell :
-             {loss_number(one.rms_error_g), psnr_text(one), loss_number(one.moved)}) {
+             {loss_number(one.rms_error_g), psnr_text(one), moved_text(one)}) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(cell.c_str());
         }
-        note_item(ui.rects, "export:loss of " + one.name, loss_number(one.moved));
+        note_item(ui.rects, "export:loss of " + one.name, moved_text(one));
     }
     ImGui::EndTable();
 }

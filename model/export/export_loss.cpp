@@ -73,29 +73,33 @@ std::vector<double> pm_among(const Prediction& meant, std::span<const double> nc
     return pm;
 }
 
-// How far each pattern is from itself. Of a set of one there are no pairs to hold that against.
-std::vector<double> moved_by(const BothSides& sides, const ExportLossOptions& options) {
+// How far each pattern is from itself.
+std::vector<std::optional<double>> moved_by(const BothSides& sides,
+                                            const ExportLossOptions& options) {
     const std::size_t count = sides.meant.codes.size();
-    if (count < 2) return std::vector<double>(count, 0.0);
+    std::vector<std::optional<double>> moved(count);
+    if (count < 2) return moved;
     PredictOptions how;
     how.threads = options.threads;
     std::vector<double> nc;
     std::vector<double> oc;
     for (std::size_t k = 0; k < count; ++k) {
-        if (options.stop.stop_requested()) return std::vector<double>(count, 0.0);
+        if (options.stop.stop_requested()) return moved;
         const std::vector both{sides.meant.codes[k], sides.back.codes[k]};
         nc.push_back(nc_matrix(both, sides.meant.params, how).condensed.front());
         oc.push_back(oc_matrix(both, how).condensed.front());
     }
-    std::vector<double> moved = pm_among(sides.meant, nc, oc);
+    const std::vector<double> pm = pm_among(sides.meant, nc, oc);
     for (std::size_t k = 0; k < count; ++k) {
-        if (sides.meant.codes[k]->waveform == sides.back.codes[k]->waveform) moved[k] = 0.0;
+        const bool equal = sides.meant.codes[k]->waveform == sides.back.codes[k]->waveform;
+        moved[k] = equal ? 0.0 : pm[k];
     }
     return moved;
 }
 
 std::vector<PatternLoss> losses_of(const PatternSet& set, const ExportedSet& exported,
-                                   const BothSides& sides, const std::vector<double>& moved) {
+                                   const BothSides& sides,
+                                   const std::vector<std::optional<double>>& moved) {
     std::vector<PatternLoss> losses;
     for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
         PatternLoss loss{set.vibrations[k].name, !exported.patterns[k], {}, 0.0, {}, moved[k]};

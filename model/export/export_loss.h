@@ -39,7 +39,9 @@ struct PatternLoss {
     double rms_error_g = 0.0;
     // 20 log10 of the meant peak to the RMS error; none where nothing is lost, or nothing meant.
     std::optional<double> psnr_db;
-    double moved = 0.0;  // PM between what was meant and what came back, 0 where they are equal
+    // PM between what was meant and what came back, 0 where they are equal; none of a set of one,
+    // which has no pairs to hold that against.
+    std::optional<double> moved;
 
     bool operator==(const PatternLoss&) const = default;
 };

@@ -58,6 +58,10 @@ std::string psnr_text(const PatternLoss& loss) {
     return loss.psnr_db ? significant_digits(*loss.psnr_db, 3) : "-";
 }
 
+std::string moved_text(const PatternLoss& loss) {
+    return loss.moved ? loss_number(*loss.moved) : "-";
+}
+
 std::string pair_text(const ExportLoss& loss, std::size_t a, std::size_t b) {
     return loss.patterns[a].name + " and " + loss.patterns[b].name;
 }
@@ -113,9 +117,11 @@ std::string summary_of(const ExportLoss& loss) {
         if (one.recording) continue;
         ++exported;
         if (!one.remarks.empty()) ++lossy;
-        if (loss.closest_before && one.moved > loss.closest_before->dissimilarity) ++far;
+        if (loss.closest_before && one.moved.value_or(0.0) > loss.closest_before->dissimilarity)
+            ++far;
     }
-    const std::string of = " of " + std::to_string(exported) + " patterns ";
+    const std::string of =
+        " of " + std::to_string(exported) + (exported == 1 ? " pattern " : " patterns ");
     std::string text = (lossy == 0 ? "None" : std::to_string(lossy)) + of +
                        (lossy > 1 ? "lose" : "loses") + (lossy == 0 ? " anything" : " something");
     if (far == 0) return text;

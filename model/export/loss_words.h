@@ -15,6 +15,9 @@ std::string loss_number(double value);
 // "41.3"; "-" where nothing is lost, or nothing was meant.
 std::string psnr_text(const PatternLoss& loss);
 
+// PM from what was meant; "-" of a set of one.
+std::string moved_text(const PatternLoss& loss);
+
 // "a and b".
 std::string pair_text(const ExportLoss& loss, std::size_t a, std::size_t b);
 

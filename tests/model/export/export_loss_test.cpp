@@ -248,6 +248,7 @@ TEST_CASE("export loss: of nothing, of one and of two patterns there is less to 
     const ExportLoss one = loss_of(set, own_target(TargetFormat::haptic));
     REQUIRE(one.patterns.size() == 1);
     CHECK(one.patterns[0].rms_error_g > 0.0);
+    CHECK_FALSE(one.patterns[0].moved);  // no pairs to hold it against
     CHECK_FALSE(one.closest_before);
     set.vibrations.push_back(tone("b", 0.9, 60.0));
     const ExportLoss two = loss_of(set, own_target(TargetFormat::haptic));
