@@ -52,7 +52,7 @@ std::string patterns_section(const ExportPage& page) {
 }
 
 std::string set_section(const ExportLoss& loss) {
-    HtmlTable table{{{"PM", false}, {"as it was meant", true}, {"as it comes back", true}}, {}};
+    HtmlTable table{{{"PM", false}, {"as it was meant", false}, {"as it comes back", false}}, {}};
     for (const BeforeAfter& row : before_after_rows(loss)) {
         table.rows.push_back(
             {html_escaped(row.what), html_escaped(row.before), html_escaped(row.after)});
