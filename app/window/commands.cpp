@@ -410,14 +410,22 @@ void open_example_at(App& app) {
 template <std::size_t... kPlaces>
 std::vector<Command> with_examples(std::index_sequence<kPlaces...>) {
     std::vector<Command> all(kCommands.begin(), kCommands.end());
-    (all.push_back({kExampleMenu, kExampleSets[kPlaces].name, {}, always, open_example_at<kPlaces>, nullptr, "open bundled"}), ...);
+    (all.push_back({kExampleMenu,
+                    kExampleSets[kPlaces].name,
+                    {},
+                    always,
+                    open_example_at<kPlaces>,
+                    nullptr,
+                    "open bundled"}),
+     ...);
     return all;
 }
 
 }  // namespace
 
 std::span<const Command> commands() {
-    static const std::vector<Command> all = with_examples(std::make_index_sequence<kExampleSets.size()>());
+    static const std::vector<Command> all =
+        with_examples(std::make_index_sequence<kExampleSets.size()>());
     return all;
 }
 

@@ -104,8 +104,8 @@ std::vector<HidNode> hid_nodes() {
     }
     // One entry for each top-level collection of a device.
     std::ranges::sort(nodes, {}, &HidNode::path);
-    const auto twice = std::ranges::unique(nodes, {}, &HidNode::path);
-    nodes.erase(twice.begin(), twice.end());
+    const auto same = [](const HidNode& a, const HidNode& b) { return a.path == b.path; };
+    nodes.erase(std::unique(nodes.begin(), nodes.end(), same), nodes.end());
     return nodes;
 }
 

@@ -23,8 +23,7 @@ std::size_t group_count(const Sorting& sorting) {
         if (group != kUnsorted) groups.push_back(group);
     }
     std::ranges::sort(groups);
-    const auto [first, last] = std::ranges::unique(groups);
-    return static_cast<std::size_t>(first - groups.begin());
+    return static_cast<std::size_t>(std::unique(groups.begin(), groups.end()) - groups.begin());
 }
 
 Dissimilarity sorting_dissimilarity(std::size_t patterns, std::span<const Sorting> sortings) {

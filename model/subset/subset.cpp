@@ -51,7 +51,7 @@ Picking picking_of(const Dissimilarity& dissimilarity, const SubsetProblem& prob
                     options.threads};
     picking.real = real_distances(picking.distances);
     std::ranges::sort(picking.kept);
-    picking.kept.erase(std::ranges::unique(picking.kept).begin(), picking.kept.end());
+    picking.kept.erase(std::unique(picking.kept.begin(), picking.kept.end()), picking.kept.end());
     for (std::size_t v = 0; v < dissimilarity.size; ++v) {
         const bool is_dropped = std::ranges::find(problem.drop, v) != problem.drop.end();
         const bool is_kept = std::ranges::binary_search(picking.kept, v);
@@ -217,7 +217,7 @@ void pick_max_sum(const Picking& picking, const Dissimilarity& dissimilarity, In
 
 std::size_t different(Indices indices) {
     std::ranges::sort(indices);
-    return static_cast<std::size_t>(std::ranges::unique(indices).begin() - indices.begin());
+    return static_cast<std::size_t>(std::unique(indices.begin(), indices.end()) - indices.begin());
 }
 
 }  // namespace

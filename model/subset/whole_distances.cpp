@@ -55,7 +55,7 @@ std::vector<Units> distinct_values(const WholeDistances& distances) {
         values.insert(values.end(), row + i + 1, row + distances.size);
     }
     std::ranges::sort(values);
-    values.erase(std::ranges::unique(values).begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
 }
 

@@ -143,7 +143,7 @@ AmplitudeCurve ducked(const AmplitudeCurve& curve, const std::vector<Span>& span
         times.push_back(std::min(span.end_s, curve.back().time_s));
     }
     std::ranges::sort(times);
-    times.erase(std::ranges::unique(times).begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     AmplitudeCurve result;
     for (const double t_s : times) {
         const Sides sides = sides_at(curve, t_s);

@@ -124,7 +124,7 @@ std::vector<double> times_of(const std::vector<Voice>& voices, bool amplitudes, 
         if (frequencies) add_times(times, voice, voice.frequency);
     }
     std::ranges::sort(times);
-    times.erase(std::ranges::unique(times).begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
 }
 

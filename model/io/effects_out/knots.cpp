@@ -22,7 +22,7 @@ std::vector<double> times_of_both(const AmplitudeCurve& amplitude, const Amplitu
         }
     }
     std::ranges::sort(times);
-    times.erase(std::ranges::unique(times).begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
 }
 

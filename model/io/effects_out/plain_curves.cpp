@@ -138,7 +138,7 @@ std::vector<double> times_of_envelope(const Pattern& pattern, const std::vector<
     std::erase_if(times, [&](double t_s) { return !(t_s >= 0.0 && t_s <= pattern.duration_s); });
     std::ranges::sort(times);
     const auto same = [](double a, double b) { return b - a < kSameTimeS; };
-    times.erase(std::ranges::unique(times, same).begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end(), same), times.end());
     times.back() = pattern.duration_s;
     return times;
 }
