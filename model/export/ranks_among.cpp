@@ -17,7 +17,7 @@ std::vector<double> ranks_among(std::span<const double> values, std::span<const 
     ranks.reserve(values.size());
     for (const double value : values) {
         const auto [first, last] =
-            std::ranges::equal_range(keys, std::round(value / largest * 1e9));
+            std::equal_range(keys.begin(), keys.end(), std::round(value / largest * 1e9));
         const auto below = static_cast<double>(first - keys.begin());
         ranks.push_back(below + (static_cast<double>(last - first) + 1.0) / 2.0);
     }
