@@ -134,7 +134,7 @@ void save_and_use_calibration(Ui& ui, Workspace& work, Timeline& timeline, Rende
     Calibration made = calibrating.about;
     made.device = play.choice.id;
     made.channel = play.choice.channel;
-    made.date = utc_now().substr(0, 10);
+    made.date = utc_today();
     made.points = answer->result.points;
     const fs::path file = new_file(work, play, made);
     if (file.empty()) return complain(ui, "There is no folder to keep the calibration in.");

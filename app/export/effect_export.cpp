@@ -49,7 +49,7 @@ LossRequest loss_request(const ExportGround& ground, const EffectChoice& choice)
     request.subset_count = choosable ? ground.subset_count : 0;
     request.objective = ground.objective;
     request.known = ground.known;
-    request.date = utc_now().substr(0, 10);
+    request.date = utc_today();
     return request;
 }
 

@@ -36,8 +36,7 @@ std::string chain_remark(const Report& report) {
     if (groups.empty() || 2 * groups.front().members.size() <= all || all < 8) return {};
     return "<p class=\"note\">One group holds more than half of the patterns: neighbours hang "
            "together in a chain whose ends people do tell apart. A lower threshold, or a pair "
-           "whose "
-           "likeness you know, parts it.</p>\n";
+           "whose likeness you know, parts it.</p>\n";
 }
 
 std::string threshold_sentence(const Report& report) {

@@ -46,8 +46,8 @@ struct Report {
 
 std::string report_page(const Report& report);
 
-// What the threshold is from by default: the weakest pair of the best subset, which is proven or
-// not. `weakest_of_best` as in a report.
+// What the threshold is from by default: the weakest pair of the `count` most distinct patterns,
+// which are proven or not.
 std::string confused_at_words(const SubsetAnswer& answer, std::size_t count);
 
 // "Proven optimal: ..": what is known of the subset, as a sentence.

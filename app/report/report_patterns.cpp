@@ -75,15 +75,10 @@ std::string parameters_html(const Vibration& vibration) {
 }
 
 std::string verdict_html(ConfusionVerdict verdict) {
-    switch (verdict) {
-        case ConfusionVerdict::same:
-            return "<span class=\"verdict same\">same</span>";
-        case ConfusionVerdict::hard_to_tell:
-            return "<span class=\"verdict hard\">hard to tell</span>";
-        case ConfusionVerdict::clear:
-            break;
-    }
-    return "<span class=\"verdict clear\">clear</span>";
+    constexpr const char* kClasses[] = {"same", "hard", "clear"};  // classes of the page's styles
+    const auto which = static_cast<std::size_t>(verdict);
+    return std::string("<span class=\"verdict ") + kClasses[which] + "\">" +
+           kConfusionVerdicts[which] + "</span>";
 }
 
 std::string nearest_html(const Report& report, std::size_t place) {
@@ -102,14 +97,13 @@ std::string note_html(const Vibration& vibration) {
 std::string about_the_table(const Report& report, const ShownWaves& shown) {
     const ConfusionThresholds& at = report.confusion.thresholds;
     const std::string quantity = html_escaped(report.quantity);
-    std::string html = "<p><span class=\"verdict same\">same</span> nearest neighbour below " +
-                       quantity + " " + significant_digits(at.same, 4) +
-                       ", <span class=\"verdict hard\">hard to tell</span> below " +
-                       significant_digits(at.confused, 4) +
-                       ", <span class=\"verdict clear\">clear</span> from there on.</p>\n" +
-                       "<p class=\"dim\">Waveforms: up to " + significant_digits(shown.reach_g, 3) +
-                       " g and " + significant_digits(shown.end_s, 3) +
-                       " s.<span class=\"screen\"> ";
+    std::string html =
+        "<p>" + verdict_html(ConfusionVerdict::same) + " nearest neighbour below " + quantity +
+        " " + significant_digits(at.same, 4) + ", " + verdict_html(ConfusionVerdict::hard_to_tell) +
+        " below " + significant_digits(at.confused, 4) + ", " +
+        verdict_html(ConfusionVerdict::clear) + " from there on.</p>\n" +
+        "<p class=\"dim\">Waveforms: up to " + significant_digits(shown.reach_g, 3) + " g and " +
+        significant_digits(shown.end_s, 3) + " s.<span class=\"screen\"> ";
     if (!shown.played) {
         return html + "Players are left out: they would make the page too large.</span></p>\n";
     }

@@ -9,6 +9,7 @@
 #include "app/pictures/pictures.h"
 #include "app/report/report.h"
 #include "app/session/folders.h"
+#include "app/session/program_version.h"
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_state.h"
 #include "app/ui/file_question.h"
@@ -118,8 +119,8 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
                   .confusion = confusion(*pick.dissimilarity, {threshold, kSameShare * threshold}),
                   .confused_at = confused_at,
                   .by = labels.by,
-                  .program = std::string("tactspace ") + TACT_VERSION,
-                  .date = utc_now().substr(0, 10),
+                  .program = kProgramVersion,
+                  .date = utc_today(),
                   .labels = lines_of(labels)};
     if (&shown != &pick.answer.best) {
         report.weakest_of_best = pick.answer.best.weakest_dissimilarity;

@@ -31,6 +31,8 @@ inline constexpr double kSameShare = 0.5;
 
 enum class ConfusionVerdict { same, hard_to_tell, clear };
 
+inline constexpr const char* kConfusionVerdicts[] = {"same", "hard to tell", "clear"};
+
 ConfusionVerdict verdict_of(double dissimilarity, const ConfusionThresholds& thresholds);
 
 struct NearestNeighbour {

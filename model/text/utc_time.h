@@ -8,4 +8,7 @@ namespace tact {
 // "2026-11-21T18:40:00Z", of the system's clock.
 std::string utc_now();
 
+// "2026-11-21", of the same clock.
+std::string utc_today();
+
 }  // namespace tact

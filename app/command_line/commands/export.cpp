@@ -54,7 +54,7 @@ struct Exported {
 Expected<Exported> exported_part(const ExportCommand& command, const PatternSet& part,
                                  const ExportTarget& target, std::stop_token stop) {
     const Error stopped{"stopped, and nothing is written"};
-    const std::string date = utc_now().substr(0, 10);
+    const std::string date = utc_today();
     const std::vector<std::string> names = effect_file_names(part, target.format);
     Exported result;
     if (command.without_loss) {

@@ -9,6 +9,7 @@
 #include "app/command_line/output.h"
 #include "app/document/pattern_looks.h"
 #include "app/report/report.h"
+#include "app/session/program_version.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/subset/set_subset.h"
 #include "model/text/atomic_file.h"
@@ -129,13 +130,12 @@ nlohmann::json json_of(const ReportAnswer& answer, const std::vector<std::string
     for (const std::size_t place : answer.subset.best.members) {
         json["picked"].push_back(names[place]);
     }
-    constexpr const char* kVerdicts[] = {"same", "hard to tell", "clear"};
     for (std::size_t k = 0; k < names.size(); ++k) {
         const NearestNeighbour& nearest = confused.nearest[k];
         json["nearest"][names[k]] = {
             {"pattern", names[nearest.place]},
             {"dissimilarity", nearest.dissimilarity},
-            {"verdict", kVerdicts[static_cast<std::size_t>(nearest.verdict)]}};
+            {"verdict", kConfusionVerdicts[static_cast<std::size_t>(nearest.verdict)]}};
     }
     return json;
 }
@@ -172,8 +172,8 @@ Expected<Done> run(const ReportCommand& command) {
                   .confusion = answer->confused,
                   .confused_at = answer->confused_at,
                   .by = sets->labels.by,
-                  .program = std::string("tactspace ") + TACT_VERSION,
-                  .date = utc_now().substr(0, 10)};
+                  .program = kProgramVersion,
+                  .date = utc_today()};
     if (answer->stability) report.stability = &*answer->stability;
     report.labels = lines_of(sets->labels);
     if (const auto written = write_atomically(command.out, report_page(report)); !written) {

@@ -11,6 +11,7 @@
 #include "app/command_line/rated_sets.h"
 #include "app/command_line/text_table.h"
 #include "app/report/report.h"
+#include "app/session/program_version.h"
 #include "app/subset/subset_export.h"
 #include "model/evaluation/metric_matrix.h"
 #include "model/io/people/ratings_file.h"
@@ -293,8 +294,8 @@ Expected<Done> write_report_of(const SubsetCommand& command, const Source& sourc
         .confusion = confusion(source.dissimilarity, {threshold, kSameShare * threshold}),
         .confused_at = confused_at_words(result.answer, result.answer.best.members.size()),
         .by = source.labels.by,
-        .program = std::string("tactspace ") + TACT_VERSION,
-        .date = utc_now().substr(0, 10),
+        .program = kProgramVersion,
+        .date = utc_today(),
         .labels = lines_of(source.labels)};
     if (result.stability) report.stability = &*result.stability;
     return write_subset(command.report, report);

@@ -12,6 +12,7 @@
 #include "app/command_line/rated_sets.h"
 #include "app/command_line/text_table.h"
 #include "app/model_bench/trained_text.h"
+#include "app/session/program_version.h"
 #include "model/io/set/model_file.h"
 #include "model/text/atomic_file.h"
 #include "model/text/numbers.h"
@@ -265,8 +266,7 @@ Expected<Done> run(const TrainCommand& command) {
     const std::optional<Training> training = train(sets, params);
     if (!training) return Error{"stopped before the search was done; nothing was written"};
     if (!command.out.empty()) {
-        const ModelFile file{training->model,
-                             record_of(*training, sets, "tactspace " TACT_VERSION)};
+        const ModelFile file{training->model, record_of(*training, sets, kProgramVersion)};
         if (const auto written = write_model_file(command.out, file); !written) return written;
     }
     const std::string text = command.common.json ? json_text(*training, command, *rated)

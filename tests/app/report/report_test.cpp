@@ -4,19 +4,13 @@
 
 #include <memory>
 
+#include "tests/support/times_in.h"
+
 namespace report_test {
 
 using namespace tact;
 
 namespace {
-
-std::size_t times(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-        ++count;
-    }
-    return count;
-}
 
 std::string section(const std::string& page, const std::string& id) {
     const std::size_t begin = page.find("<section id=\"" + id + "\">");
@@ -70,14 +64,14 @@ TEST_CASE("report: a page alone, of all its parts, the same each time, and no na
     for (const char* id : {"map", "groups", "subset", "patterns", "matrix", "assumed"}) {
         CHECK_FALSE(section(page, id).empty());
     }
-    CHECK(times(page, "<title>Five &amp; more</title>") == 1);
-    CHECK(times(page, "<three>") == 0);
-    CHECK(times(page, "&lt;three&gt;") > 3);
+    CHECK(times_in(page, "<title>Five &amp; more</title>") == 1);
+    CHECK(times_in(page, "<three>") == 0);
+    CHECK(times_in(page, "&lt;three&gt;") > 3);
     for (const char* way_out : {"http://", "https://", "<script", "@import", "src=\"/"}) {
-        CHECK(times(page, way_out) == 0);
+        CHECK(times_in(page, way_out) == 0);
     }
-    CHECK(times(page, "src=\"") == times(page, "src=\"data:audio/wav;base64,"));
-    CHECK(times(page, "tactspace 1.2.3, 2026-11-22") == 1);
+    CHECK(times_in(page, "src=\"") == times_in(page, "src=\"data:audio/wav;base64,"));
+    CHECK(times_in(page, "tactspace 1.2.3, 2026-11-22") == 1);
 }
 
 TEST_CASE("report: thresholds are said, groups lie below them, and the picked are clear") {
@@ -86,34 +80,34 @@ TEST_CASE("report: thresholds are said, groups lie below them, and the picked ar
     REQUIRE((report.answer.best.members == std::vector<std::size_t>{0, 3, 4}));  // weakest 4
     const std::string page = report_page(report);
     const std::string groups = section(page, "groups");
-    CHECK(times(groups,
-                "is below <b>4</b>, as far apart as the weakest pair of the 3 most "
-                "distinct, proven: 3 of 10 pairs.") == 1);
-    CHECK(times(groups,
-                "Were each group one, 3 would be left of 5 patterns; at half the threshold (PM "
-                "2) 4, at a quarter (PM 1) 5.") == 1);
-    CHECK(times(groups, "<tr><td>") == 1);
-    CHECK(times(groups, "<span class=\"name\">two</span>") >= 1);
-    CHECK(times(groups, ">four<") == 0);
+    CHECK(times_in(groups,
+                   "is below <b>4</b>, as far apart as the weakest pair of the 3 most "
+                   "distinct, proven: 3 of 10 pairs.") == 1);
+    CHECK(times_in(groups,
+                   "Were each group one, 3 would be left of 5 patterns; at half the threshold (PM "
+                   "2) 4, at a quarter (PM 1) 5.") == 1);
+    CHECK(times_in(groups, "<tr><td>") == 1);
+    CHECK(times_in(groups, "<span class=\"name\">two</span>") >= 1);
+    CHECK(times_in(groups, ">four<") == 0);
     const std::string patterns = section(page, "patterns");
     // Once each in the sentence on them, then of a pattern each.
-    CHECK(times(patterns, "verdict same") == 1 + 2);
-    CHECK(times(patterns, "verdict hard") == 1 + 1);
-    CHECK(times(patterns, "verdict clear") == 1 + 2);
-    CHECK(times(patterns, "<audio") == 5);
-    CHECK(times(patterns, "class=\"wave\"") == 5);
-    CHECK(times(section(page, "subset"), "Proven optimal") == 1);
-    CHECK(times(section(page, "assumed"), "Neither is measured") == 1);
-    CHECK(times(section(page, "assumed"), "no probability of a confusion") == 1);
+    CHECK(times_in(patterns, "verdict same") == 1 + 2);
+    CHECK(times_in(patterns, "verdict hard") == 1 + 1);
+    CHECK(times_in(patterns, "verdict clear") == 1 + 2);
+    CHECK(times_in(patterns, "<audio") == 5);
+    CHECK(times_in(patterns, "class=\"wave\"") == 5);
+    CHECK(times_in(section(page, "subset"), "Proven optimal") == 1);
+    CHECK(times_in(section(page, "assumed"), "Neither is measured") == 1);
+    CHECK(times_in(section(page, "assumed"), "no probability of a confusion") == 1);
 }
 
 TEST_CASE("report: the matrix has a cell for each ordered pair, with names and value on hover") {
     const Five five;
     const std::string matrix = section(report_page(five.report()), "matrix");
-    CHECK(times(matrix, "<td") == 25);
-    CHECK(times(matrix, "title=\"one \u2013 two: 1\"") == 1);
-    CHECK(times(matrix, "title=\"two \u2013 one: 1\"") == 1);
-    CHECK(times(matrix, " x\" title=") == 2 * 3);  // confused: three pairs, both ways
+    CHECK(times_in(matrix, "<td") == 25);
+    CHECK(times_in(matrix, "title=\"one \u2013 two: 1\"") == 1);
+    CHECK(times_in(matrix, "title=\"two \u2013 one: 1\"") == 1);
+    CHECK(times_in(matrix, " x\" title=") == 2 * 3);  // confused: three pairs, both ways
     const Five many;
     Report large = many.report();
     PatternSet set = many.set;
@@ -129,9 +123,9 @@ TEST_CASE("report: the matrix has a cell for each ordered pair, with names and v
                           .space = none,
                           .confusion = confusion(apart, {0.5, 0.2})};
     const std::string page = report_page(left_out);
-    CHECK(times(section(page, "matrix"), "Left out") == 1);
-    CHECK(times(section(page, "map"), "any map fits") == 1);
-    CHECK(times(section(page, "groups"), "None: all patterns are clear") == 1);
+    CHECK(times_in(section(page, "matrix"), "Left out") == 1);
+    CHECK(times_in(section(page, "map"), "any map fits") == 1);
+    CHECK(times_in(section(page, "groups"), "None: all patterns are clear") == 1);
 }
 
 TEST_CASE("report: marks travel with the numbers: synthetic, device, trained model, labels") {
@@ -147,14 +141,14 @@ TEST_CASE("report: marks travel with the numbers: synthetic, device, trained mod
     report.by = RenderedBy{};
     report.labels = {"SYNTHETIC: some"};
     const std::string page = report_page(report);
-    CHECK(times(page, "<p class=\"warning\">SYNTHETIC: some</p>") == 1);
-    CHECK(times(section(page, "patterns"), "<b>synthetic</b>") == 1);
-    CHECK(times(section(page, "patterns"), "From a.ahap (AHAP).") == 1);
+    CHECK(times_in(page, "<p class=\"warning\">SYNTHETIC: some</p>") == 1);
+    CHECK(times_in(section(page, "patterns"), "<b>synthetic</b>") == 1);
+    CHECK(times_in(section(page, "patterns"), "From a.ahap (AHAP).") == 1);
     const std::string assumed = section(page, "assumed");
-    CHECK(times(assumed, "1 SYNTHETIC: measured by nobody") == 1);
-    CHECK(times(assumed, "Trained on nobody.") == 1);
-    CHECK(times(assumed, "uncalibrated") == 1);
-    CHECK(times(assumed, "<dt>2 patterns</dt><dd>Actuator map quest: g is guessed.</dd>") == 1);
+    CHECK(times_in(assumed, "1 SYNTHETIC: measured by nobody") == 1);
+    CHECK(times_in(assumed, "Trained on nobody.") == 1);
+    CHECK(times_in(assumed, "uncalibrated") == 1);
+    CHECK(times_in(assumed, "<dt>2 patterns</dt><dd>Actuator map quest: g is guessed.</dd>") == 1);
 }
 
 TEST_CASE(
@@ -165,20 +159,20 @@ TEST_CASE(
     report.answer.bound = 7.25;
     report.confused_at = confused_at_words(report.answer, 3);
     std::string page = report_page(report);
-    CHECK(times(page, "roven") == 0);
-    CHECK(times(section(page, "subset"), "No weakest pair is above 7.25") == 1);
+    CHECK(times_in(page, "roven") == 0);
+    CHECK(times_in(section(page, "subset"), "No weakest pair is above 7.25") == 1);
     report.answer.proof = SubsetProof::optimal;
     report.weakest_of_best = 5.5;
     page = report_page(report);
-    CHECK(times(section(page, "subset"),
-                "taken instead of the best one, whose weakest pair has 5.5") == 1);
-    CHECK(times(section(page, "subset"), "Proven optimal") == 0);
+    CHECK(times_in(section(page, "subset"),
+                   "taken instead of the best one, whose weakest pair has 5.5") == 1);
+    CHECK(times_in(section(page, "subset"), "Proven optimal") == 0);
 }
 
 TEST_CASE("report: how sure is there only where it was asked, with a share of draws for each") {
     const Five five;
     Report report = five.report();
-    CHECK(times(report_page(report), "How sure") == 0);
+    CHECK(times_in(report_page(report), "How sure") == 0);
     Stability sure;
     sure.draws = 20;
     sure.share_picked = {1.0, 0.25, 0.0, 0.75, 1.0};
@@ -186,10 +180,10 @@ TEST_CASE("report: how sure is there only where it was asked, with a share of dr
     sure.subset = report.answer.best;
     report.stability = &sure;
     const std::string subset = section(report_page(report), "subset");
-    CHECK(times(subset, "In 20 draws") == 1);
-    CHECK(times(subset, "<b>50 %</b>") == 1);
-    CHECK(times(subset, "25 %") == 1);
-    CHECK(times(subset, "&lt;three&gt;") == 0);  // never picked
+    CHECK(times_in(subset, "In 20 draws") == 1);
+    CHECK(times_in(subset, "<b>50 %</b>") == 1);
+    CHECK(times_in(subset, "25 %") == 1);
+    CHECK(times_in(subset, "&lt;three&gt;") == 0);  // never picked
 }
 
 }  // namespace report_test
