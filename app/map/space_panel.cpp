@@ -167,6 +167,7 @@ void note_points(Ui& ui, const ShownMap& shown_map, const Rect& area,
             project(shown_map.camera, placed, area, point_of(points, static_cast<Eigen::Index>(k)));
         note_rect(ui.rects, "point:" + labels[k], at.at, at.at);
     }
+    if (is_moving(ui, shown_map)) note_rect(ui.rects, "points move", area.min, area.max);
 }
 
 // At the top: the foot has the axes and what the mouse can do.

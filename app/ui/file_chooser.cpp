@@ -231,7 +231,7 @@ const char* name_hint(ChooserUse use) {
     return "";
 }
 
-Chosen draw_name(FileChooser& chooser, TabOrder& order) {
+Chosen draw_name(FileChooser& chooser, WidgetRects& rects) {
     const bool was_empty = chooser.name.empty();
     if (std::exchange(chooser.focus_name, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
@@ -240,7 +240,7 @@ Chosen draw_name(FileChooser& chooser, TabOrder& order) {
                                                       ImGuiInputTextFlags_CallbackHistory |
                                                       ImGuiInputTextFlags_AutoSelectAll,
                                                   on_history, &chooser);
-    note_stop(order);
+    note_item(rects, "file name", chooser.name);
     if (was_empty && ImGui::IsItemActive() && is_pressed(ImGuiKey_Backspace)) {
         go(chooser, chooser.listing.folder.parent_path());
     }
@@ -286,12 +286,13 @@ Chosen draw_replace_question(FileChooser& chooser, TabOrder& order) {
     return of_folder ? path.parent_path() : path;
 }
 
-Chosen draw_content(FileChooser& chooser, TabOrder& order) {
+Chosen draw_content(FileChooser& chooser, WidgetRects& rects) {
+    TabOrder& order = rects.tab_order;
     const bool asks = !chooser.replacing.empty();
     ImGui::BeginDisabled(asks);
     draw_places(chooser, order);
     Chosen chosen = draw_list(chooser);
-    if (!asks && !chosen) chosen = draw_name(chooser, order);
+    if (!asks && !chosen) chosen = draw_name(chooser, rects);
     ImGui::EndDisabled();
     if (asks) return draw_replace_question(chooser, order);
     ImGui::TextWrapped("%s", chooser.remark.c_str());
@@ -310,7 +311,7 @@ void show(FileChooser& chooser, const fs::path& folder, const std::string& name)
     chooser.name = chooser.offered = name;
 }
 
-Chosen draw(FileChooser& chooser, TabOrder& order) {
+Chosen draw(FileChooser& chooser, WidgetRects& rects) {
     if (!chooser.is_open) return std::nullopt;
     const std::string label = chooser.title + "###file chooser";
     if (std::exchange(chooser.appears, false)) ImGui::OpenPopup(label.c_str());
@@ -326,7 +327,7 @@ Chosen draw(FileChooser& chooser, TabOrder& order) {
         label.c_str(), &chooser.is_open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
     ImGui::PopStyleColor();
     if (is_visible) {
-        chosen = draw_content(chooser, order);
+        chosen = draw_content(chooser, rects);
         if (chosen) chooser.is_open = false;
         if (!chooser.is_open) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();

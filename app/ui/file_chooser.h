@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "app/ui/folder_listing.h"
-#include "app/ui/tab_order.h"
+#include "app/ui/widget_rects.h"
 
 namespace tact {
 
@@ -48,6 +48,6 @@ struct FileChooser {
 void show(FileChooser& chooser, const std::filesystem::path& folder, const std::string& name = "");
 
 // Draws the dialog if it is open. The path chosen, in the frame in which it is.
-std::optional<std::filesystem::path> draw(FileChooser& chooser, TabOrder& order);
+std::optional<std::filesystem::path> draw(FileChooser& chooser, WidgetRects& rects);
 
 }  // namespace tact

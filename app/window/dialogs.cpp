@@ -97,7 +97,7 @@ void draw_keys(App& app) {
 }
 
 void draw_chooser(App& app) {
-    const auto chosen = draw(app.ui.chooser, app.ui.rects.tab_order);
+    const auto chosen = draw(app.ui.chooser, app.ui.rects);
     if (!chosen) return;
     switch (app.ui.chooser_purpose) {
         case ChooserPurpose::open_document:

@@ -60,6 +60,8 @@ middle() {
         "$TACTSPACE_WIDGET_RECTS"
 }
 shows() { grep -q "^$1	" "$TACTSPACE_WIDGET_RECTS"; }
+lacks() { ! shows "$1"; }
+is_value() { [ "$(value "$1")" = "$2" ]; }
 says() { [[ $(value "$1") == *"$2"* ]]; }  # its value has these words
 is_within() { # NAME NUMBER TOLERANCE
     awk -v a="$(value "$1")" -v b="$2" -v most="$3" \
@@ -70,12 +72,8 @@ is_unsaved() { says document "•"; }
 is_saved() { ! is_unsaved; }
 points() { grep '^point:' "$TACTSPACE_WIDGET_RECTS" | cut -f 1-3; }
 
-# Exact, and at rest since the last look.
-has_settled() {
-    local before=${settled_points:-}
-    settled_points=$(points)
-    is_exact && [ "$settled_points" = "$before" ] && sleep 0.2 && [ "$settled_points" = "$(points)" ]
-}
+# Exact, and at rest.
+has_settled() { is_exact && ! shows "points move"; }
 
 # What a person does.
 
@@ -105,16 +103,52 @@ enter() { # FIELD TEXT [KEY]
 }
 is_typed() { says typed "$1"; }
 
+# Types over the text of a field that takes any, until it holds it: typed before the field has the
+# keys it is lost.
+fill() { # FIELD TEXT
+    until_true "$1 holds $2" typed_over "$1" "$2"
+}
+typed_over() {
+    click "$1"
+    key ctrl+a
+    type_text "$2"
+    soon is_value "$1" "$2"
+}
+soon() { # COMMAND...: it succeeds within 2 s
+    local tries
+    for tries in {1..40}; do
+        "$@" && return
+        sleep 0.05
+    done
+    return 1
+}
+
+# By the palette.
+command_named() { # NAME
+    key ctrl+p
+    until_true "the palette is open" grep -q "^palette:" "$TACTSPACE_WIDGET_RECTS"
+    until_true "it offers $1 first" offers_first "$1"
+    key Return
+}
+offers_first() {
+    key ctrl+a
+    type_text "$1"
+    soon is_first "$1"
+}
+is_first() { [[ $(grep -m 1 '^palette:' "$TACTSPACE_WIDGET_RECTS") == "palette:$1	"* ]]; }
+
+# Answers the file dialog, which is there or comes.
+choose_file() { # PATH
+    fill "file name" "$1"
+    key Return
+    until_true "the file dialog is answered" lacks "file name"
+}
+
 # Saves the set as FILE, which ends in .tactspace.json.
 save_as() {
     key ctrl+shift+s
-    until_true "$1 is there" saved_to "$1"
-}
-saved_to() { # the dialog takes a moment to take the keys: what is typed too early is typed again
-    key ctrl+a
-    type_text "${1%.tactspace.json}"
-    key Return
-    timeout 2 bash -c 'until [ -s "$0" ]; do sleep 0.05; done' "$1"
+    choose_file "${1%.tactspace.json}"
+    until_true "$1 is there" test -s "$1"
 }
 
 press() { xdotool mousedown 1; }

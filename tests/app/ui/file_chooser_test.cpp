@@ -51,8 +51,8 @@ struct Fixture {
     }
     void settle() {
         window.settle([this] {
-            TabOrder order;
-            if (const auto path = draw(chooser, order)) {
+            WidgetRects rects;
+            if (const auto path = draw(chooser, rects)) {
                 chosen = path;
                 ++answers;
             }
