@@ -20,9 +20,15 @@
 #include "app/tour/tour_state.h"
 #include "app/ui/layout.h"
 #include "app/ui/ui.h"
-#include "app/window/palette.h"
 
 namespace tact {
+
+// What was typed in the command palette.
+struct PaletteState {
+    bool open = false;
+    std::string text;
+    int choice = 0;
+};
 
 struct App {
     Ui ui;

@@ -23,7 +23,7 @@
 #include "app/subset/subset_follow.h"
 #include "app/tour/tour.h"
 #include "app/wave_strip/wave_strip.h"
-#include "app/window/animation.h"
+#include "app/window/command_actions.h"
 #include "app/window/session_layout.h"
 
 namespace tact {
@@ -31,27 +31,6 @@ namespace tact {
 namespace {
 
 bool always(const App&) { return true; }
-
-void remove_chosen_or_selected(App& app) {
-    if (remove_chosen(app.ui, app.work, app.pattern_panes.strip)) return;
-    remove_selected(app.ui, app.work);
-}
-
-bool has_selection(const App& app) { return current_vibration(app.work) != nullptr; }
-
-bool has_answers(const App& app) {
-    const auto& answers = app.studying.answers;
-    return answers && answers->results;
-}
-
-bool has_subset(const App& app) { return shown_pick(app.shown_map, app.picking) != nullptr; }
-
-bool has_pairs(const App& app) { return app.work.document.set.vibrations.size() > 1; }
-
-bool has_editable_pattern(const App& app) {
-    const Vibration* vibration = current_vibration(app.work);
-    return vibration != nullptr && editable_pattern(*vibration) != nullptr;
-}
 
 template <GripKind kKind>
 void add_at_playhead(App& app) {
@@ -61,11 +40,6 @@ void add_at_playhead(App& app) {
 template <int kStep>
 void choose_next_point(App& app) {
     choose_next(app.ui, app.work, app.pattern_panes.strip, kStep);
-}
-
-void start_rename(App& app) {
-    begin_rename(app.work, app.pattern_panes, app.work.selection.current);
-    app.work.selection.scroll_to_current = true;
 }
 
 template <int kSteps>
@@ -88,50 +62,6 @@ void play_picked_at(App& app) {
     play_picked(app.ui, app.work, app.timeline, app.shown_map, app.play, app.picking, kNumber);
 }
 
-void open_effect_export(App& app) {
-    std::vector<std::string> picked;
-    if (const Subset* subset = shown_subset(app.shown_map, app.picking)) {
-        const PatternSet& set = *shown_pick(app.shown_map, app.picking)->request.map->request.set;
-        for (const std::size_t member : subset->members) {
-            picked.push_back(set.vibrations[member].name);
-        }
-    }
-    export_effects_dialog(app.ui, app.work, app.shown_map, picked,
-                          static_cast<std::size_t>(app.picking.count), app.picking.objective,
-                          app.exports.effects);
-}
-
-void swap_alternating(App& app) { swap_pair(app.work, app.shown_map, app.play); }
-
-void rewind(App& app) {
-    app.timeline.playhead.at_s = 0.0;
-    app.timeline.playhead.playing = false;
-}
-
-void escape(App& app) {
-    if (app.ui.escape_taken) return;
-    if (app.palette.open) {
-        app.palette.open = false;
-    } else if (app.exports.animation) {
-        cancel_animation(app);
-    } else if (app.tour.step) {
-        leave_tour(app.work, app.layout, app.timeline, app.physiology, app.tour);
-    } else if (app.timeline.playhead.playing) {
-        app.timeline.playhead.playing = false;
-    } else if (app.physiology.view.explained) {
-        app.physiology.view.explained.reset();
-    } else if (app.physiology.view.open) {
-        app.physiology.view.open.reset();
-    } else if (app.layout.maximised) {
-        app.layout.maximised.reset();
-    } else if (app.studying.is_open) {
-        close_study(app.studying);
-    } else {
-        app.work.selection.others.clear();
-        app.ui.status = {};
-    }
-}
-
 template <Side kSide>
 void show_the_side(App& app) {
     show_side(app.work, kSide);
@@ -142,34 +72,9 @@ bool shows_side(const App& app) {
     return shown_side(app.work) == kSide;
 }
 
-void design_layout(App& app) {
-    close_study(app.studying);
-    app.layout = Layout{};
-}
-
-void physiology_layout(App& app) {
-    close_study(app.studying);
-    app.layout = Layout{};
-    app.layout.left = 0.18F;
-    app.layout.right = 0.24F;
-}
-
 template <BenchTab kTab>
 void show_bench(App& app) {
-    close_study(app.studying);
-    app.layout.bench = kTab;
-}
-
-void show_training(App& app) {
-    show_bench<BenchTab::model>(app);
-    app.model_bench.panel.view = ModelView::training;
-}
-
-void space_layout(App& app) {
-    close_study(app.studying);
-    app.layout = Layout{};
-    app.layout.right = 0.52F;
-    app.layout.right_split = 0.72F;
+    show_tab(app, kTab);
 }
 
 constexpr Shortcut ctrl(char32_t sign, bool shift = false) {
@@ -361,16 +266,10 @@ const auto kCommands = std::to_array<Command>({
 
     {"Help", "Guided tour", {}, has_selection, [](App& app) { start_tour(app.ui, app.work, app.layout, app.timeline, app.shown_map, app.physiology, app.tour); }, nullptr, "learn teach explain"},
     {"Help", "Guided tour from the start", {}, has_selection,
-     [](App& app) {
-         app.tour.left_at = 0;
-         start_tour(app.ui, app.work, app.layout, app.timeline, app.shown_map, app.physiology, app.tour);
-     },
+     tour_from_the_start,
      nullptr, "learn teach explain"},
     {"Help", "Findings of the paper", {}, always,
-     [](App& app) {
-         show_bench<BenchTab::compare>(app);
-         app.comparing.panel.view = CompareView::findings;
-     },
+     show_findings,
      nullptr, "publication checks holds fails"},
     {"Help", "Keys and mouse", special(key::kF1), always,
      [](App& app) { app.ui.dialog = Dialog::keys; }, nullptr, "shortcuts help"},

@@ -1,0 +1,126 @@
+#include "app/window/command_actions.h"
+
+#include "app/compare/compare_state.h"
+#include "app/document/editing.h"
+#include "app/export/exports.h"
+#include "app/patterns/set_panel.h"
+#include "app/play/listening.h"
+#include "app/study/study_follow.h"
+#include "app/subset/picked_list.h"
+#include "app/subset/subset_follow.h"
+#include "app/tour/tour.h"
+#include "app/wave_strip/wave_strip.h"
+#include "app/window/animation.h"
+
+namespace tact {
+
+void remove_chosen_or_selected(App& app) {
+    if (remove_chosen(app.ui, app.work, app.pattern_panes.strip)) return;
+    remove_selected(app.ui, app.work);
+}
+
+bool has_selection(const App& app) { return current_vibration(app.work) != nullptr; }
+
+bool has_answers(const App& app) {
+    const auto& answers = app.studying.answers;
+    return answers && answers->results;
+}
+
+bool has_subset(const App& app) { return shown_pick(app.shown_map, app.picking) != nullptr; }
+
+bool has_pairs(const App& app) { return app.work.document.set.vibrations.size() > 1; }
+
+bool has_editable_pattern(const App& app) {
+    const Vibration* vibration = current_vibration(app.work);
+    return vibration != nullptr && editable_pattern(*vibration) != nullptr;
+}
+
+void start_rename(App& app) {
+    begin_rename(app.work, app.pattern_panes, app.work.selection.current);
+    app.work.selection.scroll_to_current = true;
+}
+
+void open_effect_export(App& app) {
+    std::vector<std::string> picked;
+    if (const Subset* subset = shown_subset(app.shown_map, app.picking)) {
+        const PatternSet& set = *shown_pick(app.shown_map, app.picking)->request.map->request.set;
+        for (const std::size_t member : subset->members) {
+            picked.push_back(set.vibrations[member].name);
+        }
+    }
+    export_effects_dialog(app.ui, app.work, app.shown_map, picked,
+                          static_cast<std::size_t>(app.picking.count), app.picking.objective,
+                          app.exports.effects);
+}
+
+void swap_alternating(App& app) { swap_pair(app.work, app.shown_map, app.play); }
+
+void rewind(App& app) {
+    app.timeline.playhead.at_s = 0.0;
+    app.timeline.playhead.playing = false;
+}
+
+void escape(App& app) {
+    if (app.ui.escape_taken) return;
+    if (app.palette.open) {
+        app.palette.open = false;
+    } else if (app.exports.animation) {
+        cancel_animation(app);
+    } else if (app.tour.step) {
+        leave_tour(app.work, app.layout, app.timeline, app.physiology, app.tour);
+    } else if (app.timeline.playhead.playing) {
+        app.timeline.playhead.playing = false;
+    } else if (app.physiology.view.explained) {
+        app.physiology.view.explained.reset();
+    } else if (app.physiology.view.open) {
+        app.physiology.view.open.reset();
+    } else if (app.layout.maximised) {
+        app.layout.maximised.reset();
+    } else if (app.studying.is_open) {
+        close_study(app.studying);
+    } else {
+        app.work.selection.others.clear();
+        app.ui.status = {};
+    }
+}
+
+void design_layout(App& app) {
+    close_study(app.studying);
+    app.layout = Layout{};
+}
+
+void physiology_layout(App& app) {
+    close_study(app.studying);
+    app.layout = Layout{};
+    app.layout.left = 0.18F;
+    app.layout.right = 0.24F;
+}
+
+void space_layout(App& app) {
+    close_study(app.studying);
+    app.layout = Layout{};
+    app.layout.right = 0.52F;
+    app.layout.right_split = 0.72F;
+}
+
+void show_tab(App& app, BenchTab tab) {
+    close_study(app.studying);
+    app.layout.bench = tab;
+}
+
+void show_training(App& app) {
+    show_tab(app, BenchTab::model);
+    app.model_bench.panel.view = ModelView::training;
+}
+
+void show_findings(App& app) {
+    show_tab(app, BenchTab::compare);
+    app.comparing.panel.view = CompareView::findings;
+}
+
+void tour_from_the_start(App& app) {
+    app.tour.left_at = 0;
+    start_tour(app.ui, app.work, app.layout, app.timeline, app.shown_map, app.physiology, app.tour);
+}
+
+}  // namespace tact

@@ -1,0 +1,28 @@
+// What commands do that takes more than one room, and when they can.
+#pragma once
+
+#include "app/window/app.h"
+
+namespace tact {
+
+bool has_selection(const App& app);
+bool has_answers(const App& app);
+bool has_subset(const App& app);
+bool has_pairs(const App& app);
+bool has_editable_pattern(const App& app);
+
+void remove_chosen_or_selected(App& app);
+void start_rename(App& app);
+void open_effect_export(App& app);
+void swap_alternating(App& app);
+void rewind(App& app);
+void escape(App& app);
+void design_layout(App& app);
+void physiology_layout(App& app);
+void space_layout(App& app);
+void show_tab(App& app, BenchTab tab);
+void show_training(App& app);
+void show_findings(App& app);
+void tour_from_the_start(App& app);
+
+}  // namespace tact
