@@ -225,6 +225,7 @@ Expected<Done> run(const SeparateCommand& command);
 struct FindingsCommand {
     int threads = 0;
     bool json = false;
+    bool morse = false;  // instead: the metrics against what people heard
 };
 Expected<Done> run(const FindingsCommand& command);
 

@@ -137,6 +137,9 @@ void add_findings_command(CLI::App& app, FindingsCommand& command, Chosen& chose
         *app.add_subcommand("findings", "what the publication found, checked one by one");
     add_threads(findings, command.threads);
     findings.add_flag("--json", command.json, "JSON instead of text");
+    findings.add_flag("--morse", command.morse,
+                      "instead: every metric against the ratings of 598 people, who heard 36 Morse "
+                      "signals (Rothkopf 1957)");
     findings.callback([&] { chosen = [&command] { return run(command); }; });
 }
 

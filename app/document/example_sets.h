@@ -10,7 +10,7 @@ struct ExampleSet {
     const char* name;  // that the set has itself
 };
 
-inline constexpr std::array<ExampleSet, 11> kExampleSets{{
+inline constexpr std::array<ExampleSet, 12> kExampleSets{{
     {"sets/pm_2023_twelve.tactspace.json", "PM 2023, twelve patterns"},
     {"library/library.tactspace.json", "Library, forty patterns (our own, not from a study)"},
     {"sets/rhythms_tactspace.tactspace.json", "tactspace rhythms (our own, not from a study)"},
@@ -18,6 +18,8 @@ inline constexpr std::array<ExampleSet, 11> kExampleSets{{
      "Park & Choi 2011, eight AM patterns (4 Hz: paper\u2019s caption)"},
     {"sets/park_choi_2011_am_5hz.tactspace.json",
      "Park & Choi 2011, eight AM patterns (5 Hz: authors\u2019 files)"},
+    {"sets/morse_rothkopf_1957.tactspace.json",
+     "Morse, 36 signals (Rothkopf 1957: rated by ear, not by touch)"},
     {"sets/template_abou_chahine_2022.tactspace.json",
      "Abou Chahine 2022, 14 rhythms (template, unconfirmed)"},
     {"sets/template_hwang_2017_exp1_low_high.tactspace.json",

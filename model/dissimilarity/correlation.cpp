@@ -124,6 +124,26 @@ double spearman(std::span<const double> a, std::span<const double> b) {
     return rho_of(known(a, b));
 }
 
+double partial_spearman(std::span<const double> a, std::span<const double> b,
+                        std::span<const double> given) {
+    assert(a.size() == b.size() && a.size() == given.size() && "values of the same pairs");
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> z;
+    for (std::size_t p = 0; p < a.size(); ++p) {
+        if (!std::isfinite(a[p]) || !std::isfinite(b[p]) || !std::isfinite(given[p])) continue;
+        x.push_back(a[p]);
+        y.push_back(b[p]);
+        z.push_back(given[p]);
+    }
+    const double xz = spearman(x, z);
+    const double yz = spearman(y, z);
+    const double left = (1.0 - xz * xz) * (1.0 - yz * yz);
+    constexpr double kNothingLeft = 1e-12;
+    if (!(left > kNothingLeft)) return kNone;
+    return std::clamp((spearman(x, y) - xz * yz) / std::sqrt(left), -1.0, 1.0);
+}
+
 double kendall_tau_b(std::span<const double> a, std::span<const double> b) {
     const Columns columns = known(a, b);
     const std::vector<double> x = quantised(columns.a);

@@ -23,6 +23,11 @@ namespace tact {
 // Pearson's r of the average ranks; never 1 - 6 sum d^2 / (n (n^2 - 1)), which is wrong for ties.
 double spearman(std::span<const double> a, std::span<const double> b);
 
+// Spearman's rho of what a third quantity `given` does not say of either: r of the ranks, partial.
+// Source: Kendall 1942. NaN where a rank of `given` says all of one side, or as spearman().
+double partial_spearman(std::span<const double> a, std::span<const double> b,
+                        std::span<const double> given);
+
 // (concordant - discordant) / sqrt((pairs untied in a) (pairs untied in b)).
 double kendall_tau_b(std::span<const double> a, std::span<const double> b);
 

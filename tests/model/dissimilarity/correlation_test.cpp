@@ -75,6 +75,25 @@ TEST_CASE("correlation: without an order on either side there is none") {
     CHECK(std::isnan(kendall_tau_b({}, {})));
 }
 
+// Residuals of ranks, after those of `given` and a constant, correlated: SciPy's rankdata and
+// pearsonr, NumPy's lstsq, on these lists.
+TEST_CASE("partial correlation: that of the ranks' residuals, by SciPy") {
+    const Values a{3, 1, 4, 1, 5, 9, 2, 6, 5, 3, 5, 8, 9, 7, 9};
+    const Values b{2, 7, 1, 8, 2, 8, 1, 8, 2, 8, 4, 5, 9, 0, 4};
+    const Values given{1, 1, 2, 3, 5, 8, 1, 3, 2, 1, 3, 4, 5, 5, 8};
+    CHECK(std::abs(partial_spearman(a, b, given) - 0.05553616890107037) < kRounding);
+    // What is not known in one is left out of all.
+    Values more_a = a;
+    Values more_b = b;
+    Values more_given = given;
+    more_a.push_back(100.0);
+    more_b.push_back(100.0);
+    more_given.push_back(kUnknown);
+    CHECK(partial_spearman(more_a, more_b, more_given) == partial_spearman(a, b, given));
+    CHECK(std::isnan(partial_spearman(a, b, a)));
+    CHECK(std::isnan(partial_spearman(a, b, Values(15, 1.0))));
+}
+
 TEST_CASE("correlation: only the order of either side counts") {
     const auto [a, b] = related(12, 3);
     Values cubes = a.condensed;
