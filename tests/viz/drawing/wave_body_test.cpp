@@ -250,4 +250,17 @@ TEST_CASE("wave body: pictures of a tone have no beats, in rows and in thumbnail
     }
 }
 
+TEST_CASE(
+    "wave body: in however narrow a view, a steady wave is a body if a wide one shows it so") {
+    // 5.5 columns of 20 samples to a period.
+    const Tone tone{kRateHz / 110.0};
+    const std::vector<double> samples = samples_of(tone, 0.3);
+    for (double first = 1000.0; first < 1110.0; first += 10.0) {
+        for (const Extremes& column : body_columns(samples, first, first + 40.0, 2, {6.0, 0.01})) {
+            CHECK(column.high > 0.99);
+            CHECK(column.low < -0.99);
+        }
+    }
+}
+
 }  // namespace tact::wave_body_test
