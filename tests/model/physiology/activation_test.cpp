@@ -42,6 +42,16 @@ TEST_CASE("activation: leakage of a tone between bins is felt, unless only peaks
     CHECK(of_tone(1.0, 150.5, Receptor::pacinian, peaks).rate_hz < 160.0);
 }
 
+TEST_CASE("activation: of equal neighbouring bins one is the peak") {
+    NeuralCodingParams peaks;
+    peaks.components = Components::peaks;
+    const Spectrum spectrum{1000.0, 10, {0.0, 0.2, 1.0, 1.0, 0.5, 0.9}};
+    const std::vector<Component> found = components(spectrum, peaks);
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].frequency_hz == 300.0);
+    CHECK(found[1].frequency_hz == 500.0);
+}
+
 TEST_CASE("activation: the rate rises with amplitude and falls with distance to nothing at r_max") {
     double last_hz = 0.0;
     for (const double amplitude_g : {0.05, 0.1, 0.5, 2.0, 5.0, 10.0}) {

@@ -148,4 +148,13 @@ TEST_CASE("ratings: what does not fit the set is named") {
           "expected ratings of 2 patterns, as many as the set has, got 3");
 }
 
+TEST_CASE("ratings: of names that the set has not, the first is said, and how many others") {
+    const auto answer = [](const std::vector<std::string>& labels) {
+        const std::vector<double> condensed(pair_count(labels.size()), 1.0);
+        return spread_over({labels, true, {{"P1", condensed}}}, {"a", "b", "c"}).error().message;
+    };
+    CHECK(answer({"a", "b", "x"}).ends_with("got \"x\""));
+    CHECK(answer({"a", "y", "x"}).ends_with("got \"y\" and 1 more"));
+}
+
 }  // namespace ratings_test

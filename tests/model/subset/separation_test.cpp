@@ -101,6 +101,17 @@ TEST_CASE("separation: each change brings the pattern's PM to all others above t
     }
 }
 
+TEST_CASE("separation: where one step is not enough, larger changes are found") {
+    const PatternSet set = short_set();
+    const Prediction prediction = predicted(set);
+    const double threshold = threshold_at(prediction.pm, 0.4);
+    const auto all = separations(set, prediction, 1, threshold);
+    REQUIRE(all);
+    REQUIRE_FALSE(all->empty());
+    CHECK(all->front().steps > 1.0);
+    CHECK(all->front().nearest > threshold);
+}
+
 TEST_CASE("separation: from a subset alone, changes are found that do not part it from all") {
     const PatternSet set = short_set();
     const Prediction prediction = predicted(set);
@@ -246,6 +257,20 @@ TEST_CASE("stability: drawn thresholds stay within their decibels, and every dra
         CHECK_FALSE(drawn == drawn_params(params, stability, draw + 1));
         CHECK(drawn == drawn_params(params, stability, draw));
     }
+}
+
+TEST_CASE("stability: each choice is made about as often either way") {
+    int all = 0;
+    int causal = 0;
+    constexpr int kDraws = 200;
+    for (std::size_t draw = 0; draw < kDraws; ++draw) {
+        const PerceptualModelParams drawn = drawn_params({}, {}, draw);
+        all += drawn.coding.components == Components::all ? 1 : 0;
+        causal += drawn.envelope.alignment == EnvelopeAlignment::causal ? 1 : 0;
+    }
+    // Of a fair coin, four standard deviations.
+    CHECK(std::abs(all - kDraws / 2) <= 28);
+    CHECK(std::abs(causal - kDraws / 2) <= 28);
 }
 
 TEST_CASE("part of a set: its patterns and their ratings, by names") {

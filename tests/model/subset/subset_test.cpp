@@ -10,6 +10,7 @@
 
 #include "model/common/random.h"
 #include "model/subset/whole_distances.h"
+#include "model/subset/widest_set.h"
 
 namespace subset_test {
 
@@ -282,6 +283,14 @@ TEST_CASE("subset: a pair that nobody rated counts as alike") {
     const Subset both = subset_of(instance.dissimilarity, {0, 1});
     CHECK(both.weakest_dissimilarity == 0.0);
     CHECK(both.sum == 0.0);
+}
+
+TEST_CASE("subset: just as far as the weakest pair is far enough of what is kept") {
+    const WholeDistances whole = whole_distances({3, {2.0, 1.0, 3.0}});
+    const Indices kept{0};
+    const Indices others{1, 2};
+    CHECK(far_from_kept({whole, 2, kept, others}, whole(0, 1)) == Indices{1});
+    CHECK(far_from_kept({whole, 2, kept, others}, whole(0, 2)) == others);
 }
 
 TEST_CASE("whole distances: half ranks of many objects keep their sums and order exactly") {
