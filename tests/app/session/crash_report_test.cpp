@@ -50,7 +50,7 @@ TEST_CASE("crash report: it tells the signal, the stack and the last 16 commands
     CHECK(text->starts_with("tactspace "));
     CHECK(text->find("SIGABRT") != std::string::npos);
     CHECK(text->find("tactspace_tests(") != std::string::npos);
-    CHECK(text->find("  Redo\n  Undo\n") != std::string::npos);
+    CHECK(text->find("newest first\n  Redo\n  Undo\n") != std::string::npos);
     CHECK(text->find("long ago") == std::string::npos);
 }
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "devices/rumble/rumble_plan.h"
 #include "model/signal/waveform.h"
 
 namespace motor_envelope_test {
@@ -175,6 +177,17 @@ TEST_CASE("motors: what is split off below an edge is not delayed") {
     }
     CHECK(same < 0.02);
     CHECK(later > 0.15);
+}
+
+TEST_CASE("rumble plan: a sample that is no number, or none that is finite, is silence") {
+    const double none[] = {std::numeric_limits<double>::quiet_NaN(),
+                           std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()};
+    for (const double sample : none) {
+        const RumblePlan plan(Drive{kModelRateHz, std::vector<double>(500, sample)},
+                              Language::motor_pair, 0.015);
+        CHECK(std::ranges::all_of(plan.drive().samples, [](double x) { return x == 0.0; }));
+    }
 }
 
 }  // namespace motor_envelope_test

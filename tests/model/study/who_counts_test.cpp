@@ -45,6 +45,15 @@ TEST_CASE("who counts: the excluded and rehearsals are left out, each with the r
     CHECK(remarks_on(counted->left_out)[0] == "blind is not counted: identical patterns rated 10");
 }
 
+TEST_CASE("who counts: a rehearsal is left out though nothing else is said of it") {
+    const RatingStudy study{
+        {"a", "b", "c"}, true, {{"good", {1, 2, 3}}, {"dry", {3, 2, 1}}}, {{"dry", false, true}}};
+    const auto counted = who_counts(study);
+    REQUIRE(counted);
+    CHECK(people_of(*counted) == std::vector<std::string>{"good"});
+    CHECK(counted->left_out == std::vector<LeftOutParticipant>{{"dry", kNothingFelt}});
+}
+
 TEST_CASE("who counts: a name brings the excluded back and sends others away, but no rehearsal") {
     const auto counted = who_counts(crowd(), {{"blind"}, {"good"}});
     REQUIRE(counted);
