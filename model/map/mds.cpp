@@ -297,6 +297,23 @@ PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParam
     return space;
 }
 
+std::string remark_on(const PerceptualSpace& space) {
+    switch (space.verdict) {
+        case MdsVerdict::trivial:
+            return std::to_string(space.points.rows()) + " patterns always fit in " +
+                   std::to_string(space.points.cols()) + " dimensions: stress says nothing";
+        case MdsVerdict::constant:
+            return "all dissimilarities are equal: no map is better than another, all points are "
+                   "put at 0";
+        case MdsVerdict::colocated:
+            return "some different patterns fell onto one point";
+        case MdsVerdict::too_few:
+        case MdsVerdict::fine:
+            break;
+    }
+    return {};
+}
+
 MdsParams standard_mds_params(std::size_t objects, int dimensions) {
     MdsParams params;
     params.dimensions = dimensions;

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "model/dissimilarity/dissimilarity.h"
@@ -73,6 +74,9 @@ PerceptualSpace smacof(const Dissimilarity& dissimilarity, const Eigen::MatrixXd
 PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParams& params,
                               std::stop_token stop = {},
                               const std::function<void(std::size_t)>& progress = {});
+
+// Why the map says nothing, or nothing much: a sentence without a full stop, or empty.
+std::string remark_on(const PerceptualSpace& space);
 
 // What this program runs by default for n objects: a hundred random starts for small sets, fewer
 // as a start gets dearer. Window and command line agree by it.

@@ -26,28 +26,11 @@ nlohmann::json json_of(const std::vector<std::string>& labels, const PerceptualS
 }
 
 // What to think of the map, on standard error.
-void print_remarks(const PerceptualSpace& space, std::size_t patterns, int dimensions) {
+void print_remarks(const PerceptualSpace& space) {
     std::fprintf(stderr, "tactspace: stress-1 %.4f, %s\n", space.stress1,
                  stress_label(space.stress1).c_str());
-    switch (space.verdict) {
-        case MdsVerdict::trivial:
-            std::fprintf(stderr,
-                         "tactspace: %zu patterns always fit in %d dimensions: stress says "
-                         "nothing\n",
-                         patterns, dimensions);
-            break;
-        case MdsVerdict::constant:
-            std::fprintf(stderr,
-                         "tactspace: all dissimilarities are equal: no map is better than "
-                         "another, all points are put at 0\n");
-            break;
-        case MdsVerdict::colocated:
-            std::fprintf(stderr, "tactspace: some different patterns fell onto one point\n");
-            break;
-        case MdsVerdict::too_few:
-        case MdsVerdict::fine:
-            break;
-    }
+    const std::string remark = remark_on(space);
+    if (!remark.empty()) std::fprintf(stderr, "tactspace: %s\n", remark.c_str());
 }
 
 }  // namespace
@@ -72,7 +55,7 @@ Expected<Done> run(const SpaceCommand& command) {
     params.threads = command.common.threads;
     if (command.starts >= 0) params.random_starts = command.starts;
     const PerceptualSpace space = nonmetric_mds(prediction.pm, params);
-    print_remarks(space, labels.size(), command.dimensions);
+    print_remarks(space);
     const Expected<Done> written = write_result(command.out, [&](std::ostream& stream) {
         if (command.common.json) {
             stream << json_of(labels, space).dump() << "\n";
