@@ -1,0 +1,181 @@
+// The Python module tactspace: the same numbers as the program's, for notebooks, and for R through
+// reticulate.
+//
+// Input     arrays and dicts (app/python/values.h)
+// Output    help.h says what of each function; tactspace.pyi has the types
+// Left out  what a screen or a device is needed for; export, studies and candidates, which the
+//           command line has.
+// Exact     same bits as the command line.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+
+#include "app/python/beside_python.h"
+#include "app/python/functions.h"
+#include "app/python/help.h"
+#include "app/python/values.h"
+#include "model/evaluation/metric_matrix.h"
+#include "model/map/mds.h"
+#include "model/perceptual_model/rhythm_envelope.h"
+#include "model/physiology/neural_coding.h"
+#include "model/signal/resample.h"
+#include "model/subset/subset.h"
+
+namespace tact {
+
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+py::array predict_matrix(const py::object& waves, const std::string& metric, double rate_hz,
+                         int threads, const py::object& model) {
+    const Metric by = value_of(metric_named(metric));
+    const PerceptualModelParams params = model_of(model);
+    MetricOptions options;
+    options.threads = threads_of(threads);
+    std::vector<Waveform> given = waves_of(waves, rate_hz);
+    if (given.size() < 2) {
+        throw py::value_error("waves: expected at least two to compare, got " +
+                              std::to_string(given.size()));
+    }
+    return square_array(*beside_python([&](std::stop_token stop) {
+        options.stop = stop;
+        return metric_matrix(by, at_model_rate(std::move(given)), params, options);
+    }));
+}
+
+py::dict dict_of(const ChannelStages& channel, const Activation& activation,
+                 const std::vector<int>& central) {
+    const ReceptorGrid& grid = channel.grid;
+    const auto of_each = [&grid](auto value) {
+        std::vector<double> values;
+        for (const GridReceptor& one : grid.receptors) values.push_back(value(one));
+        return array_of(values);
+    };
+    const auto receptors = static_cast<py::ssize_t>(grid.receptors.size());
+    const auto steps = static_cast<py::ssize_t>(central.size());
+    py::array_t<int> spikes({receptors, steps});
+    for (py::ssize_t k = 0; k < receptors; ++k) {
+        const std::vector<int>& counts = channel.spike_count[static_cast<std::size_t>(k)];
+        std::ranges::copy(counts, spikes.mutable_data(k, 0));
+    }
+    return py::dict(
+        "rate_imp_per_s"_a = activation.rate_hz, "slope_sum_imp_per_s"_a = activation.slope_sum,
+        "radius_mm"_a = activation.radius_mm, "receptors"_a = grid.activated,
+        "silent"_a = channel.silent, "filtered_g"_a = array_of(channel.filtered_g),
+        "perceived"_a = array_of(channel.perceived),
+        "x_mm"_a = of_each([&](const GridReceptor& one) { return grid.x_mm(one); }),
+        "y_mm"_a = of_each([&](const GridReceptor& one) { return grid.y_mm(one); }),
+        "receptor_rate_imp_per_s"_a = of_each([](const GridReceptor& one) { return one.rate_hz; }),
+        "spikes"_a = spikes, "central"_a = array_of(central));
+}
+
+py::dict dict_of(const std::vector<Component>& components) {
+    const auto of_each = [&components](double Component::*field) {
+        std::vector<double> values;
+        for (const Component& one : components) values.push_back(one.*field);
+        return array_of(values);
+    };
+    return py::dict("frequency_hz"_a = of_each(&Component::frequency_hz),
+                    "acceleration_g"_a = of_each(&Component::amplitude_g),
+                    "skin_um"_a = of_each(&Component::skin_um));
+}
+
+py::dict stages(const py::object& wave, double rate_hz, const py::object& model) {
+    const PerceptualModelParams params = model_of(model);
+    within(rate_hz, "rate_hz", {kLowestRateHz, kHighestRateHz});
+    Waveform input = wave_of(wave, "wave", rate_hz);
+    const NeuralCodingStages made = beside_python([&](std::stop_token stop) {
+        input = resampled(input, kModelRateHz);
+        return neural_coding_stages(input, params.coding, KeepLayers::none, {.stop = stop});
+    });
+    py::dict channels;
+    for (const Receptor receptor : kReceptors) {
+        const std::size_t c = index_of(receptor);
+        channels[traits(receptor).afferent] =
+            dict_of(made.channel[c], made.code.activation[c], made.code.central_count[c]);
+    }
+    return py::dict(
+        "wave"_a = array_of(input.samples_g), "components"_a = dict_of(made.components),
+        "channels"_a = channels,
+        "brain"_a = array_of(predicted_brain_waveform(made.code, params.channel_weight)),
+        "envelope"_a = array_of(rhythm_envelope(input.samples_g, params.envelope)));
+}
+
+py::tuple space(const py::object& matrix, int dimensions, int threads) {
+    const Dissimilarity dissimilarity = dissimilarities_of(matrix, "D");
+    MdsParams params =
+        standard_mds_params(dissimilarity.size, whole_within(dimensions, "dimensions", {1, 10}));
+    params.threads = threads_of(threads);
+    const PerceptualSpace made = beside_python(
+        [&](std::stop_token stop) { return nonmetric_mds(dissimilarity, params, stop); });
+    warn(remark_on(made));
+    return py::make_tuple(array_of(made.points), made.stress1);
+}
+
+py::dict subset(const py::object& matrix, int k, const std::vector<long>& keep,
+                const std::vector<long>& drop, const std::string& objective, int threads,
+                double time_limit_s) {
+    const Dissimilarity dissimilarity = dissimilarities_of(matrix, "D");
+    constexpr const char* kObjectives[] = {"max-min", "max-sum"};
+    const bool by_sum = choice_of(objective, "objective", kObjectives) == 1;
+    whole_within(k, "k", {2, static_cast<double>(dissimilarity.size)});
+    const SubsetProblem problem{
+        static_cast<std::size_t>(k), by_sum ? SubsetObjective::max_sum : SubsetObjective::max_min,
+        places_of(keep, "keep", dissimilarity.size), places_of(drop, "drop", dissimilarity.size)};
+    SubsetOptions options;
+    options.threads = threads_of(threads);
+    options.time_limit_s =
+        within(time_limit_s, "time_limit_s", {0.0, std::numeric_limits<double>::infinity()});
+    const SubsetAnswer answer = value_of(beside_python([&](std::stop_token stop) {
+        options.stop = stop;
+        return most_distinct_subset(dissimilarity, problem, options);
+    }));
+    const Subset& best = answer.best;
+    const std::vector<int> members(best.members.begin(), best.members.end());
+    return py::dict("members"_a = array_of(members), "weakest"_a = best.weakest,
+                    "weakest_dissimilarity"_a = best.weakest_dissimilarity, "sum"_a = best.sum,
+                    "optimal"_a = answer.proof == SubsetProof::optimal, "bound"_a = answer.bound);
+}
+
+py::array render_pattern(const py::dict& pattern, double rate_hz) {
+    const Pattern drawn = pattern_of(pattern);
+    within(rate_hz, "rate_hz", {kLowestRateHz, kHighestRateHz});
+    return array_of(
+        beside_python([&](const std::stop_token&) { return render(drawn, rate_hz); }).samples_g);
+}
+
+PYBIND11_MODULE(tactspace, module) {
+    py::options plain;
+    plain.disable_function_signatures();  // help.h has them, as inspect.signature() reads them
+    const auto none = py::none();
+    const py::tuple nobody;
+    module.doc() = help::kModule;
+    module.attr("__version__") = TACT_VERSION;
+    py::list metrics;
+    for (const Metric metric : kMetrics) metrics.append(traits(metric).key);
+    module.attr("metrics") = py::tuple(metrics);
+    module.def("predict", predict_matrix, help::kPredict, "waves"_a, "metric"_a = "pm",
+               "rate_hz"_a = kModelRateHz, "threads"_a = 0, "model"_a = none);
+    module.def("stages", stages, help::kStages, "wave"_a, "rate_hz"_a = kModelRateHz,
+               "model"_a = none);
+    module.def("space", space, help::kSpace, "D"_a, "dimensions"_a = 3, "threads"_a = 0);
+    module.def("subset", subset, help::kSubset, "D"_a, "k"_a, "keep"_a = nobody, "drop"_a = nobody,
+               "objective"_a = "max-min", "threads"_a = 0, "time_limit_s"_a = 60.0);
+    module.def("compare", compare, help::kCompare, "D"_a, "ratings"_a, "metric"_a = "",
+               "threads"_a = 0);
+    module.def("train", train_sets, help::kTrain, "sets"_a, "objective"_a = "mean-rho",
+               "step"_a = 0.1, "leave_out"_a = "", "rate_hz"_a = kModelRateHz, "threads"_a = 0,
+               "model"_a = none);
+    module.def("render", render_pattern, help::kRender, "pattern"_a, "rate_hz"_a = kModelRateHz);
+    module.def("read_set", read_set, help::kReadSet, "path"_a);
+    module.def("read_ratings", read_ratings_file, help::kReadRatings, "path"_a, "names"_a = none,
+               "scale"_a = "guess");
+}
+
+}  // namespace
+
+}  // namespace tact

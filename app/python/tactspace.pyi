@@ -1,0 +1,104 @@
+"""Types of the module tactspace; help(tactspace) has shapes, units and errors."""
+
+from os import PathLike
+from typing import Any, Mapping, Sequence, TypedDict
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Numbers = NDArray[np.float64]
+Counts = NDArray[np.int32]
+
+__version__: str
+metrics: tuple[str, ...]
+
+class Ratings(TypedDict, total=False):
+    names: list[str]
+    named: bool
+    participants: list[str]
+    ratings: Numbers
+    mean: Numbers
+    synthetic: list[str]
+    left_out: list[dict[str, str]]
+    remarks: list[str]
+
+class Set(TypedDict):
+    name: str
+    names: list[str]
+    waves: list[Numbers]
+    rate_hz: float
+    patterns: list[dict[str, Any] | None]
+    model: dict[str, Any]
+    ratings: Ratings | None
+    measures: list[str]
+    synthetic: list[bool]
+    locked: list[int]
+    dropped: list[int]
+    remarks: list[str]
+
+class Channel(TypedDict):
+    rate_imp_per_s: float
+    slope_sum_imp_per_s: float
+    radius_mm: float
+    receptors: int
+    silent: bool
+    filtered_g: Numbers
+    perceived: Numbers
+    x_mm: Numbers
+    y_mm: Numbers
+    receptor_rate_imp_per_s: Numbers
+    spikes: Counts
+    central: Counts
+
+class Stages(TypedDict):
+    wave: Numbers
+    components: dict[str, Numbers]
+    channels: dict[str, Channel]
+    brain: Numbers
+    envelope: Numbers
+
+class Subset(TypedDict):
+    members: Counts
+    weakest: tuple[int, int]
+    weakest_dissimilarity: float
+    sum: float
+    optimal: bool
+    bound: float
+
+def predict(
+    waves: ArrayLike | Sequence[ArrayLike],
+    metric: str = "pm",
+    rate_hz: float = 10000.0,
+    threads: int = 0,
+    model: Mapping[str, Any] | None = None,
+) -> Numbers: ...
+def stages(
+    wave: ArrayLike, rate_hz: float = 10000.0, model: Mapping[str, Any] | None = None
+) -> Stages: ...
+def space(D: ArrayLike, dimensions: int = 3, threads: int = 0) -> tuple[Numbers, float]: ...
+def subset(
+    D: ArrayLike,
+    k: int,
+    keep: Sequence[int] = (),
+    drop: Sequence[int] = (),
+    objective: str = "max-min",
+    threads: int = 0,
+    time_limit_s: float = 60.0,
+) -> Subset: ...
+def compare(
+    D: ArrayLike, ratings: Ratings | ArrayLike, metric: str = "", threads: int = 0
+) -> dict[str, Any]: ...
+def train(
+    sets: Sequence[Mapping[str, Any]],
+    objective: str = "mean-rho",
+    step: float = 0.1,
+    leave_out: str = "",
+    rate_hz: float = 10000.0,
+    threads: int = 0,
+    model: Mapping[str, Any] | None = None,
+) -> dict[str, Any]: ...
+def render(pattern: Mapping[str, Any], rate_hz: float = 10000.0) -> Numbers: ...
+def read_set(path: str | PathLike[str]) -> Set: ...
+def read_ratings(
+    path: str | PathLike[str], names: Sequence[str] | None = None, scale: str = "guess"
+) -> Ratings: ...

@@ -1,0 +1,167 @@
+"""What is taken for an array, and what is refused with which words."""
+
+import decimal
+import unittest
+import warnings
+
+import numpy as np
+import tactspace
+from places import twelve
+
+GIVEN = tactspace.read_set(twelve)
+WAVES = np.array(GIVEN["waves"])
+
+
+class Arrays(unittest.TestCase):
+    def test_any_layout_and_type_of_the_same_numbers_is_the_same(self):
+        # Numbers that every type holds.
+        waves = np.round(WAVES[:3] * 100.0)
+        expected = tactspace.predict(waves)
+        strided = np.repeat(np.repeat(waves, 2, axis=0), 2, axis=1)[::2, ::2]
+        self.assertFalse(strided.flags["C_CONTIGUOUS"])
+        read_only = waves.copy()
+        read_only.flags.writeable = False
+        for name, given in {
+            "float32": waves.astype(np.float32), "int16": waves.astype(np.int16),
+            "big-endian": waves.astype(">f8"), "Fortran": np.asfortranarray(waves),
+            "strided": strided, "backwards": waves[:, ::-1][:, ::-1], "read only": read_only,
+            "rows": list(waves), "tuple": tuple(waves), "lists": waves.tolist(),
+        }.items():
+            with self.subTest(name):
+                np.testing.assert_array_equal(tactspace.predict(given), expected)
+
+    def test_a_condensed_matrix_is_its_square(self):
+        square = tactspace.predict(WAVES)
+        pairs = square[np.triu_indices(12, 1)]
+        for given in (pairs, pairs.tolist(), square.tolist(), np.asfortranarray(square)):
+            points, stress = tactspace.space(given, 2)
+            np.testing.assert_array_equal(points, tactspace.space(square, 2)[0])
+            self.assertEqual(points.shape, (12, 2))
+            self.assertEqual(tactspace.subset(given, 5)["members"].tolist(),
+                             tactspace.subset(square, 5)["members"].tolist())
+
+    def test_what_comes_back_is_ones_own(self):
+        first = tactspace.predict(WAVES[:3])
+        first[:] = -1.0
+        self.assertTrue((tactspace.predict(WAVES[:3]) >= 0.0).all())
+        self.assertEqual(first.dtype, np.float64)
+
+    def test_other_rates_are_resampled(self):
+        tone = {"carriers": [{"frequency_hz": 150}], "duration_s": 0.5}
+        high = {"carriers": [{"frequency_hz": 230}], "duration_s": 0.5}
+        slow = [tactspace.render(one, 5000) for one in (tone, high)]
+        self.assertEqual([len(wave) for wave in slow], [2500, 2500])
+        self.assertEqual(len(tactspace.stages(slow[0], 5000)["wave"]), 5000)
+        np.testing.assert_allclose(tactspace.predict(slow, "rmse", 5000),
+                                   tactspace.predict([tactspace.render(one) for one in (tone, high)], "rmse"),
+                                   atol=1e-3)  # the ends of what was cut off
+        self.assertEqual(tactspace.predict(slow, rate_hz=5000).shape, (2, 2))
+
+    def test_numbers_of_numpy_in_a_pattern(self):
+        pattern = {"amplitude_g": np.float32(0.5), "carriers": ({"frequency_hz": np.int64(100)},)}
+        plain = {"amplitude_g": 0.5, "carriers": [{"frequency_hz": 100}]}
+        np.testing.assert_array_equal(tactspace.render(pattern), tactspace.render(plain))
+
+    def test_maps_that_say_nothing_warn(self):
+        with self.assertWarnsRegex(UserWarning, "3 patterns always fit in 3 dimensions: stress says"):
+            tactspace.space([1.0, 2.0, 3.0])
+        with self.assertWarnsRegex(UserWarning, "all dissimilarities are equal"):
+            tactspace.space(np.ones(10))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            tactspace.space(tactspace.predict(WAVES))
+
+
+class Refusals(unittest.TestCase):
+    def refused(self, sentence, function, *arguments, **named):
+        with self.assertRaises(ValueError) as caught:
+            function(*arguments, **named)
+        self.assertIn(sentence, str(caught.exception))
+
+    def test_waves(self):
+        predict = tactspace.predict
+        nan = WAVES[:3].copy()
+        nan[2, 17] = np.nan
+        huge = [WAVES[0], WAVES[1] * 1e9]
+        self.refused("waves: expected at least two to compare, got 1", predict, WAVES[:1])
+        self.refused("waves: expected at least two to compare, got 0", predict, [])
+        self.refused("waves[2][17]: expected at most 1,000,000 g, got nan", predict, nan)
+        self.refused("waves[1][", predict, huge)
+        self.refused("waves: expected an array (n, samples), got shape (10000,)", predict, WAVES[0])
+        self.refused("waves[1]: expected samples, got none", predict, [WAVES[0], []])
+        self.refused("waves[0]: expected samples along one axis, got shape ()", predict, [1.0, 2.0])
+        self.refused("waves[0]: expected at most 60 s, got 60.0001 s", predict, np.zeros((2, 600001)))
+        self.refused("waves: expected real numbers", predict, WAVES[:2] * 1j)
+        self.refused("waves[0]: expected real numbers", predict, "ab")
+        self.refused("waves[0]: expected real numbers", predict, [["1", "2"], ["3", "4"]])
+        self.refused("waves[0]: expected real numbers", predict, [[decimal.Decimal(1)], [1.0]])
+        self.refused("waves[0]: expected real numbers", predict, [[[1.0], [1.0, 2.0]], [1.0]])
+        self.refused("waves: expected an array (n, samples) or a list of arrays", predict, {"a": 1})
+        self.refused("rate_hz: expected 100 to 1e+07, got 50", predict, WAVES, rate_hz=50)
+        self.refused("rate_hz: expected 100 to 1e+07, got nan", predict, WAVES, rate_hz=np.nan)
+        self.refused("threads: expected 0 to 1024, got -1", predict, WAVES, threads=-1)
+        self.refused("wave: expected samples along one axis, got shape (12, 10000)",
+                     tactspace.stages, WAVES)
+
+    def test_names(self):
+        self.refused("st-sim", tactspace.predict, WAVES, "st_sim")
+        self.refused('objective: expected one of "max-min", "max-sum", got "sum"',
+                     tactspace.subset, np.ones(3), 2, objective="sum")
+        self.refused('scale: expected one of "guess"', tactspace.read_ratings, "x.csv", scale="likert")
+
+    def test_matrices(self):
+        space = tactspace.space
+        square = tactspace.predict(WAVES)
+        uneven = square.copy()
+        uneven[1, 0] += 1.0
+        diagonal = square.copy()
+        diagonal[2, 2] = 3.0
+        self.refused("D: expected the distances of 2 to 10,000 objects", space, np.ones(4))
+        self.refused("or as n (n - 1) / 2 pairs, got shape (2, 3)", space, np.ones((2, 3)))
+        self.refused("D: expected the distances", space, [[0.0]])
+        self.refused("D[1, 0]: expected the same as the other way round", space, uneven)
+        self.refused("D[2, 2]: expected 0 on the diagonal, got 3", space, diagonal)
+        self.refused("D: expected finite numbers, or NaN, got infinity", space, [1.0, np.inf, 2.0])
+        self.refused("dimensions: expected 1 to 10, got 0", space, square, 0)
+        self.refused("k: expected 2 to 12, got 13", tactspace.subset, square, 13)
+        self.refused("keep: expected places 0 to 11, got -1", tactspace.subset, square, 3, [-1])
+        self.refused("drop: expected places 0 to 11, got 12", tactspace.subset, square, 3, drop=[12])
+        self.refused("one pattern cannot be both kept and dropped",
+                     tactspace.subset, square, 3, [1], [1])
+
+    def test_ratings(self):
+        square = tactspace.predict(WAVES)
+        self.refused("ratings: expected those of the 12 patterns of D, got 3",
+                     tactspace.compare, square, [1.0, 2.0, 3.0])
+        self.refused('there is no "participants"', tactspace.compare, square, {"names": ["a"]})
+        self.refused("ratings: expected a row a participant, a column a pair, (1, 3), got (1, 2)",
+                     tactspace.compare, [1.0, 2.0, 3.0],
+                     {"names": list("abc"), "participants": ["p"], "ratings": [[1.0, 2.0]]})
+        self.refused("sets: expected at least one", tactspace.train, [])
+        self.refused('sets[0]: expected a dict with "waves" and "ratings"', tactspace.train, [GIVEN])
+        self.refused("sets[0]: expected ratings of its 12 waves, got those of 3 patterns",
+                     tactspace.train, [dict(GIVEN, ratings=[1.0, 2.0, 3.0])])
+        self.refused("step: expected 1 divided by a whole number up to 40",
+                     tactspace.train, [dict(GIVEN, ratings=square)], step=0.3)
+        self.refused("leave_out: expected several sets", tactspace.train,
+                     [dict(GIVEN, ratings=square)], leave_out="sets")
+
+    def test_documents(self):
+        self.refused("pattern: /amplitude_g: expected", tactspace.render, {"amplitude_g": -1})
+        self.refused('pattern: expected the keys of a set file, got {"amplitud_g":1}',
+                     tactspace.render, {"amplitud_g": 1})
+        self.refused("pattern: expected the keys of a set file", tactspace.render,
+                     {"carriers": [{"frequncy_hz": 1}]})
+        self.refused("pattern: /rhythm/text: expected a rhythm", tactspace.render,
+                     {"rhythm": {"text": "??"}})
+        self.refused("model: /nc_weight: expected", tactspace.predict, WAVES, model={"nc_weight": "x"})
+        self.refused("model: expected the keys of a set file", tactspace.predict, WAVES,
+                     model={"coding": {"layers": 3}})
+        self.refused("there.json", tactspace.read_set, "not/there.json")
+        self.refused("there.csv", tactspace.read_ratings, "not/there.csv")
+        with self.assertRaises(TypeError):
+            tactspace.render({"amplitude_g": object()})
+
+
+if __name__ == "__main__":
+    unittest.main()

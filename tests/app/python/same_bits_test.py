@@ -1,0 +1,199 @@
+"""The module and the command line give the same bits."""
+
+import csv
+import functools
+import io
+import pathlib
+import tempfile
+import unittest
+import warnings
+
+import numpy as np
+import tactspace
+from places import four, morse, root, run, run_json, sets, simulated_ratings, twelve
+
+
+@functools.cache
+def read(path):
+    return tactspace.read_set(path)
+
+
+@functools.cache
+def pm(path):
+    return tactspace.predict(read(path)["waves"], model=read(path)["model"])
+
+
+def condensed(square):
+    return square[np.triu_indices(len(square), 1)]
+
+
+def table(text):
+    """Cells of a CSV, without its first line and the names in its first column."""
+    return np.array([[float(cell) for cell in row[1:]] for row in list(csv.reader(io.StringIO(text)))[1:]])
+
+
+class SameBits(unittest.TestCase):
+    def setUp(self):
+        # Of synthetic ratings and of maps that say little there is nothing new to be said here.
+        silence = warnings.catch_warnings()
+        silence.__enter__()
+        self.addCleanup(silence.__exit__, None, None, None)
+        warnings.simplefilter("ignore")
+
+    def same(self, ours, theirs):
+        """Equal numbers, NaN included; no tolerance."""
+        np.testing.assert_array_equal(np.asarray(ours, float), np.asarray(theirs, float))
+
+    def test_pm_of_every_bundled_set(self):
+        self.assertGreaterEqual(len(sets), 10)
+        for path in sets:
+            with self.subTest(path.name):
+                self.same(condensed(pm(path)), run_json("predict", path)["condensed"])
+                self.same(pm(path), pm(path).T)
+
+    def test_maps_of_every_bundled_set(self):
+        for path in sets:
+            with self.subTest(path.name):
+                points, stress = tactspace.space(pm(path))
+                theirs = run_json("space", path)
+                self.same(points, theirs["coordinates"])
+                self.assertEqual(stress, theirs["stress1"])
+
+    def test_subsets_of_every_bundled_set(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "matrix.csv")
+            for path in sets:
+                run("predict", path, "--out", file)
+                self.same(pm(path), table(file.read_text()))
+                for objective in ("max-min", "max-sum"):
+                    with self.subTest(path.name, objective=objective):
+                        self.same_subset(path, file, objective)
+
+    def same_subset(self, path, matrix, objective):
+        given = read(path)
+        names = given["names"]
+        ours = tactspace.subset(
+            pm(path), 4, given["locked"] + [2], given["dropped"] + [0], objective)
+        theirs = run_json("subset", path, "-k", 4, "--keep", names[2], "--drop", names[0],
+                          "--objective", objective, "--matrix", matrix)
+        weakest = theirs["weakest"]
+        self.assertEqual([names[k] for k in ours["members"]], theirs["patterns"])
+        self.assertEqual([names[k] for k in ours["weakest"]], [weakest["a"], weakest["b"]])
+        self.assertEqual(ours["weakest_dissimilarity"], weakest["dissimilarity"])
+        self.assertEqual((ours["sum"], ours["bound"], ours["optimal"]),
+                         (theirs["sum"], theirs["bound"], theirs["optimal"]))
+
+    def test_every_metric(self):
+        path = four
+        waves = tactspace.read_set(path)["waves"]
+        for metric in tactspace.metrics:
+            with self.subTest(metric):
+                self.same(condensed(tactspace.predict(waves, metric)),
+                          run_json("predict", path, "--metric", metric)["condensed"])
+
+    def test_waves_of_unlike_lengths_are_padded_as_in_a_set(self):
+        with tempfile.TemporaryDirectory() as folder:
+            waves = [wave[:length] for wave, length in
+                     zip(tactspace.read_set(twelve)["waves"], (10000, 7000, 4321))]
+            for k, wave in enumerate(waves):
+                pathlib.Path(folder, f"{k}.txt").write_text("".join(f"{x!r}\n" for x in wave.tolist()))
+            for metric in ("pm", "dtw", "rmse"):
+                self.same(condensed(tactspace.predict(waves, metric)),
+                          run_json("predict", folder, "--metric", metric)["condensed"])
+
+    def test_the_model_of_a_set(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "other.tactspace.json")
+            model = '"model": {"nc_weight": 0.9, "coding": {"excitatory_layers": 1, "spike_cap": 7}}'
+            path.write_text(twelve.read_text().rstrip().rstrip("}") + ", " + model + "}")
+            given = tactspace.read_set(path)
+            ours = tactspace.predict(given["waves"], model=given["model"])
+            self.same(condensed(ours), run_json("predict", path)["condensed"])
+            self.assertTrue(np.any(ours != tactspace.predict(given["waves"])))
+
+    def test_any_number_of_threads(self):
+        waves = tactspace.read_set(twelve)["waves"]
+        self.same(tactspace.predict(waves, threads=1), tactspace.predict(waves, threads=3))
+
+    def test_stages_are_those_of_the_program(self):
+        given = tactspace.read_set(twelve)
+        ours = tactspace.stages(given["waves"][3])
+        with tempfile.TemporaryDirectory() as folder:
+            run("stages", twelve, "--pattern", given["names"][3], "--out", folder)
+            theirs = {file.stem: file.read_text() for file in pathlib.Path(folder).iterdir()}
+        self.same(ours["wave"], table(theirs["input"])[:, 0])
+        self.same(ours["brain"], table(theirs["brain_waveform"])[:, 0])
+        self.same(ours["envelope"], table(theirs["envelope"])[:, 0])
+        spikes = 0
+        for row in csv.DictReader(io.StringIO(theirs["spikes"])):
+            channel = ours["channels"][row["receptor"]]
+            self.assertEqual(channel["spikes"][int(row["number"]), int(row["step"])], int(row["spikes"]))
+            spikes += int(row["spikes"])
+        self.assertEqual(spikes, sum(int(c["spikes"].sum()) for c in ours["channels"].values()))
+        for row in csv.DictReader(io.StringIO(theirs["activation"])):
+            channel = ours["channels"][row["receptor"]]
+            for key in ("rate_imp_per_s", "radius_mm", "receptors", "silent"):
+                self.assertEqual(float(channel[key]), float(row[key]))
+
+    def test_patterns_of_a_set_render_to_its_waves(self):
+        for path in [*sets, root / "assets/library/library.tactspace.json"]:
+            given = tactspace.read_set(path)
+            for pattern, wave in zip(given["patterns"], given["waves"]):
+                self.same(tactspace.render(pattern), wave)
+
+    def test_agreement_with_people(self):
+        keys = ["rho", "rho_low", "rho_high", "p", "tau_b", "K", "K_low", "K_high", "K_chance", "K_p",
+                "K_corrected", "K_procrustes", "stress1", "reliability", "one_with_others",
+                "ceiling_of_mean", "participants", "synthetic"]
+        with tempfile.TemporaryDirectory() as folder:
+            path = four
+            file = simulated_ratings(path, folder)
+            given = tactspace.read_set(path)
+            ratings = tactspace.read_ratings(file, given["names"])
+            self.assertEqual(len(ratings["synthetic"]), 4)
+            metrics = ("pm", "spqi", "mtm", "level")
+            rows = run_json("compare", path, "--ratings", file, *(f"--metric={m}" for m in metrics))
+            for metric, row in zip(metrics, rows, strict=True):
+                with self.subTest(metric):
+                    matrix = tactspace.predict(given["waves"], metric)
+                    ours = tactspace.compare(matrix, ratings, metric)
+                    for key in keys:
+                        theirs = float("nan") if row[key] is None else row[key]
+                        np.testing.assert_array_equal(ours[key], theirs, key)
+            # Of the mean alone nobody knows how far people agree; rho is the same.
+            alone = tactspace.compare(tactspace.predict(given["waves"]), ratings["mean"])
+            self.assertEqual(alone["rho"], rows[0]["rho"])
+            self.assertTrue(np.isnan(alone["reliability"]))
+
+    def test_a_set_brings_its_own_ratings_along(self):
+        ratings = read(morse)["ratings"]
+        self.assertEqual(ratings["participants"], ["598 people, by ear"])
+        self.assertIsNone(read(twelve)["ratings"])
+        row = run_json("compare", morse, "--metric", "level")[0]
+        ours = tactspace.compare(tactspace.predict(read(morse)["waves"], "level"), ratings)
+        self.assertEqual((ours["rho"], ours["p"], ours["K"]), (row["rho"], row["p"], row["K"]))
+
+    def test_trained_parameters(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = four
+            file = simulated_ratings(path, folder)
+            given = tactspace.read_set(path)
+            given["ratings"] = tactspace.read_ratings(file, given["names"])
+            options = {"objective": "mean-abs-rho", "step": 0.5, "leave_out": "participants"}
+            ours = tactspace.train([given], **options)
+            theirs = run_json("train", path, "--ratings", file, "--objective", "mean-abs-rho",
+                              "--step", 0.5, "--leave-out", "participants")
+            for key in ("parameters", "parameters_before", "value", "value_before", "combinations",
+                        "equally_good", "share_near_best", "synthetic"):
+                self.assertEqual(ours[key], theirs[key], key)
+            self.assertEqual([one["value"] for one in ours["without_participant"]],
+                             [one["value"] for one in theirs["without_participant"]])
+            self.assertEqual(ours["sets"][0]["rho_after"], theirs["sets"][0]["rho_after"])
+            # What was trained is a model to predict with.
+            matrix = tactspace.predict(given["waves"], model=ours["model"])
+            self.assertEqual(tactspace.compare(matrix, given["ratings"])["rho"],
+                             ours["sets"][0]["rho_after"])
+
+
+if __name__ == "__main__":
+    unittest.main()
