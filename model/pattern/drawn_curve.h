@@ -28,21 +28,27 @@ inline AmplitudeCurve heights_of(const FrequencyCurve& curve) {
     return heights;
 }
 
-// Keeps at most so many points (model/signal/thinning.h), and gives the largest error of those that
-// are gone, in the curve's unit.
+// Keeps at most so many points (model/signal/thinning.h), and gives how far off those are that are
+// gone, in the curve's unit.
 template <class Point>
-double thin(std::vector<Point>& curve, std::size_t most_points, double tolerance) {
+Thinning thin_by(std::vector<Point>& curve, std::size_t most_points, double tolerance,
+                 const ThinningWeight& weight) {
     std::vector<double> times_s;
     std::vector<double> heights;
     for (const Point& point : curve) {
         times_s.push_back(point.time_s);
         heights.push_back(height_of(point));
     }
-    const Thinning line = thinned(times_s, heights, most_points, tolerance);
+    Thinning line = thinned(times_s, heights, most_points, tolerance, weight);
     std::vector<Point> kept;
     for (const std::size_t k : line.kept) kept.push_back(curve[k]);
     curve = std::move(kept);
-    return line.largest_error;
+    return line;
+}
+
+template <class Point>
+double thin(std::vector<Point>& curve, std::size_t most_points, double tolerance) {
+    return thin_by(curve, most_points, tolerance, {}).largest_error;
 }
 
 }  // namespace tact

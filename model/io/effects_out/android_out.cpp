@@ -50,6 +50,9 @@ AndroidEnvelope android_envelope(const Pattern& pattern, const ActuatorMap& map,
     rules.least_gap_s = kShortestSegmentS;
     rules.frequency_unit = std::max(map.frequency_hz.high - map.frequency_hz.low, 1.0);
     rules.from_silence = true;
+    rules.felt = [full_g](const Knot& knot) {
+        return FeltTone{full_g * knot.amplitude, knot.frequency};
+    };
     const FittedKnots fit =
         fitted_knots(curves.amplitude, heights_of(hz), curves.duration_s, rules);
     remark_fit(fit, rules, curves.duration_s, " Hz", remarks);

@@ -173,6 +173,10 @@ WrittenEffect write_he(const Pattern& pattern, const EffectTarget& target) {
         rules.most = kMostContinuous * (kMostHePoints - 1) / 2;  // 5 s may cut an event before
         rules.least_gap_s = 0.001;
         rules.tolerance = 1e-9;
+        rules.felt = [&](const Knot& knot) {
+            return FeltTone{continuous_g(target.map, knot.amplitude),
+                            frequency_hz(target.map, knot.frequency)};
+        };
         const FittedKnots fit =
             fitted_knots(shares.amplitude, shares.frequency, shares.duration_s, rules);
         remark_fit(fit, rules, shares.duration_s, " of the band", remarks);

@@ -83,27 +83,50 @@ std::vector<Knot> candidates_of(const AmplitudeCurve& amplitude, const Amplitude
     return all;
 }
 
-// Adds the candidate that is farthest off and has room; false where none is.
-bool add_worst(std::vector<Knot>& kept, const std::vector<Knot>& candidates,
-               const KnotRules& rules) {
+double felt_db(const Knot& asked, const Knot& got, const KnotRules& rules) {
+    return rules.felt ? felt_error_db(rules.felt(asked), rules.felt(got)) : 0.0;
+}
+
+// A knot that there may be, and how far off the lines are where it is.
+struct Candidate {
+    Knot knot;
+    bool has_room = false;
+    double off = 0.0;
+    double felt_db = 0.0;
+};
+
+// Of those between two knots that follow each other.
+void measure_between(std::vector<Candidate>& candidates, const Knot& left, const Knot& right,
+                     const KnotRules& rules) {
     const double least_s = rules.least_gap_s - 1e-9;
-    const Knot* worst = nullptr;
-    double worst_off = rules.tolerance;
-    for (const Knot& one : candidates) {
-        const auto next = std::ranges::upper_bound(kept, one.time_s, {}, &Knot::time_s);
-        if (next == kept.begin() || next == kept.end()) continue;
-        if (one.time_s - (next - 1)->time_s < least_s || next->time_s - one.time_s < least_s) {
-            continue;
-        }
-        const double off =
-            weighed(off_by(one, knot_between(*(next - 1), *next, one.time_s)), rules);
-        if (off > worst_off) {
-            worst = &one;
-            worst_off = off;
-        }
+    const auto time_of = [](const Candidate& one) { return one.knot.time_s; };
+    auto one = std::ranges::lower_bound(candidates, left.time_s, {}, time_of);
+    for (; one != candidates.end() && time_of(*one) < right.time_s; ++one) {
+        one->has_room =
+            time_of(*one) - left.time_s >= least_s && right.time_s - time_of(*one) >= least_s;
+        if (!one->has_room) continue;
+        const Knot line = knot_between(left, right, time_of(*one));
+        one->off = weighed(off_by(one->knot, line), rules);
+        one->felt_db = one->off > rules.tolerance ? felt_db(one->knot, line, rules) : 0.0;
+    }
+}
+
+// Adds the candidate that is farthest off and has room; false where none is.
+bool add_worst(std::vector<Knot>& kept, std::vector<Candidate>& candidates,
+               const KnotRules& rules) {
+    const Candidate* worst = nullptr;
+    for (const Candidate& one : candidates) {
+        if (!one.has_room || !(one.off > rules.tolerance)) continue;
+        const bool worse = worst == nullptr || one.felt_db > worst->felt_db ||
+                           (one.felt_db == worst->felt_db && one.off > worst->off);
+        if (worse) worst = &one;
     }
     if (worst == nullptr) return false;
-    kept.insert(std::ranges::upper_bound(kept, worst->time_s, {}, &Knot::time_s), *worst);
+    const Knot knot = worst->knot;
+    const auto at =
+        kept.insert(std::ranges::upper_bound(kept, knot.time_s, {}, &Knot::time_s), knot);
+    measure_between(candidates, *(at - 1), *at, rules);
+    measure_between(candidates, *at, *(at + 1), rules);
     return true;
 }
 
@@ -133,6 +156,8 @@ void measure(FittedKnots& fit, const AmplitudeCurve& amplitude, const AmplitudeC
         const Off off = off_by(asked, knot_at(fit.knots, t_s));
         fit.amplitude_error = std::max(fit.amplitude_error, off.amplitude);
         fit.frequency_error = std::max(fit.frequency_error, off.frequency);
+        const double error_db = felt_db(asked, knot_at(fit.knots, t_s), rules);
+        fit.felt_error_db = std::max(fit.felt_error_db, error_db);
     };
     for (const double t_s : times) {
         const bool on_ramp = std::ranges::any_of(jumps, [&](double jump_s) {
@@ -157,11 +182,14 @@ FittedKnots fitted_knots(const AmplitudeCurve& amplitude, const AmplitudeCurve& 
     const double end_s =
         std::max({whole_ticks_s(duration_s, rules.tick_s), rules.least_gap_s, rules.tick_s});
     const std::vector<double> times = times_of_both(amplitude, frequency, duration_s);
-    const std::vector<Knot> candidates = candidates_of(amplitude, frequency, times, end_s, rules);
+    const std::vector<Knot> possible = candidates_of(amplitude, frequency, times, end_s, rules);
     FittedKnots fit;
     fit.points = times.size();
-    fit.knots = {candidates.front(), candidates.back()};
+    fit.knots = {possible.front(), possible.back()};
     fit.knots.back().time_s = end_s;
+    std::vector<Candidate> candidates;
+    for (const Knot& knot : possible) candidates.push_back({knot});
+    measure_between(candidates, fit.knots.front(), fit.knots.back(), rules);
     while (fit.knots.size() < rules.most && add_worst(fit.knots, candidates, rules)) {
     }
     measure(fit, amplitude, frequency, times, rules);
@@ -188,12 +216,13 @@ void remark_fit(const FittedKnots& fit, const KnotRules& rules, double duration_
     std::string text = grouped_digits(fit.points) +
                        (fit.knots.size() < fit.points ? " points thinned to " : " points become ") +
                        grouped_digits(fit.knots.size()) + ", at least " + gap + " apart";
-    if (amplitude) {
-        text += ", at most " + significant_digits(fit.amplitude_error, 2) + " of full scale off";
-    }
+    std::string numbers;
+    if (amplitude) numbers = significant_digits(fit.amplitude_error, 2) + " of full scale";
     if (frequency) {
-        text += ", at most " + significant_digits(fit.frequency_error, 2) + frequency_unit + " off";
+        numbers += (numbers.empty() ? "" : ", ") + significant_digits(fit.frequency_error, 2) +
+                   frequency_unit;
     }
+    text += ", at most " + felt_words(fit.felt_error_db, numbers);
     remarks.push_back(text);
 }
 

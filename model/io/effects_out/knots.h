@@ -1,17 +1,19 @@
 // Amplitude and frequency in the same points, few and far between: for formats that have them so.
 //
-// From the two ends on, a point is added where the lines are farthest off, if there is room for it:
-// Ramer, Douglas and Peucker's way, with a least distance between points.
+// From the two ends on, a point is added where the lines are farthest off for who feels them, if
+// there is room for it: Ramer, Douglas and Peucker's way, with a least distance between points. Of
+// what nobody feels, the numbers decide.
 //
-// Source    model/signal/thinning.h, for two heights at once
+// Source    model/signal/thinning.h, for two heights at once; felt_error.h
 // Output    how far off the result is, measured at the points of the curves themselves, but for
-// those
-//           within a gap of a jump: a ramp is in its place, and that is counted
+//           those within a gap of a jump: a ramp is in its place, and that is counted
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "model/io/effects_out/felt_error.h"
 #include "model/pattern/curves.h"
 
 namespace tact {
@@ -27,11 +29,12 @@ struct Knot {
 struct KnotRules {
     std::size_t most = 16;
     double least_gap_s = 0.020;
-    double tick_s = 0.001;        // times are whole ones
-    double frequency_unit = 1.0;  // that counts as much as an amplitude of 1
-    double tolerance = 0.0;       // of which no more points are needed
-    bool from_silence = false;    // its player begins at amplitude 0
-    double frequency_step = 0.0;  // frequencies are whole ones of this; 0: any
+    double tick_s = 0.001;                        // times are whole ones
+    double frequency_unit = 1.0;                  // that counts as much as an amplitude of 1
+    double tolerance = 0.0;                       // of which no more points are needed
+    bool from_silence = false;                    // its player begins at amplitude 0
+    double frequency_step = 0.0;                  // frequencies are whole ones of this; 0: any
+    std::function<FeltTone(const Knot&)> felt{};  // in g and Hz; empty: the numbers alone decide
 };
 
 struct FittedKnots {
@@ -40,14 +43,15 @@ struct FittedKnots {
     std::size_t ramps = 0;    // in the place of a jump, a beginning at once among them
     double amplitude_error = 0.0;
     double frequency_error = 0.0;
+    double felt_error_db = 0.0;
 };
 
 // Of curves from 0 s to `duration_s`, which becomes a whole number of ticks and a gap at least.
 FittedKnots fitted_knots(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
                          double duration_s, const KnotRules& rules);
 
-// "2 jumps become ramps of 20 ms", "37 points thinned to 16, at least 20 ms apart, at most 0.03 of
-// full scale off"; nothing where nothing is lost.
+// "2 jumps become ramps of 20 ms", "37 points thinned to 16, at least 20 ms apart, at most 2.1 dB
+// off where it is felt (0.03 of full scale)"; nothing where nothing is lost.
 void remark_fit(const FittedKnots& fit, const KnotRules& rules, double duration_s,
                 const std::string& frequency_unit, std::vector<std::string>& remarks);
 

@@ -82,8 +82,7 @@ WrittenEffect write_openxr(const Pattern& pattern, const EffectTarget& target) {
     if (shares.frequency.size() == 1) {
         shares.frequency.push_back({shares.duration_s, shares.frequency.front().value});
     }
-    thin_shares(shares.amplitude, kMostXrPoints, "amplitude", written.remarks);
-    thin_shares(shares.frequency, kMostXrPoints, "frequency", written.remarks);
+    thin_shares(shares, kMostXrPoints, map, written.remarks);
     remark_merged_taps(shares.taps, written.remarks);
     const std::string name = identifier(target.name);
     written.text = point_array(name + "_amplitude", shares.amplitude) +

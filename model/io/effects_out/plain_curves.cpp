@@ -6,6 +6,7 @@
 
 #include "model/common/portable.h"
 #include "model/io/effects/sketch.h"
+#include "model/io/effects_out/felt_error.h"
 #include "model/pattern/drawn_curve.h"
 #include "model/text/numbers.h"
 
@@ -147,16 +148,31 @@ std::string points_text(std::size_t points) {
     return grouped_digits(points) + (points == 1 ? " point" : " points");
 }
 
-// As few points as stay within the tolerance, and at most those of a pattern.
+// As few points as stay within the tolerance, and at most those of a pattern: then those that are
+// felt first.
 void thin_envelope(PlainCurves& curves, bool bent, std::vector<std::string>& remarks) {
     AmplitudeCurve& curve = curves.amplitude;
     if (!bent && curve.size() <= limits::kMaxCurvePoints) return;
     const double peak = peak_value(curve);
     const double tolerance = bent ? kBendTolerance * peak : 0.0;
-    const double error = thin(curve, limits::kMaxCurvePoints, tolerance);
-    if (!(error > 0.0)) return;
+    const AmplitudeCurve all = curve;
+    const double error = thin(curve, all.size(), tolerance);
+    if (!(error > 0.0) && curve.size() <= limits::kMaxCurvePoints) return;
+    const auto percent = [&](double g) {
+        return significant_digits(100.0 * g / peak, 2) + " % of its largest";
+    };
+    std::string off = percent(error) + " off";
+    if (curve.size() > limits::kMaxCurvePoints) {
+        curve = all;
+        const Thinning line =
+            thin_by(curve, limits::kMaxCurvePoints, 0.0, [&](std::size_t k, double line_g) {
+                const double hz = sides_at(curves.frequency, all[k].time_s).behind;
+                return felt_error_db({all[k].value, hz}, {line_g, hz});
+            });
+        off = felt_words(line.largest_weight, percent(line.largest_error));
+    }
     remarks.push_back("its envelope is drawn with " + points_text(curve.size()) + ", at most " +
-                      significant_digits(100.0 * error / peak, 2) + " % of its largest off");
+                      off);
 }
 
 void remark_modulation(const Pattern& pattern, std::vector<std::string>& remarks) {

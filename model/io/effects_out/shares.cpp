@@ -5,6 +5,7 @@
 
 #include "model/common/portable.h"
 #include "model/io/effects/effect.h"
+#include "model/io/effects_out/felt_error.h"
 #include "model/pattern/drawn_curve.h"
 #include "model/text/numbers.h"
 
@@ -165,14 +166,31 @@ Shares as_shares(const PlainCurves& curves, const ActuatorMap& map,
     return shares;
 }
 
-void thin_shares(AmplitudeCurve& curve, std::size_t most, const std::string& what,
+void thin_shares(Shares& shares, std::size_t most, const ActuatorMap& map,
                  std::vector<std::string>& remarks) {
-    if (curve.size() <= most) return;
-    const std::size_t before = curve.size();
-    const double error = thin(curve, most, 0.0);
-    remarks.push_back(grouped_digits(before) + " points of " + what + " thinned to " +
-                      grouped_digits(curve.size()) + ", at most " + significant_digits(error, 2) +
-                      " of full scale off");
+    const Shares all = shares;
+    const auto tone = [&](double intensity, double share) {
+        return FeltTone{continuous_g(map, intensity), frequency_hz(map, share)};
+    };
+    const auto thin_one = [&](AmplitudeCurve& curve, const std::string& what, const char* unit,
+                              const ThinningWeight& weight) {
+        if (curve.size() <= most) return;
+        const std::size_t before = curve.size();
+        const Thinning line = thin_by(curve, most, 0.0, weight);
+        const std::string numbers = significant_digits(line.largest_error, 2) + unit;
+        remarks.push_back(grouped_digits(before) + " points of " + what + " thinned to " +
+                          grouped_digits(curve.size()) + ", at most " +
+                          felt_words(line.largest_weight, numbers));
+    };
+    thin_one(shares.amplitude, "amplitude", " of full scale", [&](std::size_t k, double line) {
+        const double share = sides_at(all.frequency, all.amplitude[k].time_s).behind;
+        return felt_error_db(tone(all.amplitude[k].value, share), tone(line, share));
+    });
+    thin_one(shares.frequency, "frequency", " of the band", [&](std::size_t k, double line) {
+        const Sides sides = sides_at(all.amplitude, all.frequency[k].time_s);
+        const double intensity = std::max(sides.before, sides.behind);
+        return felt_error_db(tone(intensity, all.frequency[k].value), tone(intensity, line));
+    });
 }
 
 }  // namespace tact

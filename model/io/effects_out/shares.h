@@ -50,8 +50,9 @@ double energy_g2_s(const Transient& transient);
 Shares as_shares(const PlainCurves& curves, const ActuatorMap& map,
                  std::vector<std::string>& remarks);
 
-// At most so many points, and a remark on how far off that is.
-void thin_shares(AmplitudeCurve& curve, std::size_t most, const std::string& what,
+// At most so many points in each curve, those that are felt first, and a remark on how far off that
+// is.
+void thin_shares(Shares& shares, std::size_t most, const ActuatorMap& map,
                  std::vector<std::string>& remarks);
 
 // "1 transient", "3 transients".
