@@ -78,6 +78,8 @@ struct ExportCommand {
     std::string format;                 // a key of model/io/effects_out/write_effect.h
     std::vector<std::string> patterns;  // by name; empty: all
     std::string onto;                   // an actuator map, its name or file; empty: the format's
+    std::optional<double> rate_hz;      // of WAV and CSV; none: the format's
+    std::string bits;                   // of WAV: "16", "24", "float"; empty: 24
     int count = 0;                      // of the subset that is held against it; 0: usual
     bool without_loss = false;          // nothing is predicted
     std::filesystem::path out;          // a folder

@@ -20,7 +20,9 @@ std::string sentence_on(const RenderedBy& by) {
 }
 
 std::string sentence_on(const ExportTarget& target) {
-    return "the patterns " + words_on(target) + ": " + target.map.source;
+    const bool sampled = is_sampled(target.format);
+    return "the patterns " + words_on(target) + ": " +
+           (sampled ? meaning_of(target) : target.map.source);
 }
 
 std::vector<std::string> lines_of(const Labels& labels) {
@@ -52,10 +54,15 @@ void add_labels(nlohmann::json& json, const Labels& labels) {
     if (labels.only != Side::both) {
         json["only"] = kSideNames[static_cast<std::size_t>(labels.only)];
     }
+    if (!labels.actuators.empty()) json["actuators"] = labels.actuators;
     if (labels.exported) {
         json["exported_as"] = traits(labels.exported->format).key;
-        json["exported_onto"] = labels.exported->map.name;
-        json["exported_onto_source"] = labels.exported->map.source;
+        if (is_sampled(labels.exported->format)) {
+            json["exported_rate_hz"] = labels.exported->sampled.rate_hz;
+        } else {
+            json["exported_onto"] = labels.exported->map.name;
+            json["exported_onto_source"] = labels.exported->map.source;
+        }
     }
     if (!labels.by) return;
     json["rendered_by"] = traits(labels.by->kind).key;

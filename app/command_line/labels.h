@@ -2,6 +2,7 @@
 // nobody felt or measured.
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -17,8 +18,9 @@ struct Labels {
     std::optional<RenderedBy> by{};          // none: the patterns as they are meant
     std::optional<ExportTarget> exported{};  // as they come back from its files, before any device
     Side only = Side::both;
-    bool synthetic_patterns = false;  // measurements that were computed
-    bool synthetic_model = false;     // fitted to ratings that nobody gave
+    bool synthetic_patterns = false;                 // measurements that were computed
+    bool synthetic_model = false;                    // fitted to ratings that nobody gave
+    std::map<std::string, std::size_t> actuators{};  // maps by which patterns were read, how many
 };
 
 bool has_synthetic_patterns(const PatternSet& set);
@@ -34,8 +36,9 @@ std::vector<std::string> lines_of(const Labels& labels);
 std::string text_of(const Labels& labels);
 
 // Keys of an object: synthetic_patterns and synthetic_model always; only, exported_as with
-// exported_onto and exported_onto_source, and rendered_by with calibrated, full_scale_g and level,
-// where they apply.
+// exported_onto and exported_onto_source or exported_rate_hz, and rendered_by with calibrated,
+// full_scale_g and level, where they apply; actuators, of patterns that were read from effects of
+// other programs.
 void add_labels(nlohmann::json& json, const Labels& labels);
 
 }  // namespace tact

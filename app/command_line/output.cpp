@@ -103,6 +103,7 @@ Expected<PatternSet> loaded_side(const CommonOptions& options, Labels& labels) {
     labels.only = options.only;
     PatternSet side = one_side(loaded->set, options.only);
     labels.synthetic_patterns = has_synthetic_patterns(side);
+    labels.actuators = actuators_of(side);
     if (options.only == Side::both) return side;
     std::cerr << "tactspace: only the " << side.vibrations.size() << " "
               << kSideNames[static_cast<std::size_t>(options.only)] << " of "
@@ -152,6 +153,7 @@ Expected<FeltSet> load_felt(const CommonOptions& options) {
     };
     if (*target) {
         ExportedSet exported = *exported_set(result.meant, **target, options.threads);
+        **target = exported.target;
         result.felt = std::move(exported.back);
         label_name(words_on(**target));
         std::cerr << "tactspace: " << sentence_on(**target) << "\n";

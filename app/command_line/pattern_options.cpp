@@ -67,10 +67,11 @@ void add_render_command(CLI::App& app, RenderCommand& command, Chosen& chosen) {
 }
 
 void add_export_command(CLI::App& app, ExportCommand& command, Chosen& chosen) {
-    CLI::App& sub = add_command(app, "export",
-                                "patterns as files of phones and other programs, a file each, with "
-                                "what each loses and what that costs in perception",
-                                command, chosen);
+    CLI::App& sub =
+        add_command(app, "export",
+                    "patterns as files of phones and other programs, or as WAV or CSV, "
+                    "a file each, with what each loses and what that costs in perception",
+                    command, chosen);
     std::vector<std::string> keys;
     for (const TargetTraits& target : target_formats()) keys.emplace_back(target.key);
     sub.add_option("--format", command.format, "of the files")
@@ -79,7 +80,18 @@ void add_export_command(CLI::App& app, ExportCommand& command, Chosen& chosen) {
     sub.add_option("--pattern", command.patterns, "names; else all");
     sub.add_option("--onto", command.onto,
                    "the actuator that 0 to 1 are written for: a file (.acf, .json) or one of " +
-                       actuator_names() + "; else the format's own");
+                       actuator_names() +
+                       "; else the one that was chosen when the set's effects were read, or the "
+                       "format's own");
+    const std::vector<std::string> rates{"10000", "44100", "48000"};
+    sub.add_option_function<std::string>(
+           "--rate", [&command](const std::string& text) { command.rate_hz = std::stod(text); },
+           "of WAV and CSV, Hz: 10000, 44100 or 48000; else 48000 of WAV and 10000 of CSV")
+        ->check(CLI::IsMember(rates));
+    sub.add_option("--bits", command.bits,
+                   "of WAV: 16, 24 or float; else 24. Full scale is the loudest pattern's peak, "
+                   "which the .wav.json beside each file says in g")
+        ->check(CLI::IsMember({"16", "24", "float"}));
     CLI::Option* count =
         sub.add_option("-k,--count", command.count,
                        "of the most distinct patterns, which are held against what the target "

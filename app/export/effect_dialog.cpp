@@ -29,6 +29,7 @@ void draw_format(Ui& ui, EffectChoice& choice) {
         if (ImGui::Selectable(one.title, format == choice.format) && format != choice.format) {
             choice.format = format;
             choice.actuator.clear();
+            choice.sampled = own_target(format).sampled;
         }
         note_item(ui.rects, std::string("export format:") + one.key);
     }
@@ -36,18 +37,23 @@ void draw_format(Ui& ui, EffectChoice& choice) {
 }
 
 // The format's own is the first one.
-void draw_actuator(Ui& ui, EffectChoice& choice) {
+void draw_actuator(Ui& ui, EffectExport& effects) {
+    EffectChoice& choice = effects.choice;
+    const ActuatorMap map_in_use = target_of(effects).map;
+    const std::string usual = usual_target(choice.format, *effects.ground.set).map.name;
     draw_label(ui, "Actuator");
-    const std::string own = std::string(traits(choice.format).map) + ", the format's own";
+    const bool is_own = usual == traits(choice.format).map;
+    const std::string own =
+        usual + (is_own ? ", the format's own" : ", by which the effects were read");
     ImGui::SetNextItemWidth(kComboPx * ui.theme.scale);
     const bool open = ImGui::BeginCombo(
         "##actuator", choice.actuator.empty() ? own.c_str() : choice.actuator.c_str(),
         ImGuiComboFlags_HeightLargest);
-    note_item(ui.rects, "export:actuator", target_of(choice).map.name);
+    note_item(ui.rects, "export:actuator", map_in_use.name);
     if (open) {
         if (ImGui::Selectable(own.c_str(), choice.actuator.empty())) choice.actuator.clear();
         for (const ActuatorMap& map : bundled_actuators()) {
-            if (map.name == traits(choice.format).map) continue;
+            if (map.name == usual) continue;
             if (ImGui::Selectable(map.name.c_str(), map.name == choice.actuator)) {
                 choice.actuator = map.name;
             }
@@ -59,9 +65,37 @@ void draw_actuator(Ui& ui, EffectChoice& choice) {
     draw_label(ui, "");
     ImGui::PushFont(ui.theme.fonts.small);
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, target_of(choice).map.source);
+    dim_text(ui, map_in_use.source);
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
+}
+
+// In the place of an actuator: samples are in g.
+void draw_sampled(Ui& ui, EffectChoice& choice) {
+    const auto radio = [&](const char* label, const char* key, bool is_on) {
+        const bool chosen = draw_radio(ui, label, is_on);
+        note_item(ui.rects, std::string("export:") + key, is_on ? "on" : "off");
+        ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
+        return chosen;
+    };
+    draw_label(ui, "Rate");
+    double& rate_hz = choice.sampled.rate_hz;
+    if (radio("10 kHz", "rate 10000", rate_hz == 10'000.0)) rate_hz = 10'000.0;
+    if (radio("44.1 kHz", "rate 44100", rate_hz == 44'100.0)) rate_hz = 44'100.0;
+    if (radio("48 kHz", "rate 48000", rate_hz == 48'000.0)) rate_hz = 48'000.0;
+    ImGui::NewLine();
+    draw_label(ui, choice.format == TargetFormat::wav ? "Samples" : "");
+    if (choice.format != TargetFormat::wav) {
+        return dim_text(ui, "A line a sample: time in s, acceleration in g.");
+    }
+    WaveEncoding& encoding = choice.sampled.encoding;
+    const auto draw = [&](const char* label, const char* key, WaveEncoding one) {
+        if (radio(label, key, encoding == one)) encoding = one;
+    };
+    draw("16 bits", "bits 16", WaveEncoding::int16);
+    draw("24 bits", "bits 24", WaveEncoding::int24);
+    draw("Floats", "bits float", WaveEncoding::float32);
+    dim_text(ui, "The loudest is full scale: a .wav.json beside each file says its g.");
 }
 
 void draw_which(Ui& ui, EffectExport& effects) {
@@ -102,7 +136,11 @@ void draw_effect_dialog(Ui& ui, const Workspace& work, EffectExport& effects) {
         ImGui::PushStyleColor(which, field);
     }
     draw_format(ui, effects.choice);
-    draw_actuator(ui, effects.choice);
+    if (is_sampled(effects.choice.format)) {
+        draw_sampled(ui, effects.choice);
+    } else {
+        draw_actuator(ui, effects);
+    }
     draw_which(ui, effects);
     ImGui::Separator();
     const float s = ui.theme.scale;

@@ -27,6 +27,12 @@ bool is_wanted(const ExportGround& ground, ExportWhich which, std::size_t k) {
     return part == nullptr || std::ranges::binary_search(*part, k);
 }
 
+ExportTarget target_of(const ExportGround& ground, const EffectChoice& choice) {
+    if (is_sampled(choice.format)) return {choice.format, {}, choice.sampled};
+    if (choice.actuator.empty()) return usual_target(choice.format, *ground.set);
+    return {choice.format, bundled_actuator(choice.actuator), {}};
+}
+
 // What is predicted is all of the set, but for a selection by itself.
 LossRequest loss_request(const ExportGround& ground, const EffectChoice& choice) {
     LossRequest request;
@@ -35,7 +41,7 @@ LossRequest loss_request(const ExportGround& ground, const EffectChoice& choice)
     for (std::size_t k = 0; k < all.size(); ++k) {
         const bool wanted = is_wanted(ground, choice.which, k);
         const bool counts = wanted || choice.which == ExportWhich::picked;
-        if (!std::holds_alternative<Pattern>(all[k].source)) {
+        if (!is_held(all[k], choice.format)) {
             if (wanted) ++request.recordings;
             continue;
         }
@@ -43,7 +49,7 @@ LossRequest loss_request(const ExportGround& ground, const EffectChoice& choice)
         if (counts) members.push_back(k);
     }
     request.part = std::make_shared<const PatternSet>(part_of(*ground.set, members));
-    request.target = target_of(choice);
+    request.target = target_of(ground, choice);
     // Of few patterns as many as the Subset tab picks would be all of them.
     const bool choosable = ground.subset_count < members.size();
     request.subset_count = choosable ? ground.subset_count : 0;
@@ -64,17 +70,19 @@ std::vector<std::string> written_names(const EffectExport& effects) {
                              effects.request.target.format);
 }
 
-std::string text_of_pattern(const LossRequest& request, const ExportLoss* loss, std::size_t place) {
-    if (loss != nullptr) return loss->files[place];
-    const Vibration& one = request.part->vibrations[place];
-    return exported(std::get<Pattern>(one.source), one.name, request.target, request.date).text;
+void add_pattern(std::vector<TextFile>& files, const std::string& name, const LossRequest& request,
+                 const ExportTarget& target, const ExportLoss* loss, std::size_t place) {
+    if (loss != nullptr) {
+        return add_files(files, name, target.format, loss->files[place], loss->beside[place]);
+    }
+    const ExportedPattern one = exported(request.part->vibrations[place], target, request.date);
+    add_files(files, name, target.format, one.text, one.beside);
 }
 
 }  // namespace
 
-ExportTarget target_of(const EffectChoice& choice) {
-    if (choice.actuator.empty()) return own_target(choice.format);
-    return {choice.format, bundled_actuator(choice.actuator)};
+ExportTarget target_of(const EffectExport& effects) {
+    return target_of(effects.ground, effects.choice);
 }
 
 std::optional<LiveLoss> compute_loss(const LossRequest& request, std::stop_token stop,
@@ -154,7 +162,8 @@ bool is_loss_current(const EffectExport& effects) {
 }
 
 void choose_effect_folder(Ui& ui, const Workspace& work, const EffectExport& effects) {
-    std::vector<std::string> names = written_names(effects);
+    const TargetFormat format = effects.request.target.format;
+    std::vector<std::string> names = with_second_files(written_names(effects), format);
     if (is_loss_current(effects)) names.emplace_back(kExportReport);
     const std::string set = work.document.set.name;
     ask_for_file(ui,
@@ -179,9 +188,11 @@ void continue_effect_export(Ui& ui, EffectExport& effects) {
     const LossRequest& request = effects.request;
     const ExportLoss* loss = is_loss_current(effects) ? &effects.answer->loss : nullptr;
     const std::vector<std::string> names = written_names(effects);
+    const ExportTarget target =
+        loss != nullptr ? loss->target : with_full_scale(request.target, *request.part);
     std::vector<TextFile> files;
     for (std::size_t k = 0; k < names.size(); ++k) {
-        files.push_back({names[k], text_of_pattern(request, loss, request.written[k])});
+        add_pattern(files, names[k], request, target, loss, request.written[k]);
     }
     if (loss != nullptr) {
         files.push_back(
@@ -191,8 +202,9 @@ void continue_effect_export(Ui& ui, EffectExport& effects) {
         return complain(ui, "Not exported: " + written.error().message);
     }
     std::string text = "Exported " + std::to_string(names.size()) +
-                       (names.size() == 1 ? " pattern" : " patterns") + " " +
-                       words_on(request.target) + ", into " + folder.string();
+                       (names.size() == 1 ? " pattern" : " patterns") + " " + words_on(target) +
+                       ", into " + folder.string();
+    if (target.format == TargetFormat::wav) text += "; " + meaning_of(target);
     if (loss == nullptr) text += "; what that costs was not predicted";
     say(ui, text);
 }

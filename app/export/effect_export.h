@@ -28,18 +28,17 @@ enum class ExportWhich { all, selected, picked };
 struct EffectChoice {
     TargetFormat format = TargetFormat::ahap;
     std::string actuator;  // a bundled one; empty: the format's own
+    SampledAs sampled;     // of WAV and CSV
     ExportWhich which = ExportWhich::all;
 
     bool operator==(const EffectChoice&) const = default;
 };
 
-ExportTarget target_of(const EffectChoice& choice);
-
 // Of picked patterns the whole set is predicted: what it has beside them says whether they are
 // still the best.
 struct LossRequest {
     std::uint64_t number = 0;                // each is another one
-    std::shared_ptr<const PatternSet> part;  // patterns alone
+    std::shared_ptr<const PatternSet> part;  // what the format holds
     std::vector<std::size_t> written;        // of these, in order
     std::size_t recordings = 0;              // left out of the part
     ExportTarget target;
@@ -81,6 +80,9 @@ struct EffectExport {
     SpaceCamera camera;
     std::filesystem::path export_to;  // when the frame is done
 };
+
+// Where no actuator is chosen: as it was when the set's effects were read, or the format's own.
+ExportTarget target_of(const EffectExport& effects);
 
 void make_effect_job(const Ui& ui, EffectExport& effects);
 

@@ -1,6 +1,7 @@
 #include "app/export/effect_files.h"
 
 #include "app/session/folders.h"
+#include "model/export/exported_set.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
 #include "model/text/unique_names.h"
@@ -11,10 +12,31 @@ std::vector<std::string> effect_file_names(const PatternSet& set, TargetFormat f
     UnusedNames stems;
     std::vector<std::string> names;
     for (const Vibration& one : set.vibrations) {
-        if (!std::holds_alternative<Pattern>(one.source)) continue;
+        if (!is_held(one, format)) continue;
         names.push_back(stems.unused(file_stem(one.name)) + traits(format).ending);
     }
     return names;
+}
+
+std::string name_beside(const std::string& name, TargetFormat format) {
+    const std::string_view ending = traits(format).ending;
+    return name.substr(0, name.size() - ending.size()) + traits(format).beside;
+}
+
+std::vector<std::string> with_second_files(const std::vector<std::string>& names,
+                                           TargetFormat format) {
+    std::vector<std::string> all;
+    for (const std::string& name : names) {
+        all.push_back(name);
+        if (*traits(format).beside != '\0') all.push_back(name_beside(name, format));
+    }
+    return all;
+}
+
+void add_files(std::vector<TextFile>& files, const std::string& name, TargetFormat format,
+               const std::string& text, const std::string& beside) {
+    files.push_back({name, text});
+    if (*traits(format).beside != '\0') files.push_back({name_beside(name, format), beside});
 }
 
 std::vector<std::string> taken_names(const std::filesystem::path& folder,

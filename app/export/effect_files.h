@@ -22,8 +22,19 @@ struct TextFile {
 
 inline constexpr const char* kExportReport = "export_report.html";
 
-// Of the patterns of a set, in its order: names that file systems take, each once.
+// Of what of a set the format holds, in its order: names that file systems take, each once.
 std::vector<std::string> effect_file_names(const PatternSet& set, TargetFormat format);
+
+// The name of a file's second one; of formats that have one.
+std::string name_beside(const std::string& name, TargetFormat format);
+
+// The names, and those of the second files.
+std::vector<std::string> with_second_files(const std::vector<std::string>& names,
+                                           TargetFormat format);
+
+// A file, and its second one where there is one.
+void add_files(std::vector<TextFile>& files, const std::string& name, TargetFormat format,
+               const std::string& text, const std::string& beside);
 
 // Which of these names are taken in the folder.
 std::vector<std::string> taken_names(const std::filesystem::path& folder,

@@ -93,10 +93,11 @@ std::string pairs_section(const ExportLoss& loss) {
 }
 
 std::string assumed_section(const ExportLoss& loss) {
-    const ActuatorMap& map = loss.target.map;
+    std::string meaning = meaning_of(loss.target);
+    meaning.front() = static_cast<char>(meaning.front() - 'a' + 'A');
     return html_section(
         "assumed", "What was assumed",
-        paragraph("Actuator " + html_escaped(map.name) + ": " + html_escaped(map.source)) +
+        paragraph(html_escaped(meaning) + (meaning.ends_with('.') ? "" : ".")) +
             paragraph("Each file was read back by the program's own reader and predicted by PM "
                       "(Lim and Park 2023): one fingertip, no differences between people. What the "
                       "device itself makes of the file is not in it. Phases count in RMS error and "

@@ -166,15 +166,25 @@ std::string kinds_words(const PatternSet& set) {
     return text + ".";
 }
 
+// Nothing where no pattern comes of another program's file.
+std::string actuators_item(const PatternSet& set) {
+    std::string text;
+    for (const auto& [actuator, count] : actuators_of(set)) {
+        text += (text.empty() ? "0 to 1 of effect files became g and Hz by " : ", ") +
+                html_escaped(actuator) + " (" + counted_patterns(count) + ")";
+    }
+    return text.empty() ? "" : item("Actuator maps", text + ".");
+}
+
 }  // namespace
 
 std::string report_style() { return kLooks + shade_styles(); }
 
 std::string assumed_section(const Report& report) {
-    std::string html = "<dl>\n" + item("Patterns", kinds_words(report.set)) +
-                       item("Scale", scale_words(report)) +
-                       item("Thresholds", thresholds_words(report)) +
-                       item("Model", model_words(report)) + item("Device", device_words(report));
+    std::string html =
+        "<dl>\n" + item("Patterns", kinds_words(report.set)) + item("Scale", scale_words(report)) +
+        item("Thresholds", thresholds_words(report)) + item("Model", model_words(report)) +
+        item("Device", device_words(report)) + actuators_item(report.set);
     for (const Said& said : said_in_notes(report.set)) {
         html += item(counted_patterns(said.patterns), html_escaped(said.text));
     }

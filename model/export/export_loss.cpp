@@ -29,6 +29,34 @@ double rms_error_g(const Waveform& a, const Waveform& b) {
     return rms_g(difference);
 }
 
+// Of the largest of a set: below it two dissimilarities are one. Steps of 24 bits and the ends of a
+// filter stay below it. Pairs that were equal would else get other ranks, though nothing is felt.
+constexpr double kSame = 1e-4;
+
+double same_of(const Dissimilarity& meant) {
+    if (meant.condensed.empty()) return 0.0;
+    return kSame * std::ranges::max(meant.condensed);
+}
+
+// What came back the same is the same, to the bit.
+void keep_same(Dissimilarity& came, const Dissimilarity& meant) {
+    const double same = same_of(meant);
+    for (std::size_t k = 0; k < meant.condensed.size(); ++k) {
+        const double before = meant.condensed[k];
+        if (std::abs(came.condensed[k] - before) <= same) came.condensed[k] = before;
+    }
+}
+
+void rank_again(Prediction& prediction) {
+    prediction.nc_rank = average_ranks(prediction.nc.condensed);
+    prediction.oc_rank = average_ranks(prediction.oc.condensed);
+    const auto& params = prediction.params;
+    for (std::size_t k = 0; k < prediction.pm.condensed.size(); ++k) {
+        prediction.pm.condensed[k] =
+            pm_of(prediction.nc_rank[k], prediction.oc_rank[k], params.nc_weight, params.oc_weight);
+    }
+}
+
 std::function<void(double)> share_of(const std::function<void(double)>& progress, double from,
                                      double to) {
     if (!progress) return {};
@@ -57,6 +85,9 @@ std::optional<BothSides> both_sides(const PatternSet& set, const PatternSet& bac
     how.progress = share_of(options.progress, 0.45, 0.9);
     auto came = predict(padded_waveforms(back), set.model, how);
     if (!came) return std::nullopt;
+    keep_same(came->nc, meant->nc);
+    keep_same(came->oc, meant->oc);
+    rank_again(*came);
     return BothSides{*std::move(meant), *std::move(came)};
 }
 
@@ -91,8 +122,8 @@ std::vector<std::optional<double>> moved_by(const BothSides& sides,
     }
     const std::vector<double> pm = pm_among(sides.meant, nc, oc);
     for (std::size_t k = 0; k < count; ++k) {
-        const bool equal = sides.meant.codes[k]->waveform == sides.back.codes[k]->waveform;
-        moved[k] = equal ? 0.0 : pm[k];
+        const bool same = nc[k] <= same_of(sides.meant.nc) && oc[k] <= same_of(sides.meant.oc);
+        moved[k] = same ? 0.0 : pm[k];
     }
     return moved;
 }
@@ -207,10 +238,12 @@ std::optional<ExportLoss> export_loss(const PatternSet& set, const ExportTarget&
     if (!exported) return std::nullopt;
     const auto sides = both_sides(set, exported->back, options);
     if (!sides) return std::nullopt;
-    ExportLoss loss{target, {}, {}, sides->meant.pm, sides->back.pm, {}, {}, {}, {}, {}, {}};
+    ExportLoss loss{
+        exported->target, {}, {}, {}, sides->meant.pm, sides->back.pm, {}, {}, {}, {}, {}, {}};
     loss.patterns = losses_of(set, *exported, *sides, moved_by(*sides, options));
     for (const auto& pattern : exported->patterns) {
         loss.files.push_back(pattern ? pattern->text : std::string());
+        loss.beside.push_back(pattern ? pattern->beside : std::string());
     }
     loss.after.condensed =
         pm_among(sides->meant, sides->back.nc.condensed, sides->back.oc.condensed);

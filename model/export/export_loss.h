@@ -7,6 +7,9 @@
 // patterns from each other. Which subset is the best for the target is asked of the exported set by
 // itself, as "subset --exported-as" has it.
 //
+// NC or OC that changed by less than a ten-thousandth of the set's largest is taken as unchanged:
+// by the steps of 24 bits alone pairs that were equal would get other ranks.
+//
 // Source    ours; PM: Lim & Park 2023; RMS error and peak signal-to-noise ratio of the waveforms,
 //           which have phases in them that nobody feels
 // Input     a set of any size; recordings are in both, unchanged
@@ -39,8 +42,8 @@ struct PatternLoss {
     double rms_error_g = 0.0;
     // 20 log10 of the meant peak to the RMS error; none where nothing is lost, or nothing meant.
     std::optional<double> psnr_db;
-    // PM between what was meant and what came back, 0 where they are equal; none of a set of one,
-    // which has no pairs to hold that against.
+    // PM between what was meant and what came back, 0 where they are the same; none of a set of
+    // one, which has no pairs to hold that against.
     std::optional<double> moved;
 
     bool operator==(const PatternLoss&) const = default;
@@ -78,9 +81,10 @@ struct MapChange {
 struct ExportLoss {
     ExportTarget target;
     std::vector<PatternLoss> patterns;
-    std::vector<std::string> files;  // a text of each; empty of a recording
-    Dissimilarity before;            // PM
-    Dissimilarity after;             // PM on the scale of `before`
+    std::vector<std::string> files;   // a text of each; empty of a recording that is not written
+    std::vector<std::string> beside;  // of their second files, where the format has them
+    Dissimilarity before;             // PM
+    Dissimilarity after;              // PM on the scale of `before`
     std::optional<ConfusablePair> closest_before;
     std::optional<ConfusablePair> closest_after;
     std::vector<PairChange> most_moved;  // those that changed, the most first

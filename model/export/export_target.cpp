@@ -1,5 +1,11 @@
 #include "model/export/export_target.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "model/io/effects/read_effects.h"
+#include "model/text/numbers.h"
+
 namespace tact {
 
 namespace {
@@ -11,10 +17,42 @@ std::string format_keys() {
     return keys;
 }
 
+std::string rate_words(double rate_hz) {
+    return grouped_digits(static_cast<std::size_t>(std::llround(rate_hz))) + " Hz";
+}
+
+const char* words_of(WaveEncoding encoding) {
+    if (encoding == WaveEncoding::float32) return "floats";
+    return encoding == WaveEncoding::int16 ? "16 bits" : "24 bits";
+}
+
 }  // namespace
 
 ExportTarget own_target(TargetFormat format) {
+    if (is_sampled(format)) {
+        ExportTarget target{format};
+        if (format == TargetFormat::csv) target.sampled.rate_hz = kModelRateHz;
+        return target;
+    }
     return {format, bundled_actuator(traits(format).map)};
+}
+
+ExportTarget usual_target(TargetFormat format, const PatternSet& set) {
+    ExportTarget target = own_target(format);
+    if (is_sampled(format)) return target;
+    const EffectOrigin* read_by = nullptr;
+    for (const Vibration& one : set.vibrations) {
+        if (one.effect.actuator.empty()) continue;
+        if (read_by != nullptr && read_by->actuator != one.effect.actuator) return target;
+        const EffectFormatTraits* from = format_named(one.effect.format);
+        if (from != nullptr && one.effect.actuator == from->map) return target;
+        read_by = &one.effect;
+    }
+    if (read_by == nullptr) return target;
+    const auto known =
+        std::ranges::find(bundled_actuators(), read_by->actuator, &ActuatorMap::name);
+    if (known != bundled_actuators().end()) target.map = *known;
+    return target;
 }
 
 Expected<ExportTarget> export_target_named(const std::string& format, const std::string& actuator) {
@@ -24,6 +62,9 @@ Expected<ExportTarget> export_target_named(const std::string& format, const std:
                      format_keys()};
     }
     if (actuator.empty()) return own_target(*known);
+    if (is_sampled(*known)) {
+        return Error{"\"" + actuator + "\": expected no actuator, " + format + " holds g"};
+    }
     const Expected<ActuatorMap> map = actuator_named(actuator);
     if (!map) return map.error();
     return ExportTarget{*known, *map};
@@ -38,8 +79,26 @@ Expected<ExportTarget> export_target_named(const std::string& text) {
 }
 
 std::string words_on(const ExportTarget& target) {
+    if (is_sampled(target.format)) {
+        const bool csv = target.format == TargetFormat::csv;
+        const std::string bits =
+            csv ? "" : std::string(" and ") + words_of(target.sampled.encoding);
+        return std::string("as ") + traits(target.format).title + " of " +
+               rate_words(target.sampled.rate_hz) + bits + " holds them";
+    }
     return std::string("as ") + traits(target.format).title + " for " + target.map.name +
            " holds them";
+}
+
+std::string meaning_of(const ExportTarget& target) {
+    if (target.format == TargetFormat::csv) return "times in s, accelerations in g";
+    if (target.format != TargetFormat::wav) {
+        return "actuator " + target.map.name + ": " + target.map.source;
+    }
+    const double full_g = target.sampled.full_scale_g;
+    const std::string full =
+        full_g > 0.0 ? significant_digits(full_g, 6) + " g" : "as the loudest of all";
+    return "full scale: " + full + ", said in the .wav.json beside each file";
 }
 
 }  // namespace tact

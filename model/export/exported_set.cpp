@@ -1,12 +1,28 @@
 #include "model/export/exported_set.h"
 
+#include <algorithm>
+
 #include "model/common/parallel.h"
 #include "model/export/openxr_back.h"
+#include "model/export/samples_back.h"
+#include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
+#include "model/signal/resample.h"
 
 namespace tact {
 
 namespace {
+
+Expected<Effect> pair_back(const WrittenEffect& written, const std::string& name,
+                           const ExportTarget& target) {
+    auto first = read_effects(written.text, name + kContinuousEnding, target.map);
+    if (!first) return first.error();
+    const auto second = read_effects(written.beside, name + kTransientsEnding, target.map);
+    if (!second) return second.error();
+    auto pair = joined_pair(*first, *second);
+    if (!pair) return Error{"expected a pair, the files are two effects"};
+    return std::move(pair->effects.front());
+}
 
 Expected<Effect> read_back(const WrittenEffect& written, const std::string& name,
                            const ExportTarget& target) {
@@ -14,6 +30,7 @@ Expected<Effect> read_back(const WrittenEffect& written, const std::string& name
     if (target.format == TargetFormat::openxr) {
         return openxr_back(written.text, {path, name, target.map});
     }
+    if (target.format == TargetFormat::ahap_pair) return pair_back(written, name, target);
     auto read = read_effects(written.text, path, target.map);
     if (!read) return read.error();
     if (read->effects.empty()) return Error{path + ": expected an effect, there is none"};
@@ -34,14 +51,13 @@ Pattern silence_like(const Pattern& pattern) {
     return silence;
 }
 
-}  // namespace
-
-ExportedPattern exported(const Pattern& pattern, const std::string& name,
-                         const ExportTarget& target, const std::string& date) {
-    const EffectTarget effect{name, target.map, date};
+ExportedPattern effect_exported(const Pattern& pattern, const std::string& name,
+                                const ExportTarget& target, const std::string& date) {
+    const EffectTarget effect{name, target.map, date, {}};
     WrittenEffect written = write_effect(target.format, pattern, effect);
     auto back = read_back(readable(pattern, written, effect, target.format), name, target);
-    ExportedPattern result{std::move(written.text), std::move(written.remarks), {}};
+    ExportedPattern result{
+        std::move(written.text), std::move(written.beside), std::move(written.remarks), {}};
     if (!back) {
         result.remarks.push_back("nothing of it comes back: " + back.error().message);
         result.back = silence_like(pattern);
@@ -54,15 +70,76 @@ ExportedPattern exported(const Pattern& pattern, const std::string& name,
     return result;
 }
 
+Waveform waveform_at(const Vibration& vibration, double rate_hz) {
+    if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
+        return render(*pattern, rate_hz);
+    }
+    return resampled(waveform_of(vibration), rate_hz);
+}
+
+ExportedPattern samples_exported(const Vibration& vibration, const ExportTarget& target) {
+    const EffectTarget samples{vibration.name, {}, {}, target.sampled};
+    WrittenEffect written =
+        write_samples(target.format, waveform_at(vibration, target.sampled.rate_hz), samples);
+    auto back = samples_back(target.format, written, samples);
+    ExportedPattern result{
+        std::move(written.text), std::move(written.beside), std::move(written.remarks), {}};
+    const auto* recording = std::get_if<Measurement>(&vibration.source);
+    Measurement measurement = recording != nullptr ? *recording : Measurement{};
+    if (!back) {
+        result.remarks.push_back("nothing of it comes back: " + back.error().message);
+        const std::size_t length = waveform_of(vibration).samples_g.size();
+        back = Recording{{kModelRateHz, std::vector<double>(length)}, 1.0, {}};
+    }
+    for (const std::string& remark : back->remarks) {
+        result.remarks.push_back("as it is read back: " + remark);
+    }
+    measurement.waveform = std::make_shared<const Waveform>(std::move(back->waveform));
+    result.back = std::move(measurement);
+    return result;
+}
+
+}  // namespace
+
+bool is_held(const Vibration& vibration, TargetFormat format) {
+    return is_sampled(format) || std::holds_alternative<Pattern>(vibration.source);
+}
+
+ExportedPattern exported(const Pattern& pattern, const std::string& name,
+                         const ExportTarget& target, const std::string& date) {
+    Vibration vibration;
+    vibration.name = name;
+    vibration.source = pattern;
+    return exported(vibration, target, date);
+}
+
+ExportedPattern exported(const Vibration& vibration, const ExportTarget& target,
+                         const std::string& date) {
+    if (is_sampled(target.format)) return samples_exported(vibration, target);
+    return effect_exported(std::get<Pattern>(vibration.source), vibration.name, target, date);
+}
+
+ExportTarget with_full_scale(ExportTarget target, const PatternSet& set, int threads,
+                             std::stop_token stop) {
+    SampledAs& as = target.sampled;
+    if (target.format != TargetFormat::wav || as.full_scale_g > 0.0) return target;
+    std::vector<double> peaks_g(set.vibrations.size());
+    parallel_for(peaks_g.size(), threads, stop, [&](std::size_t k) {
+        peaks_g[k] = peak_g(waveform_at(set.vibrations[k], as.rate_hz));
+    });
+    const double loudest_g = peaks_g.empty() ? 0.0 : std::ranges::max(peaks_g);
+    as.full_scale_g = full_scale_of(loudest_g, as.encoding);
+    return target;
+}
+
 std::optional<ExportedSet> exported_set(const PatternSet& set, const ExportTarget& target,
                                         int threads, std::stop_token stop,
                                         const std::string& date) {
-    ExportedSet result{{}, set, 0};
+    ExportedSet result{with_full_scale(target, set, threads, stop), {}, set, 0};
     result.patterns.resize(set.vibrations.size());
     const bool all = parallel_for(set.vibrations.size(), threads, stop, [&](std::size_t k) {
         const Vibration& one = set.vibrations[k];
-        const auto* pattern = std::get_if<Pattern>(&one.source);
-        if (pattern != nullptr) result.patterns[k] = exported(*pattern, one.name, target, date);
+        if (is_held(one, target.format)) result.patterns[k] = exported(one, result.target, date);
     });
     if (!all) return std::nullopt;
     for (std::size_t k = 0; k < result.patterns.size(); ++k) {

@@ -1,8 +1,8 @@
 // Patterns as files of another program, and as they come back from these.
 //
-// What was written is read by our own readers with the same actuator map. A Kotlin builder is read
-// as the XML of the same envelope, a C initialiser from its arrays: no other reader of these is
-// there.
+// What was written is read by our own readers with the same actuator map; the two files of a pair
+// as one pattern. A Kotlin builder is read as the XML of the same envelope, a C initialiser and a
+// table of samples from their own numbers: no other reader of these is there.
 //
 // Valid     patterns without fault (model/pattern/drawn_fault.h)
 // Output    what does not come back at all is silence as long as the pattern, and said in words
@@ -13,6 +13,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "model/export/export_target.h"
@@ -21,21 +22,35 @@
 namespace tact {
 
 struct ExportedPattern {
-    std::string text;                  // of the file
-    std::vector<std::string> remarks;  // what was lost or changed; sentences without their stop
-    Pattern back;                      // what the file holds, as it is read
+    std::string text;                         // of the file
+    std::string beside;                       // of its second file, where the format has one
+    std::vector<std::string> remarks;         // what was lost or changed; sentences without a stop
+    std::variant<Pattern, Measurement> back;  // what the file holds, as it is read
 
     bool operator==(const ExportedPattern&) const = default;
 };
+
+// Whether the format holds it: recordings in samples alone.
+bool is_held(const Vibration& vibration, TargetFormat format);
 
 // `date` is ISO 8601, for formats that have to have one; it changes nothing that comes back.
 ExportedPattern exported(const Pattern& pattern, const std::string& name,
                          const ExportTarget& target, const std::string& date = "2026-01-01");
 
+// The same of anything that the format holds.
+ExportedPattern exported(const Vibration& vibration, const ExportTarget& target,
+                         const std::string& date = "2026-01-01");
+
+// With a full scale of samples, where it has none: one for all, so that the loudest just fits;
+// stopped, of those that were looked at.
+ExportTarget with_full_scale(ExportTarget target, const PatternSet& set, int threads = 0,
+                             std::stop_token stop = {});
+
 struct ExportedSet {
-    // Of each vibration; none of a recording, which no such format holds.
-    std::vector<std::optional<ExportedPattern>> patterns;
-    PatternSet back;             // recordings as they are
+    ExportTarget target{};  // with its full scale
+    // Of each vibration; none of a recording, but in samples.
+    std::vector<std::optional<ExportedPattern>> patterns{};
+    PatternSet back{};           // recordings that are not written as they are
     std::size_t recordings = 0;  // of these
 };
 

@@ -50,6 +50,14 @@ std::vector<std::string> names_of(const PatternSet& set) {
     return names;
 }
 
+std::map<std::string, std::size_t> actuators_of(const PatternSet& set) {
+    std::map<std::string, std::size_t> count;
+    for (const Vibration& one : set.vibrations) {
+        if (!one.effect.actuator.empty()) ++count[one.effect.actuator];
+    }
+    return count;
+}
+
 std::optional<std::size_t> place_named(const PatternSet& set, const std::string& name) {
     const auto found = std::ranges::find(set.vibrations, name, &Vibration::name);
     if (found == set.vibrations.end()) return std::nullopt;

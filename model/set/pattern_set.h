@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,14 @@ struct Measurement {
     bool operator==(const Measurement&) const;  // compares the samples, not the pointers
 };
 
+// Of a pattern that was read from an effect of another program (model/io/effects).
+struct EffectOrigin {
+    std::string format;    // "ahap"; empty: it was not
+    std::string actuator;  // name of the map by which its 0 to 1 became Hz and g
+
+    bool operator==(const EffectOrigin&) const = default;
+};
+
 struct Vibration {
     std::string name;  // unique in its set
     std::variant<Pattern, Measurement> source;
@@ -39,6 +48,7 @@ struct Vibration {
     bool dropped = false;      // from every subset; never together with `locked`
     bool generated = false;    // from the set's design space, and not changed by hand since
     bool ring = false;         // its mark, in its colour: a ring, or a disc
+    EffectOrigin effect{};
 
     bool operator==(const Vibration&) const = default;
 };
@@ -93,6 +103,9 @@ double longest_s(const PatternSet& set);
 
 // Of all vibrations, in their order.
 std::vector<std::string> names_of(const PatternSet& set);
+
+// How many patterns were read by each actuator map, by its name.
+std::map<std::string, std::size_t> actuators_of(const PatternSet& set);
 
 // Where the vibration of a name stands; none: there is none.
 std::optional<std::size_t> place_named(const PatternSet& set, const std::string& name);

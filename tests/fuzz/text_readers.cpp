@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -5,6 +6,7 @@
 #include "assets/assets.h"
 #include "devices/calibration/calibration_file.h"
 #include "model/io/effects/actuator_file.h"
+#include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
 #include "model/io/effects_out/write_effect.h"
 #include "model/io/people/ratings_file.h"
@@ -16,6 +18,7 @@
 #include "model/io/set/set_file.h"
 #include "model/io/tables/coordinates_file.h"
 #include "model/io/tables/matrix_file.h"
+#include "model/pattern/drawn_fault.h"
 #include "model/pattern/rhythm.h"
 #include "model/pattern/rhythm_edit.h"
 #include "model/physiology/mechanoreceptor.h"
@@ -182,6 +185,35 @@ bool effects(std::string_view bytes) {
     return true;
 }
 
+// Both files in one text, an empty byte between.
+bool ahap_pair(std::string_view bytes) {
+    const std::size_t end = std::min(bytes.find('\0'), bytes.size());
+    const auto first = read_effects(bytes.substr(0, end), "fuzz_continuous.ahap");
+    const std::string_view rest = bytes.substr(std::min(end + 1, bytes.size()));
+    const auto second = read_effects(rest, "fuzz_transients.ahap");
+    if (!is_read(first) || !is_read(second)) return false;
+    const auto pair = joined_pair(*first, *second);
+    if (!pair) return false;
+    PatternSet set;
+    Vibration vibration;
+    vibration.name = pair->effects.front().name;
+    vibration.source = pair->effects.front().pattern;
+    set.vibrations.push_back(vibration);
+    hold(!drawn_fault(pair->effects.front().pattern), "a pair is a pattern without fault");
+    hold(parse_set(print_set(set), "fuzz.json", "/"), "a pair can be saved");
+    return true;
+}
+
+Seeds ahap_pair_seeds() {
+    Pattern pattern;
+    pattern.duration_s = 0.3;
+    pattern.amplitude_curve = {{0.0, 1.0}, {0.1, 0.5}, {0.3, 0.5}};
+    pattern.transients = {{0.2, 0.5, 150.0, 0.022}};
+    const EffectTarget target{"x", bundled_actuator("core-haptics")};
+    const auto written = write_effect(TargetFormat::ahap_pair, pattern, target);
+    return {written.text + '\0' + written.beside};
+}
+
 Seeds effects_seeds() {
     return {
         R"({"Version":1,"Pattern":[{"Event":{"Time":0,"EventType":"HapticTransient","EventParameters":[{"ParameterID":"HapticIntensity","ParameterValue":0.8}]}},{"ParameterCurve":{"ParameterID":"HapticIntensityControl","Time":0,"ParameterCurveControlPoints":[{"Time":0,"ParameterValue":1}]}}]})",
@@ -242,6 +274,7 @@ std::span<const Reader> text_readers() {
         {"acceleration", acceleration, acceleration_seeds, {"time", "(s)", "ms", "m/s2", "V"}},
         {"calibration", calibration, calibration_seeds, {"\"points\"", "\"gain_g\""}},
         {"actuator", actuator, actuator_seeds, {"\"transient\"", "\"law\""}},
+        {"ahap_pair", ahap_pair, ahap_pair_seeds, {"\"HapticContinuous\"", "\"Project\""}},
         {"effects",
          effects,
          effects_seeds,

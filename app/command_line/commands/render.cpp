@@ -11,6 +11,7 @@
 #include "app/session/folders.h"
 #include "model/io/recordings/text_waveform.h"
 #include "model/io/recordings/wave_file.h"
+#include "model/io/recordings/waveform_csv.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
@@ -19,16 +20,6 @@
 namespace tact {
 
 namespace {
-
-Expected<Done> write_csv(const std::filesystem::path& path, const Waveform& waveform) {
-    std::ostringstream text;
-    text.precision(17);
-    text << "time_s,acceleration_g\n";
-    for (std::size_t n = 0; n < waveform.samples_g.size(); ++n) {
-        text << static_cast<double>(n) / waveform.rate_hz << ',' << waveform.samples_g[n] << '\n';
-    }
-    return write_atomically(path, text.str());
-}
 
 // What a device plays, with the report on each: two tables in the folder.
 struct DeviceReport {
@@ -108,7 +99,7 @@ Expected<Done> run(const RenderCommand& command) {
         Expected<Done> written = Done{};
         if (command.format == "wav") written = write_wave_file(path, waveforms[k], wave);
         if (command.format == "txt") written = write_text_waveform(path, waveforms[k]);
-        if (command.format == "csv") written = write_csv(path, waveforms[k]);
+        if (command.format == "csv") written = write_atomically(path, waveform_csv(waveforms[k]));
         if (!written) return written;
         files.push_back(path.string());
     }

@@ -229,6 +229,14 @@ Expected<Sketch> sketch_of(const AhapPattern& pattern, const EffectFile& file) {
     return sketch;
 }
 
+// Apple leaves the metadata free: what is no text is no name of a project.
+std::string project_of(const Json& document) {
+    const auto metadata = document.find("Metadata");
+    if (metadata == document.end() || !metadata->is_object()) return {};
+    const auto project = metadata->find("Project");
+    return project != metadata->end() && project->is_string() ? project->get<std::string>() : "";
+}
+
 }  // namespace
 
 Expected<Effects> read_ahap(const Json& document, const EffectFile& file) {
@@ -246,6 +254,7 @@ Expected<Effects> read_ahap(const Json& document, const EffectFile& file) {
     if (!sketch) return sketch.error();
     auto effect = finished(file, file.stem, *sketch, std::move(pattern.remarks));
     if (!effect) return effect.error();
+    effect->project = project_of(document);
     return Effects{*std::move(effect)};
 }
 

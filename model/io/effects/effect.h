@@ -20,6 +20,7 @@ struct Effect {
     std::string name;  // unique in its file
     Pattern pattern;
     std::vector<std::string> remarks;  // what was accepted, left out or changed; without the file
+    std::string project{};             // that an AHAP names: the two files of a pair name one
 
     bool operator==(const Effect&) const = default;
 };

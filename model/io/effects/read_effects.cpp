@@ -16,15 +16,16 @@ namespace tact {
 
 namespace {
 
-constexpr std::array<EffectFormatTraits, 9> kFormats{{{"no effects", "core-haptics"},
-                                                      {"AHAP", "core-haptics"},
-                                                      {".haptic of Meta", "quest"},
-                                                      {"HJIF of MPEG", "mpeg"},
-                                                      {".haps of Interhaptics", "interhaptics"},
-                                                      {".he of RichTap or OpenHarmony", "richtap"},
-                                                      {"a preset of Pulsar", "core-haptics"},
-                                                      {"Android", "android"},
-                                                      {".hla of Hapticlabs", "android"}}};
+constexpr std::array<EffectFormatTraits, 9> kFormats{
+    {{"", "no effects", "core-haptics"},
+     {"ahap", "AHAP", "core-haptics"},
+     {"haptic", ".haptic of Meta", "quest"},
+     {"hjif", "HJIF of MPEG", "mpeg"},
+     {"haps", ".haps of Interhaptics", "interhaptics"},
+     {"he", ".he of RichTap or OpenHarmony", "richtap"},
+     {"pulsar", "a preset of Pulsar", "core-haptics"},
+     {"android", "Android", "android"},
+     {"hla", ".hla of Hapticlabs", "android"}}};
 
 char first_sign(std::string_view text) {
     const std::string_view rest = trimmed(without_bom(text));
@@ -135,6 +136,11 @@ Expected<EffectsRead> read_any(std::string_view text, const std::string& path,
 
 const EffectFormatTraits& traits(EffectFormat format) {
     return kFormats[static_cast<std::size_t>(format)];
+}
+
+const EffectFormatTraits* format_named(std::string_view key) {
+    const auto found = std::ranges::find(kFormats, key, &EffectFormatTraits::key);
+    return key.empty() || found == kFormats.end() ? nullptr : &*found;
 }
 
 bool is_effect_name(std::string_view path) {

@@ -21,10 +21,14 @@ inline constexpr std::size_t kMostEffectBytes = std::size_t{1} << 26;
 enum class EffectFormat { none, ahap, haptic, hjif, haps, he, pulsar, android, hla };
 
 struct EffectFormatTraits {
+    const char* key;   // "haptic"
     const char* name;  // ".haptic of Meta"
     const char* map;   // of actuator_map.h, where nobody chooses another
 };
 const EffectFormatTraits& traits(EffectFormat format);
+
+// Of its key; null: none has it.
+const EffectFormatTraits* format_named(std::string_view key);
 
 // Whether a file of this name can be nothing else: .ahap, .haptic, .hjif, .haps, .he, .hla.
 bool is_effect_name(std::string_view path);

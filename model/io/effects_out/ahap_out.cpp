@@ -4,6 +4,7 @@
 //           most; intensity controls multiply, sharpness controls add, on transients, too. Times of
 //           control points count from their curve's. At most 16 points a curve, as the tests of
 //           both known writers have it: the next curve begins with the last one's last point.
+//           A pair: what is continuous in one file, transients in the other (effects/ahap_pair.h).
 // Output    where nothing continuous sounds, events pause and the control is 1, so that transients
 //           pass; elsewhere transients are divided by the control, and lose what that leaves short
 
@@ -196,39 +197,54 @@ AhapEnd add_parts(Json& entries, const Shares& shares, TapLosses& losses) {
     return end;
 }
 
-}  // namespace
-
-WrittenEffect write_ahap(const Pattern& pattern, const EffectTarget& target, AhapPart part) {
-    WrittenEffect written;
-    PlainCurves curves = as_curves(pattern, written.remarks);
-    const bool pair = part != AhapPart::whole && !curves.transients.empty();
-    // Scaled together, so that both files of a pair have their strengths beside each other.
-    Shares shares = as_shares(curves, target.map, written.remarks);
-    if (part == AhapPart::continuous) shares.taps.clear();
-    if (part == AhapPart::transients) {
-        shares.amplitude = {{0.0, 0.0}, {shares.duration_s, 0.0}};
-    }
-    if (pair) {
-        written.remarks.push_back(part == AhapPart::continuous
-                                      ? "its transients are in the other file"
-                                      : "the rest is in the other file");
-    }
+// One file, with what its controls leave of the transients.
+std::string ahap_text(const Shares& shares, const EffectTarget& target, AhapEnd& end,
+                      std::vector<std::string>& remarks) {
     Json entries = Json::array();
     TapLosses losses;
-    const AhapEnd end = add_parts(entries, shares, losses);
-    losses.intensity.remark("weaker beneath the intensity control", "", written.remarks);
-    losses.sharpness.remark("moved by the sharpness control", "", written.remarks);
-    const double longest_burst_s =
-        std::max(target.map.burst_at_0.duration_s, target.map.burst_at_1.duration_s);
-    const bool taps_at_end = end.taps_s + longest_burst_s > end.continuous_s && end.taps_s > 0.0;
-    if (end.continuous_s < shares.duration_s || taps_at_end) {
-        remark_end(std::max(end.continuous_s, taps_at_end ? end.taps_s + longest_burst_s : 0.0),
-                   shares.duration_s, written.remarks);
-    }
-    written.text =
-        printed({{"Version", 1.0},
-                 {"Metadata", {{"Project", valid_utf8(target.name)}, {"Created", target.date}}},
-                 {"Pattern", entries}});
+    const AhapEnd own = add_parts(entries, shares, losses);
+    end = {std::max(end.continuous_s, own.continuous_s), std::max(end.taps_s, own.taps_s)};
+    losses.intensity.remark("weaker beneath the intensity control", "", remarks);
+    losses.sharpness.remark("moved by the sharpness control", "", remarks);
+    return printed({{"Version", 1.0},
+                    {"Metadata", {{"Project", valid_utf8(target.name)}, {"Created", target.date}}},
+                    {"Pattern", entries}});
+}
+
+void remark_ahap_end(const AhapEnd& end, const Shares& shares, const ActuatorMap& map,
+                     std::vector<std::string>& remarks) {
+    const double burst_s = std::max(map.burst_at_0.duration_s, map.burst_at_1.duration_s);
+    const bool taps_at_end = end.taps_s + burst_s > end.continuous_s && end.taps_s > 0.0;
+    if (end.continuous_s >= shares.duration_s && !taps_at_end) return;
+    remark_end(std::max(end.continuous_s, taps_at_end ? end.taps_s + burst_s : 0.0),
+               shares.duration_s, remarks);
+}
+
+}  // namespace
+
+WrittenEffect write_ahap(const Pattern& pattern, const EffectTarget& target) {
+    WrittenEffect written;
+    const Shares shares =
+        as_shares(as_curves(pattern, written.remarks), target.map, written.remarks);
+    AhapEnd end;
+    written.text = ahap_text(shares, target, end, written.remarks);
+    remark_ahap_end(end, shares, target.map, written.remarks);
+    return written;
+}
+
+WrittenEffect write_ahap_pair(const Pattern& pattern, const EffectTarget& target) {
+    WrittenEffect written;
+    // Scaled together, so that both files have their strengths beside each other.
+    const Shares shares =
+        as_shares(as_curves(pattern, written.remarks), target.map, written.remarks);
+    Shares continuous = shares;
+    continuous.taps.clear();
+    Shares transients = shares;
+    transients.amplitude = {{0.0, 0.0}, {shares.duration_s, 0.0}};
+    AhapEnd end;
+    written.text = ahap_text(continuous, target, end, written.remarks);
+    written.beside = ahap_text(transients, target, end, written.remarks);
+    remark_ahap_end(end, shares, target.map, written.remarks);
     return written;
 }
 

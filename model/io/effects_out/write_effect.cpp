@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/io/effects/ahap_pair.h"
 #include "model/io/effects_out/writers.h"
 #include "model/text/numbers.h"
 
@@ -13,19 +14,20 @@ namespace tact {
 
 namespace {
 
-constexpr std::array<TargetTraits, 12> kTargets{
-    {{"haptic", ".haptic of Meta", ".haptic", "quest"},
-     {"ahap", "AHAP", ".ahap", "core-haptics"},
-     {"ahap-continuous", "AHAP, the continuous part of a pair", "_continuous.ahap", "core-haptics"},
-     {"ahap-transients", "AHAP, the transients of a pair", "_transients.ahap", "core-haptics"},
-     {"hjif", "HJIF of MPEG", ".hjif", "mpeg"},
-     {"android-xml", "an envelope of Android 16 as XML", ".xml", "android"},
-     {"android-kotlin", "an envelope of Android 16 as Kotlin", ".kt", "android"},
-     {"android-timings", "timings and amplitudes of Android", ".json", "android"},
-     {"hla", ".hla of Hapticlabs", ".hla", "android"},
-     {"pulsar", "a preset of Pulsar", ".json", "core-haptics"},
-     {"he", ".he of RichTap", ".he", "richtap"},
-     {"openxr", "XR_EXT_haptic_parametric as C", ".c", "quest"}}};
+constexpr std::array<TargetTraits, 13> kTargets{
+    {{"haptic", ".haptic of Meta", ".haptic", "", "quest"},
+     {"ahap", "AHAP", ".ahap", "", "core-haptics"},
+     {"ahap-pair", "AHAP, a pair", kContinuousEnding, kTransientsEnding, "core-haptics"},
+     {"hjif", "HJIF of MPEG", ".hjif", "", "mpeg"},
+     {"android-xml", "an envelope of Android 16 as XML", ".xml", "", "android"},
+     {"android-kotlin", "an envelope of Android 16 as Kotlin", ".kt", "", "android"},
+     {"android-timings", "timings and amplitudes of Android", ".json", "", "android"},
+     {"hla", ".hla of Hapticlabs", ".hla", "", "android"},
+     {"pulsar", "a preset of Pulsar", ".json", "", "core-haptics"},
+     {"he", ".he of RichTap", ".he", "", "richtap"},
+     {"openxr", "XR_EXT_haptic_parametric as C", ".c", "", "quest"},
+     {"wav", "WAV", ".wav", ".wav.json", ""},
+     {"csv", "CSV of accelerations", ".csv", "", ""}}};
 
 }  // namespace
 
@@ -41,17 +43,19 @@ std::optional<TargetFormat> target_format_of(std::string_view key) {
     return static_cast<TargetFormat>(found - kTargets.begin());
 }
 
+bool is_sampled(TargetFormat format) {
+    return format == TargetFormat::wav || format == TargetFormat::csv;
+}
+
 WrittenEffect write_effect(TargetFormat format, const Pattern& pattern,
                            const EffectTarget& target) {
     switch (format) {
         case TargetFormat::haptic:
             return write_haptic(pattern, target);
         case TargetFormat::ahap:
-            return write_ahap(pattern, target, AhapPart::whole);
-        case TargetFormat::ahap_continuous:
-            return write_ahap(pattern, target, AhapPart::continuous);
-        case TargetFormat::ahap_transients:
-            return write_ahap(pattern, target, AhapPart::transients);
+            return write_ahap(pattern, target);
+        case TargetFormat::ahap_pair:
+            return write_ahap_pair(pattern, target);
         case TargetFormat::hjif:
             return write_hjif(pattern, target);
         case TargetFormat::android_xml:
@@ -68,6 +72,9 @@ WrittenEffect write_effect(TargetFormat format, const Pattern& pattern,
             return write_he(pattern, target);
         case TargetFormat::openxr:
             return write_openxr(pattern, target);
+        case TargetFormat::wav:
+        case TargetFormat::csv:
+            return write_samples(format, render(pattern, target.sampled.rate_hz), target);
     }
     assert(false && "a format that is written");
     return {};

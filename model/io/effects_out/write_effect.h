@@ -1,7 +1,8 @@
 // A pattern as a file of another program, and in words what that loses.
 //
 // Pure: what is written depends on the arguments alone. Reading the text with the same actuator map
-// (model/io/effects/read_effects.h) gives what is left of the pattern.
+// (model/io/effects/read_effects.h) gives what is left of the pattern. WAV and CSV hold samples, in
+// g: they need no map, and hold recordings, too.
 //
 // Source    each format's at the head of its source file
 // Valid     patterns without fault (model/pattern/drawn_fault.h)
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "model/io/effects/actuator_map.h"
+#include "model/io/recordings/wave_file.h"
 #include "model/pattern/pattern.h"
 
 namespace tact {
@@ -23,8 +25,7 @@ namespace tact {
 enum class TargetFormat {
     haptic,
     ahap,
-    ahap_continuous,  // of a pair: no control reaches the transients of the other
-    ahap_transients,
+    ahap_pair,  // two files: no control of one reaches the transients of the other
     hjif,
     android_xml,
     android_kotlin,
@@ -32,34 +33,59 @@ enum class TargetFormat {
     hla,
     pulsar,
     he,
-    openxr
+    openxr,
+    wav,
+    csv
 };
 
 struct TargetTraits {
     const char* key;     // "android-xml"
     const char* title;   // "an envelope of Android 16, XML"
     const char* ending;  // of the file's name, with all that is behind the pattern's
-    const char* map;     // a bundled actuator, where nobody chooses another
+    const char* beside;  // of a second file, which belongs to it; empty: none
+    const char* map;     // a bundled actuator, where nobody chooses another; empty: it has none
 };
 
 std::span<const TargetTraits> target_formats();
 const TargetTraits& traits(TargetFormat format);
 std::optional<TargetFormat> target_format_of(std::string_view key);
 
+// Samples: WAV or CSV.
+bool is_sampled(TargetFormat format);
+
+// How samples are written.
+struct SampledAs {
+    double rate_hz = 48'000.0;                    // a whole number
+    WaveEncoding encoding = WaveEncoding::int24;  // of WAV
+    double full_scale_g = 0.0;  // of WAV, its sidecar says so; 0: full_scale_of the loudest
+
+    bool operator==(const SampledAs&) const = default;
+};
+
+// The least full scale that holds a peak at each of its whole-number steps; 1 g of silence.
+double full_scale_of(double peak_g, WaveEncoding encoding);
+
 struct EffectTarget {
     std::string name;  // of the pattern
-    ActuatorMap map;
+    ActuatorMap map{};
     std::string date = "2026-01-01";  // ISO 8601, for formats that have to have one
+    SampledAs sampled{};
 };
 
 struct WrittenEffect {
     std::string text;
     std::vector<std::string> remarks;  // what was lost or changed; sentences without their stop
+    std::string beside{};              // the second file, of formats that have one
 
     bool operator==(const WrittenEffect&) const = default;
 };
 
 WrittenEffect write_effect(TargetFormat format, const Pattern& pattern, const EffectTarget& target);
+
+// A waveform of any rate, of the sampled formats. A peak above the full scale is turned down, with
+// a remark.
+WrittenEffect write_samples(TargetFormat format, const Waveform& waveform,
+                            const EffectTarget& target);
 
 // Steps of one amplitude each, 0 to 255, as Meta's converter takes them of a curve of 0 to 1: each
 // stretch between jumps from its first value to its last, truncated in single precision; 0 only

@@ -6,10 +6,9 @@
 
 namespace tact {
 
-enum class AhapPart { whole, continuous, transients };
-
 WrittenEffect write_haptic(const Pattern& pattern, const EffectTarget& target);
-WrittenEffect write_ahap(const Pattern& pattern, const EffectTarget& target, AhapPart part);
+WrittenEffect write_ahap(const Pattern& pattern, const EffectTarget& target);
+WrittenEffect write_ahap_pair(const Pattern& pattern, const EffectTarget& target);
 WrittenEffect write_hjif(const Pattern& pattern, const EffectTarget& target);
 WrittenEffect write_android_xml(const Pattern& pattern, const EffectTarget& target);
 WrittenEffect write_android_kotlin(const Pattern& pattern, const EffectTarget& target);

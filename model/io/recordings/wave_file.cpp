@@ -59,16 +59,14 @@ struct Told {
     std::string remark;
 };
 
-Expected<Told> with_sidecar(RecordingOptions options, const fs::path& path, const OpenWave& wave) {
+Expected<Told> with_sidecar(RecordingOptions options, const WaveText& text, const std::string& file,
+                            const OpenWave& wave) {
     constexpr Range kChannels{1, 1024};  // libsndfile's own limit
-    const fs::path sidecar = sidecar_of(path);
-    std::error_code none;
-    if (!fs::exists(sidecar, none)) return Told{options, {}};
-    const auto text = read_text_file(sidecar);
-    if (!text) return text.error();
-    auto document = parse_json(*text, sidecar.string());
+    if (text.sidecar.empty()) return Told{options, {}};
+    const std::string sidecar = sidecar_of(file).string();
+    auto document = parse_json(text.sidecar, sidecar);
     if (!document) return document.error();
-    JsonReading reading{sidecar.string(), {}};
+    JsonReading reading{sidecar, {}};
     JsonObject object = object_at(reading, *document, "");
     const double scale_g = number_field(object, "scale_g", 0.0, limits::kScaleG);
     const int channel = whole_field(object, "channel", 0, kChannels);
@@ -118,12 +116,22 @@ std::string header_fault(const OpenWave& wave, Wanted wanted) {
     return {};
 }
 
-Expected<std::unique_ptr<OpenWave>> opened(const fs::path& path) {
-    const std::string name = path.string();
+// Both files; the sidecar is empty where there is none.
+Expected<WaveText> read_wave_text(const fs::path& path) {
     auto bytes = read_text_file(path, kMaxWaveBytes);
     if (!bytes) return bytes.error();
-    const std::size_t size = bytes->size();
-    std::istringstream stream(*std::move(bytes));
+    const fs::path sidecar = sidecar_of(path);
+    std::error_code none;
+    if (!fs::exists(sidecar, none)) return WaveText{*std::move(bytes), {}};
+    auto said = read_text_file(sidecar);
+    if (!said) return said.error();
+    // Nothing in it is a fault of its own: JSON has at least a word.
+    return WaveText{*std::move(bytes), said->empty() ? " " : *std::move(said)};
+}
+
+Expected<std::unique_ptr<OpenWave>> opened(std::string&& bytes, const std::string& name) {
+    const std::size_t size = bytes.size();
+    std::istringstream stream(std::move(bytes));
     if (const std::string fault = wave_size_fault(stream, size); !fault.empty()) {
         return Error{name + ": " + fault};
     }
@@ -201,12 +209,14 @@ Expected<WaveChannels> read_wave_channels(const fs::path& path, std::size_t only
     const auto refused = [&path](const std::string& why) {
         return Error{path.string() + ": " + why};
     };
-    const auto wave = opened(path);
+    auto text = read_wave_text(path);
+    if (!text) return text.error();
+    const auto wave = opened(std::move(text->bytes), path.string());
     if (!wave) return wave.error();
     const SF_INFO& info = (*wave)->info;
     const auto count = static_cast<std::size_t>(info.channels);
     if (const auto fault = fault_of ? fault_of(count) : ""; !fault.empty()) return refused(fault);
-    const auto told = with_sidecar({}, path, **wave);
+    const auto told = with_sidecar({}, *text, path.string(), **wave);
     if (!told) return told.error();
     const Wanted wanted = only > 0 ? Wanted{only - 1, only} : Wanted{0, count};
     if (const auto fault = header_fault(**wave, wanted); !fault.empty()) return refused(fault);
@@ -219,11 +229,17 @@ Expected<WaveChannels> read_wave_channels(const fs::path& path, std::size_t only
 }
 
 Expected<Recording> read_wave_file(const fs::path& path, const RecordingOptions& asked) {
-    const std::string name = path.string();
-    const auto wave = opened(path);
+    auto text = read_wave_text(path);
+    if (!text) return text.error();
+    return parse_wave(*std::move(text), path.string(), asked);
+}
+
+Expected<Recording> parse_wave(WaveText text, const std::string& name,
+                               const RecordingOptions& asked) {
+    const auto wave = opened(std::move(text.bytes), name);
     if (!wave) return wave.error();
     const SF_INFO& info = (*wave)->info;
-    const auto told = with_sidecar(asked, path, **wave);
+    const auto told = with_sidecar(asked, text, name, **wave);
     if (!told) return told.error();
     const RecordingOptions& options = told->options;
     const std::size_t channel = options.channel.value_or(0);
@@ -255,9 +271,8 @@ Expected<Recording> read_wave_file(const fs::path& path, const RecordingOptions&
     return recording;
 }
 
-Expected<Done> write_wave_file(const fs::path& path, const Waveform& waveform,
-                               const WaveOptions& options) {
-    const std::string name = path.string();
+Expected<WaveText> wave_text(const Waveform& waveform, const WaveOptions& options,
+                             const std::string& name) {
     const double peak = peak_g(waveform);
     if (!(peak <= kMaxSampleG)) {
         return Error{name + ": expected a peak of at most 1,000,000 g, got " +
@@ -282,16 +297,22 @@ Expected<Done> write_wave_file(const fs::path& path, const Waveform& waveform,
         return Error{name + ": cannot be encoded: " + sf_strerror(sound.get())};
     }
     sound.reset();  // completes the header
+    const Json sidecar = {{"scale_g", options.scale_g}, {"of", fingerprint_of(memory.bytes)}};
+    return WaveText{std::move(memory.bytes), sidecar.dump() + "\n"};
+}
 
+Expected<Done> write_wave_file(const fs::path& path, const Waveform& waveform,
+                               const WaveOptions& options) {
+    const auto text = wave_text(waveform, options, path.string());
+    if (!text) return text.error();
     // Two files are not replaced at once. The sidecar says whose it is, so that a new one beside
     // the old samples, which a power cut may leave, is noticed.
     std::error_code none;
     if (options.scale_g != 1.0 || fs::exists(sidecar_of(path), none)) {
-        const Json sidecar = {{"scale_g", options.scale_g}, {"of", fingerprint_of(memory.bytes)}};
-        auto written = write_atomically(sidecar_of(path), sidecar.dump() + "\n");
+        auto written = write_atomically(sidecar_of(path), text->sidecar);
         if (!written) return written;
     }
-    return write_atomically(path, memory.bytes);
+    return write_atomically(path, text->bytes);
 }
 
 }  // namespace tact

@@ -25,9 +25,19 @@
 
 namespace tact {
 
+// A WAV file and its sidecar, in memory.
+struct WaveText {
+    std::string bytes;
+    std::string sidecar;  // empty: none
+};
+
 // The scale is that of the options, else of the sidecar, else 1 g with a remark; so is the channel.
 Expected<Recording> read_wave_file(const std::filesystem::path& path,
                                    const RecordingOptions& options = {});
+
+// The same of texts; `name` for messages.
+Expected<Recording> parse_wave(WaveText text, const std::string& name,
+                               const RecordingOptions& options = {});
 
 inline constexpr std::size_t kMaxWaveBytes = std::size_t{1} << 28;
 
@@ -57,5 +67,9 @@ struct WaveOptions {
 // above 1,000,000 g, or NaN.
 Expected<Done> write_wave_file(const std::filesystem::path& path, const Waveform& waveform,
                                const WaveOptions& options = {});
+
+// The same, with a sidecar in any case, as texts; `name` for messages.
+Expected<WaveText> wave_text(const Waveform& waveform, const WaveOptions& options,
+                             const std::string& name);
 
 }  // namespace tact

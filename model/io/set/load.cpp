@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/set_file.h"
@@ -29,12 +30,26 @@ Expected<Loaded> load_recording(const fs::path& path) {
     return loaded;
 }
 
-Expected<Loaded> load_effects(const fs::path& path, const std::optional<ActuatorMap>& actuator) {
+// The file of a pair that nobody asked for.
+void remark_on_second(const fs::path& path, std::vector<FileRemark>& remarks) {
+    const auto second = second_of_pair(path.string());
+    std::error_code none;
+    if (!second || !fs::exists(*second, none)) return;
+    remarks.push_back({path.string(), "its transients in " +
+                                          valid_utf8(fs::path(*second).filename().string()) +
+                                          " are not read: both files, or their folder, are one "
+                                          "pattern"});
+}
+
+Expected<Loaded> load_effects(const fs::path& path, const fs::path& second,
+                              const std::optional<ActuatorMap>& actuator) {
     std::vector<FileRemark> remarks;
-    auto effects = effects_from(path, actuator, remarks);
+    auto effects = effects_from(path, actuator, remarks, second);
     if (!effects) return effects.error();
+    if (second.empty()) remark_on_second(path, remarks);
     Loaded loaded;
-    loaded.set.name = valid_utf8(path.stem().string());
+    const bool is_pair = !second.empty() && effects->size() == 1;
+    loaded.set.name = is_pair ? effects->front().name : valid_utf8(path.stem().string());
     loaded.set.vibrations = *std::move(effects);
     loaded.effects = true;
     loaded.remarks = joined(remarks);
@@ -61,20 +76,46 @@ bool may_be_effect_file(const fs::path& path) {
     return is_effect_name(path.string()) || !(has("\"tactspace\"") || has("\"patterns\""));
 }
 
-Expected<Loaded> load_by_kind(const fs::path& path, const std::optional<ActuatorMap>& actuator) {
+Expected<Loaded> load_by_kind(const fs::path& path, const fs::path& second,
+                              const std::optional<ActuatorMap>& actuator) {
     std::error_code none;
     if (fs::is_directory(path, none)) return read_waveform_folder(path, actuator);
     if (const auto size = readable_size(path); !size) return size.error();
     if (is_recording(path)) return load_recording(path);
     const bool json = extension_of(path) == ".json";
     if (is_effect_name(path.string()) || may_be_effect_file(path)) {
-        auto effects = load_effects(path, actuator);
+        auto effects = load_effects(path, second, actuator);
         if (!effects || !effects->set.vibrations.empty()) return effects;
     }
     if (json) return read_set_file(path);
     return Error{path.string() +
                  ": expected a set (.tactspace.json), a folder of .txt, .wav or effect files, or "
                  "one such file"};
+}
+
+Expected<Loaded> load_with(const fs::path& path, const fs::path& second,
+                           const std::optional<ActuatorMap>& actuator) {
+    return with_enough_memory(path.string(), [&] { return load_by_kind(path, second, actuator); });
+}
+
+// Two files of an AHAP pair among them are named together, where the first one is.
+struct NamedFiles {
+    fs::path path;
+    fs::path second;  // empty: none
+};
+
+std::vector<NamedFiles> with_pairs(std::span<const fs::path> paths) {
+    std::vector<NamedFiles> all;
+    std::vector<bool> is_second(paths.size());
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+        if (const auto second = place_of_second(paths, k)) is_second[*second] = true;
+    }
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+        if (is_second[k]) continue;
+        const auto second = place_of_second(paths, k);
+        all.push_back({paths[k], second ? paths[*second] : fs::path()});
+    }
+    return all;
 }
 
 template <class Value>
@@ -86,7 +127,7 @@ void append(std::vector<Value>& all, std::vector<Value>&& more) {
 }  // namespace
 
 Expected<Loaded> load_set(const fs::path& path, const std::optional<ActuatorMap>& actuator) {
-    return with_enough_memory(path.string(), [&] { return load_by_kind(path, actuator); });
+    return load_with(path, {}, actuator);
 }
 
 bool holds_effects(const fs::path& path) {
@@ -101,14 +142,16 @@ bool holds_effects(const fs::path& path) {
 Expected<Loaded> load_sets(std::span<const fs::path> paths,
                            const std::optional<ActuatorMap>& actuator) {
     if (paths.empty()) return Error{"expected at least one set, got none"};
-    auto all = load_set(paths.front(), actuator);
+    const std::vector<NamedFiles> files = with_pairs(paths);
+    const std::string first = files.front().path.string();
+    auto all = load_with(files.front().path, files.front().second, actuator);
     if (!all) return all;
     FileOfName file_of;
     for (const Vibration& vibration : all->set.vibrations) {
-        file_of.emplace(vibration.name, paths.front().string());
+        file_of.emplace(vibration.name, first);
     }
-    for (const fs::path& path : paths.subspan(1)) {
-        auto more = load_set(path, actuator);
+    for (const auto& [path, second] : std::span(files).subspan(1)) {
+        auto more = load_with(path, second, actuator);
         if (!more) return more;
         for (Vibration& vibration : more->set.vibrations) {
             if (more->effects) vibration.name = unused_beside(file_of, vibration.name, path);
@@ -118,8 +161,8 @@ Expected<Loaded> load_sets(std::span<const fs::path> paths,
                          other->second + " too, expected names that differ"};
         }
         if (more->set.model != all->set.model) {
-            more->remarks.push_back(path.string() + ": model parameters of " +
-                                    paths.front().string() + " used instead of its own");
+            more->remarks.push_back(path.string() + ": model parameters of " + first +
+                                    " used instead of its own");
         }
         append(all->set.vibrations, std::move(more->set.vibrations));
         append(all->set.ratings, std::move(more->set.ratings));

@@ -24,8 +24,8 @@ Expected<Loaded> load_set(const std::filesystem::path& path,
 bool holds_effects(const std::filesystem::path& path);
 
 // Several as one. Name, duration, model parameters and unknown keys are those of the first; two
-// vibrations of one name are an Error, but that an effect gets a name that is free. No path gives
-// an Error.
+// vibrations of one name are an Error, but that an effect gets a name that is free. Two files of an
+// AHAP pair among them are one effect. No path gives an Error.
 Expected<Loaded> load_sets(std::span<const std::filesystem::path> paths,
                            const std::optional<ActuatorMap>& actuator = {});
 

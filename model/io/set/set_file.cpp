@@ -6,6 +6,7 @@
 #include "model/io/set/set_json.h"
 #include "model/text/atomic_file.h"
 #include "model/text/enough_memory.h"
+#include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -81,6 +82,11 @@ Expected<Loaded> loaded_from(std::string_view text, const std::string& name,
         samples += recorded_samples(vibration);
         if (fault.empty()) fault = samples_fault(samples);
         if (!fault.empty()) return Error{recording_place(name, k, vibration) + ": " + fault};
+    }
+    for (const auto& [actuator, count] : actuators_of(loaded.set)) {
+        loaded.remarks.push_back(name + ": " + grouped_digits(count) +
+                                 (count == 1 ? " pattern was" : " patterns were") +
+                                 " read by actuator map " + in_quotes(actuator));
     }
     return loaded;
 }

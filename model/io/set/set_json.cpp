@@ -69,6 +69,13 @@ bool ring_of(JsonObject& object) {
     return mark == "ring";
 }
 
+EffectOrigin effect_of(JsonObject& object, Json& unknown) {
+    JsonObject fields = object_field(object, "effect");
+    EffectOrigin effect{text_field(fields, "format", ""), text_field(fields, "actuator", "")};
+    note_unknown(unknown, "effect", unknown_fields(fields));
+    return effect;
+}
+
 Vibration vibration_of(JsonObject& object, double set_duration_s) {
     Vibration vibration;
     Json unknown = Json::object();
@@ -88,6 +95,7 @@ Vibration vibration_of(JsonObject& object, double set_duration_s) {
     vibration.ring = ring_of(object);
     vibration.note = text_field(object, "note", "");
     vibration.generated = yes_no_field(object, "generated", false);
+    vibration.effect = effect_of(object, unknown);
     unknown.update(unknown_fields(object));
     vibration.unknown_json = kept_text(unknown);
     return vibration;
@@ -217,6 +225,10 @@ Json json_of(const Vibration& vibration, double set_duration_s, const fs::path& 
     if (vibration.ring) fields["mark"] = "ring";
     if (!vibration.note.empty()) fields["note"] = vibration.note;
     if (vibration.generated) fields["generated"] = true;
+    if (vibration.effect != EffectOrigin{}) {
+        fields["effect"] = {{"format", vibration.effect.format},
+                            {"actuator", vibration.effect.actuator}};
+    }
     restore_unknown_of(fields, vibration);
     return fields;
 }

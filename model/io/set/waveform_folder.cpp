@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
 #include "model/text/atomic_file.h"
 #include "model/text/natural_order.h"
@@ -113,9 +114,9 @@ Expected<Done> gather_recording(Gathered& all, const fs::path& file) {
 }
 
 // A file that only its content could have made one of ours is left aside where it is faulty.
-Expected<Done> gather_effects(Gathered& all, const fs::path& file,
+Expected<Done> gather_effects(Gathered& all, const fs::path& file, const fs::path& second,
                               const std::optional<ActuatorMap>& actuator) {
-    auto effects = effects_from(file, actuator, all.remarks);
+    auto effects = effects_from(file, actuator, all.remarks, second);
     if (!effects) {
         if (is_effect_name(file.string())) return effects.error();
         all.remarks.push_back({effects.error().message, "ignored"});
@@ -148,9 +149,17 @@ Expected<Loaded> read_folder(const fs::path& folder, Kinds kinds, bool effects,
     for (const fs::path& file : listing->files) {
         if (is_of(file, kinds)) all.taken.taken.insert(valid_utf8(file.stem().string()));
     }
-    for (const fs::path& file : listing->files) {
+    std::vector<bool> is_second(listing->files.size());
+    for (std::size_t k = 0; k < listing->files.size(); ++k) {
+        if (is_second[k]) continue;
+        const fs::path& file = listing->files[k];
+        const auto second = place_of_second(listing->files, k);
+        if (second) is_second[*second] = true;
         const auto read =
-            is_of(file, kinds) ? gather_recording(all, file) : gather_effects(all, file, actuator);
+            is_of(file, kinds)
+                ? gather_recording(all, file)
+                : gather_effects(all, file, second ? listing->files[*second] : fs::path(),
+                                 actuator);
         if (!read) return read.error();
     }
     if (all.set.vibrations.empty()) {
@@ -175,6 +184,33 @@ Expected<Loaded> read_folder(const fs::path& folder, Kinds kinds, bool effects,
                                  (all.others == 1 ? " other file" : " other files") + " ignored");
     }
     return loaded;
+}
+
+Expected<EffectsRead> read_effects_file(const fs::path& path,
+                                        const std::optional<ActuatorMap>& actuator) {
+    const auto text = read_text_file(path, kMostEffectBytes);
+    if (!text) return text.error();
+    return read_effects(*text, path.string(), actuator);
+}
+
+// `files`: what the note calls it.
+void add_effects(std::vector<Vibration>& vibrations, const EffectsRead& read, const fs::path& path,
+                 const std::string& files, std::vector<FileRemark>& remarks) {
+    for (const Effect& effect : read.effects) {
+        Vibration vibration;
+        vibration.name = effect.name;
+        vibration.source = effect.pattern;
+        vibration.note = origin_of(read, effect, files);
+        vibration.effect = {traits(read.format).key, read.map.name};
+        vibrations.push_back(std::move(vibration));
+        for (const std::string& remark : effect.remarks) {
+            const FileRemark one{path.string(), remark};
+            if (std::ranges::find(remarks, one) == remarks.end()) remarks.push_back(one);
+        }
+    }
+    if (read.effects.empty()) return;
+    remarks.push_back(
+        {path.string(), "actuator map " + read.map.name + " (" + read.map.source + ")"});
 }
 
 }  // namespace
@@ -207,30 +243,36 @@ Expected<Vibration> vibration_from(const fs::path& path, std::vector<FileRemark>
     return vibration;
 }
 
+std::optional<std::size_t> place_of_second(std::span<const fs::path> files, std::size_t first) {
+    const auto second = second_of_pair(files[first].string());
+    if (!second) return std::nullopt;
+    const auto found = std::ranges::find(files, fs::path(*second));
+    if (found == files.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - files.begin());
+}
+
 Expected<std::vector<Vibration>> effects_from(const fs::path& path,
                                               const std::optional<ActuatorMap>& actuator,
-                                              std::vector<FileRemark>& remarks) {
-    const auto text = read_text_file(path, kMostEffectBytes);
-    if (!text) return text.error();
-    const auto read = read_effects(*text, path.string(), actuator);
+                                              std::vector<FileRemark>& remarks,
+                                              const fs::path& second) {
+    const auto read = read_effects_file(path, actuator);
     if (!read) return read.error();
-    const std::string file = valid_utf8(path.filename().string());
     std::vector<Vibration> vibrations;
-    for (const Effect& effect : read->effects) {
-        Vibration vibration;
-        vibration.name = effect.name;
-        vibration.source = effect.pattern;
-        vibration.note = origin_of(*read, effect, file);
-        vibrations.push_back(std::move(vibration));
-        for (const std::string& remark : effect.remarks) {
-            const FileRemark one{path.string(), remark};
-            if (std::ranges::find(remarks, one) == remarks.end()) remarks.push_back(one);
-        }
+    const std::string file = valid_utf8(path.filename().string());
+    if (second.empty()) {
+        add_effects(vibrations, *read, path, file, remarks);
+        return vibrations;
     }
-    if (!vibrations.empty()) {
-        remarks.push_back(
-            {path.string(), "actuator map " + read->map.name + " (" + read->map.source + ")"});
+    const auto other = read_effects_file(second, actuator);
+    if (!other) return other.error();
+    const std::string other_file = valid_utf8(second.filename().string());
+    if (const auto pair = joined_pair(*read, *other)) {
+        add_effects(vibrations, *pair, path, file + " and " + other_file, remarks);
+        remarks.push_back({path.string(), "one pattern with " + other_file});
+        return vibrations;
     }
+    add_effects(vibrations, *read, path, file, remarks);
+    add_effects(vibrations, *other, second, other_file, remarks);
     return vibrations;
 }
 

@@ -3,13 +3,14 @@
 //
 // Source    the layout of the files that the paper's authors publish (testVibration_0.txt ..)
 // Output    vibrations in natural order of their files' names: 2 before 10. An effect whose name is
-//           taken is named by its whole file name.
+//           taken is named by its whole file name. Two files of an AHAP pair are one effect
 // Valid     1 to 10,000 files of kMaxSetSamples in all (loaded.h)
 // Left out  folders within the folder.
 #pragma once
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,11 +39,17 @@ struct FileRemark {
 Expected<Vibration> vibration_from(const std::filesystem::path& path,
                                    std::vector<FileRemark>& remarks);
 
-// The effects of a file, with a note of where each comes from; none: it holds none. Remarks get the
-// file's name, the actuator map among them.
+// The effects of a file, with a note of where each comes from; none: it holds none. With `second`,
+// the two of an AHAP pair, as one effect where the rule of model/io/effects/ahap_pair.h holds.
+// Remarks get the file's name, the actuator map among them.
 Expected<std::vector<Vibration>> effects_from(const std::filesystem::path& path,
                                               const std::optional<ActuatorMap>& actuator,
-                                              std::vector<FileRemark>& remarks);
+                                              std::vector<FileRemark>& remarks,
+                                              const std::filesystem::path& second = {});
+
+// Which of these files is the other one of an AHAP pair that begins with the file at a place.
+std::optional<std::size_t> place_of_second(std::span<const std::filesystem::path> files,
+                                           std::size_t first);
 
 // Equal remarks of many files as one: "a.wav and 11 more: full scale taken as 1 g".
 std::vector<std::string> joined(const std::vector<FileRemark>& remarks);

@@ -9,6 +9,7 @@
 #include "app/window/animation.h"
 #include "app/window/commands.h"
 #include "model/export/loss_words.h"
+#include "model/io/recordings/wave_file.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -227,6 +228,60 @@ TEST_CASE("export vibrations: closing the dialog ends the work beside the window
     dialog.program.click("button:cancel");
     dialog.wait_until([&] { return !is_predicting_loss(dialog.effects()); });
     CHECK(dialog.program.app.ui.dialog == Dialog::none);
+}
+
+TEST_CASE(
+    "export vibrations: WAV has a rate and bits in the place of an actuator, and recordings") {
+    PatternSet set = five_with_odd_names();
+    Measurement measurement;
+    measurement.waveform = std::make_shared<const Waveform>(waveform_of(set.vibrations[1]));
+    set.vibrations[1].source = measurement;
+    EffectDialog dialog(set);
+    dialog.choose_format("wav");
+    CHECK_FALSE(dialog.program.shows("export:actuator"));
+    CHECK(dialog.program.at("export:rate 48000").value == "on");
+    CHECK(dialog.program.at("export:bits 24").value == "on");
+    CHECK(dialog.program.at("export:left out").value.empty());
+    dialog.program.click("export:rate 10000");
+    dialog.program.click("export:bits 16");
+    dialog.wait_for_loss();
+    const fs::path out = dialog.folder.path / "waves";
+    dialog.answer_folder(out);
+    dialog.write();
+    CHECK(file_count(out) == 11);
+    const std::string status = dialog.program.app.ui.status.text;
+    CHECK(contains(status, "as WAV of 10,000 Hz and 16 bits holds them"));
+    CHECK(contains(status, " g, said in the .wav.json beside each file"));
+    const auto read = read_wave_file(out / "p3.wav");
+    REQUIRE(read);
+    CHECK(read->remarks.empty());
+    CHECK(peak_g(read->waveform) ==
+          doctest::Approx(peak_g(waveform_of(set.vibrations[2]))).epsilon(1e-3));
+    CHECK(contains(bytes_of(out / kExportReport), "Full scale: "));
+    // The same without the prediction.
+    stop_predicting(dialog.effects());
+    dialog.effects().answer.reset();
+    dialog.effects().export_to = dialog.folder.path / "again";
+    dialog.write();
+    CHECK(bytes_of(dialog.folder.path / "again" / "p3.wav") == bytes_of(out / "p3.wav"));
+    CHECK(bytes_of(dialog.folder.path / "again" / "p3.wav.json") == bytes_of(out / "p3.wav.json"));
+    run_command(dialog.program, "Export vibrations...");
+    dialog.choose_format("csv");
+    CHECK(dialog.program.at("export:rate 10000").value == "on");
+    CHECK_FALSE(dialog.program.shows("export:bits 16"));
+}
+
+TEST_CASE("export vibrations: the map by which effects were read, where somebody chose it") {
+    PatternSet set = five_with_odd_names();
+    for (Vibration& one : set.vibrations) one.effect = {"haptic", "console-pcm"};
+    EffectDialog dialog(set, false);
+    dialog.choose_format("haptic");
+    CHECK(dialog.program.at("export:actuator").value == "console-pcm");
+    CHECK(dialog.effects().request.target.map.name == "console-pcm");
+    dialog.program.click("export:actuator");
+    dialog.program.click("export actuator:quest");
+    CHECK(dialog.effects().request.target.map.name == "quest");
+    make_effect_job(dialog.program.app.ui, dialog.effects());
 }
 
 TEST_CASE("export report: the same loss is the same page, and names what was lost") {

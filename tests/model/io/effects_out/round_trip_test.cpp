@@ -5,9 +5,12 @@
 #include <cmath>
 #include <random>
 
+#include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
 #include "model/io/effects_out/write_effect.h"
+#include "model/io/recordings/acceleration_table.h"
 #include "model/pattern/drawn_fault.h"
+#include "tests/support/temporary_folder.h"
 
 namespace round_trip_test {
 
@@ -94,6 +97,18 @@ EffectsRead read_back(const std::string& text) {
     return *read;
 }
 
+EffectsRead pair_back(const WrittenEffect& written) {
+    const auto pair = joined_pair(*read_effects(written.text, "a_continuous.ahap", plain_map()),
+                                  *read_effects(written.beside, "a_transients.ahap", plain_map()));
+    REQUIRE(pair);
+    REQUIRE(!drawn_fault(pair->effects.front().pattern));
+    return *pair;
+}
+
+EffectsRead read_back(TargetFormat format, const WrittenEffect& written) {
+    return format == TargetFormat::ahap_pair ? pair_back(written) : read_back(written.text);
+}
+
 double largest_difference_g(const Pattern& a, const Pattern& b) {
     double largest = 0.0;
     for (double t_s = 0.00005; t_s < a.duration_s; t_s += 0.0001) {
@@ -163,19 +178,124 @@ TEST_CASE("round trip: a pair of AHAP holds curves in one file and transients in
     std::mt19937 random(7);
     for (int k = 0; k < kPatterns; ++k) {
         const Pattern pattern = some_pattern(random, {});
-        const EffectTarget target{"one", plain_map()};
-        const auto first = write_effect(TargetFormat::ahap_continuous, pattern, target);
-        const Pattern curves = read_back(first.text).effects.front().pattern;
+        const auto written = write_effect(TargetFormat::ahap_pair, pattern, {"one", plain_map()});
+        CHECK(written.remarks.empty());
+        const Pattern curves = read_back(written.text).effects.front().pattern;
         CHECK(curves.transients.empty());
-        CHECK(largest_difference_g(pattern, curves) < 1e-6);
-        CHECK(largest_difference_hz(pattern, curves) < 1e-6);
-        if (pattern.transients.empty()) continue;
-        const auto second = write_effect(TargetFormat::ahap_transients, pattern, target);
-        const Pattern bursts = read_back(second.text).effects.front().pattern;
+        const Pattern bursts = read_back(written.beside).effects.front().pattern;
         CHECK(same_transients(pattern, bursts));
         CHECK(envelope_g(bursts, 0.01) == 0.0);
-        CHECK(first.remarks.front() == "its transients are in the other file");
+        const Pattern pair = pair_back(written).effects.front().pattern;
+        CHECK(is_equal(pattern, pair));
     }
+}
+
+TEST_CASE("round trip: two AHAP are a pair by their names, one project, and a silent second one") {
+    Pattern pattern;
+    pattern.duration_s = 0.3;
+    pattern.transients = {transients_on(plain_map(), 0.1, 0.8, 0.5).front()};
+    const auto written = write_effect(TargetFormat::ahap_pair, pattern, {"tap", plain_map()});
+    const auto other = write_effect(TargetFormat::ahap_pair, pattern, {"top", plain_map()});
+    const auto read = [](const std::string& text, const std::string& path) {
+        return *read_effects(text, path, plain_map());
+    };
+    const EffectsRead first = read(written.text, "d/x_continuous.ahap");
+    CHECK(second_of_pair("d/x_continuous.ahap") == "d/x_transients.ahap");
+    CHECK_FALSE(second_of_pair("d/x_transients.ahap"));
+    CHECK_FALSE(second_of_pair("d/x.ahap"));
+    const auto pair = joined_pair(first, read(written.beside, "d/x_transients.ahap"));
+    REQUIRE(pair);
+    CHECK(pair->effects.front().name == "x");
+    CHECK_FALSE(joined_pair(first, read(other.beside, "d/x_transients.ahap")));
+    CHECK_FALSE(joined_pair(first, read(written.text, "d/x_transients.ahap")));
+    CHECK_FALSE(joined_pair(read(written.text, "d/x.ahap"), read(written.beside, "d/y.ahap")));
+}
+
+TEST_CASE(
+    "round trip: a transient behind the end of a pair's first file makes the pattern longer") {
+    Pattern pattern;
+    pattern.duration_s = 0.2;
+    const ActuatorMap map = plain_map();
+    Pattern late = pattern;
+    late.duration_s = 0.5;
+    late.transients = {transients_on(map, 0.4, 0.8, 0.5).front()};
+    const auto first = write_effect(TargetFormat::ahap_pair, pattern, {"x", map});
+    const auto second = write_effect(TargetFormat::ahap_pair, late, {"x", map});
+    const auto pair = joined_pair(*read_effects(first.text, "x_continuous.ahap", map),
+                                  *read_effects(second.beside, "x_transients.ahap", map));
+    REQUIRE(pair);
+    const Pattern& both = pair->effects.front().pattern;
+    CHECK_FALSE(drawn_fault(both));
+    CHECK(both.duration_s > 0.4);
+    CHECK(envelope_g(both, 0.1) > 0.5);
+    CHECK(envelope_g(both, 0.3) == 0.0);
+    CHECK(same_transients(late, both));
+}
+
+TEST_CASE("round trip: WAV of floats holds 1e-6 g, of 16 and 24 bits half a step, at each rate") {
+    std::mt19937 random(31);
+    for (const double rate_hz : {10'000.0, 44'100.0, 48'000.0}) {
+        for (const auto encoding :
+             {WaveEncoding::float32, WaveEncoding::int16, WaveEncoding::int24}) {
+            CAPTURE(rate_hz);
+            CAPTURE(static_cast<int>(encoding));
+            Pattern pattern = some_pattern(random, {});
+            pattern.amplitude_g = between(random, 0.1, 12.0);
+            const Waveform meant = render(pattern, rate_hz);
+            const double full_g = full_scale_of(peak_g(meant), encoding);
+            const EffectTarget target{"one", {}, {}, {rate_hz, encoding, full_g}};
+            const auto written = write_effect(TargetFormat::wav, pattern, target);
+            TemporaryFolder folder;
+            folder.write("one.wav", written.text);
+            folder.write("one.wav.json", written.beside);
+            const auto read = read_wave_channels(folder.path / "one.wav");
+            REQUIRE(read);
+            CHECK(read->rate_hz == rate_hz);
+            CHECK(read->scale_g == full_g);
+            CHECK(read->remark.empty());
+            double largest_g = 0.0;
+            REQUIRE(read->channels.front().size() == meant.samples_g.size());
+            for (std::size_t n = 0; n < meant.samples_g.size(); ++n) {
+                const double back_g = full_g * read->channels.front()[n];
+                largest_g = std::max(largest_g, std::abs(back_g - meant.samples_g[n]));
+            }
+            const double steps = encoding == WaveEncoding::int16 ? 32768.0 : 8388608.0;
+            const bool floats = encoding == WaveEncoding::float32;
+            CHECK(largest_g <= (floats ? 1e-6 : 0.5 * full_g / steps * (1.0 + 1e-9)));
+            CHECK(written.remarks.empty() == floats);
+        }
+    }
+}
+
+TEST_CASE("round trip: CSV of accelerations is exact") {
+    std::mt19937 random(32);
+    for (int k = 0; k < 5; ++k) {
+        const Pattern pattern = some_pattern(random, {});
+        const EffectTarget target{"one", {}, {}, {10'000.0, WaveEncoding::int24, 0.0}};
+        const auto written = write_effect(TargetFormat::csv, pattern, target);
+        CHECK(written.remarks.empty());
+        CHECK(written.beside.empty());
+        CHECK(written.text.starts_with("time_s,acceleration_g\n0,0\n"));
+        const auto table = parse_acceleration_table(written.text, "one.csv", true);
+        REQUIRE(table);
+        CHECK(table->axes.size() == 1);
+        CHECK(table->unit == AccelerationUnit::g);
+        CHECK(table->axes.front() == render(pattern, 10'000.0).samples_g);
+        for (std::size_t n = 0; n < table->time.size(); ++n) {
+            REQUIRE(table->time[n] == static_cast<double>(n) / 10'000.0);
+        }
+    }
+}
+
+TEST_CASE("round trip: what is louder than the full scale of a WAV is turned down, and says so") {
+    Pattern pattern;
+    pattern.amplitude_g = 2.0;
+    pattern.duration_s = 0.1;
+    const EffectTarget target{"one", {}, {}, {48'000.0, WaveEncoding::int16, 0.5}};
+    const auto written = write_effect(TargetFormat::wav, pattern, target);
+    CHECK(written.remarks.front() == "louder than full scale: scaled by 0.25");
+    CHECK(peak_g(parse_wave({written.text, written.beside}, "x")->waveform) < 0.51);
+    CHECK(peak_g(parse_wave({written.text, written.beside}, "x")->waveform) > 0.49);
 }
 
 TEST_CASE("round trip: HJIF holds curves at whole Hz, and transients") {
@@ -373,12 +493,10 @@ TEST_CASE(
         CAPTURE(k);
         for (std::size_t f = 0; f < target_formats().size(); ++f) {
             const auto format = static_cast<TargetFormat>(f);
-            if (is_source_text(format)) continue;
+            if (is_source_text(format) || is_sampled(format)) continue;
             CAPTURE(target_formats()[f].key);
             const auto written = write_effect(format, patterns[k], {"odd", plain_map()});
-            // Half a pair: without transients the other file is empty.
-            if (format == TargetFormat::ahap_transients) continue;
-            const Pattern back = read_back(written.text).effects.front().pattern;
+            const Pattern back = read_back(format, written).effects.front().pattern;
             const bool held = is_plain(patterns[k]) && is_equal(patterns[k], back);
             if (written.remarks.empty() && format != TargetFormat::hjif) CHECK(held);
             if (written.remarks.empty() && is_plain(patterns[k])) CHECK(held);
@@ -404,8 +522,8 @@ TEST_CASE("round trip: no loss is silent") {
             CAPTURE(written.text);
             const bool source =
                 format == TargetFormat::android_kotlin || format == TargetFormat::openxr;
-            if (source || format == TargetFormat::ahap_transients) continue;
-            const Pattern back = read_back(written.text).effects.front().pattern;
+            if (source || is_sampled(format)) continue;
+            const Pattern back = read_back(format, written).effects.front().pattern;
             if (format != TargetFormat::hjif) CHECK(is_plain(pattern));
             if (is_plain(pattern)) CHECK(is_equal(pattern, back));
             ++lossless;

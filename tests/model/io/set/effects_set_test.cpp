@@ -58,6 +58,79 @@ TEST_CASE("effects in sets: a folder that mixes formats and recordings is one se
     CHECK(std::get<Pattern>(tap.source).transients.size() == 1);
 }
 
+const std::string kRest =
+    R"({"Version": 1, "Pattern": [{"Event": {"Time": 0, "EventType": "HapticContinuous",
+    "EventDuration": 0.4, "EventParameters": []}}]})";
+
+TEST_CASE(
+    "effects in sets: the two files of an AHAP pair are one pattern, wherever both are named") {
+    const TemporaryFolder folder;
+    const auto first = folder.write("buzz_continuous.ahap", kRest);
+    const auto second = folder.write("buzz_transients.ahap", kTap);
+    folder.write("a_transients.ahap", kTap);  // without its other half
+    const auto whole = load_set(folder.path);
+    REQUIRE_MESSAGE(whole, fault(whole));
+    CHECK(names(whole->set) == std::vector<std::string>{"a_transients", "buzz"});
+    const auto& pair = std::get<Pattern>(whole->set.vibrations[1].source);
+    CHECK(pair.transients.size() == 1);
+    CHECK(envelope_g(pair, 0.2) > 0.1);
+    CHECK(says(*whole, "buzz_continuous.ahap: one pattern with buzz_transients.ahap"));
+    CHECK(whole->set.vibrations[1].note.starts_with(
+        "From buzz_continuous.ahap and buzz_transients.ahap (AHAP)."));
+    for (const auto& paths : {std::vector{first, second}, std::vector{second, first}}) {
+        const auto named = load_sets(paths);
+        REQUIRE_MESSAGE(named, fault(named));
+        CHECK(names(named->set) == std::vector<std::string>{"buzz"});
+        CHECK(named->set.vibrations[0].source == whole->set.vibrations[1].source);
+        CHECK(named->set.name == "buzz");
+    }
+    const auto half = load_set(first);
+    REQUIRE_MESSAGE(half, fault(half));
+    CHECK(names(half->set) == std::vector<std::string>{"buzz_continuous"});
+    CHECK(says(*half, "its transients in buzz_transients.ahap are not read"));
+    // Of another project: two patterns.
+    folder.write("buzz_transients.ahap", R"({"Metadata": {"Project": "other"}, )" + kTap.substr(1));
+    CHECK(names(load_set(folder.path)->set) ==
+          std::vector<std::string>{"a_transients", "buzz_continuous", "buzz_transients"});
+}
+
+TEST_CASE("effects in sets: the map's name is kept with each pattern, in its file and back") {
+    const TemporaryFolder folder;
+    folder.write("in/tap.ahap", kTap);
+    folder.write("in/clip.haptic", kClip);
+    const auto loaded = load_set(folder.path / "in", bundled_actuator("console-pcm"));
+    REQUIRE(loaded);
+    CHECK(loaded->set.vibrations[0].effect == EffectOrigin{"haptic", "console-pcm"});
+    CHECK(loaded->set.vibrations[1].effect == EffectOrigin{"ahap", "console-pcm"});
+    CHECK(actuators_of(loaded->set) == std::map<std::string, std::size_t>{{"console-pcm", 2}});
+    const auto file = folder.path / "kept.tactspace.json";
+    REQUIRE(write_set_file(file, loaded->set));
+    const auto back = load_set(file, bundled_actuator("quest"));  // is in g and Hz by now
+    REQUIRE(back);
+    CHECK(back->set == loaded->set);
+    CHECK(says(*back, ": 2 patterns were read by actuator map \"console-pcm\""));
+}
+
+TEST_CASE("effects in sets: a file without a map is written as it was") {
+    const std::string text =
+        R"({"tactspace": 1, "name": "x", "patterns": [{"name": "a"}, {"name": "b"}]})";
+    const auto set = parse_set(text, "x.json", {});
+    REQUIRE(set);
+    const std::string printed = print_set(*set);
+    CHECK(printed.find("effect") == std::string::npos);
+    CHECK(print_set(*parse_set(printed, "x.json", {})) == printed);
+    const auto kept = parse_set(
+        R"({"tactspace": 1, "patterns": [{"name": "a", "effect": {"actuator": "q", "new": 1}}]})",
+        "x.json", {});
+    REQUIRE(kept);
+    CHECK(kept->vibrations[0].effect.actuator == "q");
+    CHECK(print_set(*kept).find("\"new\": 1") != std::string::npos);
+    const auto refused =
+        parse_set(R"({"tactspace": 1, "patterns": [{"effect": {"actuator": 3}}]})", "x.json", {});
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message == "x.json: /patterns/0/effect/actuator: expected a text, got 3");
+}
+
 TEST_CASE("effects in sets: a faulty file of a format refuses its folder with a sentence") {
     const TemporaryFolder folder;
     folder.write("tap.ahap", kTap);

@@ -178,6 +178,7 @@ PatternSet random_set(Dice& dice, bool with_recordings) {
         if (dice.one_in(2)) vibration.colour = "#0072B2";
         vibration.ring = dice.one_in(3);
         vibration.note = dice.text(10);
+        if (dice.one_in(3)) vibration.effect = {dice.text(3), "a" + dice.text(6)};
         if (dice.one_in(2)) vibration.unknown_json = kUnknown;
         set.vibrations.push_back(std::move(vibration));
     }
