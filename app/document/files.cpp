@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "app/document/editing.h"
+#include "app/document/effect_maps.h"
 #include "app/document/pattern_looks.h"
 #include "app/document/unsaved.h"
 #include "app/session/autosave.h"
@@ -100,6 +101,7 @@ bool show_document(Ui& ui, Workspace& work, Document document, std::string text)
     ++work.document_number;
     if (!hold_document(work.session, work.document.path)) text += kOpenTwice;
     work.changes = {};
+    work.effects = {};
     work.selection = {};
     ui.fonts_outdated = true;  // its names may need other glyphs
     work.selection.partner.clear();
@@ -137,7 +139,9 @@ void open_paths(Ui& ui, Workspace& work, const std::vector<std::filesystem::path
     }
     std::string text = "Opened " + patterns_text(document.set.vibrations.size());
     text += loaded->remarks.empty() ? "." : ": " + joined(loaded->remarks) + ".";
+    const std::vector<Vibration> read = document.set.vibrations;
     if (!show_document(ui, work, std::move(document), text)) return;
+    note_effect_files(work, paths, read);
     for (const auto& path : paths) remember_file(work.session, std::filesystem::absolute(path));
 }
 
@@ -153,6 +157,7 @@ void add_paths(Ui& ui, Workspace& work, const std::vector<std::filesystem::path>
     if (!fault.empty()) return complain(ui, "Nothing was added: " + fault);
     std::string text = "Added " + patterns_text(count);
     text += loaded->remarks.empty() ? "." : ": " + joined(loaded->remarks) + ".";
+    note_effect_files(work, paths, loaded->set.vibrations);
     add_vibrations(ui, work, std::move(loaded->set.vibrations), "Add " + patterns_text(count));
     say(ui, text);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <future>
 #include <memory>
 #include <string>
@@ -18,6 +19,17 @@
 
 namespace tact {
 
+// Files of other programs' effects that the document was made of.
+struct EffectFiles {
+    std::vector<std::filesystem::path> paths;
+    std::vector<std::vector<Vibration>> read;  // each vibration of theirs, as each map has read it
+};
+
+struct DocumentEffects {
+    std::vector<EffectFiles> files;
+    bool is_told = false;  // by which maps they were read, above the list of patterns
+};
+
 struct Workspace {
     Document document;
     History<PatternSet> history;
@@ -25,6 +37,7 @@ struct Workspace {
     std::uint64_t revision = 1;                   // of document.set, every change during a drag too
     std::uint64_t document_number = 1;            // raised when another one takes its place
     DocumentChanges changes;
+    DocumentEffects effects;
     Selection selection;
     Side side = Side::both;  // of the set: in the map, the matrix and what follows them
     VibrationCache cache;

@@ -12,6 +12,7 @@
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/document/pressing.h"
+#include "app/patterns/effect_maps_dialog.h"
 #include "app/patterns/look_menu.h"
 #include "app/patterns/set_panel.h"
 #include "app/ui/widgets.h"
@@ -338,6 +339,7 @@ void begin_rename(const Workspace& work, PatternPanes& pattern_panes, std::size_
 
 void draw_set_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
     draw_toolbar(ui, work);
+    draw_effect_maps_line(ui, work);
     draw_rows(ui, work, pattern_panes);
 }
 

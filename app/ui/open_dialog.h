@@ -8,6 +8,7 @@ enum class Dialog {
     about,
     keys,
     devices,
+    effect_maps,
     calibrate,
     export_view,
     export_animation,

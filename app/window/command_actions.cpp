@@ -21,6 +21,8 @@ void remove_chosen_or_selected(App& app) {
 
 bool has_selection(const App& app) { return current_vibration(app.work) != nullptr; }
 
+bool has_effects(const App& app) { return !actuators_of(app.work.document.set).empty(); }
+
 bool has_answers(const App& app) {
     const auto& answers = app.studying.answers;
     return answers && answers->results;

@@ -6,6 +6,7 @@
 namespace tact {
 
 bool has_selection(const App& app);
+bool has_effects(const App& app);
 bool has_answers(const App& app);
 bool has_subset(const App& app);
 bool has_pairs(const App& app);

@@ -17,6 +17,7 @@
 #include "app/measured/import_follow.h"
 #include "app/model_bench/kept_models.h"
 #include "app/model_bench/training_follow.h"
+#include "app/patterns/effect_maps_dialog.h"
 #include "app/patterns/tapping.h"
 #include "app/play/calibrating.h"
 #include "app/play/play_panels.h"
@@ -149,6 +150,7 @@ void draw_dialogs(App& app) {
     if (app.ui.question) return draw_question(app.ui);
     draw_chooser(app);
     draw_exports(app.ui, app.work, app.exports);
+    if (app.ui.dialog == Dialog::effect_maps) draw_effect_maps_dialog(app.ui, app.work);
     if (std::exchange(app.exports.cancel_asked, false)) cancel_animation(app);
     draw_import_dialogs(app.ui, app.work, app.importing);
     if (app.ui.dialog == Dialog::about) draw_about(app);

@@ -1,0 +1,133 @@
+#include "app/patterns/effect_maps_dialog.h"
+
+#include <algorithm>
+#include <set>
+
+#include "app/document/effect_maps.h"
+#include "app/ui/dialog.h"
+#include "app/ui/widgets.h"
+#include "model/io/effects/read_effects.h"
+#include "model/text/numbers.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kMapsDialogPx = 640.0F;
+constexpr float kMapComboPx = 270.0F;
+constexpr float kFormatPx = 200.0F;
+
+const char* name_of_format(const MapInUse& use) {
+    const EffectFormatTraits* format = format_named(use.format);
+    return format != nullptr ? format->name : use.format.c_str();
+}
+
+const ActuatorMap* known_map(const std::string& name) {
+    const auto maps = bundled_actuators();
+    const auto found = std::ranges::find(maps, name, &ActuatorMap::name);
+    return found != maps.end() ? &*found : nullptr;
+}
+
+std::string own_map(const MapInUse& use) {
+    const EffectFormatTraits* format = format_named(use.format);
+    return format != nullptr ? format->map : "";
+}
+
+std::string map_label(const std::string& name, const std::string& own) {
+    const ActuatorMap* map = known_map(name);
+    const bool is_guessed = map != nullptr && map->source.find("guess") != map->source.npos;
+    return name + (name == own ? ", the format's own" : "") + (is_guessed ? ", guessed" : "");
+}
+
+// The map that was chosen; empty: none was.
+std::string draw_map_combo(Ui& ui, const MapInUse& use) {
+    const std::string own = own_map(use);
+    std::string chosen;
+    ImGui::PushID(use.format.c_str());
+    ImGui::BeginDisabled(!use.has_files);
+    ImGui::SetNextItemWidth(kMapComboPx * ui.theme.scale);
+    const bool open = ImGui::BeginCombo("##map", map_label(use.actuators, own).c_str(),
+                                        ImGuiComboFlags_HeightLargest);
+    note_item(ui.rects, "effects:map of " + use.format, use.actuators);
+    if (open) {
+        for (const ActuatorMap& map : bundled_actuators()) {
+            const bool is_used = map.name == use.actuators;
+            if (ImGui::Selectable(map_label(map.name, own).c_str(), is_used) && !is_used) {
+                chosen = map.name;
+            }
+            draw_tooltip(ui, map.source.c_str());
+            note_item(ui.rects, "effects map:" + map.name);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::EndDisabled();
+    ImGui::PopID();
+    return chosen;
+}
+
+void draw_source(Ui& ui, const MapInUse& use) {
+    std::string text;
+    if (const ActuatorMap* map = known_map(use.actuators)) text = map->source;
+    if (!use.has_files) text += " Its files are not known: open them to read them by another.";
+    draw_label(ui, "", kFormatPx);
+    ImGui::PushFont(ui.theme.fonts.small);
+    ImGui::PushTextWrapPos(0.0F);
+    dim_text(ui, text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
+}  // namespace
+
+void draw_effect_maps_line(Ui& ui, Workspace& work) {
+    if (!work.effects.is_told) return;
+    std::set<std::string> names;
+    for (const auto& [name, count] : actuators_of(work.document.set)) names.insert(name);
+    if (names.empty()) return;
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    const std::string text = names.size() == 1
+                                 ? "Read by " + all
+                                 : "Read by " + std::to_string(names.size()) + " actuator maps";
+    const float right = ImGui::GetContentRegionMax().x - button_width("\u00d7");
+    const float change = right - ui.theme.gap_px - ImGui::CalcTextSize("Change...").x;
+    const float room = change - ui.theme.gap_px - ImGui::GetCursorPosX();
+    ImGui::PushFont(ui.theme.fonts.small);
+    dim_text(ui, shortened(ui.theme.fonts.small, text, room));
+    ImGui::PopFont();
+    note_item(ui.rects, "effects:maps", all);
+    draw_tooltip(ui, ("What 0 to 1 of the effect files became in Hz and g, by " + all).c_str());
+    ImGui::SameLine(change);
+    if (link(ui, "change maps", "Change...")) ui.dialog = Dialog::effect_maps;
+    note_item(ui.rects, "button:change maps");
+    ImGui::SameLine(right);
+    if (ImGui::SmallButton("\u00d7")) work.effects.is_told = false;
+    note_item(ui.rects, "button:hide maps");
+    draw_tooltip(ui, "File > Actuator maps... has it, too");
+}
+
+void draw_effect_maps_dialog(Ui& ui, Workspace& work) {
+    if (!begin_dialog(ui, "Actuator maps", kMapsDialogPx)) return;
+    const ImU32 field = dialog_field(ui.theme);
+    for (const ImGuiCol which : {ImGuiCol_FrameBg, ImGuiCol_Button}) {
+        ImGui::PushStyleColor(which, field);
+    }
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(
+        "What 0 to 1 of effect files mean in Hz and g on the device that they are for.");
+    ImGui::PopTextWrapPos();
+    ImGui::Spacing();
+    for (const MapInUse& use : maps_in_use(work)) {
+        draw_label(ui, name_of_format(use), kFormatPx);
+        const std::string chosen = draw_map_combo(ui, use);
+        ImGui::SameLine();
+        dim_text(ui, grouped_digits(use.patterns) + (use.patterns == 1 ? " pattern" : " patterns"));
+        draw_source(ui, use);
+        if (!chosen.empty()) read_by_map(ui, work, use.format, chosen);
+    }
+    ImGui::PopStyleColor(2);
+    end_dialog(ui);
+}
+
+}  // namespace tact
