@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kMapsDialogPx = 640.0F;
 constexpr float kMapComboPx = 270.0F;
-constexpr float kFormatPx = 200.0F;
+constexpr float kFormatPx = 208.0F;
 
 const char* name_of_format(const MapInUse& use) {
     const EffectFormatTraits* format = format_named(use.format);
@@ -70,7 +70,7 @@ void draw_source(Ui& ui, const MapInUse& use) {
     std::string text;
     if (const ActuatorMap* map = known_map(use.actuators)) text = map->source;
     if (!use.has_files) text += " Its files are not known: open them to read them by another.";
-    draw_label(ui, "", kFormatPx);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + kFormatPx * ui.theme.scale);
     ImGui::PushFont(ui.theme.fonts.small);
     ImGui::PushTextWrapPos(0.0F);
     dim_text(ui, text);
@@ -119,7 +119,10 @@ void draw_effect_maps_dialog(Ui& ui, Workspace& work) {
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
     for (const MapInUse& use : maps_in_use(work)) {
-        draw_label(ui, name_of_format(use), kFormatPx);
+        const float left = ImGui::GetCursorPosX();
+        ImGui::AlignTextToFramePadding();
+        dim_text(ui, name_of_format(use));
+        ImGui::SameLine(left + kFormatPx * ui.theme.scale);
         const std::string chosen = draw_map_combo(ui, use);
         ImGui::SameLine();
         dim_text(ui, grouped_digits(use.patterns) + (use.patterns == 1 ? " pattern" : " patterns"));
