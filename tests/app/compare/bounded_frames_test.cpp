@@ -35,8 +35,8 @@ TEST_CASE(
     shown.from = shown.to = shown.ghost = space.points;
     app.layout.bench = BenchTab::shepard;
     bench.program.frame();
-    CHECK_FALSE(app.comparing.panel.fit);
-    CHECK(bench.program.shows("shepard:waits"));
+    // A machine that holds the frame up may have them sorted by then.
+    CHECK(bench.program.shows("shepard:waits") == (app.comparing.panel.fit == nullptr));
     bench.wait_until([&] { return app.comparing.panel.fit != nullptr; });
     const ShepardFit expected = shepard_fit({map, &map->prediction.pm, &map->space});
     CHECK(app.comparing.panel.fit->disparities == expected.disparities);
