@@ -7,15 +7,14 @@ is_off() { [ "$(value "$1")" = off ]; }
 is_chosen() { [ "$(value "choose:$1")" = chosen ]; }
 # A menu may not be there yet, or close again where the list of devices changes: then anew.
 shows_menu() {
-    shows device:dialog || { click device && sleep 0.3 && shows device:dialog; }
+    shows device:dialog || { click device && soon shows device:dialog; }
 }
 # In a combo of the dialog, whose list may still be on its way to its place: then anew.
 chooses() { # FIELD VALUE
     shows "choose:$1 $2" || click "combo:$1"
-    sleep 0.3
-    ! shows "choose:$1 $2" || click "choose:$1 $2"
-    sleep 0.3
-    says "combo:$1" "$2"
+    soon shows "choose:$1 $2" || return 1
+    click "choose:$1 $2"
+    soon says "combo:$1" "$2"
 }
 choose() { until_true "$1 is $2" chooses "$1" "$2"; }
 is_quiet() { ! sounds; }

@@ -40,4 +40,20 @@ TEST_CASE("alignment: a recording far from its pattern's strength is said, which
     CHECK(remarks_on(aligned({10'000.0, std::vector<double>(2000, 0.0)}, intended)).size() == 1);
 }
 
+// Half a period on or back a tone is as like itself as here, but for rounding.
+TEST_CASE("alignment: of the lags at which a steady tone is itself, the least is taken") {
+    for (const double frequency_hz : {50.0, 62.5, 100.0, 125.0, 200.0, 250.0, 400.0, 500.0}) {
+        CAPTURE(frequency_hz);
+        const auto tone = [frequency_hz](double length_s) {
+            Waveform waveform{10'000.0, {}};
+            for (double n = 0.0; n < length_s * 10'000.0; n += 1.0) {
+                waveform.samples_g.push_back(
+                    std::sin(2.0 * std::numbers::pi * frequency_hz * n / 10'000.0 + 0.3));
+            }
+            return waveform;
+        };
+        CHECK(aligned(tone(1.0), tone(0.4)).lag == 0);
+    }
+}
+
 }  // namespace alignment_test

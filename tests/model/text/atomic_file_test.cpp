@@ -230,15 +230,16 @@ TEST_CASE("atomic file: one that grows has one program at a time, and is made on
 TEST_CASE("atomic file: what a killed program left is removed a day later, and nothing else") {
     const TemporaryFolder folder;
     const std::string dead = ".tactspace-4194305-";  // Linux numbers processes up to 4194304
-    const auto old = [&](const std::string& name) {
+    const auto of_hours_ago = [&](const std::string& name, int hours) {
         const fs::path file = folder.write(name, "half");
-        fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(25));
+        fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(hours));
         return file;
     };
+    const auto old = [&](const std::string& name) { return of_hours_ago(name, 25); };
     const fs::path left = old(dead + "0.part");
     const std::vector<fs::path> kept{
         old(".tactspace-" + std::to_string(::getpid()) + "-0.part"),
-        folder.write(dead + "1.part", "of an hour ago, on another machine"),
+        of_hours_ago(dead + "1.part", 1),  // on another machine, perhaps
         old(".tactspace-4194305.part"),
         old(".tactspace--1-1.part"),
         old(dead + "2.json"),
