@@ -265,7 +265,7 @@ PerceptualModelParams model_of(const py::object& model) {
 
 Pattern pattern_of(const py::dict& pattern) {
     constexpr const char* kOfItsSet[] = {"name", "locked",    "dropped", "colour",
-                                         "mark", "generated", "note"};
+                                         "mark", "generated", "note",    "effect"};
     return read_document(pattern, "pattern", kOfItsSet, [](JsonObject& object, Json& unknown) {
         return pattern_of(object, Pattern().duration_s, unknown);
     });

@@ -154,6 +154,9 @@ class Refusals(unittest.TestCase):
                      {"carriers": [{"frequncy_hz": 1}]})
         self.refused("pattern: /rhythm/text: expected a rhythm", tactspace.render,
                      {"rhythm": {"text": "??"}})
+        # What a set file says of a pattern besides is passed over.
+        read = {"amplitude_g": 0.5, "effect": {"format": "ahap", "actuator": "core-haptics"}}
+        np.testing.assert_array_equal(tactspace.render(read), tactspace.render({"amplitude_g": 0.5}))
         self.refused("model: /nc_weight: expected", tactspace.predict, WAVES, model={"nc_weight": "x"})
         self.refused("model: expected the keys of a set file", tactspace.predict, WAVES,
                      model={"coding": {"layers": 3}})
