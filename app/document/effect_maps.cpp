@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/document/editing.h"
+#include "app/document/shown_side.h"
 #include "model/io/effects/read_effects.h"
 #include "model/io/set/load.h"
 
@@ -67,10 +68,6 @@ void exchange(Vibration& shown, const std::vector<Again>& all, Exchanged& count)
     shown.source = same->now->source;
     shown.effect = same->now->effect;
     ++count.read;
-}
-
-std::string count_text(std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " pattern" : " patterns");
 }
 
 }  // namespace
@@ -148,8 +145,9 @@ void read_by_map(Ui& ui, Workspace& work, const std::string& format, const std::
     const std::string name = format_named(format)->name;
     document_changed(work);
     commit_step(ui, work, "Read " + name + " by " + actuator);
-    std::string text = "Read " + count_text(count.read) + " of " + name + " by " + actuator + ".";
-    if (count.left > 0) text += " " + count_text(count.left) + " edited since or locked: left.";
+    std::string text =
+        "Read " + patterns_text(count.read) + " of " + name + " by " + actuator + ".";
+    if (count.left > 0) text += " " + patterns_text(count.left) + " edited since or locked: left.";
     say(ui, text);
 }
 

@@ -6,6 +6,7 @@
 #include "app/document/editing.h"
 #include "app/document/effect_maps.h"
 #include "app/document/pattern_looks.h"
+#include "app/document/shown_side.h"
 #include "app/document/unsaved.h"
 #include "app/session/autosave.h"
 #include "app/session/document_file.h"
@@ -65,10 +66,6 @@ void ask_for_vibrations(Ui& ui, const Workspace& work, ChooserPurpose purpose,
                                  ".he", ".hla", ".xml"},
                   .folders_too = true},
                  folder_of(work.document));
-}
-
-std::string patterns_text(std::size_t count) {
-    return count == 1 ? "1 pattern" : std::to_string(count) + " patterns";
 }
 
 }  // namespace

@@ -18,6 +18,10 @@ PatternSet shown_set(const Workspace& work) {
     return one_side(work.document.set, shown_side(work));
 }
 
+std::string patterns_text(std::size_t count) {
+    return count == 1 ? "1 pattern" : std::to_string(count) + " patterns";
+}
+
 std::string shown_patterns_text(const Workspace& work) {
     const std::size_t all = work.document.set.vibrations.size();
     const Side side = shown_side(work);

@@ -2,7 +2,6 @@
 // people said who heard Morse signals.
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -97,28 +96,24 @@ std::string text_of(const MorseCheck& check) {
            "length: partial rank correlation; nobody rated twice, so no ceiling is known.\n";
 }
 
-nlohmann::json number_or_null(double value) {
-    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-}
-
+// What is not defined, NaN, is written as null.
 nlohmann::json json_of(const MorseCheck& check) {
     nlohmann::json metrics = nlohmann::json::object();
     for (const MorseRow& row : check.rows) {
         const Evaluation& e = row.agreement;
         metrics[traits(row.metric).key] = {
-            {"rho", number_or_null(e.rho)},
-            {"rho_interval",
-             {number_or_null(e.rho_interval.low), number_or_null(e.rho_interval.high)}},
-            {"k", number_or_null(e.k)},
-            {"rho_of_equal_length", number_or_null(row.beyond_length.rho_of_equal)},
-            {"rho_given_length", number_or_null(row.beyond_length.partial_rho)},
+            {"rho", e.rho},
+            {"rho_interval", {e.rho_interval.low, e.rho_interval.high}},
+            {"k", e.k},
+            {"rho_of_equal_length", row.beyond_length.rho_of_equal},
+            {"rho_given_length", row.beyond_length.partial_rho},
             {"distinct_values", row.distinct}};
     }
     return {{"ratings", kByEar},
             {"patterns", check.patterns},
             {"pairs", check.pairs},
             {"pairs_of_equal_length", check.rows.front().beyond_length.equal_pairs},
-            {"rho_of_length_alone", number_or_null(check.rows.front().beyond_length.rho_of_length)},
+            {"rho_of_length_alone", check.rows.front().beyond_length.rho_of_length},
             {"metrics", metrics}};
 }
 

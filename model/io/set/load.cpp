@@ -98,26 +98,6 @@ Expected<Loaded> load_with(const fs::path& path, const fs::path& second,
     return with_enough_memory(path.string(), [&] { return load_by_kind(path, second, actuator); });
 }
 
-// Two files of an AHAP pair among them are named together, where the first one is.
-struct NamedFiles {
-    fs::path path;
-    fs::path second;  // empty: none
-};
-
-std::vector<NamedFiles> with_pairs(std::span<const fs::path> paths) {
-    std::vector<NamedFiles> all;
-    std::vector<bool> is_second(paths.size());
-    for (std::size_t k = 0; k < paths.size(); ++k) {
-        if (const auto second = place_of_second(paths, k)) is_second[*second] = true;
-    }
-    for (std::size_t k = 0; k < paths.size(); ++k) {
-        if (is_second[k]) continue;
-        const auto second = place_of_second(paths, k);
-        all.push_back({paths[k], second ? paths[*second] : fs::path()});
-    }
-    return all;
-}
-
 template <class Value>
 void append(std::vector<Value>& all, std::vector<Value>&& more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()),

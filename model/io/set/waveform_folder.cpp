@@ -149,17 +149,9 @@ Expected<Loaded> read_folder(const fs::path& folder, Kinds kinds, bool effects,
     for (const fs::path& file : listing->files) {
         if (is_of(file, kinds)) all.taken.taken.insert(valid_utf8(file.stem().string()));
     }
-    std::vector<bool> is_second(listing->files.size());
-    for (std::size_t k = 0; k < listing->files.size(); ++k) {
-        if (is_second[k]) continue;
-        const fs::path& file = listing->files[k];
-        const auto second = place_of_second(listing->files, k);
-        if (second) is_second[*second] = true;
-        const auto read =
-            is_of(file, kinds)
-                ? gather_recording(all, file)
-                : gather_effects(all, file, second ? listing->files[*second] : fs::path(),
-                                 actuator);
+    for (const auto& [file, second] : with_pairs(listing->files)) {
+        const auto read = is_of(file, kinds) ? gather_recording(all, file)
+                                             : gather_effects(all, file, second, actuator);
         if (!read) return read.error();
     }
     if (all.set.vibrations.empty()) {
@@ -243,12 +235,23 @@ Expected<Vibration> vibration_from(const fs::path& path, std::vector<FileRemark>
     return vibration;
 }
 
-std::optional<std::size_t> place_of_second(std::span<const fs::path> files, std::size_t first) {
-    const auto second = second_of_pair(files[first].string());
-    if (!second) return std::nullopt;
-    const auto found = std::ranges::find(files, fs::path(*second));
-    if (found == files.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - files.begin());
+std::vector<NamedFiles> with_pairs(std::span<const fs::path> files) {
+    std::map<fs::path, std::size_t> place;  // a folder may have thousands
+    for (std::size_t k = 0; k < files.size(); ++k) place.emplace(files[k], k);
+    std::vector<fs::path> second_of(files.size());
+    std::vector<bool> is_second(files.size());
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        const auto second = second_of_pair(files[k].string());
+        const auto found = second ? place.find(*second) : place.end();
+        if (found == place.end()) continue;
+        second_of[k] = files[found->second];
+        is_second[found->second] = true;
+    }
+    std::vector<NamedFiles> all;
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        if (!is_second[k]) all.push_back({files[k], std::move(second_of[k])});
+    }
+    return all;
 }
 
 Expected<std::vector<Vibration>> effects_from(const fs::path& path,

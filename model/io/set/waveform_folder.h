@@ -47,9 +47,12 @@ Expected<std::vector<Vibration>> effects_from(const std::filesystem::path& path,
                                               std::vector<FileRemark>& remarks,
                                               const std::filesystem::path& second = {});
 
-// Which of these files is the other one of an AHAP pair that begins with the file at a place.
-std::optional<std::size_t> place_of_second(std::span<const std::filesystem::path> files,
-                                           std::size_t first);
+// Files in their order; of an AHAP pair both at the place of the first one.
+struct NamedFiles {
+    std::filesystem::path path;
+    std::filesystem::path second;  // empty: none
+};
+std::vector<NamedFiles> with_pairs(std::span<const std::filesystem::path> files);
 
 // Equal remarks of many files as one: "a.wav and 11 more: full scale taken as 1 g".
 std::vector<std::string> joined(const std::vector<FileRemark>& remarks);
