@@ -5,6 +5,8 @@
 #include <fstream>
 #include <utility>
 
+#include <imgui_internal.h>
+
 namespace tact {
 
 WidgetRects widget_rects_wanted() {
@@ -17,6 +19,8 @@ WidgetRects widget_rects_wanted() {
 void note_rect(WidgetRects& rects, const std::string& name, ImVec2 min, ImVec2 max,
                const std::string& value) {
     if (rects.file.empty()) return;
+    // A list that opens is measured, not shown, in its first frame, and somewhere else.
+    if (ImGui::GetCurrentWindowRead()->Hidden) return;
     const auto pixel = [](float position) { return std::to_string(static_cast<int>(position)); };
     std::string line = value;
     std::ranges::replace(line, '\n', ' ');
@@ -31,6 +35,8 @@ void note_item(WidgetRects& rects, const std::string& name, const std::string& v
 
 void write_rects(WidgetRects& rects) {
     if (rects.file.empty()) return;
+    if (ImGui::IsMousePosValid())
+        note_rect(rects, "pointer", ImGui::GetMousePos(), ImGui::GetMousePos());
     if (rects.lines != rects.written) {
         // Renamed into place, so that a reader never sees half a file.
         std::filesystem::path fresh = rects.file;

@@ -77,19 +77,20 @@ has_settled() { is_exact && ! shows "points move"; }
 
 # What a person does.
 
+# By the program's own word: the pointer is where the thing is drawn. A list that opens moves.
 point_at() {
-    local place before=
     until_true "there is $1" shows "$1"
-    place=$(middle "$1")
-    # A list or a dialog that opens takes its place in its second frame: follow until it stands.
-    while [ -n "$place" ] && [ "$place" != "$before" ]; do
-        # shellcheck disable=SC2086
-        xdotool mousemove --window "$window" $place
-        before=$place
-        sleep 0.1
-        place=$(middle "$1")
-    done
+    until_true "the pointer is on $1" is_reached "$1"
 }
+is_reached() {
+    local place
+    place=$(middle "$1")
+    [ -n "$place" ] || return 1
+    # shellcheck disable=SC2086
+    xdotool mousemove --window "$window" $place
+    soon is_at pointer "$place" && is_at "$1" "$place"
+}
+is_at() { [ "$(middle "$1")" = "$2" ]; }
 click() { point_at "$1" && xdotool click 1; }
 key() { xdotool key "$@"; }
 type_text() { xdotool type --delay 20 -- "$1"; }
