@@ -339,15 +339,6 @@ void toggle_dropped(Ui& ui, Workspace& work) {
     toggle_mark(ui, work, &Vibration::dropped, &Vibration::locked, "Drop", "Take back");
 }
 
-void change_look(Ui& ui, Workspace& work, const std::string& colour, bool ring) {
-    for (const std::size_t index : selected_indices(work)) {
-        vibrations(work)[index].colour = colour;
-        vibrations(work)[index].ring = ring;
-    }
-    document_changed(work);
-    commit_step(ui, work, of_selection(work, "Change colour"));
-}
-
 double shown_duration_s(const Workspace& work) { return longest_s(work.document.set); }
 
 }  // namespace tact

@@ -73,9 +73,6 @@ void rename_vibration(Ui& ui, Workspace& work, std::size_t index, const std::str
 void toggle_locked(Ui& ui, Workspace& work);   // locked ones are in every subset ...
 void toggle_dropped(Ui& ui, Workspace& work);  // ... dropped ones in none
 
-// Colour, "#RRGGBB", and mark of all that is selected.
-void change_look(Ui& ui, Workspace& work, const std::string& colour, bool ring);
-
 // Duration of what the panes show, s: of any pattern, padded as in its set.
 double shown_duration_s(const Workspace& work);
 

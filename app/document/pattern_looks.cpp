@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/document/editing.h"
 #include "app/document/vibration_cache.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/plot.h"
@@ -36,6 +37,15 @@ void give_looks(PatternSet& set) {
         vibration.ring = place >= kPatternColourCount;
         ++used[place];
     }
+}
+
+void change_look(Ui& ui, Workspace& work, const std::string& colour, bool ring) {
+    for (const std::size_t index : selected_indices(work)) {
+        work.document.set.vibrations[index].colour = colour;
+        work.document.set.vibrations[index].ring = ring;
+    }
+    document_changed(work);
+    commit_step(ui, work, of_selection(work, "Change colour"));
 }
 
 double shown_reach_g(const Workspace& work) { return work.own_heights ? 0.0 : work.cache.reach_g; }

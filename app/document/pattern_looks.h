@@ -18,6 +18,9 @@ PatternLook look_of(const Ui& ui, const Workspace& work, std::size_t index);
 // has one keeps it.
 void give_looks(PatternSet& set);
 
+// One step: colour, "#RRGGBB", and mark of all that is selected.
+void change_look(Ui& ui, Workspace& work, const std::string& colour, bool ring);
+
 // What a waveform is drawn up to where all of the set have one scale, g; 0: up to its own peak.
 double shown_reach_g(const Workspace& work);
 

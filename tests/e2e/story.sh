@@ -59,11 +59,19 @@ fail() {
     exit 1
 }
 
-# until_true WHAT COMMAND...: the command must succeed before the deadline.
+progress() { :; }  # what changes while work goes on
+
+# until_true WHAT COMMAND...: the command must succeed before the deadline, which begins anew with
+# each sign of progress.
 until_true() {
-    local what=$1 end=$((SECONDS + deadline_s))
+    local what=$1 end=$((SECONDS + deadline_s)) seen="" now
     shift
     until "$@"; do
+        now=$(progress)
+        if [ "$now" != "$seen" ]; then
+            seen=$now
+            end=$((SECONDS + deadline_s))
+        fi
         [ "$SECONDS" -lt "$end" ] || fail "waited $deadline_s s until $what"
         sleep 0.02
     done

@@ -72,6 +72,12 @@ is_unsaved() { says document "•"; }
 is_saved() { ! is_unsaved; }
 points() { grep '^point:' "$TACTSPACE_WIDGET_RECTS" | cut -f 1-3; }
 
+# How far maps, training and exports have come.
+progress() {
+    grep '^title:Perceptual space\|^train:progress\|^export progress' "$TACTSPACE_WIDGET_RECTS" \
+        2>/dev/null || true
+}
+
 # Exact, and at rest.
 has_settled() { is_exact && ! shows "points move"; }
 
