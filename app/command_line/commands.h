@@ -227,7 +227,8 @@ Expected<Done> run(const SeparateCommand& command);
 struct FindingsCommand {
     int threads = 0;
     bool json = false;
-    bool morse = false;  // instead: the metrics against what people heard
+    bool morse = false;     // instead: the metrics against what people heard
+    bool variants = false;  // instead: what changes of the model do to both
 };
 Expected<Done> run(const FindingsCommand& command);
 

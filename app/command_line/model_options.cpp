@@ -137,9 +137,15 @@ void add_findings_command(CLI::App& app, FindingsCommand& command, Chosen& chose
         *app.add_subcommand("findings", "what the publication found, checked one by one");
     add_threads(findings, command.threads);
     findings.add_flag("--json", command.json, "JSON instead of text");
-    findings.add_flag("--morse", command.morse,
-                      "instead: every metric against the ratings of 598 people, who heard 36 Morse "
-                      "signals (Rothkopf 1957)");
+    CLI::Option& morse = *findings.add_flag(
+        "--morse", command.morse,
+        "instead: every metric against the ratings of 598 people, who heard 36 Morse signals "
+        "(Rothkopf 1957)");
+    findings
+        .add_flag("--variants", command.variants,
+                  "instead: what a cost of waiting in the OC part, or other thresholds, would "
+                  "change of both")
+        ->excludes(&morse);
     findings.callback([&] { chosen = [&command] { return run(command); }; });
 }
 

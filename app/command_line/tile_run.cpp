@@ -151,6 +151,7 @@ Expected<TileSource> tile_source(const PatternSet& set, int threads, std::stop_t
                                  const std::function<void(double)>& progress) {
     TileSource source;
     source.channel_weight = set.model.channel_weight;
+    source.waiting_cost = set.model.envelope.waiting_cost;
     source.vibrations = vibrations_fingerprint(set);
     source.model = model_fingerprint(set);
     std::size_t longest = 0;

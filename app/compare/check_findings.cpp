@@ -27,7 +27,7 @@ std::optional<Predicted> predicted(const std::string& name, const CheckOptions& 
     options.previous = previous;
     options.stop = check.stop;
     if (check.progress_of) options.progress = check.progress_of(set->name);
-    auto prediction = predict(model_waveforms(*set), set->model, options);
+    auto prediction = predict(model_waveforms(*set), check.model.value_or(set->model), options);
     if (!prediction) return std::nullopt;
     return Predicted{*std::move(set), *std::move(prediction)};
 }

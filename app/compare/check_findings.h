@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "model/evaluation/findings.h"
+#include "model/perceptual_model/perceptual_model_params.h"
 
 namespace tact {
 
 struct CheckOptions {
-    int threads = 0;  // 0: all cores
+    int threads = 0;                                  // 0: all cores
+    std::optional<PerceptualModelParams> model = {};  // in the place of each set's own
     std::stop_token stop = {};
     // Makes what gets the share of the work done on a set, by its name.
     std::function<std::function<void(double)>(const std::string&)> progress_of = {};

@@ -42,7 +42,7 @@ std::optional<LiveDifference> compute_live_difference(const DifferenceRequest& r
     live.decimation = std::max<std::size_t>(1, (longest + kMostPathSamples - 1) / kMostPathSamples);
     live.envelope_a = decimated(a.envelope, live.decimation);
     live.envelope_b = decimated(b.envelope, live.decimation);
-    live.path = dtw_path(live.envelope_a, live.envelope_b);
+    live.path = dtw_path(live.envelope_a, live.envelope_b, prediction.params.envelope.waiting_cost);
     progress = 1.0F;
     return live;
 }

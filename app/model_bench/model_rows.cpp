@@ -79,7 +79,7 @@ const std::array<ModelNumber, 8> kTrained{{
      [](const Model& m) { return m.oc_weight; }, [](Model& m, double v) { m.oc_weight = v; }},
 }};
 
-const std::array<ModelChoice, 8> kChoices{{
+const std::array<ModelChoice, 9> kChoices{{
     {"remove_mean",
      "Mean",
      "1/f\u00b2 would turn 1 mg of drift at 1 Hz into 248 \u00b5m.",
@@ -131,9 +131,23 @@ const std::array<ModelChoice, 8> kChoices{{
      {"causal", "centred"},
      [](const Model& m) { return int(m.envelope.alignment); },
      [](Model& m, int v) { m.envelope.alignment = EnvelopeAlignment(v); }},
+    {"thresholds",
+     "Thresholds",
+     "Rebuilt from published thresholds of each type of receptor; or these moved onto what the "
+     "Android Open Source Project says is felt (rms difference 1.97 dB). None is chosen where "
+     "knots "
+     "were changed.",
+     {"rebuilt", "AOSP"},
+     [](const Model& m) {
+         const auto& now = m.coding.tables.threshold;
+         return now == default_tables().threshold ? 0 : now == aosp_thresholds() ? 1 : 2;
+     },
+     [](Model& m, int v) {
+         m.coding.tables.threshold = v == 0 ? default_tables().threshold : aosp_thresholds();
+     }},
 }};
 
-const std::array<ModelNumber, 9> kNumbers{{
+const std::array<ModelNumber, 10> kNumbers{{
     {{.id = "peak_fraction",
       .label = "Peaks from",
       .format = "%.3g",
@@ -182,6 +196,16 @@ const std::array<ModelNumber, 9> kNumbers{{
       .help = "Share of the vibration's energy in a channel's band below which it is silent"},
      [](const Model& m) { return m.coding.silent_energy_fraction; },
      [](Model& m, double v) { m.coding.silent_energy_fraction = v; }},
+    {{.id = "waiting_cost",
+      .label = "Waiting costs",
+      .format = "%.3g",
+      .slider = {0.0, 1.0},
+      .typed = limits::kWaitingCost,
+      .step = 0.05,
+      .help = "In the OC part, of each sample at which one envelope waits for the other, in the "
+              "envelope's unit. Free in the paper: how long notes last then counts nearly nothing"},
+     [](const Model& m) { return m.envelope.waiting_cost; },
+     [](Model& m, double v) { m.envelope.waiting_cost = v; }},
 }};
 
 }  // namespace

@@ -83,7 +83,7 @@ std::vector<Task> tasks_of(std::span<const SignalPair> pairs, std::span<const st
 double dtw(std::span<const double> a, std::span<const double> b, std::stop_token stop) {
     const SignalPair pair{a, b};
     double distance = 0.0;
-    dtw_strips(dtw_kernel().one_pair, {&pair, 1}, {&distance, 1}, stop);
+    dtw_strips(dtw_kernel().one_pair, {&pair, 1}, 0.0, {&distance, 1}, stop);
     return distance;
 }
 
@@ -100,8 +100,8 @@ std::vector<double> dtw(std::span<const SignalPair> pairs, const DtwOptions& opt
         std::vector<SignalPair> together;
         for (const std::size_t place : places) together.push_back(pairs[place]);
         std::vector<double> found(task.count);
-        dtw_strips(task.side_by_side ? kernel.many_pairs : kernel.one_pair, together, found,
-                   options.stop);
+        dtw_strips(task.side_by_side ? kernel.many_pairs : kernel.one_pair, together,
+                   options.waiting_cost, found, options.stop);
         for (std::size_t k = 0; k < task.count; ++k) distances[places[k]] = found[k];
         const std::size_t so_far = done += task.count;
         if (options.progress) {

@@ -1,14 +1,19 @@
 // Dynamic time warping: how far apart two signals are when either may wait for the other.
 //
-//     D[i,j] = |a_i - b_j| + min(D[i-1,j-1], D[i-1,j], D[i,j-1])
+//     D[i,j] = |a_i - b_j| + min(D[i-1,j-1], min(D[i-1,j], D[i,j-1]) + w)
 //
-// Source    Berndt & Clifford 1994, as MATLAB's dtw(x, y): no window, no path normalisation.
+// w is what a sample of waiting costs, in the signals' unit: 0, unless it is asked for.
+//
+// Source    Berndt & Clifford 1994, as MATLAB's dtw(x, y): no window, no path normalisation. A cost
+//           added to steps that wait: Clifford et al. 2009, "Alignment using variable penalty
+//           dynamic time warping".
 // Input     two signals of any length; one of none is at distance 0 from another of none
 // Output    the sum along the best path; infinity where just one of the signals is empty
 // Valid     finite values
 // Left out  windows, slopes, other costs. No lower bounds: DTW is no metric.
-// Exact     one |a-b|, two minima and one sum per cell, in any implementation: same 64 bits with
-//           every instruction set and number of threads, alone or among other pairs.
+// Exact     one |a-b|, two minima and one sum per cell (two, where waiting costs), in any
+//           implementation: same 64 bits with every instruction set and number of threads, alone or
+//           among other pairs.
 #pragma once
 
 #include <functional>
@@ -29,7 +34,8 @@ struct SignalPair {
 };
 
 struct DtwOptions {
-    int threads = 0;  // 0: all cores
+    int threads = 0;            // 0: all cores
+    double waiting_cost = 0.0;  // of a sample, at least 0
     std::stop_token stop = {};
     std::function<void(double)> progress = {};  // share of the pairs done, 0..1, from any thread
 };

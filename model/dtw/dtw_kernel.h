@@ -24,12 +24,14 @@ struct DtwStrip {
     std::size_t steps = 0;
     double* reached = nullptr;     // D of each row where the last step left it
     double* above_left = nullptr;  // D of the row above each, one column before the next step's
+    double waiting_cost = 0.0;     // above 0: for along_at_cost alone
 };
 
 struct DtwSweep {
-    std::size_t pairs;  // side by side
-    std::size_t rows;   // of a strip
-    void (*along)(DtwStrip strip);
+    std::size_t pairs;                      // side by side
+    std::size_t rows;                       // of a strip
+    void (*along)(DtwStrip strip);          // waiting is free
+    void (*along_at_cost)(DtwStrip strip);  // one sum more in a cell
 };
 
 struct DtwKernel {

@@ -14,7 +14,7 @@ enum Step : std::uint8_t { diagonal, down, right };
 
 }  // namespace
 
-DtwPath dtw_path(std::span<const double> a, std::span<const double> b) {
+DtwPath dtw_path(std::span<const double> a, std::span<const double> b, double waiting_cost) {
     assert(a.empty() == b.empty() && "a way needs two signals");
     DtwPath path;
     if (a.empty() || b.empty()) return path;
@@ -29,12 +29,14 @@ DtwPath dtw_path(std::span<const double> a, std::span<const double> b) {
         for (std::size_t j = 0; j < n; ++j) {
             double least = above[j];
             Step step = diagonal;
-            if (above[j + 1] < least) {
-                least = above[j + 1];
+            const double down_to = above[j + 1] + waiting_cost;
+            const double right_to = row[j] + waiting_cost;
+            if (down_to < least) {
+                least = down_to;
                 step = down;
             }
-            if (row[j] < least) {
-                least = row[j];
+            if (right_to < least) {
+                least = right_to;
                 step = right;
             }
             row[j + 1] = std::abs(a[i] - b[j]) + least;

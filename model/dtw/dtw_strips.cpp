@@ -32,7 +32,7 @@ class Lines {
 
 }  // namespace
 
-void dtw_strips(const DtwSweep& sweep, std::span<const SignalPair> pairs,
+void dtw_strips(const DtwSweep& sweep, std::span<const SignalPair> pairs, double waiting_cost,
                 std::span<double> distances, const std::stop_token& stop) {
     assert(!pairs.empty() && pairs.size() <= sweep.pairs && pairs.size() == distances.size());
     const std::size_t rows = pairs[0].a.size();
@@ -62,6 +62,7 @@ void dtw_strips(const DtwSweep& sweep, std::span<const SignalPair> pairs,
     // The path starts at no cost before the first cell.
     std::fill_n(above_left.data(), side, 0.0);
 
+    const auto along = waiting_cost > 0.0 ? sweep.along_at_cost : sweep.along;
     // As many columns as stay in the cache, with all strips, before the next ones. A strip may go
     // as far as the one above it has finished its last row: `margin` columns less.
     const std::size_t block = kCachedColumns / side;
@@ -75,12 +76,13 @@ void dtw_strips(const DtwSweep& sweep, std::span<const SignalPair> pairs,
             const std::size_t whole = columns + used - 1;
             const std::size_t until = std::min(whole, end - std::min(end, s * margin));
             if (until <= done[s]) continue;
-            sweep.along({.a = a.data() + s * state,
-                         .b = b_first - done[s] * side,
-                         .row = row.data() + (margin + done[s]) * side,
-                         .steps = until - done[s],
-                         .reached = reached.data() + s * state,
-                         .above_left = above_left.data() + s * state});
+            along({.a = a.data() + s * state,
+                   .b = b_first - done[s] * side,
+                   .row = row.data() + (margin + done[s]) * side,
+                   .steps = until - done[s],
+                   .reached = reached.data() + s * state,
+                   .above_left = above_left.data() + s * state,
+                   .waiting_cost = waiting_cost});
             done[s] = until;
         }
     }

@@ -1,10 +1,11 @@
 // The recurrence of dtw.h along one strip of rows, for the instruction set this is compiled for.
 //
-//     D[i,j] = |a_i - b_j| + min(D[i-1,j-1], D[i-1,j], D[i,j-1])
+//     D[i,j] = |a_i - b_j| + min(D[i-1,j-1], min(D[i-1,j], D[i,j-1]) + w)
 //
-// A cell takes five operations; the loop is as fast as they are if no cell waits for another. So a
-// strip of rows stays in registers while the columns pass (memory sees one row of a strip), each
-// register a little behind the one above it, so that a step's cells need earlier steps only:
+// Without w a cell takes five operations; the loop is as fast as they are if no cell waits for
+// another. So a strip of rows stays in registers while the columns pass (memory sees one row of a
+// strip), each register a little behind the one above it, so that a step's cells need earlier steps
+// only:
 //
 //     a pair of signals per lane    register k has row k of all, at column t - k
 //     a row of one pair per lane    lane l of register k has row r = k lanes + l, at column t - r:
@@ -76,10 +77,26 @@ inline Doubles smaller(Doubles x, Doubles y) {
 #endif
 }
 
+// What a step that waits costs: nothing, or so much.
+struct Free {
+    explicit Free(const DtwStrip&) {}
+    Doubles least(Doubles above_left, Doubles left, Doubles above) const {
+        return smaller(smaller(above_left, left), above);
+    }
+};
+struct AtCost {
+    explicit AtCost(const DtwStrip& strip) : cost(all(strip.waiting_cost)) {}
+    Doubles least(Doubles above_left, Doubles left, Doubles above) const {
+        return smaller(above_left, sum(smaller(left, above), cost));
+    }
+    Doubles cost;
+};
+
 // A cell from the three it can be reached from.
-inline Doubles cell(const double* a, const double* b, Doubles above_left, Doubles left,
-                    Doubles above) {
-    return sum(apart(load(b), load(a)), smaller(smaller(above_left, left), above));
+template <class Waiting>
+inline Doubles cell(const Waiting& waiting, const double* a, const double* b, Doubles above_left,
+                    Doubles left, Doubles above) {
+    return sum(apart(load(b), load(a)), waiting.least(above_left, left, above));
 }
 
 // Each lane from the one before it, the first from the last of `before`.
@@ -102,16 +119,17 @@ inline void advance(DtwStrip& strip, std::size_t pairs) {
 
 // One step of a pair in every lane. `earlier`, what was reached a step before `reached`, becomes
 // what this one reaches: so nothing has to be moved from register to register.
-inline void step_of_pairs(DtwStrip& strip, const Doubles* reached, Doubles* earlier,
-                          Doubles& above_left) {
+template <class Waiting>
+inline void step_of_pairs(const Waiting& waiting, DtwStrip& strip, const Doubles* reached,
+                          Doubles* earlier, Doubles& above_left) {
     const Doubles above = load(strip.row);
     // From the last register on, as each needs what the one before it held.
 #pragma GCC unroll 16
     for (std::size_t k = kRegisters - 1; k > 0; --k) {
-        earlier[k] = cell(strip.a + k * kLanes, strip.b + k * kLanes, earlier[k - 1], reached[k],
-                          reached[k - 1]);
+        earlier[k] = cell(waiting, strip.a + k * kLanes, strip.b + k * kLanes, earlier[k - 1],
+                          reached[k], reached[k - 1]);
     }
-    earlier[0] = cell(strip.a, strip.b, above_left, reached[0], above);
+    earlier[0] = cell(waiting, strip.a, strip.b, above_left, reached[0], above);
     above_left = above;
     store(strip.row - (kRegisters - 1) * kLanes, earlier[kRegisters - 1]);
     advance(strip, kLanes);
@@ -128,7 +146,9 @@ inline void leave_pairs(const DtwStrip& strip, const Doubles* reached, const Dou
     }
 }
 
+template <class Waiting>
 void sweep_pairs(DtwStrip strip) {
+    const Waiting waiting(strip);
     Doubles reached[kRegisters];
     Doubles earlier[kRegisters];
     Doubles above_left = load(strip.above_left);
@@ -139,16 +159,18 @@ void sweep_pairs(DtwStrip strip) {
         earlier[k] = load(strip.above_left + below * kLanes);
     }
     while (strip.steps >= 2) {
-        step_of_pairs(strip, reached, earlier, above_left);
-        step_of_pairs(strip, earlier, reached, above_left);
+        step_of_pairs(waiting, strip, reached, earlier, above_left);
+        step_of_pairs(waiting, strip, earlier, reached, above_left);
     }
     if (strip.steps == 0) return leave_pairs(strip, reached, earlier, above_left);
-    step_of_pairs(strip, reached, earlier, above_left);
+    step_of_pairs(waiting, strip, reached, earlier, above_left);
     leave_pairs(strip, earlier, reached, above_left);
 }
 
 // A pair by itself, a row of it in every lane.
+template <class Waiting>
 void sweep_rows(DtwStrip strip) {
+    const Waiting waiting(strip);
     Doubles reached[kRegisters];
     Doubles above_left[kRegisters];
 #pragma GCC unroll 16
@@ -158,11 +180,12 @@ void sweep_rows(DtwStrip strip) {
     }
     while (strip.steps > 0) {
 #pragma GCC unroll 16
-        for (std::size_t k = kRegisters; k-- > 0;) {
+        for (std::size_t left = kRegisters; left > 0; --left) {
+            const std::size_t k = left - 1;
             const Doubles before = k == 0 ? all(*strip.row) : reached[k - 1];
             const Doubles above = shifted(before, reached[k]);
-            reached[k] =
-                cell(strip.a + k * kLanes, strip.b + k * kLanes, above_left[k], reached[k], above);
+            reached[k] = cell(waiting, strip.a + k * kLanes, strip.b + k * kLanes, above_left[k],
+                              reached[k], above);
             above_left[k] = above;
         }
         *(strip.row - (kRegisters * kLanes - 1)) = reached[kRegisters - 1][kLanes - 1];
@@ -176,7 +199,9 @@ void sweep_rows(DtwStrip strip) {
 }
 
 constexpr DtwKernel kernel_named(const char* name) {
-    return {name, {kLanes, kRegisters, sweep_pairs}, {1, kRegisters * kLanes, sweep_rows}};
+    return {name,
+            {kLanes, kRegisters, sweep_pairs<Free>, sweep_pairs<AtCost>},
+            {1, kRegisters * kLanes, sweep_rows<Free>, sweep_rows<AtCost>}};
 }
 
 }  // namespace

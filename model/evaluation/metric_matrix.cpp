@@ -79,7 +79,7 @@ std::optional<Dissimilarity> warped(const std::vector<std::span<const double>>& 
         }
     }
     Dissimilarity matrix{signals.size(),
-                         dtw(pairs, {options.threads, options.stop, options.progress})};
+                         dtw(pairs, {options.threads, 0.0, options.stop, options.progress})};
     if (options.stop.stop_requested()) return std::nullopt;
     return matrix;
 }

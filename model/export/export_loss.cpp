@@ -118,7 +118,7 @@ std::vector<std::optional<double>> moved_by(const BothSides& sides,
         if (options.stop.stop_requested()) return moved;
         const std::vector both{sides.meant.codes[k], sides.back.codes[k]};
         nc.push_back(nc_matrix(both, sides.meant.params, how).condensed.front());
-        oc.push_back(oc_matrix(both, how).condensed.front());
+        oc.push_back(oc_matrix(both, sides.meant.params, how).condensed.front());
     }
     const std::vector<double> pm = pm_among(sides.meant, nc, oc);
     for (std::size_t k = 0; k < count; ++k) {

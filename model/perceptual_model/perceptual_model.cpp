@@ -164,11 +164,14 @@ Dissimilarity nc_matrix(Codes codes, const PerceptualModelParams& params,
     return std::move(pairs.matrix);
 }
 
-Dissimilarity oc_matrix(Codes codes, const PredictOptions& options) {
+Dissimilarity oc_matrix(Codes codes, const PerceptualModelParams& params,
+                        const PredictOptions& options) {
     const std::size_t factor = options.envelope_decimation;
     const Prediction* previous = options.previous;
-    const bool same_factor = previous != nullptr && previous->envelope_decimation == factor;
-    auto [matrix, open] = known_pairs(codes, previous, same_factor ? &previous->oc : nullptr);
+    const double waiting_cost = params.envelope.waiting_cost;
+    const bool same_warp = previous != nullptr && previous->envelope_decimation == factor &&
+                           previous->params.envelope.waiting_cost == waiting_cost;
+    auto [matrix, open] = known_pairs(codes, previous, same_warp ? &previous->oc : nullptr);
     std::vector<std::vector<double>> coarse(factor == 1 ? 0 : codes.size());
     for (std::size_t k = 0; k < coarse.size(); ++k) {
         coarse[k] = decimated(codes[k]->envelope, factor);
@@ -182,7 +185,8 @@ Dissimilarity oc_matrix(Codes codes, const PredictOptions& options) {
             pairs.push_back({coarse[i], coarse[j]});
         }
     }
-    const auto distances = dtw(pairs, {options.threads, options.stop, options.progress});
+    const auto distances =
+        dtw(pairs, {options.threads, waiting_cost, options.stop, options.progress});
     // A path through coarse envelopes has a factor-th of the steps.
     const auto scale = static_cast<double>(factor);
     for (std::size_t k = 0; k < open.size(); ++k) matrix.condensed[open[k]] = scale * distances[k];
@@ -198,7 +202,7 @@ std::optional<Prediction> predict(std::span<const Waveform> waveforms,
     result.codes = pattern_codes(waveforms, params, options);
     if (result.codes.size() != waveforms.size()) return std::nullopt;
     result.nc = nc_matrix(result.codes, params, options);
-    result.oc = oc_matrix(result.codes, options);
+    result.oc = oc_matrix(result.codes, params, options);
     if (options.stop.stop_requested()) return std::nullopt;
     result.nc_rank = average_ranks(result.nc.condensed);
     result.oc_rank = average_ranks(result.oc.condensed);

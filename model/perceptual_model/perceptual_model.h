@@ -61,7 +61,7 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
 Dissimilarity nc_matrix(std::span<const std::shared_ptr<const PatternCode>> codes,
                         const PerceptualModelParams& params, const PredictOptions& options);
 Dissimilarity oc_matrix(std::span<const std::shared_ptr<const PatternCode>> codes,
-                        const PredictOptions& options);
+                        const PerceptualModelParams& params, const PredictOptions& options);
 
 // All of it; nothing when stopped.
 std::optional<Prediction> predict(std::span<const Waveform> waveforms,

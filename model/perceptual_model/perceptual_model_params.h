@@ -22,11 +22,15 @@ enum class EnvelopeAlignment {
 // Panels clamp to this; files outside it are refused.
 namespace limits {
 inline constexpr Range kWeight{0.0, 1000.0};
+inline constexpr Range kWaitingCost{0.0, 100.0};  // above the envelopes' reach none pays to wait
 }  // namespace limits
 
 struct EnvelopeParams {
     EnvelopeScale scale = EnvelopeScale::normalised;
     EnvelopeAlignment alignment = EnvelopeAlignment::causal;
+    // What a sample costs at which one envelope waits for the other, in the envelope's unit. Free
+    // in the paper; so how long a note lasts counts nearly nothing.
+    double waiting_cost = 0.0;
 
     bool operator==(const EnvelopeParams&) const = default;
 };

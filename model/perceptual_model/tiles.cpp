@@ -47,6 +47,7 @@ std::vector<double> oc_values(const TileSource& source, const Tile& tile) {
     });
     DtwOptions options;
     options.threads = 1;  // the others are at other tiles
+    options.waiting_cost = source.waiting_cost;
     return dtw(pairs, options);
 }
 
@@ -88,6 +89,7 @@ std::size_t pattern_count(const TileSource& source) { return source.envelopes.si
 
 std::uint64_t fingerprint(const TileSource& source) {
     std::uint64_t number = mixed(0, std::span<const double>(source.channel_weight));
+    if (source.waiting_cost > 0.0) number = mixed(number, std::span(&source.waiting_cost, 1));
     for (std::size_t k = 0; k < pattern_count(source); ++k) {
         number = mixed(number, source.spikes[k].samples);
         number = mixed(number, std::span<const std::uint64_t>(source.spikes[k].bits));

@@ -45,6 +45,7 @@ std::size_t pair_count(const Tile& tile);
 // What tiles are made from: half of what a code takes, as waveforms are left out.
 struct TileSource {
     PerReceptor<double> channel_weight{};
+    double waiting_cost = 0.0;
     std::vector<PackedSpikes> spikes;            // of every pattern
     std::vector<std::vector<double>> envelopes;  // likewise
     // Fingerprints of what they were made from, to tell why they are others; 0: not known.

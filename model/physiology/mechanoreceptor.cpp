@@ -132,6 +132,16 @@ const PhysiologyTables& default_tables() {
     return tables;
 }
 
+const PerReceptor<Curve>& aosp_thresholds() {
+    static const PerReceptor<Curve> curves = [] {
+        auto parsed =
+            parse_thresholds(std::string(asset("physiology/absolute_thresholds_aosp.csv")));
+        assert(parsed && "the compiled-in second thresholds do not parse");
+        return *parsed;
+    }();
+    return curves;
+}
+
 Expected<PerReceptor<Curve>> parse_slopes(const std::string& csv) {
     return parse_curves(csv, kSlopeTable);
 }

@@ -84,6 +84,9 @@ inline constexpr TableTraits kThresholdTable{
     {-4.0, 6.0},
     "log10 of um peak from -4 to 6 (beyond them it looks like dB, which are 20 times that)"};
 
+// Our thresholds moved onto what the Android Open Source Project says is felt, compiled in, too.
+const PerReceptor<Curve>& aosp_thresholds();
+
 // One table in the layout of assets/physiology, from the text of its file. An Error names the
 // table, the line and what was expected.
 Expected<PerReceptor<Curve>> parse_slopes(const std::string& csv);

@@ -56,7 +56,7 @@ void sweep_bench(benchmark::State& state, const DtwSweep& sweep, double bar) {
     for (auto _ : state) {
         textbook.turn([&] { benchmark::DoNotOptimize(dtw_textbook(signals[0], signals[1])); });
         for (int k = 0; k < 2; ++k) {
-            swept.turn([&] { dtw_strips(sweep, pairs, distances, {}); });
+            swept.turn([&] { dtw_strips(sweep, pairs, 0.0, distances, {}); });
         }
     }
     if (distances[0] != dtw_textbook(signals[0], signals[1])) state.SkipWithError("other bits");

@@ -42,6 +42,7 @@ template <class Params, class Visit>
 void visit_envelope(Params& p, Visit&& visit) {
     visit("scale", p.scale, kEnvelopeScale);
     visit("alignment", p.alignment, kEnvelopeAlignment);
+    visit("waiting_cost", p.waiting_cost, limits::kWaitingCost);
 }
 
 template <class Params, class Visit>

@@ -26,11 +26,20 @@ TEST_CASE("dtw path: the cost along it is the distance, to the last bit") {
     for (const auto& [n, m] : {std::pair{1, 1}, {1, 9}, {7, 3}, {40, 40}, {200, 31}}) {
         const auto a = drawn(1, static_cast<std::size_t>(n));
         const auto b = drawn(2, static_cast<std::size_t>(m));
-        const DtwPath path = dtw_path(a, b);
-        double sum = 0.0;
-        for (const auto& [i, j] : path.steps) sum = std::abs(a[i] - b[j]) + sum;
-        CHECK(path.distance == dtw(a, b));
-        CHECK(sum == path.distance);
+        for (const double cost : {0.0, 0.2}) {
+            const DtwPath path = dtw_path(a, b, cost);
+            double sum = 0.0;
+            std::size_t last_i = 0;
+            std::size_t last_j = 0;
+            for (const auto& [i, j] : path.steps) {
+                if ((i == last_i) != (j == last_j)) sum += cost;
+                sum = std::abs(a[i] - b[j]) + sum;
+                last_i = i;
+                last_j = j;
+            }
+            CHECK(path.distance == dtw(std::vector<SignalPair>{{a, b}}, {.waiting_cost = cost})[0]);
+            CHECK(sum == path.distance);
+        }
     }
 }
 

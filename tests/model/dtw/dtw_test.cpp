@@ -34,9 +34,9 @@ std::vector<SignalPair> neighbours(const std::vector<std::vector<double>>& signa
     return pairs;
 }
 
-std::vector<double> textbook(const std::vector<SignalPair>& pairs) {
+std::vector<double> textbook(const std::vector<SignalPair>& pairs, double waiting_cost = 0.0) {
     std::vector<double> distances;
-    for (const auto& [a, b] : pairs) distances.push_back(dtw_textbook(a, b));
+    for (const auto& [a, b] : pairs) distances.push_back(dtw_textbook(a, b, waiting_cost));
     return distances;
 }
 
@@ -47,17 +47,19 @@ bool same_bits(const std::vector<double>& got, const std::vector<double>& expect
 }
 
 // With every way of computing: one by one and side by side happen for 1 and for many threads.
-void check_all_ways(const std::vector<SignalPair>& pairs) {
-    const auto expected = textbook(pairs);
+void check_all_ways(const std::vector<SignalPair>& pairs, double waiting_cost = 0.0) {
+    const auto expected = textbook(pairs, waiting_cost);
     for (const DtwKernel& kernel : dtw_kernels()) {
         CAPTURE(kernel.name);
         for (const int threads : {1, 2, 4}) {
             CAPTURE(threads);
-            CHECK(same_bits(dtw(pairs, {.threads = threads}, kernel), expected));
+            const DtwOptions options{.threads = threads, .waiting_cost = waiting_cost};
+            CHECK(same_bits(dtw(pairs, options, kernel), expected));
         }
         for (std::size_t k = 0; k < pairs.size(); ++k) {
             CAPTURE(k);
-            CHECK(same_bits(dtw(std::span(pairs).subspan(k, 1), {}, kernel), {expected[k]}));
+            const DtwOptions options{.waiting_cost = waiting_cost};
+            CHECK(same_bits(dtw(std::span(pairs).subspan(k, 1), options, kernel), {expected[k]}));
         }
     }
 }
@@ -90,6 +92,39 @@ TEST_CASE("dtw: waiting is free") {
     CHECK(dtw(once, once) == 0.0);
 }
 
+TEST_CASE("dtw: distances at a cost of waiting equal those of shortest ways through a graph") {
+    const Json waiting = golden::read("waiting.json");
+    const Json& cases = waiting.at("cases");
+    REQUIRE(cases.size() == 36);
+    for (const Json& c : cases) {
+        const std::vector<double> x = c.at("x");
+        const std::vector<double> y = c.at("y");
+        const double expected = c.at("distance");
+        const DtwOptions options{.waiting_cost = c.at("waiting_cost")};
+        const auto got = dtw(std::vector<SignalPair>{{x, y}, {y, x}}, options);
+        // Their ways are sums of up to 160 terms.
+        CHECK(std::abs(got[0] - expected) <= 1e-12 * std::max(1.0, expected) * 160.0);
+        CHECK(std::abs(got[1] - expected) <= 1e-12 * std::max(1.0, expected) * 160.0);
+    }
+}
+
+TEST_CASE("dtw: each sample more of the longer one waits, and costs what waiting does") {
+    const std::vector<double> once{0, 1, 2, 1, 0};
+    const std::vector<double> slow{0, 0, 1, 1, 1, 2, 1, 0, 0, 0};
+    CHECK(dtw(std::vector<SignalPair>{{once, slow}}, {.waiting_cost = 0.25})[0] == 5 * 0.25);
+    CHECK(dtw(std::vector<SignalPair>{{once, once}}, {.waiting_cost = 0.25})[0] == 0.0);
+}
+
+TEST_CASE("dtw: where waiting costs more than anything else, signals are held sample by sample") {
+    const auto a = wandering(300, 5);
+    const auto b = wandering(300, 6);
+    double expected = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k) expected += std::abs(a[k] - b[k]);
+    const double stiff = dtw(std::vector<SignalPair>{{a, b}}, {.waiting_cost = 1e6})[0];
+    CHECK(stiff == doctest::Approx(expected).epsilon(1e-12));
+    CHECK(dtw(a, b) < stiff);
+}
+
 TEST_CASE("dtw: nothing is as far from something as can be, and at nothing from nothing") {
     const std::vector<double> nothing;
     const std::vector<double> something{1.0};
@@ -108,6 +143,7 @@ TEST_CASE("dtw: every length gives the textbook's bits, whatever strips it fills
         for (const std::size_t other : {std::size_t{1}, std::size_t{7}, length, std::size_t{65}}) {
             const auto b = wandering(other, 2);
             check_all_ways({{a, b}, {b, a}});
+            check_all_ways({{a, b}, {b, a}}, 0.3);
         }
     }
 }

@@ -5,6 +5,7 @@
 #include <stop_token>
 #include <thread>
 
+#include "model/set/pattern_set.h"
 #include "tests/support/golden.h"
 
 namespace perceptual_model_test {
@@ -126,6 +127,7 @@ TEST_CASE("perceptual model: what changed parameters spoil is not reused") {
     SUBCASE("channel weights") { other.channel_weight = {1.0, 0.0, 0.0, 0.0}; }
     SUBCASE("layers") { other.coding.excitatory_layers = 1; }
     SUBCASE("envelope") { other.envelope.scale = EnvelopeScale::raw; }
+    SUBCASE("waiting") { other.envelope.waiting_cost = 0.2; }
     SUBCASE("integration") { other.nc_weight = 0.9; }
     SUBCASE("preview") { reuse.envelope_decimation = 10; }
     PredictOptions alone;
@@ -135,6 +137,28 @@ TEST_CASE("perceptual model: what changed parameters spoil is not reused") {
     CHECK(incremental->nc == fresh->nc);
     CHECK(incremental->oc == fresh->oc);
     CHECK(incremental->pm == fresh->pm);
+}
+
+TEST_CASE("perceptual model: how long a note lasts counts once waiting costs") {
+    PatternSet set;
+    for (const char* rhythm : {"x---", "x==-", "x-x-"}) {
+        Pattern pattern;
+        pattern.duration_s = 0.2;
+        pattern.rhythm = {rhythm, 0.05};
+        Vibration vibration;
+        vibration.name = rhythm;
+        vibration.source = pattern;
+        set.vibrations.push_back(vibration);
+    }
+    const auto waveforms = model_waveforms(set);
+    const auto share = [&](double waiting_cost) {
+        PerceptualModelParams params;
+        params.envelope.waiting_cost = waiting_cost;
+        const auto oc = predict(waveforms, params)->oc;
+        return oc(0, 1) / oc(0, 2);
+    };
+    CHECK(share(0.0) < 0.1);
+    CHECK(share(0.1) > 0.3);
 }
 
 TEST_CASE("perceptual model: a preview keeps most of the order of pairs") {

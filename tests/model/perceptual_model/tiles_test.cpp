@@ -87,11 +87,18 @@ TEST_CASE("tiles: they make the same matrices, bit for bit, on any number of thr
     const TileSource source = source_of(codes);
     REQUIRE(tile_count(codes.size()) == 10);
     const Dissimilarity nc = nc_matrix(codes, {}, {});
-    const Dissimilarity oc = oc_matrix(codes, {});
+    const Dissimilarity oc = oc_matrix(codes, {}, {});
     for (const int threads : {1, 2, 4}) {
         CHECK(made_from_tiles(source, Part::nc, threads) == nc);
         CHECK(made_from_tiles(source, Part::oc, threads) == oc);
     }
+    PerceptualModelParams at_cost;
+    at_cost.envelope.waiting_cost = 0.1;
+    TileSource costly = source;
+    costly.waiting_cost = 0.1;
+    const Dissimilarity oc_at_cost = oc_matrix(codes, at_cost, {});
+    CHECK(oc_at_cost != oc);
+    CHECK(made_from_tiles(costly, Part::oc, 2) == oc_at_cost);
 }
 
 TEST_CASE("tiles: a tile depends on the patterns of its two ranges and on no other") {
@@ -136,6 +143,9 @@ TEST_CASE("tiles: the fingerprint changes with all that a value depends on") {
     CHECK(fingerprint(other) != number);
     other = source;
     other.channel_weight[3] += 0.1;
+    CHECK(fingerprint(other) != number);
+    other = source;
+    other.waiting_cost = 0.1;
     CHECK(fingerprint(other) != number);
     other = source;
     std::swap(other.envelopes[0], other.envelopes[1]);

@@ -39,6 +39,30 @@ TEST_CASE("mechanoreceptor: a curve is constant beyond its outermost knots") {
     CHECK(std::abs(at(curve, std::sqrt(1000.0)) - 2.0) <= 1e-12);
 }
 
+TEST_CASE(
+    "mechanoreceptor: the second thresholds are ours, moved together onto what its source feels") {
+    const auto& own = default_tables().threshold;
+    const auto& moved = aosp_thresholds();
+    REQUIRE(moved[0].frequency_hz.size() == 42);
+    double sum = 0.0;
+    for (const double f_hz : moved[0].frequency_hz) {
+        CAPTURE(f_hz);
+        const double by = at(moved[0], f_hz) - at(own[0], f_hz);
+        for (const Receptor receptor : kReceptors) {
+            const std::size_t c = index_of(receptor);
+            CHECK(std::abs(at(moved[c], f_hz) - at(own[c], f_hz) - by) <= 1.01e-4);  // four digits
+        }
+        if (f_hz <= 400.0) sum += by * by;
+    }
+    CHECK(std::abs(20.0 * std::sqrt(sum / 41.0) - 1.97) <= 0.005);
+    // 31.9 dB below 1 g at 100 Hz.
+    const double least = std::min(
+        {at(moved[0], 100.0), at(moved[1], 100.0), at(moved[2], 100.0), at(moved[3], 100.0)});
+    const double um = 1e6 * 9.80665 * std::pow(10.0, -31.9 / 20.0) /
+                      std::pow(2.0 * 3.14159265358979 * 100.0, 2.0);
+    CHECK(std::abs(least - std::log10(um)) <= 1e-4);
+}
+
 TEST_CASE("mechanoreceptor: a damaged table is refused with its line") {
     const std::string slopes(asset("physiology/firing_rate_slopes.csv"));
     const std::string thresholds(asset("physiology/absolute_thresholds.csv"));
