@@ -39,6 +39,10 @@ std::vector<std::string> lines_of(const Labels& labels) {
     if (labels.synthetic_model) {
         lines.push_back("SYNTHETIC: the model was fitted to ratings that nobody gave");
     }
+    if (labels.changed_since_felt) {
+        lines.push_back(
+            "CHANGED: some or all of these patterns are others than those that were felt");
+    }
     return lines;
 }
 
@@ -51,6 +55,7 @@ std::string text_of(const Labels& labels) {
 void add_labels(nlohmann::json& json, const Labels& labels) {
     json["synthetic_patterns"] = labels.synthetic_patterns;
     json["synthetic_model"] = labels.synthetic_model;
+    if (labels.changed_since_felt) json["changed_since_felt"] = true;
     if (labels.only != Side::both) {
         json["only"] = kSideNames[static_cast<std::size_t>(labels.only)];
     }

@@ -20,6 +20,7 @@ struct Labels {
     Side only = Side::both;
     bool synthetic_patterns = false;                 // measurements that were computed
     bool synthetic_model = false;                    // fitted to ratings that nobody gave
+    bool changed_since_felt = false;                 // other patterns than those that were rated
     std::map<std::string, std::size_t> actuators{};  // maps by which patterns were read, how many
 };
 
@@ -35,10 +36,10 @@ std::string sentence_on(const ExportTarget& target);
 std::vector<std::string> lines_of(const Labels& labels);
 std::string text_of(const Labels& labels);
 
-// Keys of an object: synthetic_patterns and synthetic_model always; only, exported_as with
-// exported_onto and exported_onto_source or exported_rate_hz, and rendered_by with calibrated,
-// full_scale_g and level, where they apply; actuators, of patterns that were read from effects of
-// other programs.
+// Keys of an object: synthetic_patterns and synthetic_model always; changed_since_felt, only,
+// exported_as with exported_onto and exported_onto_source or exported_rate_hz, and rendered_by with
+// calibrated, full_scale_g and level, where they apply; actuators, of patterns that were read from
+// effects of other programs.
 void add_labels(nlohmann::json& json, const Labels& labels);
 
 }  // namespace tact

@@ -10,6 +10,32 @@
 
 namespace tact {
 
+namespace {
+
+// Rules on how people answered, of a study's folder; none is on by itself.
+void add_conduct(CLI::App& command, ConductRule& rule) {
+    CLI::Option* fast = command
+                            .add_option("--too-fast", rule.fast_below_s,
+                                        "leave out who answered in less than so many seconds too "
+                                        "often (--too-fast-share)")
+                            ->check(within(limits::kFastBelowS));
+    command
+        .add_option("--too-fast-share", rule.fast_share,
+                    "share of one's answers that may be so fast; else 0.1")
+        ->check(within(limits::kFastShare))
+        ->needs(fast);
+    command
+        .add_option("--repeat-rho", rule.repeat_rho,
+                    "leave out whose own repetitions agree less than this (mean Spearman's rho)")
+        ->check(within(limits::kRho));
+    command
+        .add_option("--most-replays", rule.replays,
+                    "leave out who felt more than so many again a trial, on average")
+        ->check(within(limits::kReplays));
+}
+
+}  // namespace
+
 CLI::Validator within(double low, double high) {
     const std::string from_to = shortest_digits(low) + " to " + shortest_digits(high);
     const auto fault = [low, high, from_to](const std::string& text) -> std::string {
@@ -60,7 +86,19 @@ void add_who_counts(CLI::App& command, CountRule& who) {
     command.add_option("--include", who.include,
                        "participants who count though a rule leaves them out; a rehearsal never "
                        "does");
-    command.add_option("--exclude", who.exclude, "participants who do not count, by name");
+    CLI::Option* exclude =
+        command.add_option("--exclude", who.exclude, "participants who do not count, by name");
+    command
+        .add_option(
+            "--because", who.because,
+            "why; of a study's folder it is recorded there with the names, heeded from then "
+            "on, and taken back by --include")
+        ->needs(exclude)
+        ->check([](const std::string& why) {
+            return why.find_first_not_of(" \t") == why.npos ? std::string("expected a reason")
+                                                            : std::string();
+        });
+    add_conduct(command, who.conduct);
 }
 
 void add_rendering(CLI::App& command, CommonOptions& options) {

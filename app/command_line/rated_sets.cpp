@@ -6,11 +6,14 @@
 #include <span>
 
 #include "app/command_line/output.h"
+#include "model/io/people/exclusions_file.h"
 #include "model/io/people/ratings_file.h"
+#include "model/io/people/study_file.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/set/measured_twin.h"
 #include "model/set/set_ratings.h"
 #include "model/set/set_study.h"
+#include "model/text/utc_time.h"
 
 namespace tact {
 
@@ -37,14 +40,13 @@ Expected<Counted> own_ratings(const PatternSet& set, const fs::path& path, const
 }
 
 // Another pattern under the name of one that was felt.
-void warn_of_changes(const PatternSet& set, const RatingStudy& study) {
+bool is_changed(const PatternSet& set, const RatingStudy& study) {
     const std::vector<std::string> unrated = unrated_patterns(study);
     std::vector<std::string> felt = names_of(set);
     std::erase_if(felt, [&unrated](const std::string& name) {
         return std::ranges::find(unrated, name) != unrated.end();
     });
-    if (study.fingerprint.empty() || study_fingerprint(set, felt) == study.fingerprint) return;
-    std::cerr << "tactspace: the patterns have changed since they were felt\n";
+    return !study.fingerprint.empty() && study_fingerprint(set, felt) != study.fingerprint;
 }
 
 Expected<Counted> ratings_for(const PatternSet& set, const fs::path& path,
@@ -55,6 +57,9 @@ Expected<Counted> ratings_for(const PatternSet& set, const fs::path& path,
     for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
     Expected<RatingStudy> study = matched(loaded->study, names_of(set));
     if (!study) return Error{files.front().string() + ": " + study.error().message};
+    if (const auto recorded = record_who_counts(files, how.who); !recorded) {
+        return recorded.error();
+    }
     return Counted{*std::move(study), std::move(loaded->left_out)};
 }
 
@@ -78,6 +83,24 @@ std::string text_on_people(bool synthetic, const std::vector<LeftOutParticipant>
     if (synthetic) text += "SYNTHETIC: some or all of these ratings were given by nobody\n";
     for (const std::string& remark : remarks_on(left_out)) text += remark + "\n";
     return text;
+}
+
+Expected<Done> record_who_counts(std::span<const fs::path> files, const CountRule& who) {
+    std::error_code none;
+    for (const fs::path& file : files) {
+        if (!is_study(file)) {
+            if (!who.because.empty()) {
+                std::cerr << "tactspace: " << file.string()
+                          << " is no study's folder: who is excluded is so this once\n";
+            }
+            continue;
+        }
+        const fs::path folder = fs::is_directory(file, none) ? file : file.parent_path();
+        const auto said = record_exclusions(folder, who, utc_now());
+        if (!said) return said.error();
+        for (const std::string& one : *said) std::cerr << "tactspace: " << one << "\n";
+    }
+    return Done{};
 }
 
 nlohmann::json json_of(const std::vector<LeftOutParticipant>& left_out) {
@@ -114,7 +137,10 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
         if (!people) return with_hint(people.error(), set);
         if (common.only != Side::measured && common.rendered_by.empty() &&
             common.rendered_calibration.empty() && common.exported_as.empty()) {
-            warn_of_changes(set, people->study);
+            loaded->labels.changed_since_felt = is_changed(set, people->study);
+            if (loaded->labels.changed_since_felt) {
+                std::cerr << "tactspace: the patterns have changed since they were felt\n";
+            }
         }
         const auto unrated = unrated_patterns(people->study);
         if (!unrated.empty()) {

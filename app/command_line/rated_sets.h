@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ std::string text_on_people(bool synthetic, const std::vector<LeftOutParticipant>
 
 // [{"participant": .., "why": ..}, ..]
 nlohmann::json json_of(const std::vector<LeftOutParticipant>& left_out);
+
+// Exclusions with a reason into the folders of studies that these are, or are in, and inclusions
+// out of them; what changed, or could not, is said on standard error.
+Expected<Done> record_who_counts(std::span<const std::filesystem::path> files,
+                                 const CountRule& who);
 
 // Each set of a command with its files of ratings: all of them for a single set, else one for each;
 // without files, those of the set file. Remarks go to standard error.

@@ -21,11 +21,18 @@ void note_play(PairAnswer& answer, bool is_left, const Play& play) {
     PlaysReport& report = is_left ? answer.left : answer.right;
     report.turned_down_db = std::max(report.turned_down_db, play.turned_down_db);
     if (is_whole(play)) {
+        if (answer.first == FeltFirst::unknown) {
+            answer.first = is_left ? FeltFirst::left : FeltFirst::right;
+        }
         ++(is_left ? answer.plays_left : answer.plays_right);
         return;
     }
     ++report.broken;
     report.dropouts += play.dropouts;
+}
+
+int replays_of(const PairAnswer& answer) {
+    return std::max(answer.plays_left - 1, 0) + std::max(answer.plays_right - 1, 0);
 }
 
 std::size_t answers_wanted(const StudyRecord& record) {

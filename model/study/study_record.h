@@ -82,6 +82,9 @@ struct PlaysReport {
     bool operator==(const PlaysReport&) const = default;
 };
 
+// Which side of a trial was felt whole before the other; files of before do not say.
+enum class FeltFirst { unknown, left, right };
+
 struct PairAnswer {
     Trial trial;
     double similarity = 0.0;  // 0 totally different .. 100 the same
@@ -91,6 +94,7 @@ struct PairAnswer {
     std::string at;           // UTC
     PlaysReport left{};
     PlaysReport right{};
+    FeltFirst first = FeltFirst::unknown;
 
     bool operator==(const PairAnswer&) const = default;
 };
@@ -100,6 +104,9 @@ bool is_whole(const Play& play);
 
 // A play into the answer that is being given: one that is not whole does not count as a play.
 void note_play(PairAnswer& answer, bool is_left, const Play& play);
+
+// Plays beyond the first of each side.
+int replays_of(const PairAnswer& answer);
 
 struct SortingAnswer {
     int asked_groups = 0;  // 0: free
@@ -116,6 +123,9 @@ struct StudyRecord {
     std::vector<SortingAnswer> sortings;  // of a sorting study
     bool is_torn = false;                 // the last line was cut off, and left out
     std::vector<DeviceChange> devices{};  // after the header's, in their order
+    // Why whoever runs the study leaves the participant out; empty: they do not. It is kept beside
+    // the participants' files (model/io/people/exclusions_file.h), which nobody changes.
+    std::string excluded{};
 
     bool operator==(const StudyRecord&) const = default;
 };

@@ -57,11 +57,22 @@ std::string count_of(std::size_t part, std::size_t whole, const char* what) {
     return grouped_digits(part) + " of " + grouped_digits(whole) + " " + what;
 }
 
+// By the first of the rules on conduct that they fall by.
+std::string fault_of_conduct(const StudyRecord& record, const CollectRule& rule) {
+    for (const ConductTest test : kConductTests) {
+        if (std::string fault = fault_of(record, rule.who.conduct, test); !fault.empty()) {
+            return fault;
+        }
+    }
+    return {};
+}
+
 std::string reason_to_exclude(const ParticipantSummary& person, const StudyRecord& record,
                               const CollectRule& rule) {
     if (person.answers == 0) return "no answer";
     if (person.rehearsal) return kNothingFelt;
     if (person.unfelt == person.answers) return "no answer to what was felt whole";
+    if (!record.excluded.empty()) return excluded_because(record.excluded);
     if (!rule.unfinished_too && person.answers < person.wanted) {
         const bool pairs = record.header.kind == StudyKind::pairwise;
         return "unfinished, " +
@@ -74,7 +85,7 @@ std::string reason_to_exclude(const ParticipantSummary& person, const StudyRecor
         ++failures;
         low += (low.empty() ? "" : ", ") + shortest_digits(similarity);
     }
-    if (failures <= rule.attention.failures_allowed) return {};
+    if (failures <= rule.attention.failures_allowed) return fault_of_conduct(record, rule);
     return "identical patterns rated " + low + ", expected above " +
            shortest_digits(rule.attention.above);
 }
@@ -102,6 +113,7 @@ ParticipantSummary summary_of(const StudyRecord& record, const CollectRule& rule
     }
     for (const SortingAnswer& answer : record.sortings) seconds += answer.response_s;
     person.minutes = seconds / 60.0;
+    person.conduct = conduct_of(record);
     person.excluded = reason_to_exclude(person, record, rule);
     return person;
 }
@@ -201,9 +213,30 @@ Dissimilarity ratings_of(const StudyRecord& record) {
     return mean_ratings({record.header.patterns, true, judgements_of(record, RatingScaling::none)});
 }
 
+std::vector<std::string> remarks_on_conduct(std::span<const StudyRecord> records,
+                                            const ConductRule& rule) {
+    std::vector<std::string> remarks;
+    for (const ConductTest test : kConductTests) {
+        if (!is_on(rule, test)) continue;
+        std::string fallen;
+        for (const StudyRecord& record : records) {
+            if (fault_of(record, rule, test).empty()) continue;
+            fallen += (fallen.empty() ? "" : ", ") + record.header.participant.code;
+        }
+        remarks.push_back("rule: " + words_on(rule, test) + "; " +
+                          (fallen.empty() ? "nobody falls" : fallen + " fell") + " by it");
+    }
+    return remarks;
+}
+
 CollectRule rule_of(std::span<const StudyRecord> records) {
     CollectRule rule;
     if (!records.empty()) rule.attention = records.front().header.design.attention;
+    return rule;
+}
+
+CountRule by_name(CountRule rule) {
+    rule.conduct = {};
     return rule;
 }
 
@@ -238,7 +271,7 @@ Expected<StudyResults> study_results(std::span<const StudyRecord> records,
     for (const StudyRecord* record : *sorted) {
         results.people.push_back(summary_of(*record, rule));
     }
-    Expected<Counted> counted = who_counts(*std::move(everyone), rule.who);
+    Expected<Counted> counted = who_counts(*std::move(everyone), by_name(rule.who));
     if (!counted) return counted.error();
     for (ParticipantSummary& person : results.people) {
         const auto left_out =
@@ -254,9 +287,23 @@ Expected<StudyResults> study_results(std::span<const StudyRecord> records,
     }
     mark_outliers(results);
     say_what_was_excluded(results, counted->left_out);
+    for (std::string& remark : remarks_on_conduct(records, rule.who.conduct)) {
+        results.remarks.push_back(std::move(remark));
+    }
     results.mean = mean_ratings(results.study);
     results.agreement = reliability(results.study);
     return results;
+}
+
+std::vector<StudyRecord> counted_records(std::span<const StudyRecord> records,
+                                         const StudyResults& results) {
+    std::vector<StudyRecord> counted;
+    for (const StudyRecord& record : records) {
+        const auto person = std::ranges::find(results.people, record.header.participant.code,
+                                              &ParticipantSummary::code);
+        if (person != results.people.end() && person->excluded.empty()) counted.push_back(record);
+    }
+    return counted;
 }
 
 }  // namespace tact

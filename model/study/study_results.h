@@ -14,11 +14,15 @@
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/study/conduct.h"
 #include "model/study/ratings.h"
 #include "model/study/study_record.h"
 #include "model/study/who_counts.h"
 
 namespace tact {
+
+// The rule without those on conduct, which ratings_of_everyone() has applied.
+CountRule by_name(CountRule rule);
 
 // How each participant's similarities are brought to one scale before they are averaged.
 enum class RatingScaling {
@@ -45,6 +49,7 @@ struct ParticipantSummary {
     std::size_t unfelt = 0;         // of the answers: do not count, felt not at all or in part
     std::vector<double> attention;  // similarities of identical pairs that were felt
     std::string excluded;           // why, as a phrase; empty: counted
+    Conduct conduct{};              // how they answered
     double rho_with_others = 0.0;   // of those counted; NaN: unknown, or excluded
     bool is_outlier = false;
     double minutes = 0.0;  // spent on answers
@@ -66,12 +71,20 @@ struct StudyResults {
 Expected<RatingStudy> ratings_of_everyone(std::span<const StudyRecord> records,
                                           const CollectRule& rule);
 
+// Each rule of conduct that is on, and who falls by it: sentences without a full stop.
+std::vector<std::string> remarks_on_conduct(std::span<const StudyRecord> records,
+                                            const ConductRule& rule);
+
 // The records' own rule is the first one's: it is the design's.
 CollectRule rule_of(std::span<const StudyRecord> records);
 
 // Errors: no record; records of other patterns, of another kind or order of study, of one code;
 // as who_counts().
 Expected<StudyResults> study_results(std::span<const StudyRecord> records, const CollectRule& rule);
+
+// The records of those who are counted.
+std::vector<StudyRecord> counted_records(std::span<const StudyRecord> records,
+                                         const StudyResults& results);
 
 // A similarity is brought to the scale by factor * similarity + shift.
 struct SimilarityScale {

@@ -26,6 +26,13 @@ bool took_part(const RatingStudy& study, const std::string& name) {
 }
 
 std::string fault_of(const RatingStudy& study, const CountRule& rule) {
+    for (const ConductTest test : kConductTests) {
+        if (is_on(rule.conduct, test)) {
+            return "expected the folder of a study, which knows of each answer what is asked "
+                   "for: " +
+                   words_on(rule.conduct, test);
+        }
+    }
     for (const auto* names : {&rule.include, &rule.exclude}) {
         for (const std::string& name : *names) {
             if (!took_part(study, name)) {
@@ -50,12 +57,16 @@ std::string fault_of(const RatingStudy& study, const CountRule& rule) {
 std::string reason(const RatingStudy& study, const std::string& name, const CountRule& rule) {
     const Standing* standing = standing_of(study, name);
     if (standing != nullptr && standing->rehearsal) return kNothingFelt;
-    if (is_among(rule.exclude, name)) return "excluded by name";
+    if (is_among(rule.exclude, name)) return excluded_because(rule.because);
     if (standing == nullptr || is_among(rule.include, name)) return {};
     return standing->excluded;
 }
 
 }  // namespace
+
+std::string excluded_because(const std::string& because) {
+    return because.empty() ? "excluded by name" : "excluded by name: " + because;
+}
 
 Expected<Counted> who_counts(RatingStudy study, const CountRule& rule) {
     if (const std::string fault = fault_of(study, rule); !fault.empty()) return Error{fault};

@@ -11,14 +11,18 @@
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/study/conduct.h"
 #include "model/study/ratings.h"
 
 namespace tact {
 
-// Participants by name who are to count though a rule leaves them out, and the other way round.
+// Participants by name who are to count though a rule leaves them out, and the other way round; and
+// rules on how they answered, for ratings of which that is known.
 struct CountRule {
     std::vector<std::string> include;
     std::vector<std::string> exclude;
+    std::string because{};  // of `exclude`, as a phrase
+    ConductRule conduct{};
 
     bool operator==(const CountRule&) const = default;
 };
@@ -38,8 +42,12 @@ struct Counted {
 // What a rehearsal is left out for.
 inline constexpr const char* kNothingFelt = "a rehearsal, nothing was felt";
 
+// What someone is left out for whom whoever runs the study left out.
+std::string excluded_because(const std::string& because);
+
 // Who is excluded counts if included by name; a rehearsal never does. Errors: a name that nobody
-// has, one that is to be both, a rehearsal that is to count.
+// has, one that is to be both, a rehearsal that is to count; a rule of conduct, which records alone
+// answer (model/study/study_results.h).
 Expected<Counted> who_counts(RatingStudy study, const CountRule& rule = {});
 
 // A sentence on each, without a full stop.

@@ -9,6 +9,7 @@
 #include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
 #include "model/io/effects_out/write_effect.h"
+#include "model/io/people/exclusions_file.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/people/study_file.h"
 #include "model/io/people/study_lines.h"
@@ -82,6 +83,14 @@ bool study(std::string_view bytes) {
     return round_trip([](std::string_view text) { return parse_study(text, "P1.jsonl"); },
                       print_study, bytes);
 }
+
+bool exclusions(std::string_view bytes) {
+    return round_trip(
+        [](std::string_view text) { return parse_exclusions(text, "exclusions.json"); },
+        print_exclusions, bytes);
+}
+
+Seeds exclusion_seeds() { return {print_exclusions({{"S20", "asleep", "2026-11-23T10:00:00Z"}})}; }
 
 Seeds study_seeds() {
     StudyRecord record;
@@ -266,6 +275,7 @@ std::span<const Reader> text_readers() {
     static const std::vector<Reader> all{
         {"set", set, set_seeds, {"\"patterns\"", "\"rhythm\"", "\"carriers\"", "\"ratings\""}},
         {"model", model, model_seeds, {"\"training\"", "\"sets\"", "\"weights\""}},
+        {"exclusions", exclusions, exclusion_seeds, {"\"excluded\"", "\"because\""}},
         {"study", study, study_seeds, {"\"answer\"", "\"sorting\"", "\"groups\"", "\"pair\""}},
         {"ratings", ratings, ratings_seeds, {"participant", "first", "second", "rating", "felt"}},
         {"matrix", matrix, matrix_seeds, {",0", "nan", "\"\""}},

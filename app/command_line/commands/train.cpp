@@ -156,7 +156,7 @@ nlohmann::json json_of(const Training& training, const GridPoint& point) {
 std::string people_text(const std::vector<RatedPatterns>& rated) {
     std::string text;
     for (const RatedPatterns& one : rated) {
-        text += text_on_people(is_partly_synthetic(one.study), one.left_out);
+        text += text_of(one.labels) + text_on_people(is_partly_synthetic(one.study), one.left_out);
         const std::string unrated =
             remark_on_unrated(unrated_patterns(one.study), one.study.labels.size());
         if (!unrated.empty()) text += unrated + "\n";
@@ -185,6 +185,7 @@ std::string json_text(const Training& training, const TrainCommand& command,
                         {"unrated_patterns", unrated_patterns(study)},
                         {"rho_before", set.rho_before},
                         {"rho_after", set.rho_after}});
+        add_labels(sets.back(), rated[s].labels);
     }
     nlohmann::json ties = nlohmann::json::array();
     for (const GridPoint& point : training.best.points) ties.push_back(json_of(training, point));

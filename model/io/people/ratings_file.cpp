@@ -120,19 +120,25 @@ std::string fault_of_size(const RatingStudy& study) {
     return {};
 }
 
-// A folder of participants' files as a study collected by its own rule.
-Expected<LoadedRatings> read_records(const fs::path& folder, const CountRule& who) {
-    const auto records = read_study_folder(folder);
+// Participants' files as a study collected by its own rule.
+Expected<LoadedRatings> read_records(std::span<const fs::path> paths, const CountRule& who) {
+    const std::string name = paths.front().string();
+    const auto records = read_studies(paths);
     if (!records) return records.error();
-    auto everyone = ratings_of_everyone(*records, rule_of(*records));
-    if (!everyone) return Error{folder.string() + ": " + everyone.error().message};
-    return gated(*std::move(everyone), {}, folder.string(), who);
+    CollectRule rule = rule_of(*records);
+    rule.who = who;
+    auto everyone = ratings_of_everyone(*records, rule);
+    if (!everyone) return Error{name + ": " + everyone.error().message};
+    return gated(*std::move(everyone), remarks_on_conduct(*records, who.conduct), name,
+                 by_name(who));
 }
 
-// A folder's .csv and .txt files, in natural order; of a file, the file.
+// A folder's .csv and .txt files, in natural order; of a study's report its answers; of a file, the
+// file.
 Expected<std::vector<fs::path>> files_at(const fs::path& path) {
     std::error_code fault;
     if (!fs::is_directory(path, fault)) return std::vector<fs::path>{path};
+    if (fs::exists(path / kAnswersFile, fault)) return std::vector<fs::path>{path / kAnswersFile};
     std::vector<fs::path> files;
     for (fs::directory_iterator entry(path, fault), end; !fault && entry != end;
          entry.increment(fault)) {
@@ -205,7 +211,8 @@ Expected<LoadedRatings> parse_ratings(std::string_view text, const std::string& 
 
 Expected<LoadedRatings> read_ratings(std::span<const fs::path> paths, RatingScale scale,
                                      const CountRule& who) {
-    if (paths.size() == 1 && contains_study(paths.front())) return read_records(paths.front(), who);
+    const auto studies = std::ranges::count_if(paths, is_study);
+    if (studies > 0 && studies == std::ssize(paths)) return read_records(paths, who);
     std::vector<fs::path> files;
     for (const fs::path& path : paths) {
         const auto found = files_at(path);

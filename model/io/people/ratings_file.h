@@ -33,6 +33,9 @@
 
 namespace tact {
 
+// Of the tables of a study's report the one with the answers (study_csv.h).
+inline constexpr const char* kAnswersFile = "answers.csv";
+
 struct LoadedRatings {
     RatingStudy study;                         // of those who count
     std::vector<std::string> remarks;          // sentences: what was guessed, averaged, left out
@@ -43,7 +46,8 @@ Expected<LoadedRatings> parse_ratings(std::string_view text, const std::string& 
                                       RatingScale scale, const CountRule& who = {});
 
 // Several files as one study of the first one's patterns; a folder stands for its .csv and .txt
-// files, or for the participants' files of a study. The scale is guessed of all together.
+// files, or of a study's report for kAnswersFile. The scale is guessed of all together. Or
+// participants' files of a study (study_file.h), and folders of them, which say all by themselves.
 Expected<LoadedRatings> read_ratings(std::span<const std::filesystem::path> paths,
                                      RatingScale scale, const CountRule& who = {});
 

@@ -1,8 +1,10 @@
 #include "model/io/people/study_file.h"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "model/io/people/exclusions_file.h"
 #include "model/io/people/study_lines.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
@@ -27,6 +29,35 @@ Expected<std::vector<fs::path>> study_files(const fs::path& folder) {
         return naturally_before(a.stem().string(), b.stem().string());
     });
     return files;
+}
+
+// Who is excluded in the folder; what is wrong with that, or empty.
+std::string take_exclusions(const fs::path& folder, std::vector<StudyRecord>& records) {
+    const auto exclusions = read_exclusions(folder);
+    if (!exclusions) return exclusions.error().message;
+    for (const Exclusion& one : *exclusions) {
+        const auto found = std::ranges::find_if(records, [&one](const StudyRecord& record) {
+            return record.header.participant.code == one.participant;
+        });
+        if (found == records.end()) {
+            return (folder / kExclusionsFile).string() +
+                   ": expected participants of the folder, got " + in_quotes(one.participant);
+        }
+        found->excluded = one.because;
+    }
+    return {};
+}
+
+// One participant without the others of their folder.
+Expected<std::vector<StudyRecord>> read_alone(const fs::path& path) {
+    Expected<StudyRecord> record = read_study_file(path);
+    if (!record) return record.error();
+    const auto exclusions = read_exclusions(path.parent_path());
+    if (!exclusions) return exclusions.error();
+    for (const Exclusion& one : *exclusions) {
+        if (one.participant == record->header.participant.code) record->excluded = one.because;
+    }
+    return std::vector<StudyRecord>{*std::move(record)};
 }
 
 }  // namespace
@@ -103,7 +134,26 @@ Expected<std::vector<StudyRecord>> read_study_folder(const fs::path& folder) {
         if (!record) return record.error();
         records.push_back(*std::move(record));
     }
+    if (const std::string fault = take_exclusions(folder, records); !fault.empty()) {
+        return Error{fault};
+    }
     return records;
+}
+
+bool is_study(const fs::path& path) {
+    std::error_code none;
+    return fs::is_directory(path, none) ? contains_study(path) : extension_of(path) == kStudyEnding;
+}
+
+Expected<std::vector<StudyRecord>> read_studies(std::span<const fs::path> paths) {
+    std::vector<StudyRecord> all;
+    for (const fs::path& path : paths) {
+        std::error_code none;
+        auto records = fs::is_directory(path, none) ? read_study_folder(path) : read_alone(path);
+        if (!records) return records;
+        std::ranges::move(*records, std::back_inserter(all));
+    }
+    return all;
 }
 
 }  // namespace tact

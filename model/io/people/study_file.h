@@ -3,7 +3,7 @@
 //     {"tactspace_study": 1, "program": "..", "kind": "pairwise", "set": {..}, "patterns": [..],
 //      "device": {..}, "seed": 1, "participant": {..}, "consent": {..}, "design": {..}, ..}
 //     {"trial": 1, "left": "a", "right": "b", "rating": 54, "plays_left": 1, "plays_right": 2,
-//      "left_plays": {"broken": 1, "dropouts": 3, "turned_down_db": 1.9}, ..}
+//      "felt_first": "left", "left_plays": {"broken": 1, "dropouts": 3, "turned_down_db": 1.9}, ..}
 //     {"device": {..}, "at": ".."}      where it is another from the next trial on
 //
 // Every line is on the disk before append() returns; the last one may be torn by a power cut and is
@@ -15,6 +15,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,16 @@ std::string study_file_name(const std::string& participant);
 Expected<StudyRecord> parse_study(std::string_view text, const std::string& file);
 Expected<StudyRecord> read_study_file(const std::filesystem::path& path);
 
-// The participants of a folder, by natural order of their files. A folder that is not there, or has
-// no such file, is an Error.
+// The participants of a folder, by natural order of their files, each with why they are left out by
+// whoever runs the study (exclusions_file.h). A folder that is not there, or has no such file, is
+// an Error.
 Expected<std::vector<StudyRecord>> read_study_folder(const std::filesystem::path& folder);
+
+// The same of folders and of single files of participants.
+Expected<std::vector<StudyRecord>> read_studies(std::span<const std::filesystem::path> paths);
+
+// Whether the path is one of those: a folder with participants, or a participant's file.
+bool is_study(const std::filesystem::path& path);
 
 bool contains_study(const std::filesystem::path& folder);
 

@@ -13,6 +13,7 @@ namespace tact {
 namespace {
 
 constexpr const char* kKinds[] = {"pairwise", "sorting"};
+constexpr const char* kFeltFirst[] = {"unknown", "left", "right"};
 constexpr Range kPlays{0, 1e6};
 constexpr Range kSeconds{0, 1e9};
 constexpr Range kTurnedDownDb{0, 1000};
@@ -46,6 +47,7 @@ Json json_of_head(const StudyHeader& header) {
     fields["seed"] = std::to_string(header.seed);
     fields["patterns"] = header.patterns;
     fields["design"] = json_of(header.design);
+    fields["design"]["attention_pairs"] = header.design.attention_pairs;
     return fields;
 }
 
@@ -168,6 +170,7 @@ PairAnswer pair_answer_of(JsonObject& object, const StudyHeader& header) {
     answer.at = text_field(object, "at", "");
     answer.left = plays_report(object_field(object, "left_plays"));
     answer.right = plays_report(object_field(object, "right_plays"));
+    answer.first = static_cast<FeltFirst>(choice_field(object, "felt_first", 0, kFeltFirst));
     return answer;
 }
 
@@ -232,6 +235,9 @@ std::string answer_line(const StudyHeader& header, std::size_t serial, const Pai
                    {"plays_right", answer.plays_right},
                    {"response_s", answer.response_s},
                    {"at", answer.at}};
+    if (answer.first != FeltFirst::unknown) {
+        fields["felt_first"] = kFeltFirst[static_cast<std::size_t>(answer.first)];
+    }
     note_report(fields, "left_plays", answer.left);
     note_report(fields, "right_plays", answer.right);
     return as_line(fields);

@@ -37,6 +37,7 @@ TrainedOn trained_on(JsonObject object) {
     set.synthetic = yes_no_field(object, "synthetic", false);
     set.rho_before = rho_field(object, "rho_before");
     set.rho_after = rho_field(object, "rho_after");
+    set.felt = text_field(object, "felt", {});
     return set;
 }
 
@@ -72,6 +73,7 @@ Json json_of(const TrainingRecord& record) {
                         {"rho_before", set.rho_before},
                         {"rho_after", set.rho_after}});
         if (set.synthetic) sets.back()["synthetic"] = true;
+        if (!set.felt.empty()) sets.back()["felt"] = set.felt;
     }
     Json fields = {{"program", record.program},
                    {"date", record.date},
@@ -165,7 +167,7 @@ TrainingRecord record_of(const Training& training, std::span<const TrainingSet> 
         record.sets.push_back({trained.name, fingerprint_of(sets[s]), trained.patterns,
                                trained.rated_pairs, participant_means(sets[s].study).size(),
                                trained.rho_before, trained.rho_after,
-                               is_partly_synthetic(sets[s].study)});
+                               is_partly_synthetic(sets[s].study), sets[s].study.fingerprint});
     }
     return record;
 }

@@ -36,6 +36,9 @@ struct TrainedOn {
     double rho_before = 0.0;
     double rho_after = 0.0;
     bool synthetic = false;  // nobody was asked, for some of the ratings at least
+    // Of the patterns that were felt, as participants' files and their CSV have it
+    // (model/set/set_study.h); empty: not known.
+    std::string felt{};
 
     bool operator==(const TrainedOn&) const = default;
 };
