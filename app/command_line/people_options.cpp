@@ -2,10 +2,22 @@
 #include "app/command_line/options.h"
 
 #include "model/study/study_design.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
 namespace {
+
+// "19.8 % pass 1, 0.78 % pass 3".
+std::string blind_passes() {
+    std::string text;
+    for (const int pairs : {1, kAttentionPairs}) {
+        text += (text.empty() ? "" : ", ") +
+                significant_digits(100.0 * chance_to_pass(pairs, {}), 2) + " % pass " +
+                std::to_string(pairs);
+    }
+    return text;
+}
 
 void add_study_design(CLI::App& study, StudyCommand& command) {
     CLI::App& design = *study.add_option_group("Design", "in place of the design in the set");
@@ -13,7 +25,10 @@ void add_study_design(CLI::App& study, StudyCommand& command) {
         ->check(within(limits::kStudySeed));
     design.add_option("--repetitions", command.repetitions, "of every pair; the publication: 4")
         ->check(within(limits::kRepetitions));
-    design.add_option("--attention", command.attention_pairs, "pairs of identical patterns")
+    design
+        .add_option("--attention", command.attention_pairs,
+                    "pairs of identical patterns, each of another; of those who answer blindly " +
+                        blind_passes() + " (binomial, exact; above 80, none missed)")
         ->check(within(limits::kAttentionPairs));
     design.add_flag("--adaptive", command.adaptive,
                     "pairs in an order that settles the map early; not the publication's design");
@@ -47,9 +62,14 @@ void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
                                             "so many synthetic participants into --out DIR")
                                 ->check(within(1, 1000));
     task.add_option("--collect", command.collect,
-                    "a folder of participants' files: who counts, "
-                    "how far they agree, and their mean matrix");
-    task.require_option(1);
+                    "a folder of participants' files: who counts, how far they agree, their mean "
+                    "matrix; for --report else the folder beside the set, \"NAME study\"")
+        ->excludes(simulate);
+    task.add_option("--report", command.report,
+                    "folder for all of a study: participants, answers, reliability, metrics and "
+                    "maps as CSV, a page, scripts in R and Python that compute its numbers again")
+        ->excludes(simulate);
+    task.require_option(1, 2);
     simulate->needs(
         study.add_option("--out", command.out,
                          "folder for simulated participants; file for collected ratings, .csv"));

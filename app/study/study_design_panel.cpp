@@ -121,6 +121,23 @@ void draw_order(Ui& ui, Workspace& work) {
                  "word when more trials would change little. Its answers are kept apart.");
 }
 
+// What the identical pairs are worth.
+void draw_chance(Ui& ui, const StudyDesign& design) {
+    const bool is_weak = chance_to_pass(design.attention_pairs, design.attention) > 0.05;
+    const std::string text = words_on_chance(design.attention_pairs, design.attention) +
+                             " would pass the identical pairs" +
+                             (is_weak ? ": more of them, or fewer to miss, let fewer pass." : ".");
+    ImGui::PushStyleColor(ImGuiCol_Text, is_weak ? ui.theme.warning : ui.theme.dim_text);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    note_item(ui.rects, "study:chance", text);
+    draw_tooltip(ui,
+                 "Binomial, exact: each whole number of the slider as likely, each identical pair "
+                 "for itself.");
+}
+
 // The line that an experimenter plans by.
 void draw_prediction(Ui& ui, const Workspace& work, const StudyState& studying) {
     const StudyDesign& design = work.document.set.study;
@@ -142,6 +159,7 @@ void draw_prediction(Ui& ui, const Workspace& work, const StudyState& studying) 
     ImGui::PopFont();
     note_item(ui.rects, "study:prediction", text);
     draw_tooltip(ui, "18 s a trial, as in the publication; longer for longer patterns.");
+    if (studying.kind == StudyKind::pairwise) draw_chance(ui, design);
 }
 
 // Numbers of groups, as text; taken when the entry is left.

@@ -38,8 +38,8 @@ const auto kTrials = std::to_array<StudyNumber>({
      [](const StudyDesign& d) { return double(d.repetitions); },
      [](StudyDesign& d, double value) { d.repetitions = whole(value); }},
     {count("study_attention", "Identical pairs", {0, 10}, limits::kAttentionPairs,
-           "Trials with one pattern on both buttons: who does not rate them as the same was not "
-           "attending. The publication: 1."),
+           "Trials with one pattern on both buttons, each time another: who does not rate them as "
+           "the same was not attending. The publication: 1, which one in five blind answers pass."),
      [](const StudyDesign& d) { return double(d.attention_pairs); },
      [](StudyDesign& d, double value) { d.attention_pairs = whole(value); }},
     {count("study_above", "Rated above", {50, 100}, limits::kSimilarity,

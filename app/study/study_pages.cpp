@@ -38,9 +38,8 @@ const char* keys_of(const StudyRun& run) {
         case StudyPage::training:
             return "\u2190 \u2192  choose      Space  feel      Enter  go on      Esc  pause";
         case StudyPage::trial:
-            return "A, B  feel      \u2190 \u2192  slider (Shift: by 10)      Enter  next      Esc "
-                   " "
-                   "pause";
+            return "A, B  feel      0\u20139, Home, End  rate      \u2190 \u2192  finer (Shift: by "
+                   "10)      Enter  next      Esc  pause";
         case StudyPage::sorting:
             return "\u2190 \u2192  choose      Space  feel      1\u20139  put into a group      0  "
                    "back      Enter  done      Esc  pause";

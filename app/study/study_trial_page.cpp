@@ -29,7 +29,8 @@ void rate(Ui& ui, const Workspace& work, const PlayState& play, StudyState& stud
 
 std::string waiting_text(const StudyRun& run, double now_s) {
     if (may_rate(run, now_s)) {
-        return run.similarity ? "How similar do they feel?" : "How similar? Move the slider.";
+        return run.similarity ? "How similar do they feel?"
+                              : "How similar? Click on the line, or press 0 to 9.";
     }
     if (run.playing) return "Feel ...";
     if (run.feels_again) return "That was cut short: feel it once more";
@@ -86,14 +87,19 @@ void draw_slider(Ui& ui, const Workspace& work, const PlayState& play, StudyStat
     draw_slider_track(ui, studying, area, is_open);
 }
 
-// The slider by keyboard: from the middle, by 1, or by 10 with Shift; to the ends.
+// The slider by keyboard, put there as by a click: 0 to 9 to that tenth, Home and End to the ends.
+// The arrows only move what has been put, by 1, or by 10 with Shift: wherever they began would be
+// an anchor that those at the mouse do not have.
 void take_slider_keys(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                       std::span<const KeyPress> pressed) {
     for (const KeyPress& press : pressed) {
-        const double now = studying.run->similarity.value_or(50.0);
+        if (press.sign >= U'0' && press.sign <= U'9' && !press.ctrl) {
+            rate(ui, work, play, studying, 10.0 * static_cast<double>(press.sign - U'0'));
+        }
+        const std::optional<double> now = studying.run->similarity;
         const double step = press.shift ? 10.0 : 1.0;
-        if (press.code == key::kRight) rate(ui, work, play, studying, now + step);
-        if (press.code == key::kLeft) rate(ui, work, play, studying, now - step);
+        if (press.code == key::kRight && now) rate(ui, work, play, studying, *now + step);
+        if (press.code == key::kLeft && now) rate(ui, work, play, studying, *now - step);
         if (press.code == key::kHome) rate(ui, work, play, studying, 0.0);
         if (press.code == key::kEnd) rate(ui, work, play, studying, 100.0);
     }

@@ -1,6 +1,10 @@
 #include "model/study/study_design.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "model/dissimilarity/dissimilarity.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -24,6 +28,27 @@ std::size_t trial_count(const StudyDesign& design, std::size_t patterns) {
     if (patterns < 2) return 0;
     return pair_count(patterns) * static_cast<std::size_t>(design.repetitions) +
            static_cast<std::size_t>(design.attention_pairs);
+}
+
+double chance_to_pass(int attention_pairs, const AttentionRule& rule) {
+    constexpr double kAnswers = 101.0;  // 0 .. 100
+    const double above = std::clamp(100.0 - std::floor(rule.above), 0.0, kAnswers);
+    const double passes = above / kAnswers;
+    // The chance of so many misses and no more, from that of none on.
+    double sum = 0.0;
+    double ways = 1.0;
+    for (int misses = 0; misses <= std::min(rule.failures_allowed, attention_pairs); ++misses) {
+        double chance = ways;
+        for (int k = 0; k < attention_pairs; ++k) chance *= k < misses ? 1.0 - passes : passes;
+        sum += chance;
+        ways *= static_cast<double>(attention_pairs - misses) / static_cast<double>(misses + 1);
+    }
+    return std::min(sum, 1.0);
+}
+
+std::string words_on_chance(int attention_pairs, const AttentionRule& rule) {
+    const double percent = 100.0 * chance_to_pass(attention_pairs, rule);
+    return significant_digits(percent, 2) + " % of those who answer blindly";
 }
 
 double predicted_minutes(const StudyDesign& design, std::size_t patterns, double duration_s) {

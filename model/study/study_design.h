@@ -2,8 +2,8 @@
 // words. It belongs to the set.
 //
 // Source    pairs: Lim & Park 2023, section 6.1 (all pairs four times, one pair of identical
-//           patterns, who is to be rated above 80; a rest of one second); sorting: Ward 1977,
-//           Ternes & MacLean 2008.
+//           patterns, who is to be rated above 80; a rest of one second; here three such pairs);
+//           sorting: Ward 1977, Ternes & MacLean 2008.
 // Left out  who took part and what they said: model/study/study_record.h.
 #pragma once
 
@@ -29,10 +29,15 @@ struct AttentionRule {
     bool operator==(const AttentionRule&) const = default;
 };
 
+// By default. The publication has one, which one in five who answer blindly pass
+// (chance_to_pass()).
+inline constexpr int kAttentionPairs = 3;
+
 struct StudyDesign {
-    std::vector<std::string> patterns;  // names of those that take part; none: all of the set
-    int repetitions = 4;                // of every pair
-    int attention_pairs = 1;            // of a pattern with itself
+    std::vector<std::string> patterns;      // names of those that take part; none: all of the set
+    int repetitions = 4;                    // of every pair
+    int attention_pairs = kAttentionPairs;  // of a pattern with itself, each another as far as
+                                            // there are others
     int seed = 1;
     StudyOrder order = StudyOrder::full;
     double gap_s = 1.0;      // between two vibrations, at least
@@ -61,6 +66,13 @@ inline constexpr std::size_t kMaxRounds = 20;
 inline constexpr std::size_t kMaxStudyPatterns = 500;
 inline constexpr std::size_t kMaxStudyText = 20'000;  // bytes
 }  // namespace limits
+
+// The chance that who answers blindly, each whole number of the slider as likely, misses at most as
+// many identical pairs as are allowed: binomial, exact.
+double chance_to_pass(int attention_pairs, const AttentionRule& rule);
+
+// "0.78 % of those who answer blindly": the same in words.
+std::string words_on_chance(int attention_pairs, const AttentionRule& rule);
 
 // The words shown, the design's own or the standard ones.
 std::string instructions_of(const StudyDesign& design);

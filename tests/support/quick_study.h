@@ -7,6 +7,7 @@ namespace tact {
 
 inline PatternSet quick_study() {
     PatternSet set = short_patterns(4);
+    set.study.attention_pairs = 1;
     set.study.gap_s = 0.05;
     set.study.rest_s = 0.05;
     return set;

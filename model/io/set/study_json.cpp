@@ -6,6 +6,9 @@ namespace tact {
 
 namespace {
 
+// The default when files left it out.
+constexpr int kOnceUsualAttentionPairs = 1;
+
 constexpr const char* kOrders[] = {"full", "adaptive"};
 
 std::vector<std::string> names_field(JsonObject& object, std::string_view key) {
@@ -58,8 +61,10 @@ StudyDesign study_design_of(JsonObject& object, Json& unknown) {
     design.patterns = names_field(object, "patterns");
     design.repetitions =
         whole_field(object, "repetitions", design.repetitions, limits::kRepetitions);
+    // Files that do not say how many are older than the present default, or have no study yet.
+    const int unsaid = object.value == nullptr ? design.attention_pairs : kOnceUsualAttentionPairs;
     design.attention_pairs =
-        whole_field(object, "attention_pairs", design.attention_pairs, limits::kAttentionPairs);
+        whole_field(object, "attention_pairs", unsaid, limits::kAttentionPairs);
     design.seed = whole_field(object, "seed", design.seed, limits::kStudySeed);
     design.order = static_cast<StudyOrder>(choice_field(object, "order", 0, kOrders));
     design.gap_s = number_field(object, "gap_s", design.gap_s, limits::kPauseS);
@@ -84,7 +89,6 @@ Json json_of(const StudyDesign& design) {
     };
     note("patterns", design.patterns, standard.patterns);
     note("repetitions", design.repetitions, standard.repetitions);
-    note("attention_pairs", design.attention_pairs, standard.attention_pairs);
     note("seed", design.seed, standard.seed);
     if (design.order != standard.order) {
         fields["order"] = kOrders[static_cast<std::size_t>(design.order)];
@@ -101,6 +105,7 @@ Json json_of(const StudyDesign& design) {
     note("instructions", design.instructions, standard.instructions);
     note("consent", design.consent, standard.consent);
     note("groups", design.groups, standard.groups);
+    if (design != standard) fields["attention_pairs"] = design.attention_pairs;
     return fields;
 }
 

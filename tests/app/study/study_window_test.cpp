@@ -100,6 +100,44 @@ TEST_CASE("study window: a whole study by keyboard becomes the ratings of the se
     CHECK(program.app.work.document.set.ratings.empty());
 }
 
+TEST_CASE("study window: nothing is rated until the slider is put somewhere, by keys as by mouse") {
+    StudyProgram program;
+    program.press('5', true);
+    program.begin();
+    program.press('a');
+    program.wait(0.3);
+    program.press('b');
+    program.wait(0.3);
+    REQUIRE(program.at("study:slider").value == "open");
+    // Wherever the arrows began would be an anchor.
+    program.key(key::kRight);
+    program.key(key::kLeft);
+    CHECK(program.at("study:slider").value == "open");
+    program.key(key::kEnter);
+    CHECK(program.page() == "trial 0");
+    program.press('7');
+    CHECK(program.at("study:slider").value == "70");
+    program.key(key::kLeft);
+    CHECK(program.at("study:slider").value == "69");
+    program.key(key::kEnd);
+    CHECK(program.at("study:slider").value == "100");
+    program.key(key::kEnter);
+    CHECK(program.page() == "trial 1");
+    CHECK(program.at("study:slider").value == "closed");
+}
+
+TEST_CASE("study window: the design says how many blind answers pass its identical pairs") {
+    StudyProgram program;
+    program.app.work.document.set.study.attention = {};
+    program.press('5', true);
+    program.settle();
+    CHECK(program.at("study:chance").value.starts_with("20 % of those who answer blindly"));
+    program.app.work.document.set.study.attention_pairs = 3;
+    program.settle();
+    CHECK(program.at("study:chance").value ==
+          "0.78 % of those who answer blindly would pass the identical pairs.");
+}
+
 TEST_CASE("study window: every answer is in the file before the next trial is on the screen") {
     StudyProgram program;
     program.press('5', true);

@@ -75,7 +75,8 @@ TEST_CASE("pairwise study: every pair as often, sides balanced, none twice in a 
 }
 
 TEST_CASE("pairwise study: the publication's twelve patterns make 265 trials of 80 minutes") {
-    const StudyDesign design;
+    StudyDesign design;
+    design.attention_pairs = 1;
     CHECK(trial_count(design, 12) == 265);
     CHECK(trial_list(plan_of(design, 12, 1)).size() == 265);
     CHECK(predicted_minutes(design, 12, 1.0) == doctest::Approx(80.0).epsilon(0.01));
@@ -116,6 +117,46 @@ TEST_CASE(
                   begin + static_cast<std::ptrdiff_t>(pairs));
         }
         CHECK(first_left == 2);
+    }
+}
+
+TEST_CASE("attention: the chance to pass blindly is that of all ways to answer") {
+    const auto counted = [](int pairs, const AttentionRule& rule) {
+        std::size_t ways = 1;
+        for (int k = 0; k < pairs; ++k) ways *= 101;
+        std::size_t passes = 0;
+        for (std::size_t way = 0; way < ways; ++way) {
+            int missed = 0;
+            std::size_t rest = way;
+            for (int k = 0; k < pairs; ++k, rest /= 101) {
+                missed += static_cast<double>(rest % 101) > rule.above ? 0 : 1;
+            }
+            passes += missed <= rule.failures_allowed ? 1 : 0;
+        }
+        return static_cast<double>(passes) / static_cast<double>(ways);
+    };
+    for (const int pairs : {0, 1, 2, 3}) {
+        for (const AttentionRule& rule : {AttentionRule{}, AttentionRule{80.0, 1},
+                                          AttentionRule{79.5, 2}, AttentionRule{100.0, 0}}) {
+            CAPTURE(pairs);
+            CAPTURE(rule.above);
+            CHECK(std::abs(chance_to_pass(pairs, rule) - counted(pairs, rule)) < 1e-12);
+        }
+    }
+    CHECK(chance_to_pass(3, {0.0, 100}) == 1.0);
+    CHECK(words_on_chance(1, {}) == "20 % of those who answer blindly");
+    CHECK(words_on_chance(3, {}) == "0.78 % of those who answer blindly");
+}
+
+TEST_CASE("attention: by default several identical pairs, each of another pattern") {
+    const StudyDesign design;
+    CHECK(chance_to_pass(design.attention_pairs, design.attention) < 0.01);
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        std::set<std::size_t> patterns;
+        for (const AttentionPlace& place : attention_places(plan_of(design, 4, seed))) {
+            patterns.insert(place.pattern);
+        }
+        CHECK(patterns.size() == static_cast<std::size_t>(design.attention_pairs));
     }
 }
 

@@ -172,6 +172,19 @@ TEST_CASE("set file: numbers out of range are refused with their JSON path") {
     CHECK(contains(set_fault(many + "]}"), "/patterns: expected an array of 0 to 10000"));
 }
 
+TEST_CASE("set file: a study that was saved before three identical pairs were usual has its one") {
+    CHECK(parsed(with_set(R"(, "study": {"repetitions": 2})")).study.attention_pairs == 1);
+    CHECK(parsed(with_set("")).study.attention_pairs == kAttentionPairs);
+    PatternSet set = parsed(with_set(""));
+    for (const int pairs : {0, 1, kAttentionPairs}) {
+        set.study.attention_pairs = pairs;
+        CHECK(parsed(print_set(set)).study.attention_pairs == pairs);
+        set.study.repetitions = 7;
+        CHECK(parsed(print_set(set)).study.attention_pairs == pairs);
+        set.study.repetitions = StudyDesign{}.repetitions;
+    }
+}
+
 TEST_CASE("set file: a study's design is refused where it makes no study") {
     for (const char* field :
          {R"("repetitions": 0)", R"("attention_pairs": 101)", R"("gap_s": -1)", R"("order": "odd")",
