@@ -59,6 +59,8 @@ std::optional<StudyAnswers> read_answers(const StudyQuestion& question, std::sto
         return answers;
     }
     answers.results = *std::move(results);
+    answers.raters = inter_rater(answers.results->study);
+    answers.effects = order_effects(counted_records(answers.records, *answers.results));
     answers.mean_map = quick_map(answers.results->mean, stop);
     for (const StudyRecord& record : answers.records) {
         if (stop.stop_requested()) return std::nullopt;

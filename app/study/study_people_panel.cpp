@@ -85,6 +85,26 @@ std::string agreement_text(const StudyAnswers& answers) {
     return text + " " + ceiling_text(results.agreement, results.synthetic);
 }
 
+// How alike people rate by the numbers of other fields, and whether order or sides shift ratings.
+std::string raters_text(const StudyAnswers& answers) {
+    const InterRater& raters = answers.raters;
+    std::string text;
+    if (raters.people > 1) {
+        const bool synthetic = answers.results->synthetic;
+        text = "Agreement: " + of_people("ICC(2,1) ", synthetic) + digits(raters.single.value, 2) + ", ICC(3,k) " +
+               digits(raters.mean.value, 2) + ", Krippendorff's alpha " + digits(raters.alpha, 2) +
+               ".";
+    }
+    const auto add = [&text](const char* what, const Shift& shift) {
+        if (shift.comparisons == 0) return;
+        text += std::string(text.empty() ? "" : " ") + what + " p " + digits(shift.p, 3) + ".";
+    };
+    add("Order felt:", answers.effects.felt_first);
+    add("Sides:", answers.effects.side);
+    add("Practice:", answers.effects.practice);
+    return text;
+}
+
 void draw_settling(Ui& ui, const StudyAnswers& answers) {
     if (!answers.settling) return;
     const MapSettling& settling = *answers.settling;
@@ -229,6 +249,13 @@ void draw_rule(Ui& ui, StudyState& studying) {
 void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, Comparing& comparing,
                   PlayState& play, StudyState& studying, const StudyAnswers& answers) {
     small_text(ui, ui.theme.dim_text, agreement_text(answers), "study:agreement");
+    if (const std::string raters = raters_text(answers); !raters.empty()) {
+        small_text(ui, ui.theme.dim_text, raters, "study:raters");
+        draw_tooltip(ui,
+                     "One person with another; the mean of all; both against chance. p: whether "
+                     "the order in which a pair was felt, its sides, or the last repetition "
+                     "against the first shift ratings (drawn signs, two-sided).");
+    }
     draw_settling(ui, answers);
     if (answers.is_of_other_patterns) {
         small_text(ui, ui.theme.warning,

@@ -15,6 +15,7 @@
 #include "model/io/people/study_file.h"
 #include "model/map/mds.h"
 #include "model/set/pattern_set.h"
+#include "model/study/agreement.h"
 #include "model/study/study_results.h"
 
 namespace tact {
@@ -44,6 +45,8 @@ struct StudyAnswers {
     PerceptualSpace mean_map;             // three dimensions
     std::vector<PerceptualSpace> maps;    // of every record
     std::optional<MapSettling> settling;  // of the latest one, in adaptive order
+    InterRater raters;                    // of those who count, as the next
+    OrderEffects effects;
 };
 
 // Where participants' files are to be, as chosen for one document.

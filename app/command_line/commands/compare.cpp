@@ -9,10 +9,12 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
+#include "app/command_line/people/people_words.h"
 #include "app/command_line/rated_sets.h"
 #include "app/command_line/text_table.h"
 #include "model/evaluation/evaluation.h"
 #include "model/evaluation/metric_comparison.h"
+#include "model/study/agreement.h"
 #include "model/study/ratings.h"
 
 namespace tact {
@@ -31,6 +33,7 @@ struct SetResult {
     std::vector<LeftOutParticipant> left_out;
     Labels labels;
     std::vector<MetricAgreement> rows;
+    InterRater raters{};
 };
 
 const RatedSet& rated_of(const SetResult& result) { return rated_part(result.people.rated); }
@@ -58,6 +61,7 @@ Expected<SetResult> compared(const CompareCommand& command, std::span<const Metr
     SetResult result{patterns.name,      patterns.set.vibrations.size() - people->unrated.size(),
                      *std::move(people), patterns.left_out,
                      patterns.labels,    {}};
+    result.raters = inter_rater(patterns.study);
     MetricOptions options;
     options.threads = command.common.threads;
     options.progress = progress_line("comparing metrics");
@@ -88,7 +92,8 @@ std::string head_of(const SetResult& result) {
     } else {
         text += "\npeople        no repetitions: how far a metric can agree is not known";
     }
-    text += "\ntheir map     stress-1 " + fixed_digits(space.stress1, 3) + ", " +
+    text += "\n" + text_of(result.raters);
+    text += "their map     stress-1 " + fixed_digits(space.stress1, 3) + ", " +
             stress_label(space.stress1) + "; of random ratings " +
             fixed_digits(rated_of(result).random_stress.mean, 3);
     text += "\nchance        unrelated maps have K " + fixed_digits(chance.mean, 3) +
@@ -204,6 +209,7 @@ nlohmann::json json_of(const SetResult& result, const MetricAgreement& row, Book
                         {"left_out", json_of(result.left_out)},
                         {"unrated_patterns", result.people.unrated},
                         {"remarks", e.remarks}};
+    add_to(json, result.raters);
     add_labels(json, result.labels);
     return json;
 }

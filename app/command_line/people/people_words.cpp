@@ -1,0 +1,73 @@
+#include "app/command_line/people/people_words.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/command_line/text_table.h"
+
+namespace tact {
+
+namespace {
+
+constexpr const char* kIndent = "              ";
+
+std::string with_interval(const Icc& icc) {
+    return fixed_digits(icc.value, 3) + " (" + range_text(icc.interval.low, icc.interval.high, 2) +
+           ")";
+}
+
+std::string text_of(const Shift& shift, const char* label, const char* what) {
+    if (shift.comparisons == 0) return {};
+    return std::string(label) + what + " " + fixed_digits(shift.mean, 1) +
+           " points of 100 on average, p " + fixed_digits(shift.p, 4) + " (" +
+           std::to_string(kOrderDraws) + " drawn signs, two-sided, " +
+           std::to_string(shift.people) + (shift.people == 1 ? " person)\n" : " people)\n");
+}
+
+nlohmann::json json_of(const Shift& shift) {
+    return {{"people", shift.people},
+            {"comparisons", shift.comparisons},
+            {"mean_points", shift.mean},  // NaN becomes null
+            {"p", shift.p},
+            {"drawn_signs", kOrderDraws}};
+}
+
+}  // namespace
+
+std::string text_of(const InterRater& raters) {
+    if (raters.people < 2) return {};
+    return std::string(kIndent) + "ICC(2,1) " + with_interval(raters.single) +
+           " of one person, ICC(3,k) " + with_interval(raters.mean) + " of the mean of " +
+           std::to_string(raters.people) + ", Krippendorff's alpha " +
+           fixed_digits(raters.alpha, 3) + "\n" + kIndent + "(95 % intervals, of " +
+           std::to_string(raters.pairs) +
+           " pairs rated by all, as if pairs were independent; alpha of interval data)\n";
+}
+
+void add_to(nlohmann::json& json, const InterRater& raters) {
+    json["icc_single"] = raters.single.value;  // NaN becomes null
+    json["icc_single_low"] = raters.single.interval.low;
+    json["icc_single_high"] = raters.single.interval.high;
+    json["icc_mean"] = raters.mean.value;
+    json["icc_mean_low"] = raters.mean.interval.low;
+    json["icc_mean_high"] = raters.mean.interval.high;
+    json["icc_pairs"] = raters.pairs;
+    json["alpha"] = raters.alpha;
+    json["alpha_pairs"] = raters.alpha_pairs;
+}
+
+std::string text_of(const OrderEffects& effects) {
+    return text_of(effects.felt_first, "order         ",
+                   "of the pattern earlier in the set, felt first less second:") +
+           text_of(effects.side, "sides         ",
+                   "of the pattern earlier in the set, on the left less right:") +
+           text_of(effects.practice, "practice      ", "last repetition less first:");
+}
+
+nlohmann::json json_of(const OrderEffects& effects) {
+    return {{"felt_first", json_of(effects.felt_first)},
+            {"side", json_of(effects.side)},
+            {"practice", json_of(effects.practice)}};
+}
+
+}  // namespace tact

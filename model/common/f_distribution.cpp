@@ -1,0 +1,82 @@
+#include "model/common/f_distribution.h"
+
+#include <cmath>
+
+#include "model/common/portable.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kLogSqrtTwoPi = 0.91893853320467274178;
+
+double log_gamma(double z) {
+    // Gamma(z) = Gamma(z + n) / (z (z + 1) .. (z + n - 1)): the series is for large z.
+    double product = 1.0;
+    for (; z < 15.0; z += 1.0) product *= z;
+    const double w = 1.0 / (z * z);
+    const double series =
+        (1.0 / 12 - w * (1.0 / 360 - w * (1.0 / 1260 - w * (1.0 / 1680 - w / 1188)))) / z;
+    return (z - 0.5) * portable::log(z) - z + kLogSqrtTwoPi + series - portable::log(product);
+}
+
+// Of I_x(a, b), where x is below the mean: the fraction converges there at once.
+double beta_fraction(double x, double a, double b) {
+    constexpr double kTiny = 1e-300;
+    constexpr int kMostSteps = 100'000;
+    double c = 1.0;
+    double d = 1.0 - (a + b) * x / (a + 1.0);
+    d = 1.0 / (std::abs(d) < kTiny ? kTiny : d);
+    double value = d;
+    for (int m = 1; m < kMostSteps; ++m) {
+        const double even = m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m));
+        const double odd = -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1));
+        double change = 1.0;
+        for (const double step : {even, odd}) {
+            d = 1.0 + step * d;
+            c = 1.0 + step / c;
+            d = 1.0 / (std::abs(d) < kTiny ? kTiny : d);
+            if (std::abs(c) < kTiny) c = kTiny;
+            change = c * d;
+            value *= change;
+        }
+        if (std::abs(change - 1.0) < 1e-15) break;
+    }
+    return value;
+}
+
+// The regularised incomplete beta; `y` is 1 - x, with its own digits.
+double beta_share(double x, double y, double a, double b) {
+    if (x <= 0.0) return 0.0;
+    if (y <= 0.0) return 1.0;
+    if (x > (a + 1.0) / (a + b + 2.0)) return 1.0 - beta_share(y, x, b, a);
+    const double log_front = log_gamma(a + b) - log_gamma(a) - log_gamma(b) + a * portable::log(x) +
+                             b * portable::log(y);
+    return portable::exp(log_front) * beta_fraction(x, a, b) / a;
+}
+
+}  // namespace
+
+double f_share_below(double value, double df1, double df2) {
+    if (!(value > 0.0)) return 0.0;
+    const double whole = df1 * value + df2;
+    return beta_share(df1 * value / whole, df2 / whole, 0.5 * df1, 0.5 * df2);
+}
+
+double f_quantile(double share, double df1, double df2) {
+    double low = 0.0;
+    double high = 1.0;
+    while (f_share_below(high, df1, df2) < share && high < 1e300) {
+        low = high;
+        high *= 2.0;
+    }
+    // Halves until no double lies between.
+    for (int step = 0; step < 2000; ++step) {
+        const double middle = 0.5 * (low + high);
+        if (middle <= low || middle >= high) break;
+        (f_share_below(middle, df1, df2) < share ? low : high) = middle;
+    }
+    return high;
+}
+
+}  // namespace tact
