@@ -60,10 +60,6 @@ std::string ladder_sentence(const Report& report) {
            ", at a quarter (" + value_text(report, at / 4.0) + ") " + left_at(at / 4.0) + ".";
 }
 
-std::string tile(const std::string& number, const std::string& words) {
-    return "<div><b>" + number + "</b>" + words + "</div>";
-}
-
 std::string tiles(const Report& report) {
     const Confusion& confusion = report.confusion;
     const Subset& best = report.answer.best;
@@ -108,6 +104,10 @@ std::string sure_html(const Report& report) {
 }
 
 }  // namespace
+
+std::string tile(const std::string& number, const std::string& words) {
+    return "<div><b>" + number + "</b>" + words + "</div>";
+}
 
 bool is_picked(const Report& report, std::size_t place) {
     return std::ranges::binary_search(report.answer.best.members, place);

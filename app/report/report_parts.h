@@ -14,6 +14,9 @@ bool is_picked(const Report& report, std::size_t place);
 // "PM 34.5".
 std::string value_text(const Report& report, double dissimilarity);
 
+// A number that stands out, and what it is; `words` are html.
+std::string tile(const std::string& number, const std::string& words);
+
 std::string map_section(const Report& report);
 std::string groups_section(const Report& report);
 std::string subset_section(const Report& report);

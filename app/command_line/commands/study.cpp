@@ -8,6 +8,8 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
+#include "app/command_line/people/people_words.h"
+#include "app/command_line/people/study_files.h"
 #include "app/command_line/text_table.h"
 #include "app/session/folders.h"
 #include "app/session/program_version.h"
@@ -18,6 +20,7 @@
 #include "model/map/smacof.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/set_study.h"
+#include "model/study/agreement.h"
 #include "model/study/study_results.h"
 #include "model/study/synthetic_study.h"
 #include "model/text/utf8.h"
@@ -136,7 +139,7 @@ const char* word_of(StudyKind kind) { return kind == StudyKind::pairwise ? "pair
 
 const char* word_of(StudyOrder order) { return order == StudyOrder::full ? "full" : "adaptive"; }
 
-nlohmann::json json_of(const StudyResults& results) {
+nlohmann::json json_of(const StudyResults& results, const OrderEffects& effects) {
     nlohmann::json people = nlohmann::json::array();
     for (const ParticipantSummary& person : results.people) {
         people.push_back({{"participant", person.code},
@@ -150,21 +153,28 @@ nlohmann::json json_of(const StudyResults& results) {
                                                                : nlohmann::json(person.excluded)},
                           {"rho_with_others", person.rho_with_others},  // NaN becomes null
                           {"outlier", person.is_outlier},
+                          {"repeat_rho", person.conduct.repeat_rho},
+                          {"replays", person.conduct.replays},
+                          {"median_response_s", person.conduct.median_response_s},
                           {"minutes", person.minutes}});
     }
     const Reliability& agreement = results.agreement;
-    return {{"kind", word_of(results.kind)},
-            {"order", word_of(results.order)},
-            {"synthetic", results.synthetic},
-            {"scaling", kScalingNames[static_cast<std::size_t>(results.scaling)]},
-            {"labels", results.study.labels},
-            {"condensed", results.mean.condensed},
-            {"counted", agreement.is_of_one_person ? 1 : agreement.voices},
-            {"reliability", agreement.spearman_brown},
-            {"split_half", agreement.half_rho},
-            {"ceiling_of_mean", agreement.ceiling_of_mean},
-            {"one_with_others", agreement.one_with_others},
-            {"participants", people}};
+    nlohmann::json json{{"kind", word_of(results.kind)},
+                        {"order", word_of(results.order)},
+                        {"synthetic", results.synthetic},
+                        {"scaling", kScalingNames[static_cast<std::size_t>(results.scaling)]},
+                        {"labels", results.study.labels},
+                        {"condensed", results.mean.condensed},
+                        {"counted", agreement.is_of_one_person ? 1 : agreement.voices},
+                        {"reliability", agreement.spearman_brown},
+                        {"split_half", agreement.half_rho},
+                        {"ceiling_of_mean", agreement.ceiling_of_mean},
+                        {"one_with_others", agreement.one_with_others},
+                        {"participants", people},
+                        {"remarks", results.remarks},
+                        {"shifts", json_of(effects)}};
+    add_to(json, inter_rater(results.study));
+    return json;
 }
 
 std::size_t counted_in(const StudyResults& results) {
@@ -172,7 +182,7 @@ std::size_t counted_in(const StudyResults& results) {
         results.people, [](const ParticipantSummary& person) { return person.excluded.empty(); }));
 }
 
-std::string head_of(const StudyResults& results) {
+std::string head_of(const StudyResults& results, const OrderEffects& effects) {
     std::string text = results.kind == StudyKind::pairwise ? "pairs rated" : "patterns sorted";
     text += " by " + std::to_string(counted_in(results)) + " of " +
             std::to_string(results.people.size()) + " participants";
@@ -187,15 +197,16 @@ std::string head_of(const StudyResults& results) {
     text += std::string("\nagreement     ") +
             (agreement.is_of_one_person ? "of one person's repetitions: " : "") +
             "reliability of their mean " + fixed_digits(agreement.spearman_brown, 3) +
-            " (split halves, Spearman-Brown)";
-    return text + "\nceiling       rho " + fixed_digits(agreement.ceiling_of_mean, 3) +
+            " (split halves, Spearman-Brown)\n" + text_of(inter_rater(results.study));
+    return text + "ceiling       rho " + fixed_digits(agreement.ceiling_of_mean, 3) +
            " for a metric of their mean; one of them reaches " +
-           fixed_digits(agreement.one_with_others, 3) + " with the mean of the others\n";
+           fixed_digits(agreement.one_with_others, 3) + " with the mean of the others\n" +
+           text_of(effects);
 }
 
 std::vector<TextRow> people_table(const StudyResults& results) {
-    std::vector<TextRow> rows{
-        {"participant", "answers", "identical", "rho with others", "minutes", ""}};
+    std::vector<TextRow> rows{{"participant", "answers", "identical", "rho with others",
+                               "rho of repeats", "replays", "median s", "minutes", ""}};
     for (const ParticipantSummary& person : results.people) {
         std::string identical;
         for (const double similarity : person.attention) {
@@ -206,7 +217,9 @@ std::vector<TextRow> people_table(const StudyResults& results) {
         rows.push_back(
             {person.code, std::to_string(person.answers) + "/" + std::to_string(person.wanted),
              identical.empty() ? "-" : identical, fixed_digits(person.rho_with_others, 3),
-             fixed_digits(person.minutes, 1), note});
+             fixed_digits(person.conduct.repeat_rho, 3), fixed_digits(person.conduct.replays, 1),
+             fixed_digits(person.conduct.median_response_s, 1), fixed_digits(person.minutes, 1),
+             note});
     }
     return rows;
 }
@@ -225,8 +238,8 @@ std::vector<TextRow> matrix_table(const StudyResults& results) {
     return rows;
 }
 
-std::string text_of(const StudyResults& results) {
-    std::string text = head_of(results) + "\n" + aligned(people_table(results));
+std::string text_of(const StudyResults& results, const OrderEffects& effects) {
+    std::string text = head_of(results, effects) + "\n" + aligned(people_table(results));
     for (const std::string& remark : results.remarks) text += remark + "\n";
     if (std::ranges::any_of(results.people, &ParticipantSummary::is_outlier)) {
         text += "outlier: rho with others below Tukey's lower fence, Q1 - 1.5 IQR; counts\n";
@@ -234,63 +247,32 @@ std::string text_of(const StudyResults& results) {
     return text + "\nmean dissimilarity, 100 - similarity\n" + aligned(matrix_table(results));
 }
 
-RatingScaling scaling_of(const std::string& word) {
-    const auto found = std::ranges::find(kScalingNames, word);
-    return static_cast<RatingScaling>(found - std::begin(kScalingNames));
-}
-
-// Records of one kind, felt from this set.
-Expected<std::vector<StudyRecord>> records_for(const StudyCommand& command, const PatternSet& set) {
-    Expected<std::vector<StudyRecord>> records = read_study_folder(command.collect);
-    if (!records) return records;
-    const StudyKind kind = command.sorting ? StudyKind::sorting : StudyKind::pairwise;
-    std::erase_if(*records, [kind](const StudyRecord& one) { return one.header.kind != kind; });
-    if (records->empty()) {
-        return Error{command.collect.string() + ": expected participants who " +
-                     (command.sorting ? "sorted patterns, got others; leave out --sorting"
-                                      : "rated pairs, got others; for those who sorted --sorting")};
-    }
-    const StudyHeader& header = records->front().header;
-    for (const std::string& name : header.patterns) {
-        if (!place_named(set, name)) {
-            return Error{command.collect.string() + ": has answers about " + in_quotes(name) +
-                         ", expected patterns of the set"};
-        }
-    }
-    if (study_fingerprint(set, header.patterns) != header.set_fingerprint) {
-        std::cerr << "tactspace: the patterns have changed since they were felt\n";
-    }
-    return records;
-}
-
 Expected<Done> collect(const StudyCommand& command, const PatternSet& set) {
-    const Expected<std::vector<StudyRecord>> records = records_for(command, set);
-    if (!records) return records.error();
-    CollectRule rule = rule_of(*records);
-    rule.attention.above = command.attention_above.value_or(rule.attention.above);
-    rule.attention.failures_allowed =
-        command.failures_allowed.value_or(rule.attention.failures_allowed);
-    rule.unfinished_too = command.unfinished;
-    rule.scaling = scaling_of(command.scaling);
-    rule.who = command.who;
-    const Expected<StudyResults> results = study_results(*records, rule);
-    if (!results) return results.error();
+    Expected<CollectedStudy> study = collected_study(command, set);
+    if (!study) return study.error();
+    const StudyResults& results = study->results;
     if (!command.out.empty()) {
         const StudyRows rows = command.everyone ? StudyRows::everyone : StudyRows::counted;
         const auto written = write_result(command.out, [&](std::ostream& stream) {
-            write_study_csv(stream, *records, *results, rows);
+            write_study_csv(stream, study->records, results, rows);
         });
         if (!written) return written.error();
     }
     if (!command.matrix.empty()) {
         const auto written = write_result(command.matrix, [&](std::ostream& stream) {
-            write_matrix_csv(stream, results->study.labels, results->mean);
+            write_matrix_csv(stream, results.study.labels, results.mean);
         });
         if (!written) return written.error();
     }
-    return write_result({}, [&](std::ostream& stream) {
-        stream << (command.common.json ? json_of(*results).dump() + "\n" : text_of(*results));
-    });
+    const OrderEffects effects = order_effects(counted_records(study->records, results));
+    const std::string text =
+        command.common.json ? json_of(results, effects).dump() + "\n" : text_of(results, effects);
+    if (!command.report.empty()) {
+        const auto written = write_study_report(command, set, *std::move(study));
+        if (!written) return written;
+        std::cerr << "tactspace: wrote " << (command.report / "report.html").string() << "\n";
+    }
+    return write_result({}, [&text](std::ostream& stream) { stream << text; });
 }
 
 }  // namespace
@@ -299,7 +281,7 @@ Expected<Done> run(const StudyCommand& command) {
     Expected<PatternSet> set = load_for(command.common);
     if (!set) return set.error();
     if (const auto pair = need_a_pair(*set, command.common); !pair) return pair.error();
-    return command.collect.empty() ? simulate(command, *std::move(set)) : collect(command, *set);
+    return command.simulate > 0 ? simulate(command, *std::move(set)) : collect(command, *set);
 }
 
 }  // namespace tact

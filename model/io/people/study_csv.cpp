@@ -17,7 +17,8 @@ const ParticipantSummary* summary_of(const StudyResults& results, const StudyRec
 }
 
 // What is said of every answer, after what it was.
-std::string marks_of(const StudyRecord& record, std::size_t k, const std::string& excluded) {
+std::string marks_of(const StudyRecord& record, std::size_t k, const std::string& at,
+                     const std::string& excluded) {
     const Felt felt = felt_of(record, k);
     std::string why = excluded;
     if (why.empty() && felt == Felt::nothing) why = "nothing was felt";
@@ -27,7 +28,14 @@ std::string marks_of(const StudyRecord& record, std::size_t k, const std::string
     text += felt == Felt::nothing ? ",1" : ",0";
     text += felt == Felt::in_part ? ",0," : ",1,";
     return text + csv_field(why) + "," + csv_field(device_of(record, k).name) + "," +
-           csv_field(record.header.set_fingerprint);
+           csv_field(record.header.set_fingerprint) + "," + csv_field(at);
+}
+
+// Which of the two, by their order in the set.
+const char* felt_first(const PairAnswer& answer) {
+    if (answer.first == FeltFirst::unknown) return "NA";
+    return (answer.first == FeltFirst::left) == (answer.trial.left <= answer.trial.right) ? "a"
+                                                                                          : "b";
 }
 
 void write_pairs(std::ostream& stream, const StudyRecord& record, const std::string& excluded,
@@ -37,14 +45,13 @@ void write_pairs(std::ostream& stream, const StudyRecord& record, const std::str
     for (std::size_t k = 0; k < record.answers.size(); ++k) {
         const PairAnswer& answer = record.answers[k];
         const Trial& trial = answer.trial;
-        const int replays =
-            std::max(answer.plays_left - 1, 0) + std::max(answer.plays_right - 1, 0);
         stream << csv_field(record.header.participant.code) << ',' << k + 1 << ','
                << csv_field(names[std::min(trial.left, trial.right)]) << ','
                << csv_field(names[std::max(trial.left, trial.right)]) << ','
                << (trial.left <= trial.right ? "a," : "b,") << shortest_digits(answer.similarity)
-               << ',' << replays << ',' << shortest_digits(answer.response_s) << ','
-               << (trial.is_attention() ? '1' : '0') << marks_of(record, k, excluded);
+               << ',' << replays_of(answer) << ',' << shortest_digits(answer.response_s) << ','
+               << (trial.is_attention() ? '1' : '0') << marks_of(record, k, answer.at, excluded)
+               << ',' << felt_first(answer);
         if (scaling != RatingScaling::none) {
             stream << ',' << kScalingNames[static_cast<std::size_t>(scaling)] << ','
                    << shortest_digits(scale.factor * answer.similarity + scale.shift);
@@ -61,7 +68,8 @@ void write_sortings(std::ostream& stream, const StudyRecord& record, const std::
             stream << csv_field(record.header.participant.code) << ',' << t + 1 << ','
                    << answer.asked_groups << ',' << answer.groups[k] + 1 << ','
                    << csv_field(record.header.patterns[k]) << ','
-                   << shortest_digits(answer.response_s) << marks_of(record, t, excluded) << '\n';
+                   << shortest_digits(answer.response_s) << marks_of(record, t, answer.at, excluded)
+                   << '\n';
         }
     }
 }
@@ -73,7 +81,8 @@ void write_study_csv(std::ostream& stream, std::span<const StudyRecord> records,
     const bool is_pairs = results.kind == StudyKind::pairwise;
     stream << (is_pairs ? "participant,trial,a,b,side,rating,replays,response_s,attention,"
                         : "participant,round,asked_groups,group,pattern,response_s,")
-           << "excluded,synthetic,rehearsal,whole,why,device,fingerprint"
+           << "excluded,synthetic,rehearsal,whole,why,device,fingerprint,at"
+           << (is_pairs ? ",felt_first" : "")
            << (is_pairs && results.scaling != RatingScaling::none ? ",scaling,scaled\n" : "\n");
     for (const StudyRecord& record : records) {
         const ParticipantSummary* summary = summary_of(results, record);

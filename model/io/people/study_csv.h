@@ -2,11 +2,13 @@
 // `tactspace compare --ratings`.
 //
 //     participant,trial,a,b,side,rating,replays,response_s,attention,<marks>
-//     P1,1,low,high,a,54,1,6.2,0,0,0,0,1,,DualSense,0123456789abcdef
+//     P1,1,low,high,a,54,1,6.2,0,0,0,0,1,,DualSense,0123456789abcdef,<UTC>,a
 //
 //     participant,round,asked_groups,group,pattern,response_s,<marks>      (of sorting)
 //
-//     <marks>: excluded,synthetic,rehearsal,whole,why,device,fingerprint
+//     <marks>: excluded,synthetic,rehearsal,whole,why,device,fingerprint,at
+//
+// and of pairs felt_first after them: a, b or NA where it is not known.
 //
 // `a` comes before `b` in the set; `side` tells which of them was on the left; `rating` is the
 // similarity, 0 to 100, as it was given; `replays` counts what was felt more than once. `excluded`

@@ -152,4 +152,66 @@ TEST_CASE("study: what cannot be done is said in a sentence") {
                    "has answers about \"v 1\", expected patterns of the set"));
 }
 
+TEST_CASE("study: who is excluded with a reason stays so for all commands, until included again") {
+    const Study study;
+    REQUIRE(study.simulated({"--noise", "0"}).exit_code == 0);
+    const std::string set = study.set;
+    const std::string people = study.people;
+    const auto compared = [&](std::vector<std::string> more) {
+        std::vector<std::string> all{"compare",  set,    "--ratings", people,
+                                     "--metric", "rmse", "--json"};
+        all.insert(all.end(), more.begin(), more.end());
+        return run_program(all);
+    };
+    const Ran excluded = compared({"--exclude", "S02", "--because", "asleep"});
+    REQUIRE_MESSAGE(excluded.exit_code == 0, excluded.err);
+    CHECK(contains(excluded.err, "S02 is recorded as excluded in "));
+    const Json row = Json::parse(compared({}).out)[0];
+    CHECK(row.at("participants") == 5);
+    CHECK(row.at("left_out")[0].at("why") == "excluded by name: asleep");
+    CHECK(study.collected().at("counted") == 5);
+    const Json trained =
+        Json::parse(output_of({"train", set, "--ratings", people, "--step", "0.5", "--json"}));
+    CHECK(trained.at("sets")[0].at("participants") == 5);
+    // Without a reason it is so this once.
+    CHECK(study.collected({"--exclude", "S03"}).at("counted") == 4);
+    CHECK(study.collected().at("counted") == 5);
+    CHECK(study.collected({"--include", "S02"}).at("counted") == 6);
+    CHECK(Json::parse(compared({}).out)[0].at("participants") == 6);
+    CHECK(contains(refusal_of({"study", set, "--collect", people, "--because", "x"}), "--because"));
+}
+
+TEST_CASE("study: rules on how people answer are named by the commands, with who fell by them") {
+    const Study study;
+    REQUIRE(study.simulated({"--inattentive", "0.17"}).exit_code == 0);
+    const Ran ran = run_program({"compare", study.set, "--ratings", study.people, "--metric",
+                                 "rmse", "--repeat-rho", "0.3", "--too-fast", "2"});
+    REQUIRE_MESSAGE(ran.exit_code == 0, ran.err);
+    CHECK(contains(ran.err, "rule: own repetitions agree with rho 0.3 at least; S06 fell by it"));
+    CHECK(contains(ran.err, "in under 2 s; nobody falls by it"));
+    // What knows nothing of times refuses instead of letting all pass.
+    const std::string csv = study.folder.write("r.csv", "a,b,rating\nv 1,v 2,3\n").string();
+    CHECK(contains(refusal_of({"compare", study.set, "--ratings", csv, "--too-fast", "2"}),
+                   "expected the folder of a study"));
+}
+
+TEST_CASE("study: help and plan say what identical pairs are worth") {
+    CHECK(contains(run_program({"study", "--help"}).out, "20 % pass 1, 0.78 % pass 3"));
+}
+
+TEST_CASE("study: whoever compares or trains is told that rated patterns were edited since") {
+    const Study study;
+    REQUIRE(study.simulated().exit_code == 0);
+    const std::vector<std::string> compare{"compare",    study.set,  "--ratings",
+                                           study.people, "--metric", "rmse"};
+    CHECK_FALSE(contains(output_of(compare), "CHANGED"));
+    std::string text = kSet;
+    text.replace(text.find("0.3"), 3, "0.2");
+    study.folder.write("five.json", text);
+    CHECK(contains(output_of(compare), "CHANGED: some or all of these patterns are others"));
+    const Json trained = Json::parse(
+        output_of({"train", study.set, "--ratings", study.people, "--step", "0.5", "--json"}));
+    CHECK(trained.at("sets")[0].at("changed_since_felt") == true);
+}
+
 }  // namespace study_command_test

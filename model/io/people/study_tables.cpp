@@ -1,0 +1,199 @@
+#include "model/io/people/study_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ostream>
+
+#include "model/io/tables/matrix_file.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+std::string cell(double value) { return std::isnan(value) ? "NA" : shortest_digits(value); }
+
+std::string cell(const std::string& text) { return text.empty() ? "NA" : csv_field(text); }
+
+const char* yes_no(bool is_so) { return is_so ? "1" : "0"; }
+
+template <class... Cells>
+void write_row(std::ostream& stream, const std::string& first, const Cells&... cells) {
+    stream << first;
+    ((stream << ',' << cells), ...);
+    stream << '\n';
+}
+
+// What participants were asked beside their code, in the order in which it came.
+std::vector<std::string> own_fields(const StudyTables& tables) {
+    std::vector<std::string> keys;
+    for (const StudyRecord& record : tables.records) {
+        for (const auto& [key, value] : record.header.participant.fields) {
+            if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+        }
+    }
+    return keys;
+}
+
+std::string field_of(const StudyRecord& record, const std::string& key) {
+    for (const auto& [name, value] : record.header.participant.fields) {
+        if (name == key) return value;
+    }
+    return {};
+}
+
+std::string joined(const std::vector<double>& values) {
+    std::string text;
+    for (const double value : values) text += (text.empty() ? "" : " ") + shortest_digits(value);
+    return text;
+}
+
+void write_participant(std::ostream& stream, const StudyRecord& record,
+                       const ParticipantSummary& person, const std::vector<std::string>& keys) {
+    const StudyDevice& device = device_of(record, answers_given(record));
+    stream << csv_field(person.code) << ',' << yes_no(person.excluded.empty()) << ','
+           << cell(person.excluded) << ',' << yes_no(person.synthetic) << ','
+           << yes_no(person.rehearsal) << ',' << person.answers << ',' << person.wanted << ','
+           << person.unfelt << ',' << cell(joined(person.attention)) << ',' << cell(person.minutes)
+           << ',' << cell(person.conduct.median_response_s) << ',' << cell(person.conduct.replays)
+           << ',' << cell(person.conduct.repeat_rho) << ',' << cell(person.rho_with_others) << ','
+           << yes_no(person.is_outlier) << ',' << cell(record.header.begun) << ','
+           << cell(device.name) << ',' << cell(device.calibration) << ',' << cell(device.masking)
+           << ',' << record.devices.size() << ',' << cell(record.header.set_fingerprint);
+    for (const std::string& key : keys) stream << ',' << cell(field_of(record, key));
+    stream << '\n';
+}
+
+struct ReliabilityRow {
+    const char* statistic;
+    double value;
+    Interval interval{kNone, kNone};
+    double p = kNone;
+    std::size_t people = 0;
+    std::size_t n = 0;
+    const char* how = "exact";
+};
+
+std::vector<ReliabilityRow> reliability_rows(const StudyTables& tables) {
+    const Reliability& agreement = tables.results.agreement;
+    const InterRater& raters = tables.raters;
+    const std::size_t people = agreement.voices;
+    const std::size_t pairs = tables.people.dissimilarity.condensed.size();
+    const char* const halves = people <= 12 ? "all halves" : "1000 drawn halves";
+    std::vector<ReliabilityRow> rows;
+    const auto add = [&rows](ReliabilityRow row) { rows.push_back(row); };
+    add({"split_half", agreement.half_rho, {kNone, kNone}, kNone, people, pairs, halves});
+    add({"reliability", agreement.spearman_brown, {kNone, kNone}, kNone, people, pairs, halves});
+    add({"ceiling_of_mean",
+         agreement.ceiling_of_mean,
+         {kNone, kNone},
+         kNone,
+         people,
+         pairs,
+         halves});
+    add({"one_with_others", agreement.one_with_others, {kNone, kNone}, kNone, people, pairs});
+    if (raters.people > 1) {
+        add({"icc_single", raters.single.value, raters.single.interval, kNone, raters.people,
+             raters.pairs, "F as if pairs were independent"});
+        add({"icc_mean", raters.mean.value, raters.mean.interval, kNone, raters.people,
+             raters.pairs, "F as if pairs were independent"});
+        add({"alpha", raters.alpha, {kNone, kNone}, kNone, raters.people, raters.alpha_pairs});
+    }
+    const auto add_shift = [&add](const char* name, const Shift& shift) {
+        if (shift.comparisons == 0) return;
+        add({name,
+             shift.mean,
+             {kNone, kNone},
+             shift.p,
+             shift.people,
+             shift.comparisons,
+             "5000 drawn signs, two-sided"});
+    };
+    static_assert(kOrderDraws == 5000);
+    add_shift("felt_first", tables.effects.felt_first);
+    add_shift("side", tables.effects.side);
+    add_shift("practice", tables.effects.practice);
+    return rows;
+}
+
+void write_map(std::ostream& stream, const std::string& name, const StudyTables& tables,
+               const PerceptualSpace& space) {
+    const auto patterns = static_cast<Eigen::Index>(tables.labels.size());
+    if (space.points.rows() != patterns) return;
+    for (Eigen::Index k = 0; k < patterns; ++k) {
+        stream << csv_field(name) << ',' << csv_field(tables.labels[static_cast<std::size_t>(k)]);
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            stream << ',' << cell(axis < space.points.cols() ? space.points(k, axis) : kNone);
+        }
+        stream << ',' << yes_no(tables.results.synthetic) << '\n';
+    }
+}
+
+}  // namespace
+
+void write_participants_csv(std::ostream& stream, const StudyTables& tables) {
+    const std::vector<std::string> keys = own_fields(tables);
+    stream << "participant,counted,why,synthetic,rehearsal,answers,wanted,not_felt,identical,"
+              "minutes,median_response_s,replays,repeat_rho,rho_with_others,outlier,begun,device,"
+              "calibration,masking,device_changes,fingerprint";
+    for (const std::string& key : keys) stream << ',' << csv_field("own_" + key);
+    stream << '\n';
+    for (const StudyRecord& record : tables.records) {
+        const auto person = std::ranges::find(tables.results.people, record.header.participant.code,
+                                              &ParticipantSummary::code);
+        if (person != tables.results.people.end()) {
+            write_participant(stream, record, *person, keys);
+        }
+    }
+}
+
+void write_reliability_csv(std::ostream& stream, const StudyTables& tables) {
+    stream << "statistic,value,low,high,p,people,n,how,synthetic\n";
+    for (const ReliabilityRow& row : reliability_rows(tables)) {
+        write_row(stream, row.statistic, cell(row.value), cell(row.interval.low),
+                  cell(row.interval.high), cell(row.p), row.people, row.n, row.how,
+                  yes_no(tables.results.synthetic));
+    }
+}
+
+void write_pairs_csv(std::ostream& stream, const StudyTables& tables) {
+    stream << "a,b,people";
+    for (const MetricOfStudy& metric : tables.metrics) stream << ',' << csv_field(metric.key);
+    stream << ",synthetic\n";
+    const std::vector<double>& people = tables.people.dissimilarity.condensed;
+    for (std::size_t p = 0; p < people.size(); ++p) {
+        const auto [i, j] = pair_at(tables.labels.size(), p);
+        stream << csv_field(tables.labels[i]) << ',' << csv_field(tables.labels[j]) << ','
+               << cell(people[p]);
+        for (const MetricOfStudy& metric : tables.metrics) {
+            stream << ',' << cell(metric.matrix.condensed[p]);
+        }
+        stream << ',' << yes_no(tables.results.synthetic) << '\n';
+    }
+}
+
+void write_metrics_csv(std::ostream& stream, const StudyTables& tables) {
+    stream << "metric,rho,rho_low,rho_high,p,tau_b,K,K_low,K_high,K_p,K_corrected,K_procrustes,"
+              "K_chance,stress1,participants,synthetic\n";
+    for (const MetricOfStudy& metric : tables.metrics) {
+        const Evaluation& e = metric.evaluation;
+        write_row(stream, csv_field(metric.key), cell(e.rho), cell(e.rho_interval.low),
+                  cell(e.rho_interval.high), cell(e.rho_p), cell(e.tau_b), cell(e.k),
+                  cell(e.k_spread.low), cell(e.k_spread.high), cell(e.k_p), cell(e.k_corrected),
+                  cell(e.k_procrustes), cell(tables.k_chance.mean), cell(e.stress1),
+                  participant_means(tables.results.study).size(), yes_no(tables.results.synthetic));
+    }
+}
+
+void write_maps_csv(std::ostream& stream, const StudyTables& tables) {
+    stream << "map,pattern,x,y,z,synthetic\n";
+    write_map(stream, "people", tables, tables.people.space);
+    for (const MetricOfStudy& metric : tables.metrics) {
+        if (!metric.evaluation.is_failed_map) write_map(stream, metric.key, tables, metric.space);
+    }
+}
+
+}  // namespace tact

@@ -1,0 +1,51 @@
+// The tables of a study's report as CSV: who took part, how alike they rate, what metrics make of
+// the same pairs, and the maps. The answers themselves: model/io/people/study_csv.h.
+//
+//     participants.csv  participant,counted,why,synthetic,rehearsal,answers,..,<their own fields>
+//     reliability.csv   statistic,value,low,high,p,people,n,how,synthetic
+//     pairs.csv         a,b,people,<a column a metric>,synthetic
+//     table.csv         metric,rho,rho_low,rho_high,p,tau_b,K,..,synthetic
+//     maps.csv          map,pattern,x,y,z,synthetic
+//
+// Output    "NA" where there is no number; the shortest digits that read back as the same.
+//           `synthetic` is 1 where nobody was asked for some of the ratings that a line rests on
+// Exact     same input, same bytes.
+#pragma once
+
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/evaluation/evaluation.h"
+#include "model/study/agreement.h"
+#include "model/study/study_results.h"
+
+namespace tact {
+
+// A metric against the mean ratings of the patterns that were rated.
+struct MetricOfStudy {
+    std::string key;
+    Dissimilarity matrix;
+    PerceptualSpace space;
+    Evaluation evaluation;
+};
+
+struct StudyTables {
+    std::vector<StudyRecord> records;
+    StudyResults results;
+    InterRater raters;
+    OrderEffects effects;
+    std::vector<std::string> labels;  // of the patterns that were rated, in the order of the set
+    Mapped people;                    // mean ratings of these
+    AlienationChance k_chance;
+    std::vector<MetricOfStudy> metrics;
+};
+
+void write_participants_csv(std::ostream& stream, const StudyTables& tables);
+void write_reliability_csv(std::ostream& stream, const StudyTables& tables);
+void write_pairs_csv(std::ostream& stream, const StudyTables& tables);
+void write_metrics_csv(std::ostream& stream, const StudyTables& tables);
+void write_maps_csv(std::ostream& stream, const StudyTables& tables);
+
+}  // namespace tact
