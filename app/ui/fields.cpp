@@ -89,14 +89,25 @@ int wheel_over(Ui& ui, const Field& field) {
 
 bool draw_bar(Ui& ui, const Field& field, double& value) {
     // No input: there is an entry for that, and Tab would turn the bar into another one.
-    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
-                                   ImGuiSliderFlags_NoInput |
-                                   (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-    double moved = value;
+    const ImGuiSliderFlags flags =
+        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_NoInput;
+    // Over logarithms of our own: ImGui's take all below a thousandth for zero.
+    const auto on_bar = [&](double of) {
+        return field.logarithmic ? std::log(std::max(of, field.slider.low)) : of;
+    };
+    const double low = on_bar(field.slider.low);
+    const double high = on_bar(field.slider.high);
+    double moved = on_bar(value);
     ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // the entry beside it is one
-    const bool changed = ImGui::SliderScalar("##bar", ImGuiDataType_Double, &moved,
-                                             &field.slider.low, &field.slider.high, "", flags);
+    const bool changed =
+        ImGui::SliderScalar("##bar", ImGuiDataType_Double, &moved, &low, &high, "", flags);
     ImGui::PopItemFlag();
+    // The ends to the bit.
+    if (field.logarithmic) {
+        moved = moved <= low    ? field.slider.low
+                : moved >= high ? field.slider.high
+                                : std::exp(moved);
+    }
     if (changed) value = snapped(field, moved);
     draw_fill(ui, field, value);
     note_item(ui.rects, std::string("slider:") + field.id, std::to_string(value));

@@ -30,4 +30,27 @@ TEST_CASE("model bench: a weight is changed, marked, undone, and brought back by
     CHECK_FALSE(program.shows("model:changed"));
 }
 
+TEST_CASE("model panel: shares far below a thousandth are slid like others, by their logarithm") {
+    Program program(short_patterns(2));
+    program.app.layout.maximised = Pane::matrix;
+    program.app.layout.bench = BenchTab::model;
+    program.resize({1600.0F, 2400.0F}, 1.0F);  // all of it in view
+    const double& share = program.app.work.document.set.model.coding.silent_energy_fraction;
+    const auto slide_to = [&](float part) {
+        const Place bar = program.at("slider:silent_energy_fraction");
+        program.window.move(
+            {bar.min.x + part * (bar.max.x - bar.min.x), 0.5F * (bar.min.y + bar.max.y)});
+        program.window.button(true);
+        program.frame();
+        program.window.button(false);
+        program.settle();
+    };
+    slide_to(0.5F);  // 1e-15 to 1e-3
+    CHECK(std::abs(std::log10(share) + 9.0) < 0.1);
+    slide_to(0.999F);
+    CHECK(share == 1e-3);
+    slide_to(0.0F);
+    CHECK(share == 1e-15);
+}
+
 }  // namespace model_panel_test
