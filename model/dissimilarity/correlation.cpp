@@ -34,24 +34,8 @@ Columns known(std::span<const double> a, std::span<const double> b) {
     return columns;
 }
 
-// Ranks minus their mean: halves of whole numbers, so that sums of their products are exact for any
-// matrix that people could rate.
-std::vector<double> centred_ranks(std::span<const double> values) {
-    std::vector<double> ranks = average_ranks(values);
-    const double mean = (static_cast<double>(values.size()) + 1.0) / 2.0;
-    for (double& rank : ranks) rank -= mean;
-    return ranks;
-}
-
 double product(std::span<const double> a, std::span<const double> b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-double rho_of(const Columns& columns) {
-    const std::vector<double> a = centred_ranks(columns.a);
-    const std::vector<double> b = centred_ranks(columns.b);
-    const double size = std::sqrt(product(a, a) * product(b, b));
-    return size > 0.0 ? std::clamp(product(a, b) / size, -1.0, 1.0) : kNone;
 }
 
 std::uint64_t pairs_of(std::uint64_t count) { return count * (count - 1) / 2; }
@@ -118,10 +102,43 @@ bool is_complete(const Dissimilarity& a) {
     return std::ranges::all_of(a.condensed, [](double value) { return std::isfinite(value); });
 }
 
+// NaN where `of` the objects as they are is, or is in more than half of the draws.
+template <class Of>
+Interval percentiles_of_draws(std::size_t objects, const BootstrapParams& params, Of of) {
+    std::vector<std::size_t> as_they_are(objects);
+    std::iota(as_they_are.begin(), as_they_are.end(), std::size_t{0});
+    if (std::isnan(of(as_they_are))) return {kNone, kNone};
+    std::vector<double> values(params.draws);
+    parallel_for(params.draws, params.threads, {}, [&](std::size_t draw) {
+        RandomStream random{random_bits(params.seed, draw)};
+        std::vector<std::size_t> drawn(objects);
+        for (std::size_t& object : drawn) object = next_index(random, objects);
+        values[draw] = of(drawn);
+    });
+    std::erase_if(values, [](double value) { return std::isnan(value); });
+    if (2 * values.size() < params.draws || values.empty()) return {kNone, kNone};
+    std::ranges::sort(values);
+    const double tail = (1.0 - params.coverage) / 2.0;
+    return {quantile(values, tail), quantile(values, 1.0 - tail)};
+}
+
 }  // namespace
 
+std::vector<double> centred_ranks(std::span<const double> values) {
+    std::vector<double> ranks = average_ranks(values);
+    const double mean = (static_cast<double>(values.size()) + 1.0) / 2.0;
+    for (double& rank : ranks) rank -= mean;
+    return ranks;
+}
+
+double rho_of_ranks(std::span<const double> a, std::span<const double> b) {
+    const double size = std::sqrt(product(a, a) * product(b, b));
+    return size > 0.0 ? std::clamp(product(a, b) / size, -1.0, 1.0) : kNone;
+}
+
 double spearman(std::span<const double> a, std::span<const double> b) {
-    return rho_of(known(a, b));
+    const Columns columns = known(a, b);
+    return rho_of_ranks(centred_ranks(columns.a), centred_ranks(columns.b));
 }
 
 double partial_spearman(std::span<const double> a, std::span<const double> b,
@@ -185,19 +202,17 @@ PermutationTest mantel(const Dissimilarity& a, const Dissimilarity& b,
 Interval bootstrap_interval(const Dissimilarity& a, const Dissimilarity& b,
                             const BootstrapParams& params) {
     assert(a.size == b.size && "matrices of the same objects");
-    if (std::isnan(spearman(a.condensed, b.condensed))) return {kNone, kNone};
-    std::vector<double> rho(params.draws);
-    parallel_for(params.draws, params.threads, {}, [&](std::size_t draw) {
-        RandomStream random{random_bits(params.seed, draw)};
-        std::vector<std::size_t> drawn(a.size);
-        for (std::size_t& object : drawn) object = next_index(random, a.size);
-        rho[draw] = spearman(reordered(a, drawn), reordered(b, drawn));
+    return percentiles_of_draws(a.size, params, [&](std::span<const std::size_t> drawn) {
+        return spearman(reordered(a, drawn), reordered(b, drawn));
     });
-    std::erase_if(rho, [](double value) { return std::isnan(value); });
-    if (2 * rho.size() < params.draws || rho.empty()) return {kNone, kNone};
-    std::ranges::sort(rho);
-    const double tail = (1.0 - params.coverage) / 2.0;
-    return {quantile(rho, tail), quantile(rho, 1.0 - tail)};
+}
+
+Interval partial_bootstrap_interval(const Dissimilarity& a, const Dissimilarity& b,
+                                    const Dissimilarity& given, const BootstrapParams& params) {
+    assert(a.size == b.size && a.size == given.size && "matrices of the same objects");
+    return percentiles_of_draws(a.size, params, [&](std::span<const std::size_t> drawn) {
+        return partial_spearman(reordered(a, drawn), reordered(b, drawn), reordered(given, drawn));
+    });
 }
 
 }  // namespace tact

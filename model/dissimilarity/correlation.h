@@ -13,12 +13,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "model/common/quantile.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/dissimilarity/permutation.h"
 
 namespace tact {
+
+// Ranks of the quantised values minus their mean: halves of whole numbers, so that sums of their
+// products are exact for any matrix that people could rate, in any order.
+std::vector<double> centred_ranks(std::span<const double> values);
+
+// Pearson's r of centred ranks, which is Spearman's rho; NaN where either side is constant.
+double rho_of_ranks(std::span<const double> a, std::span<const double> b);
 
 // Pearson's r of the average ranks; never 1 - 6 sum d^2 / (n (n^2 - 1)), which is wrong for ties.
 double spearman(std::span<const double> a, std::span<const double> b);
@@ -47,5 +55,9 @@ struct BootstrapParams {
 // with its own copy are dropped. NaN where rho is, or is in more than half of the draws.
 Interval bootstrap_interval(const Dissimilarity& a, const Dissimilarity& b,
                             const BootstrapParams& params);
+
+// The same of the partial rho, with the same draws.
+Interval partial_bootstrap_interval(const Dissimilarity& a, const Dissimilarity& b,
+                                    const Dissimilarity& given, const BootstrapParams& params);
 
 }  // namespace tact

@@ -45,6 +45,11 @@ std::vector<double> quantised(std::span<const double> values) {
     return result;
 }
 
+void tie_rounding_noise(std::vector<double>& values) {
+    const double largest = largest_size(values);
+    for (double& value : values) value = quantised(value, largest) * largest / 1e9;
+}
+
 std::vector<double> average_ranks(std::span<const double> values) {
     std::vector<double> ranks(values.begin(), values.end());
     replace_by_ranks(ranks);

@@ -34,6 +34,10 @@ std::pair<std::size_t, std::size_t> pair_at(std::size_t n, std::size_t index);
 // d <- round(d / max(max |d|, 1e-6) 1e9), so that rounding noise makes no order.
 std::vector<double> quantised(std::span<const double> values);
 
+// The same in the values' own units and place: what differs by rounding noise alone becomes equal,
+// so that ranks that others make of them are ours.
+void tie_rounding_noise(std::vector<double>& values);
+
 // Ranks 1..m of the quantised values; ties share their average rank.
 std::vector<double> average_ranks(std::span<const double> values);
 

@@ -18,10 +18,6 @@ using Eigen::MatrixXd;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-bool has_map(const PerceptualSpace& space) {
-    return space.verdict == MdsVerdict::fine || space.verdict == MdsVerdict::trivial;
-}
-
 Mapped mapped(const Dissimilarity& dissimilarity, const EvaluationParams& params) {
     Mapped result{dissimilarity, {}, {}};
     MdsParams mds = standard_mds_params(dissimilarity.size, params.dimensions);
@@ -74,9 +70,11 @@ void evaluate_shape(const Mapped& metric, const RatedSet& rated, const Evaluatio
     const auto k = alienation(own, people);
     const auto k_procrustes = alienation_procrustes(own, people);
     const auto test = alienation_test(people, own, {params.k_orders, 6, params.threads});
-    if (!k || !k_procrustes || !test) return;
+    const auto fit = protest(people, own, {params.k_orders, 6, params.threads});
+    if (!k || !k_procrustes || !test || !fit) return;
     result.k = *k;
     result.k_procrustes = *k_procrustes;
+    result.protest_p = fit->p;
     result.k_p = test->p;
     result.k_corrected = corrected_alienation(*k, rated.k_chance);
     result.k_spread = {*k, *k};
@@ -125,6 +123,14 @@ std::string remark_of_failure(const PerceptualSpace& space) {
 
 }  // namespace
 
+bool has_map(const PerceptualSpace& space) {
+    return space.verdict == MdsVerdict::fine || space.verdict == MdsVerdict::trivial;
+}
+
+Dissimilarity among_rated(const Dissimilarity& all, const RatedSet& rated) {
+    return rated.part ? among(all, rated.rated) : all;
+}
+
 const RatedSet& rated_part(const RatedSet& rated) { return rated.part ? *rated.part : rated; }
 
 Expected<RatedSet> rated_set(const Dissimilarity& ratings, const EvaluationParams& params) {
@@ -167,11 +173,12 @@ Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
     if (rated.part) return evaluate(among(metric, rated.rated), *rated.part, params);
     Evaluation result;
     evaluate_order(metric, rated.people.dissimilarity, params, result);
-    result.k = result.k_p = result.k_corrected = result.k_procrustes = kNone;
+    result.k = result.k_p = result.k_corrected = result.k_procrustes = result.protest_p = kNone;
     result.k_spread = {kNone, kNone};
     const Mapped own = mapped(metric, params);
     result.stress1 = own.space.stress1;
     result.is_failed_map = own.maps.empty();
+    if (!own.maps.empty()) result.map = own.maps.front();
     result.is_failed_start = is_failed_start(metric, params.dimensions);
     if (own.maps.empty()) {
         result.stress1 = kNone;

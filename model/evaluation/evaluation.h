@@ -46,6 +46,8 @@ struct Mapped {
     std::vector<Eigen::MatrixXd> maps;  // the best one first; none where there is no map
 };
 
+bool has_map(const PerceptualSpace& space);
+
 // What all metrics of a set are compared with.
 struct RatedSet {
     Mapped people;  // of all patterns; without ratings one lies anywhere
@@ -59,6 +61,9 @@ struct RatedSet {
 
 // The rated patterns alone.
 const RatedSet& rated_part(const RatedSet& rated);
+
+// A matrix of all patterns, among the rated ones alone.
+Dissimilarity among_rated(const Dissimilarity& all, const RatedSet& rated);
 
 // Errors: fewer than three patterns; no order among the ratings.
 Expected<RatedSet> rated_set(const Dissimilarity& ratings, const EvaluationParams& params);
@@ -75,7 +80,9 @@ struct Evaluation {
     double k_p = 1.0;
     double k_corrected = 0.0;   // 1 - K / chance
     double k_procrustes = 0.0;  // another measure, not that of Table 2
+    double protest_p = 1.0;     // of that
     double stress1 = 0.0;       // of the metric's map
+    Eigen::MatrixXd map;        // which has the rated patterns; none: 0 x 0
     bool is_failed_map = false;
     // MATLAB's mdscale gives up: its classical start has two patterns on one spot.
     bool is_failed_start = false;

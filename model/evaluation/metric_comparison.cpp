@@ -70,12 +70,50 @@ Expected<RatedPeople> rated_people(const RatingStudy& study, const EvaluationPar
     const Dissimilarity mean = mean_ratings(study);
     Expected<RatedSet> rated = rated_set(mean, params);
     if (!rated) return rated.error();
+    const Reliability people = reliability(study);
     return RatedPeople{*std::move(rated),
-                       reliability(study),
+                       people,
+                       ceilings(study, people),
                        order_pairs(mean.condensed).ascending.size(),
                        participant_means(study).size(),
                        is_partly_synthetic(study),
                        unrated_patterns(study)};
+}
+
+MetricTable metric_table(const RatingStudy& study, const RatedPeople& people,
+                         std::span<const Metric> metrics, std::vector<Dissimilarity> matrices,
+                         std::span<const Nuisance> nuisances, const EvaluationParams& params,
+                         const std::function<void(double)>& progress) {
+    MetricTable table{{metrics.begin(), metrics.end()}, std::move(matrices), {}, {}, {}, {}};
+    const auto steps = static_cast<double>(metrics.size() + nuisances.size() + 2);
+    double done = 0.0;
+    const auto step = [&] {
+        if (progress) progress(++done / steps);
+    };
+    for (const Dissimilarity& matrix : table.matrices) {
+        table.evaluations.push_back(evaluate(matrix, people.rated, params));
+        step();
+    }
+    table.individuals = individuals(study, people.rated, table.matrices, table.evaluations, params);
+    step();
+    const auto pm = std::ranges::find(metrics, Metric::pm);
+    std::optional<std::size_t> reference;
+    if (pm != metrics.end()) reference = static_cast<std::size_t>(pm - metrics.begin());
+    UncertaintyParams resampling;
+    resampling.draws = params.bootstrap_draws;
+    resampling.threads = params.threads;
+    table.uncertainty =
+        uncertainty(study, people.rated, table.matrices, table.evaluations, reference, resampling);
+    step();
+    BootstrapParams bootstrap;
+    bootstrap.draws = params.bootstrap_draws;
+    bootstrap.threads = params.threads;
+    for (const Nuisance& one : nuisances) {
+        table.given.push_back(given(one.name, one.apart, people.rated.people.dissimilarity,
+                                    table.matrices, bootstrap));
+        step();
+    }
+    return table;
 }
 
 std::optional<Metric> unbeaten_by_pm(std::span<const MetricRho> agreements) {

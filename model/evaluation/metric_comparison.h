@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,7 +14,10 @@
 
 #include "model/common/expected.h"
 #include "model/evaluation/evaluation.h"
+#include "model/evaluation/individuals.h"
 #include "model/evaluation/metric_matrix.h"
+#include "model/evaluation/nuisance.h"
+#include "model/evaluation/uncertainty.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/pattern_set.h"
 #include "model/study/ratings.h"
@@ -32,6 +36,7 @@ std::optional<std::vector<Dissimilarity>> compared_matrices(const PatternSet& se
 struct RatedPeople {
     RatedSet rated;
     Reliability reliability;
+    Ceilings ceilings;
     std::size_t rated_pairs = 0;
     std::size_t participants = 0;
     bool synthetic = false;            // nobody was asked, for some of the ratings at least
@@ -40,6 +45,27 @@ struct RatedPeople {
 
 // Errors: as rated_set().
 Expected<RatedPeople> rated_people(const RatingStudy& study, const EvaluationParams& params);
+
+// Each metric against the same people.
+struct MetricTable {
+    std::vector<Metric> metrics;
+    std::vector<Dissimilarity> matrices;
+    std::vector<Evaluation> evaluations;
+    Individuals individuals;
+    Uncertainty uncertainty;   // differences: from PM, where it is among the metrics
+    std::vector<Given> given;  // in the order of the nuisances
+};
+
+struct Nuisance {
+    std::string name;
+    Dissimilarity apart;
+};
+
+// `matrices`: of the metrics, as compared_matrices() has them. Progress is the share of the work.
+MetricTable metric_table(const RatingStudy& study, const RatedPeople& people,
+                         std::span<const Metric> metrics, std::vector<Dissimilarity> matrices,
+                         std::span<const Nuisance> nuisances, const EvaluationParams& params,
+                         const std::function<void(double)>& progress = {});
 
 struct MetricRho {
     Metric metric = Metric::pm;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "model/common/decompositions.h"
 #include "model/common/parallel.h"
 #include "model/common/random.h"
 #include "model/map/procrustes.h"
@@ -82,6 +83,12 @@ MatrixXd widened(const MatrixXd& points, Index columns) {
     return result;
 }
 
+// Centred, with a sum of squares of 1, of points that differ.
+MatrixXd of_unit_size(const MatrixXd& points) {
+    const MatrixXd centred = points.rowwise() - points.colwise().mean();
+    return centred / centred.stableNorm();
+}
+
 MatrixXd gaussian_points(Index n, Index k, RandomStream& random) {
     MatrixXd points(n, k);
     for (Index e = 0; e < points.size(); ++e) points.data()[e] = next_normal(random);
@@ -101,6 +108,29 @@ Expected<double> alienation_procrustes(const MatrixXd& a, const MatrixXd& b) {
     const Index columns = std::max(a.cols(), b.cols());
     const double r = procrustes(widened(a, columns), widened(b, columns)).correlation;
     return std::sqrt((1.0 - r) * (1.0 + r));
+}
+
+Expected<PermutationTest> protest(const MatrixXd& a, const MatrixXd& b,
+                                  const PermutationParams& params) {
+    if (const auto shapes = shapes_of(a, b); !shapes) return shapes.error();
+    const Index columns = std::max(a.cols(), b.cols());
+    const MatrixXd fixed = of_unit_size(widened(a, columns)).transpose();
+    const MatrixXd moved = of_unit_size(widened(b, columns));
+    // The correlation after alignment (procrustes.cpp); sizes do not change with the names.
+    const auto fit = [&fixed](const MatrixXd& points) {
+        return singular_values(fixed * points).values.sum();
+    };
+    const double observed = fit(moved);
+    constexpr double kRounding = 1e-12;
+    return permutation_test(static_cast<std::size_t>(a.rows()), params,
+                            [&](std::span<const std::size_t> order) {
+                                MatrixXd points(moved.rows(), columns);
+                                for (Index i = 0; i < points.rows(); ++i) {
+                                    const std::size_t from = order[static_cast<std::size_t>(i)];
+                                    points.row(i) = moved.row(static_cast<Index>(from));
+                                }
+                                return fit(points) >= observed - kRounding;
+                            });
 }
 
 double alienation_of_fit(std::span<const double> distances, std::span<const double> disparities) {

@@ -28,6 +28,11 @@ Expected<double> alienation(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 // alignment. Larger: .8 to .9 for unrelated maps. Errors as above.
 Expected<double> alienation_procrustes(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
+// PROTEST, one-sided: how often the points of `b` under other names fit `a` at least as well after
+// Procrustes alignment. Source: Jackson 1995. Errors as above.
+Expected<PermutationTest> protest(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
+                                  const PermutationParams& params);
+
 // A third one, of a single map: sqrt(1 - mu^2), mu the congruence of its distances with their
 // disparities: the stress of the best size. Pairs of a NaN disparity are left out; 0 of none.
 double alienation_of_fit(std::span<const double> distances, std::span<const double> disparities);

@@ -1,5 +1,7 @@
 #include "model/dissimilarity/dissimilarity.h"
 
+#include <cmath>
+
 #include "tests/support/golden.h"
 
 namespace dissimilarity_test {
@@ -73,6 +75,21 @@ TEST_CASE("ranks: dissimilarities that are all but zero are equal, however they 
     CHECK(quantised(std::vector<double>{1e-17, -2e-16}) == std::vector{0.0, 0.0});
     CHECK(quantised(std::vector<double>{2e-7, 1e-7}) == std::vector{2e8, 1e8});
     CHECK(quantised(std::vector<double>{2e-6, 1e-6}) == std::vector{1e9, 5e8});
+}
+
+TEST_CASE("ties: what differs by rounding noise becomes equal, and no rank changes") {
+    std::vector<double> values{0.3, 0.1 + 0.2, 7.0, 0.30001, 0.0};
+    REQUIRE(values[0] != values[1]);
+    const std::vector<double> before = values;
+    tie_rounding_noise(values);
+    CHECK(values[0] == values[1]);
+    CHECK(values[3] > values[0]);
+    CHECK(values[4] == 0.0);
+    CHECK(average_ranks(values) == average_ranks(before));
+    CHECK(std::abs(values[2] - 7.0) <= 1e-15 * 7.0);
+    const std::vector<double> once = values;
+    tie_rounding_noise(values);
+    CHECK(average_ranks(values) == average_ranks(once));
 }
 
 }  // namespace dissimilarity_test

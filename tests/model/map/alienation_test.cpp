@@ -45,6 +45,33 @@ TEST_CASE("alienation: of the rectangle in smacof's help, and of a corner and a 
     CHECK(std::abs(*alienation_procrustes(corner, square) - 0.593630344692143) <= 1e-14);
 }
 
+TEST_CASE("PROTEST: of all orders of the points those that fit as well are another program's") {
+    for (const Json& json : golden::read("metric_statistics.json", "protest")) {
+        CAPTURE(json.at("name").get<std::string>());
+        const MatrixXd a = golden::matrix_of(json.at("a"));
+        const MatrixXd b = golden::matrix_of(json.at("b"));
+        const auto test = protest(a, b, {});
+        REQUIRE(test);
+        CHECK(test->is_exact);
+        CHECK(test->as_good == json.at("as_good").get<std::size_t>());
+        const double k = *alienation_procrustes(a, b);
+        CHECK(std::abs(k * k - json.at("m2").get<double>()) <= 1e-13);
+    }
+}
+
+TEST_CASE("PROTEST: of many points drawn orders, the same for any number of threads") {
+    const MatrixXd a = random_map(12, 3, 1);
+    const MatrixXd near = a + 0.3 * random_map(12, 3, 2);
+    const auto one = protest(a, near, {500, 6, 1});
+    REQUIRE(one);
+    CHECK(one->as_good == 0);
+    CHECK(one->p == 1.0 / 501.0);
+    const MatrixXd far = random_map(12, 2, 4);
+    CHECK(protest(a, far, {500, 6, 1})->as_good == protest(a, far, {500, 6, 3})->as_good);
+    CHECK(protest(a, far, {500, 6, 1})->p > 0.01);
+    CHECK_FALSE(protest(a, MatrixXd::Zero(12, 3), {}));
+}
+
 TEST_CASE("alienation: K, K of Procrustes and its permutations are those of another program") {
     const Json table = golden::read("evaluation.json");
     for (const Json& json : table.at("maps")) {

@@ -1,0 +1,286 @@
+#include "model/evaluation/uncertainty.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "model/common/mean.h"
+#include "model/common/parallel.h"
+#include "model/common/random.h"
+#include "model/common/student_t.h"
+#include "model/dissimilarity/correlation.h"
+#include "model/dissimilarity/holm.h"
+
+namespace tact {
+
+namespace {
+
+using Eigen::MatrixXd;
+using Places = std::vector<std::size_t>;
+using Row = std::vector<double>;  // one value a metric
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+// What is resampled, of the rated patterns alone.
+struct Sample {
+    std::size_t patterns = 0;
+    std::vector<std::vector<double>> people;  // condensed, of each participant
+    std::vector<double> mean;                 // of all of them
+    std::vector<Dissimilarity> metrics;
+    std::vector<MatrixXd> maps;  // of the metrics; none: 0 x 0
+    MatrixXd people_map;         // none: 0 x 0
+    MdsParams mds;
+};
+
+// One row of rho and one of K.
+struct Resample {
+    Row rho;
+    Row k;
+};
+
+Places all_of(std::size_t count) {
+    Places places(count);
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    return places;
+}
+
+Places drawn_of(std::size_t count, std::uint64_t seed, std::size_t draw) {
+    RandomStream random{random_bits(seed, draw)};
+    Places drawn(count);
+    for (std::size_t& place : drawn) place = next_index(random, count);
+    return drawn;
+}
+
+std::vector<double> mean_over(const Sample& sample, const Places& people) {
+    std::vector<double> mean(sample.mean.size());
+    std::vector<double> values(people.size());
+    for (std::size_t p = 0; p < mean.size(); ++p) {
+        for (std::size_t v = 0; v < people.size(); ++v) values[v] = sample.people[people[v]][p];
+        mean[p] = mean_known(values);
+    }
+    return mean;
+}
+
+// Of drawn patterns those pairs that are rated and known of all metrics. Of a pattern and its copy
+// nothing is known.
+Places pairs_of(const Sample& sample, const Places& patterns, std::span<const double> ratings) {
+    Places pairs;
+    for (std::size_t i = 0; i < patterns.size(); ++i) {
+        for (std::size_t j = i + 1; j < patterns.size(); ++j) {
+            const auto [a, b] = std::minmax(patterns[i], patterns[j]);
+            if (a == b) continue;
+            const std::size_t pair = pair_index(sample.patterns, a, b);
+            const bool known = std::ranges::all_of(sample.metrics, [pair](const auto& metric) {
+                return std::isfinite(metric.condensed[pair]);
+            });
+            if (known && std::isfinite(ratings[pair])) pairs.push_back(pair);
+        }
+    }
+    return pairs;
+}
+
+std::vector<double> ranks_at(std::span<const double> values, const Places& pairs) {
+    std::vector<double> taken(pairs.size());
+    std::ranges::transform(pairs, taken.begin(), [values](std::size_t p) { return values[p]; });
+    return centred_ranks(taken);
+}
+
+Row rhos(const Sample& sample, const Places& pairs, std::span<const double> ratings) {
+    const std::vector<double> said = ranks_at(ratings, pairs);
+    Row row;
+    for (const Dissimilarity& metric : sample.metrics) {
+        row.push_back(rho_of_ranks(ranks_at(metric.condensed, pairs), said));
+    }
+    return row;
+}
+
+// The people's map, from the best one of all people on: as one of the same patterns, it is near.
+MatrixXd people_map_of(const Sample& sample, const std::vector<double>& ratings) {
+    if (sample.people_map.size() == 0) return {};
+    const PerceptualSpace space = smacof({sample.patterns, ratings}, sample.people_map, sample.mds);
+    return has_map(space) ? space.points : MatrixXd();
+}
+
+MatrixXd rows_of(const MatrixXd& map, const Places& patterns) {
+    MatrixXd rows(static_cast<Eigen::Index>(patterns.size()), map.cols());
+    for (std::size_t k = 0; k < patterns.size(); ++k) {
+        rows.row(static_cast<Eigen::Index>(k)) = map.row(static_cast<Eigen::Index>(patterns[k]));
+    }
+    return rows;
+}
+
+// A pattern and its copy lie on one spot in both maps, which K does not see.
+Row ks(const Sample& sample, const Places& patterns, const MatrixXd& people_map) {
+    Row row(sample.maps.size(), kUnknown);
+    if (people_map.size() == 0) return row;
+    const MatrixXd people = rows_of(people_map, patterns);
+    for (std::size_t m = 0; m < row.size(); ++m) {
+        if (sample.maps[m].size() == 0) continue;
+        const auto k = alienation(rows_of(sample.maps[m], patterns), people);
+        if (k) row[m] = *k;
+    }
+    return row;
+}
+
+Sample sample_of(const RatingStudy& study, const RatedSet& rated,
+                 std::span<const Dissimilarity> metrics, std::span<const Evaluation> evaluations) {
+    const RatedSet& part = rated_part(rated);
+    Sample sample;
+    sample.patterns = part.people.dissimilarity.size;
+    sample.mean = part.people.dissimilarity.condensed;
+    for (Judgement& said : participant_means(study)) {
+        sample.people.push_back(
+            among_rated({study.labels.size(), std::move(said.condensed)}, rated).condensed);
+    }
+    for (const Dissimilarity& metric : metrics) {
+        sample.metrics.push_back(among_rated(metric, rated));
+    }
+    for (const Evaluation& one : evaluations) sample.maps.push_back(one.map);
+    if (!part.people.maps.empty()) {
+        sample.people_map = part.people.maps.front();
+        sample.mds =
+            standard_mds_params(sample.patterns, static_cast<int>(sample.people_map.cols()));
+        sample.mds.tolerance = 1e-7;  // far below what another person changes
+    }
+    return sample;
+}
+
+// NaN where less than half of the draws know it.
+double deviation(const std::vector<double>& draws) {
+    std::vector<double> squares;
+    const double mean = mean_known(draws);
+    for (const double value : draws) {
+        if (!std::isnan(value)) squares.push_back((value - mean) * (value - mean));
+    }
+    if (squares.size() < 2 || 2 * squares.size() < draws.size()) return kUnknown;
+    return std::sqrt(mean_known(squares));
+}
+
+// Tukey 1958: of each left out once.
+double jackknife_error(const std::vector<double>& without) {
+    const auto count = static_cast<double>(without.size());
+    if (std::ranges::any_of(without, [](double value) { return std::isnan(value); })) {
+        return kUnknown;
+    }
+    return deviation(without) * std::sqrt(count - 1.0);
+}
+
+struct Resamples {
+    std::vector<Resample> patterns;
+    std::vector<Resample> people;  // each left out once
+    std::vector<Resample> both;    // K of the first ones only
+};
+
+Resamples resampled(const Sample& sample, const UncertaintyParams& params) {
+    const std::size_t people = sample.people.size() > 1 ? sample.people.size() : 0;
+    Resamples result{std::vector<Resample>(params.draws), std::vector<Resample>(people),
+                     std::vector<Resample>(people > 0 ? params.draws : 0)};
+    const Places everything = all_of(sample.patterns);
+    parallel_for(params.draws, params.threads, {}, [&](std::size_t draw) {
+        const Places patterns = drawn_of(sample.patterns, params.pattern_seed, draw);
+        result.patterns[draw] = {rhos(sample, pairs_of(sample, patterns, sample.mean), sample.mean),
+                                 ks(sample, patterns, sample.people_map)};
+        if (people == 0) return;
+        const auto said = mean_over(sample, drawn_of(people, params.people_seed, draw));
+        Resample& both = result.both[draw];
+        both.rho = rhos(sample, pairs_of(sample, patterns, said), said);
+        if (draw < params.map_draws) both.k = ks(sample, patterns, people_map_of(sample, said));
+    });
+    parallel_for(people, params.threads, {}, [&](std::size_t left_out) {
+        Places others = all_of(people);
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
+        const auto said = mean_over(sample, others);
+        result.people[left_out] = {rhos(sample, pairs_of(sample, everything, said), said),
+                                   ks(sample, everything, people_map_of(sample, said))};
+    });
+    return result;
+}
+
+// `of` takes a number out of an outcome.
+template <class Of>
+Uncertain uncertain(double value, Interval limits, const Resamples& resamples,
+                    const UncertaintyParams& params, Of of) {
+    const auto column = [&of](const std::vector<Resample>& outcomes) {
+        std::vector<double> values;
+        for (const Resample& outcome : outcomes) {
+            if (const std::optional<double> one = of(outcome)) values.push_back(*one);
+        }
+        return values;
+    };
+    Uncertain result;
+    result.value = value;
+    result.error = {deviation(column(resamples.patterns)),
+                    resamples.people.empty() ? kUnknown : jackknife_error(column(resamples.people)),
+                    resamples.people.empty() ? kUnknown : deviation(column(resamples.both))};
+    for (std::size_t r = 0; r < kResampledCount; ++r) {
+        const bool is_jackknife = static_cast<Resampled>(r) == Resampled::people;
+        const std::size_t freedom = is_jackknife ? resamples.people.size() - 1 : 0;
+        const double reach =
+            result.error[r] *
+            (std::isnan(result.error[r]) ? 1.0 : two_sided_quantile(params.coverage, freedom));
+        result.interval[r] = {
+            std::isnan(value + reach) ? kUnknown : std::max(value - reach, limits.low),
+            std::isnan(value + reach) ? kUnknown : std::min(value + reach, limits.high)};
+    }
+    return result;
+}
+
+std::optional<double> at(const Row& row, std::size_t place) {
+    return place < row.size() ? std::optional(row[place]) : std::nullopt;
+}
+
+MetricDifference difference(std::size_t reference, std::size_t metric,
+                            std::span<const Evaluation> evaluations, const Resamples& resamples,
+                            const UncertaintyParams& params) {
+    MetricDifference result;
+    result.metric = metric;
+    result.rho = uncertain(evaluations[reference].rho - evaluations[metric].rho, {-2.0, 2.0},
+                           resamples, params, [&](const Resample& outcome) {
+                               return std::optional(outcome.rho[reference] - outcome.rho[metric]);
+                           });
+    for (std::size_t r = 0; r < kResampledCount; ++r) {
+        const bool is_jackknife = static_cast<Resampled>(r) == Resampled::people;
+        const double error = result.rho.error[r];
+        // Metrics that agree equally in every draw are no different.
+        const double t = error > 0.0 ? result.rho.value / error : 0.0;
+        result.p[r] = std::isnan(error) || std::isnan(result.rho.value)
+                          ? kUnknown
+                          : two_sided_p(t, is_jackknife ? resamples.people.size() - 1 : 0);
+    }
+    return result;
+}
+
+void correct(std::vector<MetricDifference>& differences) {
+    for (std::size_t r = 0; r < kResampledCount; ++r) {
+        std::vector<double> p;
+        for (const MetricDifference& one : differences) p.push_back(one.p[r]);
+        const std::vector<double> corrected = holm(p);
+        for (std::size_t k = 0; k < p.size(); ++k) differences[k].p_holm[r] = corrected[k];
+    }
+}
+
+}  // namespace
+
+Uncertainty uncertainty(const RatingStudy& study, const RatedSet& rated,
+                        std::span<const Dissimilarity> metrics,
+                        std::span<const Evaluation> evaluations,
+                        std::optional<std::size_t> reference, const UncertaintyParams& params) {
+    assert(metrics.size() == evaluations.size() && "an evaluation of each metric");
+    const Resamples resamples = resampled(sample_of(study, rated, metrics, evaluations), params);
+    Uncertainty result;
+    result.people = resamples.people.size();
+    for (std::size_t m = 0; m < metrics.size(); ++m) {
+        result.rho.push_back(uncertain(evaluations[m].rho, {-1.0, 1.0}, resamples, params,
+                                       [m](const Resample& one) { return at(one.rho, m); }));
+        result.k.push_back(uncertain(evaluations[m].k, {0.0, 1.0}, resamples, params,
+                                     [m](const Resample& one) { return at(one.k, m); }));
+        if (!reference || *reference == m) continue;
+        result.differences.push_back(difference(*reference, m, evaluations, resamples, params));
+    }
+    correct(result.differences);
+    return result;
+}
+
+}  // namespace tact
