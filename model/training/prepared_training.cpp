@@ -1,6 +1,7 @@
 #include "model/training/prepared_training.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "model/common/parallel.h"
@@ -51,13 +52,16 @@ void add_objectives_of_sets(PreparedTraining& prepared) {
 }
 
 void add_objectives_of_participants(PreparedTraining& prepared, std::span<const TrainingSet> sets) {
-    prepared.first_left_out = prepared.problem.objectives.size();
     const std::vector<ColumnPlace> all = prepared.problem.objectives.front();
     for (const std::string& participant : participants_of(sets)) {
+        LeftOutRatings left_out{participant, prepared.problem.objectives.size(), {}};
         std::vector<ColumnPlace> others;
         for (std::size_t s = 0; s < sets.size(); ++s) {
             const RatingStudy rest = part_of(sets[s].study, participant, true);
-            if (rest.judgements.size() == sets[s].study.judgements.size()) {
+            const RatingStudy own = part_of(sets[s].study, participant, false);
+            left_out.ratings.push_back(own.judgements.empty() ? std::vector<double>()
+                                                              : mean_ratings(own).condensed);
+            if (own.judgements.empty()) {
                 others.push_back(all[s]);
                 continue;
             }
@@ -65,8 +69,44 @@ void add_objectives_of_participants(PreparedTraining& prepared, std::span<const 
             if (place) others.push_back(*place);
         }
         if (others.empty()) continue;  // nobody else rated anything
-        prepared.left_out.push_back(participant);
+        prepared.participants.push_back(std::move(left_out));
         prepared.problem.objectives.push_back(others);
+    }
+}
+
+// Ratings of the pairs with a pattern, or of all the others; the rest NaN.
+std::vector<double> of_pattern(const Dissimilarity& ratings, std::size_t pattern, bool others) {
+    std::vector<double> part = ratings.condensed;
+    std::size_t p = 0;
+    for (std::size_t i = 0; i < ratings.size; ++i) {
+        for (std::size_t j = i + 1; j < ratings.size; ++j, ++p) {
+            if ((i == pattern || j == pattern) == others) part[p] = kNoRating;
+        }
+    }
+    return part;
+}
+
+void add_objectives_of_patterns(PreparedTraining& prepared, std::span<const TrainingSet> sets) {
+    const std::vector<ColumnPlace> all = prepared.problem.objectives.front();
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        const std::vector<std::string>& names = sets[s].study.labels;
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            const std::vector<double> own = of_pattern(prepared.ratings[s], k, false);
+            if (std::ranges::none_of(own, [](double value) { return std::isfinite(value); })) {
+                continue;
+            }
+            const auto rest =
+                add_ratings(prepared.problem, s, of_pattern(prepared.ratings[s], k, true));
+            if (!rest) continue;  // without it, the set's ratings have no order
+            std::vector<ColumnPlace> others = all;
+            others[s] = *rest;
+            LeftOutRatings left_out{sets.size() > 1 ? sets[s].name + ": " + names[k] : names[k],
+                                    prepared.problem.objectives.size(),
+                                    std::vector<std::vector<double>>(sets.size())};
+            left_out.ratings[s] = own;
+            prepared.patterns.push_back(std::move(left_out));
+            prepared.problem.objectives.push_back(others);
+        }
     }
 }
 
@@ -101,6 +141,7 @@ std::optional<PreparedTraining> prepared_training(std::span<const TrainingSet> s
     }
     add_objectives_of_sets(result);
     if (params.leave_out_participants) add_objectives_of_participants(result, sets);
+    if (params.leave_out_patterns) add_objectives_of_patterns(result, sets);
     return result;
 }
 

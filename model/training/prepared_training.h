@@ -2,7 +2,7 @@
 //
 // Input     sets that can_train() takes
 // Output    forms of spikes of every pair for all numbers of layers, ratings as columns, and an
-//           objective each: of all sets, of all but one, of all participants but one
+//           objective each: of all sets, of all but one, and of all ratings but those left out
 #pragma once
 
 #include <functional>
@@ -17,12 +17,19 @@
 
 namespace tact {
 
+// Ratings that an objective does without, and that its optimum is tried on.
+struct LeftOutRatings {
+    std::string name;
+    std::size_t objective = 0;                 // its place
+    std::vector<std::vector<double>> ratings;  // condensed, of every set; empty: none of it
+};
+
 struct PreparedTraining {
     SearchProblem problem;
     std::vector<Prediction> before;
     std::vector<Dissimilarity> ratings;
-    std::vector<std::string> left_out;  // participants, one objective each from `first_left_out` on
-    std::size_t first_left_out = 0;
+    std::vector<LeftOutRatings> participants;
+    std::vector<LeftOutRatings> patterns;
 };
 
 // Takes most of the time for a few patterns. `progress` goes from 0 to 1; nothing when stopped.

@@ -75,24 +75,25 @@ void add_sets(Training& training, const PreparedTraining& prepared, const Search
     training.value_before = mean_known(before);
 }
 
-void add_participants(Training& training, const PreparedTraining& prepared,
-                      const SearchResult& found, std::span<const TrainingSet> sets) {
-    for (std::size_t p = 0; p < prepared.left_out.size(); ++p) {
-        LeftOut left_out = fitted_without(training, found.optima[prepared.first_left_out + p]);
-        left_out.name = prepared.left_out[p];
+std::vector<LeftOut> fitted_without_each(const std::vector<LeftOutRatings>& all,
+                                         const Training& training, const PreparedTraining& prepared,
+                                         const SearchResult& found) {
+    std::vector<LeftOut> fitted;
+    for (const LeftOutRatings& one : all) {
+        LeftOut left_out = fitted_without(training, found.optima[one.objective]);
+        left_out.name = one.name;
         std::vector<double> before;
         std::vector<double> after;
-        for (std::size_t s = 0; s < sets.size(); ++s) {
-            const RatingStudy own = part_of(sets[s].study, left_out.name, false);
-            if (own.judgements.empty()) continue;
-            const std::vector<double> ratings = mean_ratings(own).condensed;
-            before.push_back(rho_of(prepared, s, training.before, ratings));
-            after.push_back(rho_of(prepared, s, left_out.model, ratings));
+        for (std::size_t s = 0; s < one.ratings.size(); ++s) {
+            if (one.ratings[s].empty()) continue;
+            before.push_back(rho_of(prepared, s, training.before, one.ratings[s]));
+            after.push_back(rho_of(prepared, s, left_out.model, one.ratings[s]));
         }
         left_out.rho_before = mean_known(before);
         left_out.rho_after = mean_known(after);
-        training.without_participant.push_back(left_out);
+        fitted.push_back(left_out);
     }
+    return fitted;
 }
 
 void raise(double& best, double value) {
@@ -204,7 +205,9 @@ std::optional<Training> train(std::span<const TrainingSet> sets, const TrainingP
     training.model = chosen(found->grid, training.best, params.model);
     training.share_near_best = share_near_best(*found, kNearBest);
     add_sets(training, *ready, *found, sets);
-    add_participants(training, *ready, *found, sets);
+    training.without_participant =
+        fitted_without_each(ready->participants, training, *ready, *found);
+    training.without_pattern = fitted_without_each(ready->patterns, training, *ready, *found);
     add_marginals(training, *found);
     return training;
 }

@@ -40,6 +40,7 @@ struct TrainingParams {
     int units = 10;                 // steps of a weight between 0 and 1
     TrainingObjective objective = TrainingObjective::mean_rho;
     bool leave_out_participants = false;
+    bool leave_out_patterns = false;         // each with all its pairs
     int threads = 0;                         // 0: all cores
     const TrainingKernel* kernel = nullptr;  // null: the one in use
     std::stop_token stop{};
@@ -61,8 +62,9 @@ struct TrainedSet {
     double rho_after = 0.0;
 };
 
-// Fitted without a set or a participant, and tried on just that. Rhos are means over the sets that
-// the left out took part in; NaN: what was left out has no order of its own.
+// Fitted without a set, a participant or a pattern, and tried on just that: a participant on
+// vibrations that the fit has seen, a pattern on its pairs with such. Rhos are means over the sets
+// that the left out took part in; NaN: what was left out has no order of its own.
 struct LeftOut {
     std::string name;
     PerceptualModelParams model;
@@ -92,6 +94,7 @@ struct Training {
     std::vector<TrainedSet> sets;
     std::vector<LeftOut> without_set;          // each, if there are several
     std::vector<LeftOut> without_participant;  // each, if asked for
+    std::vector<LeftOut> without_pattern;      // the same
 };
 
 // Finer steps would take days.

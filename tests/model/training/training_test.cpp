@@ -95,6 +95,29 @@ TEST_CASE("training: parameters planted in ratings are among the reported optima
     }
 }
 
+TEST_CASE("training: without a pattern its pairs have no say, and are what the fit is tried on") {
+    std::vector<TrainingSet> sets{rated_by(planted(), 1, 6, 2)};
+    const auto plain = train(sets, {.units = 2, .leave_out_patterns = true});
+    REQUIRE(plain);
+    REQUIRE(plain->without_pattern.size() == 6);
+    CHECK(plain->without_pattern[2].name == sets[0].study.labels[2]);
+    // Its pairs turned round: the fit without it is the same, and fails on them.
+    for (Judgement& said : sets[0].study.judgements) {
+        for (std::size_t p = 0; p < said.condensed.size(); ++p) {
+            const auto [i, j] = pair_at(6, p);
+            if (i == 2 || j == 2) said.condensed[p] = -said.condensed[p];
+        }
+    }
+    const auto turned = train(sets, {.units = 2, .leave_out_patterns = true});
+    REQUIRE(turned);
+    const LeftOut& before = plain->without_pattern[2];
+    const LeftOut& after = turned->without_pattern[2];
+    CHECK(before.value == after.value);
+    CHECK(before.model == after.model);
+    CHECK(std::abs(before.rho_after + after.rho_after) <= 1e-12);
+    CHECK(plain->without_pattern[1].value != turned->without_pattern[1].value);
+}
+
 TEST_CASE("training: of equally good parameters those nearest to the ones before are chosen") {
     const PerceptualModelParams paper;
     PerceptualModelParams rounded = paper;
