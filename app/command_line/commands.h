@@ -52,6 +52,11 @@ Expected<Done> run(const PredictCommand& command);
 
 struct SpaceCommand {
     CommonOptions common;
+    std::string metric = "pm";       // a key of model/evaluation/metric.h, or instead ...
+    bool people = false;             // ... of what people said, by the set file ...
+    RatingFiles ratings;             // ... or by these; or ...
+    std::filesystem::path matrix;    // ... of this matrix
+    std::filesystem::path align_to;  // turned onto this map, coordinates; empty: as it is
     int dimensions = 3;
     int starts = -1;  // random ones; -1: by the number of patterns
     std::filesystem::path out;
@@ -110,8 +115,14 @@ struct CompareCommand {
     CommonOptions common;  // sets are not merged: each has its own ratings
     RatingFiles ratings;
     std::vector<std::string> metrics;  // empty: all
+    std::vector<std::string> given;    // duration, level, or files of matrices
     bool paper_mode = false;           // Table 2's digits and averages
-    std::filesystem::path out;         // empty: standard output
+    bool methods = false;              // and a paragraph on how
+    // Tables for other programs; empty: none.
+    std::filesystem::path csv;              // a row a metric
+    std::filesystem::path people_csv;       // a row a participant and metric
+    std::filesystem::path differences_csv;  // a row a difference
+    std::filesystem::path out;              // empty: standard output
 };
 Expected<Done> run(const CompareCommand& command);
 
@@ -178,7 +189,8 @@ struct TrainCommand {
     RatingFiles ratings;
     std::string objective = "mean-rho";  // mean-rho, mean-abs-rho
     double step = 0.1;                   // of a weight
-    std::string leave_out;               // empty, sets, participants
+    std::string leave_out;               // empty, sets, participants, patterns
+    std::filesystem::path csv;           // a row a set, and what was left out
     std::filesystem::path out;           // for the parameters
 };
 Expected<Done> run(const TrainCommand& command);
@@ -228,8 +240,9 @@ Expected<Done> run(const SeparateCommand& command);
 struct FindingsCommand {
     int threads = 0;
     bool json = false;
-    bool morse = false;     // instead: the metrics against what people heard
-    bool variants = false;  // instead: what changes of the model do to both
+    bool morse = false;         // instead: the metrics against what people heard
+    bool variants = false;      // instead: what changes of the model do to both
+    std::filesystem::path csv;  // the same as a table
 };
 Expected<Done> run(const FindingsCommand& command);
 

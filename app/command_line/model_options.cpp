@@ -33,6 +33,20 @@ void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen) {
         add_command(app, "space", "coordinates of the perceptual space, as CSV", command, chosen);
     add_rendering(space, command.common);
     add_exporting(space, command.common);
+    CLI::App& of = *space.add_option_group("Of", "what the map is of; else PM");
+    auto* metric = of.add_option("--metric", command.metric, "another metric of those below")
+                       ->check(fault_of_metric);
+    auto* matrix =
+        of.add_option("--matrix", command.matrix, "file with a matrix that has the patterns' names")
+            ->excludes(metric);
+    of.add_flag("--people", command.people, "what people said, by the set file or --ratings")
+        ->excludes(metric)
+        ->excludes(matrix);
+    add_ratings(of, command.ratings);
+    of.get_option("--ratings")->excludes(metric)->excludes(matrix);
+    space.footer(list_of_metrics());
+    space.add_option("--align-to", command.align_to,
+                     "turned onto this map, coordinates as of space: Procrustes, with PROTEST's p");
     space.add_option("--dim", command.dimensions, "2 or 3")->check(within(2, 3));
     add_only(space, command.common);
     space.add_option("--starts", command.starts, "random starts besides Torgerson's")
@@ -146,6 +160,7 @@ void add_findings_command(CLI::App& app, FindingsCommand& command, Chosen& chose
                   "instead: what a cost of waiting in the OC part, or other thresholds, would "
                   "change of both")
         ->excludes(&morse);
+    findings.add_option("--csv", command.csv, "file for the same as a table");
     findings.callback([&] { chosen = [&command] { return run(command); }; });
 }
 

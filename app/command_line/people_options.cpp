@@ -49,6 +49,16 @@ void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen)
     add_only(compare, options.common);
     compare.add_option("--out", options.out, "file for the answer, instead of standard output");
     compare.footer(list_of_metrics());
+    compare.add_option("--given", options.given,
+                       "partial rho given a nuisance: duration, level, or a file with a matrix");
+    compare.add_option("--csv", options.csv, "file for a table with a row a metric");
+    compare.add_option("--people-csv", options.people_csv,
+                       "file for a table with a row a participant and metric");
+    compare.add_option("--differences-csv", options.differences_csv,
+                       "file for a table of the differences between pm and each metric");
+    CLI::Option* methods = compare.add_flag("--methods", options.methods,
+                                            "also a paragraph for a paper on how, with references");
+    methods->excludes("--json");
     compare.add_flag("--paper-mode", options.paper_mode,
                      "digits and averages as in Table 2 of Lim & Park 2023");
 }
@@ -118,8 +128,11 @@ void add_train_command(CLI::App& app, TrainCommand& command, Chosen& chosen) {
         ->check(fault_of_step);
     train
         .add_option("--leave-out", command.leave_out,
-                    "fit without each of them and try on it: sets or participants")
-        ->check(CLI::IsMember({"sets", "participants"}));
+                    "fit without each of them and try on it: sets, participants (who felt the same "
+                    "vibrations) or patterns")
+        ->check(CLI::IsMember({"sets", "participants", "patterns"}));
+    train.add_option("--csv", command.csv,
+                     "file for a table of the fits: of all, and without what was left out");
     train.add_option("--out", command.out,
                      "file for the parameters, for --model of other commands and the model bench");
 }

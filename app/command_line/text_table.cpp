@@ -1,10 +1,12 @@
 #include "app/command_line/text_table.h"
-#include "model/text/numbers.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdio>
+
+#include "model/io/tables/matrix_file.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -38,6 +40,16 @@ std::string six_digits(double value) { return significant_digits(value, 6); }
 std::string range_text(double low, double high, int digits) {
     if (std::isnan(low) || std::isnan(high)) return "-";
     return fixed_digits(low, digits) + " to " + fixed_digits(high, digits);
+}
+
+std::string csv_line(const TextRow& row) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) line += (k == 0 ? "" : ",") + csv_field(row[k]);
+    return line + "\n";
+}
+
+std::string csv_number(double value) {
+    return std::isnan(value) ? std::string() : shortest_digits(value);
 }
 
 }  // namespace tact

@@ -1,4 +1,4 @@
-// Tables for people at a terminal.
+// Tables for people at a terminal, and for programs.
 #pragma once
 
 #include <string>
@@ -20,5 +20,12 @@ std::string six_digits(double value);
 
 // "-0.11 to 0.78"; "-" for NaN.
 std::string range_text(double low, double high, int digits);
+
+// A line of CSV with its end, quoted where it has to be.
+std::string csv_line(const TextRow& row);
+
+// The shortest digits that read back as the same; nothing for NaN, which R and pandas read as
+// missing.
+std::string csv_number(double value);
 
 }  // namespace tact

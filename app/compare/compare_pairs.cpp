@@ -2,6 +2,7 @@
 // in app/compare/compare_panels.h.
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
@@ -69,7 +70,9 @@ void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap
     const float list_px = std::min(0.42F * area.width(), 220.0F * ui.theme.scale);
     const Rect left{area.min, {area.max.x - list_px - ui.theme.gap_px, area.max.y}};
     const bool synthetic = has_nobody(comparison);
-    const std::string corner = of_people("rho ", synthetic) + digits(row.evaluation->rho, 2);
+    std::string corner = of_people("rho ", synthetic) + digits(row.evaluation->rho, 2);
+    const double ceiling = comparison.people->said.ceilings.of_mean;
+    if (!std::isnan(ceiling)) corner += ", at most " + digits(ceiling, 2);
     const std::string y_title = of_people("rated dissimilarity", synthetic);
     const std::string rated = of_people("rated ", synthetic);
     const std::string x_title = std::string("rank by ") + traits(row.metric).name;

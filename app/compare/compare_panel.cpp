@@ -51,7 +51,9 @@ void draw_people(Ui& ui, const Comparison& comparison) {
     const std::string text = people_text(set, people) + ". K by chance " + digits(chance.mean, 2) +
                              " (" + digits(chance.middle.low, 2) + " to " +
                              digits(chance.middle.high, 2) + ").";
-    const std::string ceiling = ceiling_text(people.reliability, people.synthetic);
+    std::string ceiling = ceiling_text(people.reliability, people.synthetic);
+    const std::string single = single_ceiling_text(people.ceilings, people.synthetic);
+    if (!single.empty()) ceiling += " " + single;
     const std::string unrated = remark_on_unrated(people.unrated, set.vibrations.size());
     ImGui::PushFont(ui.theme.fonts.small);
     coloured_text(people.synthetic ? ui.theme.warning : ui.theme.dim_text, text);

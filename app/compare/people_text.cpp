@@ -76,4 +76,15 @@ std::string ceiling_text(const Reliability& reliability, bool synthetic) {
            digits(reliability.one_with_others, 2) + " with the mean of the others.";
 }
 
+std::string single_ceiling_text(const Ceilings& ceilings, bool synthetic) {
+    if (ceilings.voices < 2) return {};
+    const auto bound = [](const Spread& spread) {
+        return digits(spread.mean, 2) + " (median " + digits(spread.median, 2) + ")";
+    };
+    return std::string("With one ") + (ceilings.is_of_one_person ? "repetition" : "participant") +
+           " the best metric there could be has a mean " + of_people("rho", synthetic) + " of " +
+           bound(ceilings.with_others) + " to " + bound(ceilings.with_all) +
+           ": of each with the mean of the others, and with that of all.";
+}
+
 }  // namespace tact

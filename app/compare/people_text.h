@@ -30,4 +30,8 @@ std::string people_text(const PatternSet& set, const RatedPeople& people);
 // of which only the first is one for the metrics.
 std::string ceiling_text(const Reliability& reliability, bool synthetic);
 
+// What the best metric there could be has with single people, by its two bounds; empty where nobody
+// can tell.
+std::string single_ceiling_text(const Ceilings& ceilings, bool synthetic);
+
 }  // namespace tact

@@ -212,8 +212,8 @@ void draw_people(Ui& ui, const Training& training) {
     const LeftOutMean mean = mean_of(training.without_participant);
     if (!std::isnan(mean.rho_after)) {
         small_text(ui, "On average rho " + digits(mean.rho_after) +
-                           " with a person that the fit had not seen; " + digits(mean.rho_before) +
-                           " with the parameters before.");
+                           " with a person that the fit had not seen, on the same vibrations; " +
+                           digits(mean.rho_before) + " with the parameters before.");
     }
     if (!ImGui::BeginTable("people", 3, kTable)) return;
     draw_heads(ui, {"rho with one person", "before", "trained without"});

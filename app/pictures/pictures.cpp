@@ -67,7 +67,8 @@ Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const Perc
     char stress[64];
     std::snprintf(stress, sizeof stress, ", stress-1 %.3f, ", space.stress1);
     const std::string detail =
-        "predicted by " + marks.quantity + stress + stress_label(space.stress1);
+        (marks.source.empty() ? "predicted by " + marks.quantity : marks.source) + stress +
+        stress_label(space.stress1);
     return drawn(size, options_of(size, drawn_text(set)), [&](const Theme& theme) {
         const Rect area = size.titled ? draw_title(theme, "Perceptual space", detail) : whole();
         std::vector<PatternLook> looks;

@@ -51,6 +51,7 @@ struct SpaceMarks {
     std::span<const SpaceLink> links{};       // pairs that are too close
     const Eigen::MatrixXd* before = nullptr;  // where the points were, n x k: arrows from there
     std::string quantity = "PM";              // what the matrix is
+    std::string source{};                     // where it is from; empty: predicted by that
 };
 
 Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,

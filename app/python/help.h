@@ -111,7 +111,8 @@ K, K_low, K_high        alienation between the two maps; over maps that fit prac
 K_paper                 K as Table 2 has it: also NaN where MATLAB's mdscale gives up
 K_chance, K_p           mean of unrelated maps; one-sided p
 K_corrected             1 - K / K_chance
-K_procrustes, stress1   another measure of shape; of the metric's map
+K_procrustes, protest_p another measure of shape; one-sided p (PROTEST)
+stress1                 of the metric's map
 reliability             of the mean of people: split halves, Spearman-Brown
 one_with_others         mean rho of one of them with the mean of the others
 ceiling_of_mean         rho that a metric can reach with their mean
@@ -127,7 +128,8 @@ sets       a list of dicts, each with "waves" (as in predict(), in g), "ratings"
            if it has one, "name": what read_set() gives, with ratings put in
 objective  "mean-rho": mean of Spearman's rho over the sets; "mean-abs-rho": of its size
 step       of a weight: 1 divided by a whole number up to 40
-leave_out  "", "sets" or "participants": to fit without each in turn, and try on just that
+leave_out  "", "sets", "participants" (who felt the same vibrations) or "patterns": to fit without
+           each in turn, and try on just that
 rate_hz    sampling rate of all waves, Hz
 threads    0: all cores
 model      the model before; None: that of the first set, else the paper's. Its other choices stay
@@ -136,7 +138,7 @@ Returns a dict: model (for predict()), parameters and parameters_before (L_E, L_
 value, value_before (of the objective), combinations, equally_good, share_near_best (0 to 1), near_best,
 best_of (a dict of arrays, (5,) of layers 0 to 4 and (1 / step + 1,) of weights 0 to 1: the best value
 with each), synthetic, sets (a dict each: name, patterns, rated_pairs, synthetic, rho_before,
-rho_after), and without_set or without_participant (a dict each) where asked for. A fit flatters itself: only what was left out tells how it does on others.)";
+rho_after), and without_set, without_participant or without_pattern (a dict each) where asked for. A fit flatters itself: only what was left out tells how it does on others.)";
 
 inline constexpr const char* kRender =
     R"(render(pattern, rate_hz=10000.0)

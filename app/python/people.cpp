@@ -27,7 +27,8 @@ py::dict dict_of(const Evaluation& e, const RatedPeople& people) {
                     "K_low"_a = e.k_spread.low, "K_high"_a = e.k_spread.high,
                     "K_chance"_a = rated_part(people.rated).k_chance.mean, "K_p"_a = e.k_p,
                     "K_corrected"_a = e.k_corrected, "K_procrustes"_a = e.k_procrustes,
-                    "stress1"_a = e.stress1, "reliability"_a = reliability.spearman_brown,
+                    "protest_p"_a = e.protest_p, "stress1"_a = e.stress1,
+                    "reliability"_a = reliability.spearman_brown,
                     "one_with_others"_a = reliability.one_with_others,
                     "ceiling_of_mean"_a = reliability.ceiling_of_mean,
                     "participants"_a = people.participants, "synthetic"_a = people.synthetic,
@@ -103,7 +104,8 @@ py::dict dict_of(const Training& training, std::span<const TrainingSet> given) {
                     "share_near_best"_a = training.share_near_best, "near_best"_a = kNearBest,
                     "best_of"_a = best_of, "synthetic"_a = synthetic, "sets"_a = sets,
                     "without_set"_a = list_of(training.without_set),
-                    "without_participant"_a = list_of(training.without_participant));
+                    "without_participant"_a = list_of(training.without_participant),
+                    "without_pattern"_a = list_of(training.without_pattern));
 }
 
 // A weight in steps of this.
@@ -145,7 +147,7 @@ py::dict train_sets(const std::vector<py::dict>& given, const std::string& objec
     if (model.is_none() && given.front().contains("model")) model = given.front()["model"];
     std::vector<TrainingSet> sets;
     for (const py::dict& set : given) sets.push_back(training_set_of(set, sets.size(), rate_hz));
-    constexpr const char* kLeftOut[] = {"", "sets", "participants"};
+    constexpr const char* kLeftOut[] = {"", "sets", "participants", "patterns"};
     const std::size_t left_out = choice_of(leave_out, "leave_out", kLeftOut);
     if (left_out == 1 && sets.size() < 2) {
         throw py::value_error("leave_out: expected several sets to leave one out, got one");
@@ -156,6 +158,7 @@ py::dict train_sets(const std::vector<py::dict>& given, const std::string& objec
     params.objective =
         static_cast<TrainingObjective>(choice_of(objective, "objective", kObjectiveNames));
     params.leave_out_participants = left_out == 2;
+    params.leave_out_patterns = left_out == 3;
     params.threads = threads_of(threads);
     value_of(can_train(sets, params));
     const auto training = beside_python([&](std::stop_token stop) {

@@ -91,9 +91,9 @@ std::string raters_text(const StudyAnswers& answers) {
     std::string text;
     if (raters.people > 1) {
         const bool synthetic = answers.results->synthetic;
-        text = "Agreement: " + of_people("ICC(2,1) ", synthetic) + digits(raters.single.value, 2) + ", ICC(3,k) " +
-               digits(raters.mean.value, 2) + ", Krippendorff's alpha " + digits(raters.alpha, 2) +
-               ".";
+        text = "Agreement: " + of_people("ICC(2,1) ", synthetic) + digits(raters.single.value, 2) +
+               ", ICC(3,k) " + digits(raters.mean.value, 2) + ", Krippendorff's alpha " +
+               digits(raters.alpha, 2) + ".";
     }
     const auto add = [&text](const char* what, const Shift& shift) {
         if (shift.comparisons == 0) return;

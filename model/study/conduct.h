@@ -21,7 +21,7 @@ namespace tact {
 
 struct ConductRule {
     std::optional<double> fast_below_s{};  // an answer sooner than this is fast ...
-    double fast_share = 0.1;             // ... and at most this share of one's answers may be so
+    double fast_share = 0.1;               // ... and at most this share of one's answers may be so
     std::optional<double> repeat_rho{};    // between one's own repetitions, at least
     std::optional<double> replays{};       // a trial, on average, at most
 

@@ -31,7 +31,8 @@ std::string text_of(const std::vector<Finding>& all) {
            std::to_string(count_of(all, FindingStatus::fails)) + " fail; " +
            std::to_string(count_of(all, FindingStatus::needs_ratings)) + " need ratings and " +
            std::to_string(count_of(all, FindingStatus::needs_stimuli)) +
-           " need exact stimuli that are not public\n";
+           " need exact stimuli that are not public\neach is a comparison of predictions: nothing "
+           "is drawn, and there is no test\n";
 }
 
 nlohmann::json json_of(const std::vector<Finding>& all) {
@@ -94,7 +95,29 @@ std::string text_of(const MorseCheck& check) {
            fixed_digits(check.rows.front().beyond_length.rho_of_length, 3) + ".\n" +
            verdict_of(check) +
            "rho: Spearman's, interval by bootstrap over patterns (2,000 draws, seed 2); given "
-           "length: partial rank correlation; nobody rated twice, so no ceiling is known.\n";
+           "length: partial rank correlation; K: alienation of the distances of two maps of three "
+           "dimensions (Borg & Leutner 1985); nobody rated twice, so no ceiling is known.\n";
+}
+
+void write_csv(std::ostream& stream, const std::vector<Finding>& all) {
+    stream << csv_line({"id", "set", "claim", "source", "status", "evidence"});
+    for (const Finding& one : all) {
+        stream << csv_line(
+            {one.id, one.set, one.claim, one.source, word_of(one.status), one.evidence});
+    }
+}
+
+void write_csv(std::ostream& stream, const MorseCheck& check) {
+    stream << csv_line({"metric", "rho", "rho_low", "rho_high", "rho_p", "K", "K_p",
+                        "rho_of_equal_length", "rho_given_length", "distinct_values", "ratings"});
+    for (const MorseRow& row : check.rows) {
+        const Evaluation& e = row.agreement;
+        stream << csv_line(
+            {traits(row.metric).key, csv_number(e.rho), csv_number(e.rho_interval.low),
+             csv_number(e.rho_interval.high), csv_number(e.rho_p), csv_number(e.k),
+             csv_number(e.k_p), csv_number(row.beyond_length.rho_of_equal),
+             csv_number(row.beyond_length.partial_rho), std::to_string(row.distinct), kByEar});
+    }
 }
 
 // What is not defined, NaN, is written as null.
@@ -116,16 +139,6 @@ nlohmann::json json_of(const MorseCheck& check) {
             {"pairs_of_equal_length", check.rows.front().beyond_length.equal_pairs},
             {"rho_of_length_alone", check.rows.front().beyond_length.rho_of_length},
             {"metrics", metrics}};
-}
-
-Expected<Done> run_morse(const FindingsCommand& command) {
-    MorseOptions options;
-    options.threads = command.threads;
-    options.progress = progress_line("comparing metrics on Morse");
-    const MorseCheck check = *check_morse(options);
-    return write_result({}, [&](std::ostream& stream) {
-        stream << (command.json ? json_of(check).dump() + "\n" : text_of(check));
-    });
 }
 
 std::string text_of(const std::vector<VariantOutcome>& all) {
@@ -185,19 +198,50 @@ nlohmann::json json_of(const std::vector<VariantOutcome>& all) {
             {"models", list}};
 }
 
+void write_csv(std::ostream& stream, const std::vector<VariantOutcome>& all) {
+    stream << csv_line({"model", "morse_rho_pm", "morse_rho_pm_low", "morse_rho_pm_high",
+                        "morse_rho_oc", "morse_values_of_oc", "findings_hold", "findings_fail",
+                        "twelve_rho", "twelve_K", "ratings"});
+    for (const VariantOutcome& one : all) {
+        stream << csv_line({one.name, csv_number(one.morse_pm), csv_number(one.morse_interval.low),
+                            csv_number(one.morse_interval.high), csv_number(one.morse_oc),
+                            std::to_string(one.oc_values), std::to_string(one.hold),
+                            std::to_string(one.failing.size()), csv_number(one.twelve_rho),
+                            csv_number(one.twelve_k), kByEar});
+    }
+}
+
+// The table for other programs, where asked for, then the answer.
+template <class Found>
+Expected<Done> write_all(const FindingsCommand& command, const Found& found) {
+    if (!command.csv.empty()) {
+        const auto written =
+            write_result(command.csv, [&found](std::ostream& stream) { write_csv(stream, found); });
+        if (!written) return written;
+    }
+    return write_result({}, [&](std::ostream& stream) {
+        stream << (command.json ? json_of(found).dump() + "\n" : text_of(found));
+    });
+}
+
+Expected<Done> run_morse(const FindingsCommand& command) {
+    MorseOptions options;
+    options.threads = command.threads;
+    options.progress = progress_line("comparing metrics on Morse");
+    return write_all(command, *check_morse(options));
+}
+
 Expected<Done> run_variants(const FindingsCommand& command) {
     VariantOptions options;
     options.threads = command.threads;
     options.progress = progress_line("comparing models");
-    const std::vector<VariantOutcome> all = *check_variants(options);
-    return write_result({}, [&](std::ostream& stream) {
-        stream << (command.json ? json_of(all).dump() + "\n" : text_of(all));
-    });
+    return write_all(command, *check_variants(options));
 }
 
 }  // namespace
 
 Expected<Done> run(const FindingsCommand& command) {
+    if (const auto writable = writable_result(command.csv); !writable) return writable;
     if (command.morse) return run_morse(command);
     if (command.variants) return run_variants(command);
     CheckOptions options;
@@ -205,10 +249,7 @@ Expected<Done> run(const FindingsCommand& command) {
     options.progress_of = [](const std::string& set) {
         return progress_line("comparing pairs of " + set);
     };
-    const std::vector<Finding> all = *check_findings(options);
-    return write_result({}, [&](std::ostream& stream) {
-        stream << (command.json ? json_of(all).dump() + "\n" : text_of(all));
-    });
+    return write_all(command, *check_findings(options));
 }
 
 }  // namespace tact

@@ -137,7 +137,10 @@ Dissimilarity rank_sum(Work& work) {
 Dissimilarity matrix_of(Work& work) {
     const std::vector<Part>& parts = work.tiles.parts;
     if (parts.size() > 1) return rank_sum(work);
-    return std::move(work.tiles.made[static_cast<std::size_t>(parts[0])].matrix);
+    Dissimilarity& matrix = work.tiles.made[static_cast<std::size_t>(parts[0])].matrix;
+    // Warping makes many pairs equal but for the order of its sums.
+    if (parts[0] == Part::oc) tie_rounding_noise(matrix.condensed);
+    return std::move(matrix);
 }
 
 // Number by number: as one value, JSON of a large matrix takes several times its memory.

@@ -1,4 +1,5 @@
-// tactspace space: the map of a set.
+// tactspace space: the map of a set, by a metric, by people or of a matrix; turned onto another
+// map.
 
 #include <cstdio>
 #include <iostream>
@@ -6,31 +7,181 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
+#include "app/command_line/rated_sets.h"
 #include "app/pictures/pictures.h"
+#include "model/evaluation/metric_comparison.h"
+#include "model/io/tables/coordinates_file.h"
 #include "model/io/tables/matrix_file.h"
+#include "model/map/alienation.h"
 #include "model/map/mds.h"
-#include "model/perceptual_model/perceptual_model.h"
+#include "model/map/procrustes.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
 namespace {
 
-nlohmann::json json_of(const std::vector<std::string>& labels, const PerceptualSpace& space) {
+// What is to be mapped.
+struct Mappable {
+    PatternSet set;
+    Dissimilarity apart;
+    std::string quantity;  // PM
+    bool of_people = false;
+    bool synthetic = false;  // people that nobody asked
+};
+
+// How a map lies upon another one.
+struct OnOtherMap {
+    std::vector<Eigen::Index> rows;  // of the patterns that both maps have
+    Eigen::MatrixXd target;          // their places in the other map
+    ProcrustesFit fit;
+    double k = 0.0;
+    PermutationTest protest;
+};
+
+constexpr PermutationParams kProtest{10'000, 6, 0};
+
+PatternSet rated_alone(PatternSet set, const std::vector<std::string>& unrated) {
+    std::erase_if(set.vibrations, [&unrated](const Vibration& vibration) {
+        return std::ranges::find(unrated, vibration.name) != unrated.end();
+    });
+    return set;
+}
+
+Expected<Mappable> people_of(const SpaceCommand& command) {
+    if (command.common.sets.size() > 1) {
+        return Error{"--people and --ratings: expected one set, got " +
+                     std::to_string(command.common.sets.size())};
+    }
+    Expected<std::vector<RatedPatterns>> rated = load_rated(command.common, command.ratings);
+    if (!rated) return rated.error();
+    RatedPatterns& one = rated->front();
+    std::cerr << text_on_people(is_partly_synthetic(one.study), one.left_out);
+    const std::vector<std::string> unrated = unrated_patterns(one.study);
+    Mappable result{
+        rated_alone(one.set, unrated), {}, "ratings", true, is_partly_synthetic(one.study)};
+    // Of an unrated pattern there is nothing to say where it lies.
+    const Expected<RatingStudy> study = spread_over(one.study, names_of(one.set));
+    const Dissimilarity mean = mean_ratings(*study);
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < mean.size; ++k) {
+        if (std::ranges::find(unrated, one.study.labels[k]) == unrated.end()) places.push_back(k);
+    }
+    result.apart.size = places.size();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::size_t j = i + 1; j < places.size(); ++j) {
+            result.apart.condensed.push_back(mean(places[i], places[j]));
+        }
+    }
+    return result;
+}
+
+Expected<Mappable> mappable(const SpaceCommand& command) {
+    if (command.people || !command.ratings.files.empty()) return people_of(command);
+    const Expected<PatternSet> set = load_for(command.common);
+    if (!set) return set.error();
+    if (const Expected<Done> pair = need_a_pair(*set, command.common); !pair) return pair.error();
+    if (!command.matrix.empty()) {
+        Expected<Dissimilarity> read = dissimilarities_in(command.matrix, names_of(*set));
+        if (!read) return read.error();
+        return Mappable{*set, *std::move(read), command.matrix.filename().string(), false, false};
+    }
+    const Expected<Metric> metric = metric_named(command.metric);
+    if (!metric) return metric.error();
+    MetricOptions options;
+    options.threads = command.common.threads;
+    options.progress = progress_line("comparing pairs");
+    auto matrices = *compared_matrices(*set, {&*metric, 1}, nullptr, options);
+    return Mappable{*set, std::move(matrices.front()), traits(*metric).name, false, false};
+}
+
+// Errors: fewer than three patterns in common; maps that cannot lie upon each other.
+Expected<OnOtherMap> aligned_to(const std::filesystem::path& file,
+                                const std::vector<std::string>& names,
+                                const Eigen::MatrixXd& points, int threads) {
+    const Expected<LabelledPoints> other = read_coordinates_file(file);
+    if (!other) return other.error();
+    const std::string where = "--align-to " + file.string() + ": ";
+    if (other->points.cols() != points.cols()) {
+        return Error{where + "expected a map of " + std::to_string(points.cols()) +
+                     " dimensions, got " + std::to_string(other->points.cols())};
+    }
+    OnOtherMap result;
+    std::vector<Eigen::Index> theirs;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const auto found = std::ranges::find(other->labels, names[k]);
+        if (found == other->labels.end()) continue;
+        result.rows.push_back(static_cast<Eigen::Index>(k));
+        theirs.push_back(found - other->labels.begin());
+    }
+    if (theirs.size() < 3) {
+        return Error{where + "expected at least three patterns of the set, got " +
+                     std::to_string(theirs.size())};
+    }
+    const Eigen::MatrixXd own = points(result.rows, Eigen::all);
+    result.target = other->points(theirs, Eigen::all);
+    PermutationParams params = kProtest;
+    params.threads = threads;
+    const auto k = alienation(own, result.target);
+    const auto test = protest(result.target, own, params);
+    if (!k || !test) return Error{where + (k ? test.error() : k.error()).message};
+    result.k = *k;
+    result.protest = *test;
+    result.fit = procrustes(own, result.target);
+    return result;
+}
+
+nlohmann::json json_of(const OnOtherMap& on) {
+    return {{"patterns", on.rows.size()},
+            {"procrustes_r", on.fit.correlation},
+            {"procrustes_m2", 1.0 - on.fit.correlation * on.fit.correlation},
+            {"protest_p", on.protest.p},
+            {"K", on.k}};
+}
+
+nlohmann::json json_of(const Mappable& of, const PerceptualSpace& space,
+                       const std::optional<OnOtherMap>& alignment) {
     nlohmann::json coordinates = nlohmann::json::array();
     for (Eigen::Index i = 0; i < space.points.rows(); ++i) {
         nlohmann::json point = nlohmann::json::array();
         for (Eigen::Index k = 0; k < space.points.cols(); ++k) point.push_back(space.points(i, k));
         coordinates.push_back(point);
     }
-    return {{"labels", labels}, {"coordinates", coordinates}, {"stress1", space.stress1}};
+    nlohmann::json json{
+        {"labels", names_of(of.set)}, {"coordinates", coordinates}, {"stress1", space.stress1}};
+    if (of.of_people) json["synthetic"] = of.synthetic;
+    if (alignment) json["aligned"] = json_of(*alignment);
+    return json;
 }
 
 // What to think of the map, on standard error.
-void print_remarks(const PerceptualSpace& space) {
+void print_remarks(const PerceptualSpace& space, const std::optional<OnOtherMap>& on) {
     std::fprintf(stderr, "tactspace: stress-1 %.4f, %s\n", space.stress1,
                  stress_label(space.stress1).c_str());
     const std::string remark = remark_on(space);
     if (!remark.empty()) std::fprintf(stderr, "tactspace: %s\n", remark.c_str());
+    if (!on) return;
+    const double r = on->fit.correlation;
+    std::fprintf(
+        stderr,
+        "tactspace: turned onto the other map by %zu patterns: Procrustes m2 %.4f (r %.4f), "
+        "K %.4f\ntactspace: PROTEST p %.4f, one-sided, %s%s\n",
+        on->rows.size(), 1.0 - r * r, r, on->k, on->protest.p,
+        on->protest.is_exact ? "all orders of the patterns"
+                             : (grouped_digits(on->protest.orders) + " orders").c_str(),
+        on->protest.is_exact ? "" : ", seed 6");
+}
+
+Expected<Done> draw(const SpaceCommand& command, const Mappable& of, const PerceptualSpace& space,
+                    const std::optional<OnOtherMap>& alignment, const PictureSize& size) {
+    SpaceMarks marks;
+    marks.quantity = of.quantity;
+    if (of.of_people) marks.source = of.synthetic ? "synthetic ratings" : "rated by people";
+    if (!command.matrix.empty()) marks.source = "by " + of.quantity;
+    // Arrows from where the other map has them, if it has all.
+    const bool has_all = alignment && alignment->target.rows() == space.points.rows();
+    if (has_all) marks.before = &alignment->target;
+    return write_picture(command.image, space_picture(of.set, of.apart, space, size, marks));
 }
 
 }  // namespace
@@ -42,29 +193,31 @@ Expected<Done> run(const SpaceCommand& command) {
         if (!format) return format.error();
         size.format = *format;
     }
-    const Expected<PatternSet> set = load_for(command.common);
-    if (!set) return set.error();
-    if (const Expected<Done> pair = need_a_pair(*set, command.common); !pair) return pair;
-    PredictOptions options;
-    options.threads = command.common.threads;
-    options.progress = progress_line("comparing pairs");
-    const Prediction prediction = *predict(model_waveforms(*set), set->model, options);
-
-    const std::vector<std::string> labels = names_of(*set);
+    const Expected<Mappable> of = mappable(command);
+    if (!of) return of.error();
+    const std::vector<std::string> labels = names_of(of->set);
     MdsParams params = standard_mds_params(labels.size(), command.dimensions);
     params.threads = command.common.threads;
     if (command.starts >= 0) params.random_starts = command.starts;
-    const PerceptualSpace space = nonmetric_mds(prediction.pm, params);
-    print_remarks(space);
+    PerceptualSpace space = nonmetric_mds(of->apart, params);
+    std::optional<OnOtherMap> alignment;
+    if (!command.align_to.empty()) {
+        Expected<OnOtherMap> on =
+            aligned_to(command.align_to, labels, space.points, command.common.threads);
+        if (!on) return on.error();
+        space.points = transformed(on->fit, space.points);
+        alignment = *std::move(on);
+    }
+    print_remarks(space, alignment);
     const Expected<Done> written = write_result(command.out, [&](std::ostream& stream) {
         if (command.common.json) {
-            stream << json_of(labels, space).dump() << "\n";
+            stream << json_of(*of, space, alignment).dump() << "\n";
         } else {
             write_coordinates_csv(stream, labels, space.points);
         }
     });
     if (!written || command.image.empty()) return written;
-    return write_picture(command.image, space_picture(*set, prediction.pm, space, size));
+    return draw(command, *of, space, alignment, size);
 }
 
 }  // namespace tact

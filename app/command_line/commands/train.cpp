@@ -104,10 +104,28 @@ std::string sets_text(const Training& training) {
     return "\n" + aligned(rows);
 }
 
+// What was left out, by the word of --leave-out, and what it was tried on.
+struct LeftOutTable {
+    const char* option;
+    const char* what;
+    const std::vector<LeftOut>& rows;
+    const char* meaning;
+};
+
+std::vector<LeftOutTable> left_out_tables(const Training& training) {
+    return {
+        {"sets", "set", training.without_set, "tried on other vibrations than the fit has seen"},
+        {"participants", "participant", training.without_participant,
+         "tried on another person, on the same vibrations: it says nothing of others"},
+        {"patterns", "pattern", training.without_pattern,
+         "tried on the pairs with a vibration that the fit has not seen, by the same people"}};
+}
+
 // On what was left out: what to expect of sets and people that nothing was fitted to.
-std::string left_out_text(const Training& training, const std::vector<LeftOut>& left_out,
-                          const char* what) {
+std::string left_out_text(const Training& training, const LeftOutTable& table) {
+    const std::vector<LeftOut>& left_out = table.rows;
     if (left_out.empty()) return {};
+    const char* what = table.what;
     TextRow head = names_row(std::string("without ") + what);
     head.insert(head.end(), {"of the rest", "rho before", "rho of it"});
     std::vector<TextRow> rows{head};
@@ -118,9 +136,10 @@ std::string left_out_text(const Training& training, const std::vector<LeftOut>& 
         rows.push_back(row);
     }
     const LeftOutMean mean = mean_of(left_out);
-    if (std::isnan(mean.rho_after)) return "\n" + aligned(rows);
-    return "\n" + aligned(rows) + "mean of what was left out: rho " +
-           fixed_digits(mean.rho_after, 3) + ", before " + fixed_digits(mean.rho_before, 3) + "\n";
+    const std::string text = "\n" + aligned(rows) + table.meaning + "\n";
+    if (std::isnan(mean.rho_after)) return text;
+    return text + "mean of what was left out: rho " + fixed_digits(mean.rho_after, 3) +
+           ", before " + fixed_digits(mean.rho_before, 3) + "\n";
 }
 
 nlohmann::json json_of(const PerceptualModelParams& model) {
@@ -204,9 +223,9 @@ std::string json_text(const Training& training, const TrainCommand& command,
                           {"best_of", best_of},
                           {"synthetic", synthetic},
                           {"sets", sets}};
-    if (command.leave_out == "sets") all["without_set"] = json_of(training.without_set);
-    if (command.leave_out == "participants") {
-        all["without_participant"] = json_of(training.without_participant);
+    for (const LeftOutTable& table : left_out_tables(training)) {
+        if (command.leave_out != table.option) continue;
+        all[std::string("without_") + table.what] = json_of(table.rows);
     }
     return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
@@ -215,11 +234,44 @@ std::string text_of(const Training& training, const TrainCommand& command,
                     const std::vector<RatedPatterns>& rated) {
     std::string text = head_of(training) + people_text(rated) + "\n" + parameters_text(training) +
                        ties_text(training) + sets_text(training) + marginals_text(training);
-    if (command.leave_out == "sets") text += left_out_text(training, training.without_set, "set");
-    if (command.leave_out == "participants") {
-        text += left_out_text(training, training.without_participant, "participant");
+    for (const LeftOutTable& table : left_out_tables(training)) {
+        if (command.leave_out == table.option) text += left_out_text(training, table);
     }
-    return text;
+    return text +
+           "rho: Spearman's, of PM with the mean ratings of each set; every combination is "
+           "tried: nothing is drawn or resampled, and there is no test\n";
+}
+
+// A row a fit: of all ratings on each set, then without what was left out on just that.
+void write_csv(std::ostream& stream, const Training& training, const TrainCommand& command,
+               const std::vector<RatedPatterns>& rated) {
+    TextRow head{"left_out", "tried_on", "synthetic", "patterns", "rated_pairs"};
+    head.insert(head.end(), kTrainedNames.begin(), kTrainedNames.end());
+    head.insert(head.end(), {"objective", "value", "rho_before", "rho_after"});
+    stream << csv_line(head);
+    bool synthetic = false;
+    const auto add = [&](TextRow row, const PerceptualModelParams& model, double value,
+                         double before, double after) {
+        for (const double one : trained_values(model)) row.push_back(csv_number(one));
+        row.insert(row.end(),
+                   {command.objective, csv_number(value), csv_number(before), csv_number(after)});
+        stream << csv_line(row);
+    };
+    for (std::size_t s = 0; s < training.sets.size(); ++s) {
+        const TrainedSet& set = training.sets[s];
+        const bool by_nobody = is_partly_synthetic(rated[s].study);
+        synthetic = synthetic || by_nobody;
+        add({"", set.name, by_nobody ? "1" : "0", std::to_string(set.patterns),
+             std::to_string(set.rated_pairs)},
+            training.model, training.best.value, set.rho_before, set.rho_after);
+    }
+    for (const LeftOutTable& table : left_out_tables(training)) {
+        if (command.leave_out != table.option) continue;
+        for (const LeftOut& one : table.rows) {
+            add({table.what, one.name, synthetic ? "1" : "0", "", ""}, one.model, one.value,
+                one.rho_before, one.rho_after);
+        }
+    }
 }
 
 Expected<Done> fit_to_leave_out(const TrainCommand& command, std::size_t sets) {
@@ -256,10 +308,12 @@ Expected<Done> run(const TrainCommand& command) {
     params.objective = command.objective == "mean-rho" ? TrainingObjective::mean_rho
                                                        : TrainingObjective::mean_absolute_rho;
     params.leave_out_participants = command.leave_out == "participants";
+    params.leave_out_patterns = command.leave_out == "patterns";
     params.threads = command.common.threads;
     params.stop = interrupt.token();
     params.progress = progress_line("searching");
     if (const auto fits = can_train(sets, params); !fits) return fits;
+    if (const auto writable = writable_result(command.csv); !writable) return writable;
     if (!command.out.empty()) {
         // Better known before the work than after it.
         if (const auto file = AtomicFile::open(command.out); !file) return file.error();
@@ -269,6 +323,12 @@ Expected<Done> run(const TrainCommand& command) {
     if (!command.out.empty()) {
         const ModelFile file{training->model, record_of(*training, sets, kProgramVersion)};
         if (const auto written = write_model_file(command.out, file); !written) return written;
+    }
+    if (!command.csv.empty()) {
+        const auto written = write_result(command.csv, [&](std::ostream& stream) {
+            write_csv(stream, *training, command, *rated);
+        });
+        if (!written) return written;
     }
     const std::string text = command.common.json ? json_text(*training, command, *rated)
                                                  : text_of(*training, command, *rated);

@@ -1,4 +1,5 @@
 // tactspace compare: metrics against ratings, through the whole program.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -23,6 +24,24 @@ struct Study {
 
     std::string written(const std::string& name, const std::string& text) const {
         return folder.write(name, text).string();
+    }
+
+    // Their similarities in one file.
+    std::string three_people() const {
+        std::string lines = "participant,a,b,rating\n";
+        const char* const names[] = {"v 1", "v 2", "v 3", "v 10", "v 11"};
+        const int similar[] = {90, 70, 60, 50, 40, 30, 80, 20, 65, 10};
+        for (int person = 0; person < 3; ++person) {
+            int p = 0;
+            for (int i = 0; i < 5; ++i) {
+                lines += "P" + std::to_string(person) + "," + names[i] + "," + names[i] + ",99\n";
+                for (int j = i + 1; j < 5; ++j, ++p) {
+                    lines += "P" + std::to_string(person) + "," + names[j] + "," + names[i] + "," +
+                             std::to_string(similar[p] + (person * p * 3) % 7) + "\n";
+                }
+            }
+        }
+        return written("people/all.csv", lines);
     }
 };
 
@@ -128,20 +147,7 @@ TEST_CASE("compare: a table for people, with remarks apart, the same for any num
 
 TEST_CASE("compare: participants in one file or in many, and how far they agree") {
     const Study study;
-    std::string lines = "participant,a,b,rating\n";
-    const char* const names[] = {"v 1", "v 2", "v 3", "v 10", "v 11"};
-    const int similar[] = {90, 70, 60, 50, 40, 30, 80, 20, 65, 10};
-    for (int person = 0; person < 3; ++person) {
-        int p = 0;
-        for (int i = 0; i < 5; ++i) {
-            lines += "P" + std::to_string(person) + "," + names[i] + "," + names[i] + ",99\n";
-            for (int j = i + 1; j < 5; ++j, ++p) {
-                lines += "P" + std::to_string(person) + "," + names[j] + "," + names[i] + "," +
-                         std::to_string(similar[p] + (person * p * 3) % 7) + "\n";
-            }
-        }
-    }
-    const std::string file = study.written("people/all.csv", lines);
+    const std::string file = study.three_people();
     const Ran ran =
         run_program({"compare", study.set, "--ratings", file, "--metric", "pm", "--json"});
     CHECK(contains(ran.err, "taken as similarities from 0 to 100"));
@@ -153,6 +159,109 @@ TEST_CASE("compare: participants in one file or in many, and how far they agree"
     const Json turned = Json::parse(output_of({"compare", study.set, "--ratings", file, "--scale",
                                                "dissimilarity", "--metric", "pm", "--json"}));
     CHECK(std::abs(all[0].at("rho").get<double>() + turned[0].at("rho").get<double>()) <= 1e-12);
+}
+
+TEST_CASE("compare: every table ends in what it was made by, and --methods is for a paper") {
+    const Study study;
+    const std::string file = study.three_people();
+    const std::string text = output_of({"compare", study.set, "--ratings", file, "--metric", "pm",
+                                        "nc", "oc", "--given", "level", "duration", "--methods"});
+    // Five patterns: all orders are tried.
+    CHECK(contains(text, "p: Mantel, one-sided, all orders of the patterns\n"));
+    CHECK(contains(text, "no p of this table is corrected for 3 metrics\n"));
+    CHECK(contains(text, "bootstrap over patterns, 2,000 draws, seed 2, maps not made anew"));
+    CHECK(contains(text, "jackknife of 3, Student's t of 2"));
+    CHECK(contains(text, "Holm: p corrected for 2 differences\n"));
+    CHECK(contains(text, "(Nili et al. 2014)"));
+    CHECK(contains(text, "\n(ceiling) "));
+    CHECK(contains(text, "\none person    the best there could be has a mean rho of "));
+    CHECK(contains(text, "\n(that alone) "));
+    CHECK(contains(text, "\nReferences\nBorg, I. & Leutner, D. (1985)."));
+    CHECK(run_program({"compare", study.set, "--ratings", file, "--methods", "--json"}).exit_code ==
+          2);
+}
+
+TEST_CASE("compare: tables for other programs have a row an observation, and say whose it is") {
+    const Study study;
+    const std::string file = study.three_people();
+    const auto at = [&study](const char* name) { return (study.folder.path / name).string(); };
+    const std::vector<std::string> words{"compare",
+                                         study.set,
+                                         "--ratings",
+                                         file,
+                                         "--metric",
+                                         "pm",
+                                         "nc",
+                                         "--csv",
+                                         at("metrics.csv"),
+                                         "--people-csv",
+                                         at("p.csv"),
+                                         "--given",
+                                         "level",
+                                         "--json",
+                                         "--differences-csv",
+                                         at("differences.csv")};
+    const Json rows = Json::parse(output_of(words));
+    const auto metrics = cells_of(bytes_of(at("metrics.csv")));
+    REQUIRE(metrics.size() == 3);
+    const auto cell = [](const std::vector<std::vector<std::string>>& table, std::size_t row,
+                         const std::string& name) {
+        const auto found = std::ranges::find(table[0], name);
+        REQUIRE_MESSAGE(found != table[0].end(), name);
+        return table[row][static_cast<std::size_t>(found - table[0].begin())];
+    };
+    for (std::size_t m = 0; m < 2; ++m) {
+        CHECK(metrics[m + 1].size() == metrics[0].size());
+        CHECK(std::stod(cell(metrics, m + 1, "rho")) == rows[m].at("rho").get<double>());
+        CHECK(std::stod(cell(metrics, m + 1, "rho_given_level")) ==
+              rows[m].at("given").at("level").at("rho").get<double>());
+        CHECK(std::stod(cell(metrics, m + 1, "rho_people_se")) ==
+              rows[m].at("rho_resampled").at("people").at("se").get<double>());
+        CHECK(cell(metrics, m + 1, "participants") == "3");
+        CHECK(cell(metrics, m + 1, "synthetic") == "0");
+    }
+    const auto people = cells_of(bytes_of(at("p.csv")));
+    REQUIRE(people.size() == 1 + 3 * 2);
+    CHECK(cell(people, 1, "participant") == "P0");
+    CHECK(cell(people, 2, "metric") == "nc");
+    const auto differences = cells_of(bytes_of(at("differences.csv")));
+    REQUIRE(differences.size() == 1 + 3);
+    CHECK(cell(differences, 3, "resampled") == "both");
+    CHECK(std::stod(cell(differences, 1, "rho_difference")) ==
+          rows[0].at("rho").get<double>() - rows[1].at("rho").get<double>());
+    CHECK(rows[1].at("pm_less_this").at("both").at("p").get<double>() <= 1.0);
+    CHECK_FALSE(rows[0].contains("pm_less_this"));
+}
+
+TEST_CASE("compare: a nuisance is one by name, or a matrix with the patterns' names") {
+    const Study study;
+    const std::string oc =
+        study.written("own oc.csv", output_of({"predict", study.set, "--metric", "oc"}));
+    const Json rows =
+        Json::parse(output_of({"compare", study.set, "--ratings", study.three_people(), "--metric",
+                               "oc", "nc", "--given", oc, "--json"}));
+    // Nothing is left of what is given; what prints ties as ties is the metric itself.
+    CHECK(rows[0].at("given").at("own oc").at("rho").is_null());
+    CHECK(rows[0].at("given").at("own oc").at("rho_alone") == rows[0].at("rho"));
+    CHECK_FALSE(rows[1].at("given").at("own oc").at("rho").is_null());
+    CHECK(contains(refusal_of({"compare", study.set, "--ratings", study.ratings, "--scale",
+                               "dissimilarity", "--given", "size"}),
+                   "size: there is no such file"));
+}
+
+TEST_CASE("compare --paper-mode: a K that is missing says why") {
+    const Study study;
+    const std::string alike = study.written(
+        "alike.json",
+        five_patterns(R"(, "ratings": [{"name": "us", "labels": ["v 11", "v 10", "v 3",
+            "v 2", "v 1"], "condensed": [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]}])"));
+    for (const Json& row : Json::parse(output_of({"compare", alike, "--paper-mode", "--json"}))) {
+        if (!row.at("K").is_null()) continue;
+        const std::string key = row.at("metric");
+        CHECK_MESSAGE(contains(output_of({"compare", alike, "--paper-mode", "--metric", key}),
+                               "\n" + key + ": no K"),
+                      key);
+    }
 }
 
 TEST_CASE("compare: several sets, each with its ratings, and their means") {

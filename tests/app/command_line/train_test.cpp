@@ -75,6 +75,30 @@ TEST_CASE("train: leaves each of several sets out, and tries on it what fitted t
     for (const Json& left_out : found.at("without_set")) CHECK(left_out.at("rho_after") == 1.0);
 }
 
+TEST_CASE("train: leaves each pattern out with its pairs, and says on what it was tried") {
+    const Planted study;
+    const std::string csv = (study.folder.path / "t.csv").string();
+    std::vector<std::string> words{
+        "train",  study.set, "--ratings", study.ratings, "--scale",     "dissimilarity",
+        "--step", "0.5",     "--csv",     csv,           "--leave-out", "patterns"};
+    const std::string text = output_of(words);
+    CHECK(contains(text, "\nwithout pattern  "));
+    CHECK(contains(text, "tried on the pairs with a vibration that the fit has not seen"));
+    CHECK(contains(text, "nothing is drawn or resampled"));
+    words.emplace_back("--json");
+    const Json found = Json::parse(output_of(words));
+    REQUIRE(found.at("without_pattern").size() == 5);
+    const auto rows = cells_of(bytes_of(csv));
+    REQUIRE(rows.size() == 1 + 1 + 5);
+    for (std::size_t k = 0; k < 5; ++k) {
+        const Json& one = found.at("without_pattern")[k];
+        CHECK(one.at("value") == 1.0);
+        CHECK(rows[k + 2][0] == "pattern");
+        CHECK(rows[k + 2][1] == one.at("name").get<std::string>());
+        CHECK(std::stod(rows[k + 2].back()) == one.at("rho_after").get<double>());
+    }
+}
+
 TEST_CASE("train: says what is missing, and writes nothing then") {
     const Planted study;
     CHECK(contains(refusal_of({"train", study.set, "--out", study.out}),

@@ -102,6 +102,19 @@ TEST_CASE(
                    "person's 18 repetitions"));
 }
 
+TEST_CASE("compare tab: each ceiling says what it bounds, in the text and beside the points") {
+    CompareBench bench;
+    bench.load(lines_csv(6, false));
+    bench.wait_for_comparison();
+    const std::string said = bench.program.at("compare:ceiling").value;
+    CHECK(contains(said, "a metric can reach rho "));
+    CHECK(contains(said, "With one participant the best metric there could be has a mean rho of "));
+    CHECK(contains(said, "of each with the mean of the others, and with that of all."));
+    bench.program.click("compare:Pairs");
+    CHECK(contains(bench.program.at("view:Pairs").value, ", at most "));
+    CHECK(single_ceiling_text({}, false).empty());
+}
+
 TEST_CASE(
     "overlay: what nobody rated has no ring, and the others lie where they would without it") {
     CompareBench bench;

@@ -143,7 +143,7 @@ class SameBits(unittest.TestCase):
 
     def test_agreement_with_people(self):
         keys = ["rho", "rho_low", "rho_high", "p", "tau_b", "K", "K_low", "K_high", "K_chance", "K_p",
-                "K_corrected", "K_procrustes", "stress1", "reliability", "one_with_others",
+                "K_corrected", "K_procrustes", "protest_p", "stress1", "reliability", "one_with_others",
                 "ceiling_of_mean", "participants", "synthetic"]
         with tempfile.TemporaryDirectory() as folder:
             path = four
