@@ -154,7 +154,7 @@ void write_reliability_csv(std::ostream& stream, const StudyTables& tables) {
     stream << "statistic,value,low,high,p,people,n,how,synthetic\n";
     for (const ReliabilityRow& row : reliability_rows(tables)) {
         write_row(stream, row.statistic, cell(row.value), cell(row.interval.low),
-                  cell(row.interval.high), cell(row.p), row.people, row.n, row.how,
+                  cell(row.interval.high), cell(row.p), row.people, row.n, csv_field(row.how),
                   yes_no(tables.results.synthetic));
     }
 }

@@ -75,8 +75,9 @@ TEST_CASE("predict: every metric by its key gives the model's numbers, exactly")
     for (const tact::Metric metric : tact::kMetrics) {
         const std::string key = tact::traits(metric).key;
         CAPTURE(key);
-        const auto expected = tact::metric_matrix(metric, waveforms, {});
+        auto expected = tact::metric_matrix(metric, waveforms, {});
         REQUIRE(expected);
+        if (metric == tact::Metric::oc) tact::tie_rounding_noise(expected->condensed);
         CHECK(condensed_in(output_of({"predict", set.path, "--metric", key})) ==
               expected->condensed);
     }

@@ -178,7 +178,9 @@ TEST_CASE("study: who is excluded with a reason stays so for all commands, until
     CHECK(study.collected().at("counted") == 5);
     CHECK(study.collected({"--include", "S02"}).at("counted") == 6);
     CHECK(Json::parse(compared({}).out)[0].at("participants") == 6);
-    CHECK(contains(refusal_of({"study", set, "--collect", people, "--because", "x"}), "--because"));
+    const Ran reason_alone = run_program({"study", set, "--collect", people, "--because", "x"});
+    CHECK(reason_alone.exit_code == 2);
+    CHECK(contains(reason_alone.err, "--because requires --exclude"));
 }
 
 TEST_CASE("study: rules on how people answer are named by the commands, with who fell by them") {

@@ -22,6 +22,7 @@ StudyRecord new_record(StudyKind kind = StudyKind::pairwise) {
     record.header.kind = kind;
     record.header.patterns = {"a", "b", "c", "d"};
     record.header.design.repetitions = 2;
+    record.header.design.attention_pairs = 1;
     record.header.design.break_every = 5;
     record.header.seed = 3;
     record.header.participant.code = "P1";
