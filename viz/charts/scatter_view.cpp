@@ -186,7 +186,11 @@ std::vector<ImVec2> scatter_fit_line(const Theme& theme, const Rect& area,
 
 ImVec2 scatter_point(const Theme& theme, const Rect& area, const ScatterScene& scene,
                      std::size_t index) {
-    return at(plot_of(theme, area, scene, known_summary(scene)), scene.x[index], scene.y[index]);
+    // Asked for many points of one scene: what is known of it is not copied for each.
+    const ScatterSummary own =
+        scene.summary == nullptr ? summary_of(scene.x, scene.y, scene.fitted) : ScatterSummary{};
+    const ScatterSummary& summary = scene.summary != nullptr ? *scene.summary : own;
+    return at(plot_of(theme, area, scene, summary), scene.x[index], scene.y[index]);
 }
 
 ScatterAction draw_scatter(const char* id, const Theme& theme, const Rect& area,
