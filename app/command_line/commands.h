@@ -160,6 +160,7 @@ struct StudyCommand {
     CountRule who;                 // participants by name
     std::string scaling = "none";  // none, min-max, standard
     std::filesystem::path matrix;
+    std::optional<int> weights;    // of each participant, in a map of so many dimensions
     std::filesystem::path report;  // a folder of tables, a page and scripts
 };
 Expected<Done> run(const StudyCommand& command);

@@ -1,6 +1,7 @@
 // People: comparing with what they said, asking them, and fitting the model to them.
 #include "app/command_line/options.h"
 
+#include "model/evaluation/individual_weights.h"
 #include "model/study/study_design.h"
 #include "model/text/numbers.h"
 
@@ -110,6 +111,10 @@ void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
     rule.add_flag("--everyone", command.everyone, "write excluded participants as well, marked");
     rule.add_option("--scaling", command.scaling, "of each participant: none, min-max or standard")
         ->check(CLI::IsMember({"none", "min-max", "standard"}));
+    rule.add_option("--weights", command.weights,
+                    "how much each participant goes by every dimension of a common map of so many "
+                    "(INDSCAL); in --report 3")
+        ->check(within(1, kMostWeightedDimensions));
     rule.add_option("--matrix", command.matrix, "file for the mean matrix, .csv");
 }
 

@@ -8,6 +8,7 @@
 #include "app/report/html.h"
 #include "app/report/html_map.h"
 #include "app/report/report_parts.h"
+#include "app/report/weights_html.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -231,7 +232,9 @@ std::string files_section() {
           {"reliability.csv", "statistic of how alike people rate"},
           {"pairs.csv", "pair: mean rating, and every metric"},
           {"table.csv", "metric: how well it agrees"},
-          {"maps.csv", "pattern and map: its place"}}) {
+          {"maps.csv", "pattern and map: its place"},
+          {"weights.csv", "participant: the weight of each dimension of the common map"},
+          {"dimensions.csv", "pattern: its place in that map"}}) {
         table.rows.push_back({std::string("<a href=\"") + file + "\">" + file + "</a>", what});
     }
     return html_section(
@@ -239,7 +242,9 @@ std::string files_section() {
         html_of(table) +
             "<p>Beside them, <b>reproduce.py</b> (Python with NumPy) and <b>reproduce.R</b> "
             "compute "
-            "every number of this page from these files alone, and say where they differ.</p>\n");
+            "the numbers of this page from these files alone, and say where they differ. Not the "
+            "interval of rho of fewer than eight patterns, where other draws give quite another "
+            "one.</p>\n");
 }
 
 }  // namespace
@@ -251,14 +256,14 @@ std::string study_report_page(const StudyReport& report) {
                     ? "How alike people said these vibrations feel, pair by pair."
                     : "How alike people said these vibrations feel, by sorting them.";
     page.body = labels_html(report) + tiles(report) + people_section(report) +
-                agreement_section(report) + metrics_section(report) + maps_section(report) +
-                files_section();
+                agreement_section(report) + weights_section(report.tables.weights) +
+                metrics_section(report) + maps_section(report) + files_section();
     page.foot = "<p>Made by " + html_escaped(report.program) +
                 (report.date.empty() ? "" : ", " + html_escaped(report.date)) + ".</p>\n";
     page.style = report_style() +
                  "th{overflow-wrap:normal}\n.people td{padding-right:8px}\n.people "
-                 "td:last-child{min-width:9em}"
-                 "\nul{margin:0 0 10px;padding-left:1.2em}\n";
+                 "td:last-child{min-width:9em}" +
+                 weights_style() + "\nul{margin:0 0 10px;padding-left:1.2em}\n";
     return html_of(page);
 }
 

@@ -8,6 +8,8 @@ namespace tact {
 
 namespace {
 
+constexpr int kStartsOfWeights = 5;  // enough for a look, as below
+
 // Enough for a look; the numbers of Compare come from the standard search.
 PerceptualSpace quick_map(const Dissimilarity& dissimilarity, std::stop_token stop) {
     MdsParams params;
@@ -61,6 +63,9 @@ std::optional<StudyAnswers> read_answers(const StudyQuestion& question, std::sto
     answers.results = *std::move(results);
     answers.raters = inter_rater(answers.results->study);
     answers.effects = order_effects(counted_records(answers.records, *answers.results));
+    const RatingStudy& counted = answers.results->study;
+    const std::size_t rated = counted.labels.size() - unrated_patterns(counted).size();
+    answers.weights = individual_weights(counted, shown_weight_dimensions(rated), kStartsOfWeights);
     answers.mean_map = quick_map(answers.results->mean, stop);
     for (const StudyRecord& record : answers.records) {
         if (stop.stop_requested()) return std::nullopt;

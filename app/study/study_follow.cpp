@@ -47,6 +47,19 @@ void follow_question(const Ui& ui, const Workspace& work, StudyState& studying) 
     studying.answers = studying.job->latest();
 }
 
+// Onto another disk they are copied, and the first ones stay: nobody can be asked again.
+bool move_or_copy(const fs::path& from, const fs::path& to) {
+    std::error_code fault;
+    fs::rename(from, to, fault);
+    if (!fault) return true;
+    fault.clear();
+    fs::copy(from, to, fs::copy_options::recursive, fault);
+    if (!fault) return true;
+    std::error_code none;
+    fs::remove_all(to, none);
+    return false;
+}
+
 }  // namespace
 
 void stop_study(StudyState& studying) {
@@ -268,6 +281,20 @@ double study_wake_s(const Ui& ui, const StudyState& studying) {
     }
     const bool is_busy = studying.is_open && studying.job && studying.job->busy();
     return is_busy ? 0.1 : std::numeric_limits<double>::infinity();
+}
+
+void keep_participants(Ui& ui, const Workspace& work, StudyState& studying,
+                       const SavedFrom& place_before) {
+    const fs::path before = study_folder(work, studying, place_before);
+    const fs::path now = study_folder(work, studying);
+    if (now == before || !contains_study(before)) return;
+    ++studying.folder_revision;
+    if (place_before.file.empty() && !is_there(now) && move_or_copy(before, now)) {
+        return say(ui, ui.status.text + " Its participants are now in " + now.string() + ".");
+    }
+    set_study_folder(work, studying, before);
+    say(ui, ui.status.text + " Its participants stay in " + before.string() +
+                "; Study > Folder for participants... chooses another one.");
 }
 
 }  // namespace tact

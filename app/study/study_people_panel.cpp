@@ -16,8 +16,6 @@ namespace tact {
 
 namespace {
 
-constexpr int kColumns = 7;
-
 void small_text(Ui& ui, ImU32 colour, const std::string& text, const char* noted) {
     ImGui::PushFont(ui.theme.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
@@ -122,108 +120,6 @@ void draw_settling(Ui& ui, const StudyAnswers& answers) {
                "study:settling");
 }
 
-std::string state_of(const ParticipantSummary& person) {
-    if (!person.excluded.empty()) return (person.synthetic ? "synthetic, " : "") + person.excluded;
-    std::string text = person.synthetic ? "synthetic" : "counts";
-    if (person.is_outlier) text += ", outlier";
-    return text;
-}
-
-std::string identical_text(const ParticipantSummary& person) {
-    std::string text;
-    for (const double similarity : person.attention) {
-        text += (text.empty() ? "" : " ") + std::to_string(std::lround(similarity));
-    }
-    return text.empty() ? "\u2013" : text;
-}
-
-void draw_cells(const Ui& ui, const ParticipantSummary& person) {
-    const auto cell = [](const std::string& text) {
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(text.c_str());
-    };
-    cell(std::to_string(person.answers) + " of " + std::to_string(person.wanted));
-    cell(identical_text(person));
-    cell(std::isnan(person.rho_with_others) ? "\u2013" : significant(person.rho_with_others, 2));
-    cell(significant(person.minutes, 2));
-    ImGui::TableNextColumn();
-    const std::string state = state_of(person);
-    const bool is_odd = !person.excluded.empty() || person.is_outlier;
-    ImGui::PushStyleColor(ImGuiCol_Text, is_odd ? ui.theme.warning : ui.theme.dim_text);
-    ImGui::TextUnformatted(state.c_str());
-    ImGui::PopStyleColor();
-    draw_tooltip(ui, person.is_outlier
-                         ? "Agrees with the others far less than they do among themselves "
-                           "(below Tukey's lower fence). Counted all the same."
-                         : state.c_str());
-}
-
-void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
-              StudyState& studying, const StudyAnswers& answers, std::size_t k) {
-    const StudyRecord& record = answers.records[k];
-    const std::string& code = record.header.participant.code;
-    const ParticipantSummary* person = nullptr;
-    for (const ParticipantSummary& one : answers.results->people) {
-        if (one.code == code) person = &one;
-    }
-    if (person == nullptr) return;
-    ImGui::PushID(static_cast<int>(k));
-    ImGui::TableNextRow();
-    // First, so that a click on it is not one on the row, which lies under all columns.
-    ImGui::TableSetColumnIndex(kColumns - 1);
-    if (person->answers < person->wanted && !person->synthetic) {
-        if (link(ui, "go on", "Go on"))
-            resume_participant(ui, work, timeline, play, studying, record);
-        note_item(ui.rects, "link:go on " + code);
-        draw_tooltip(ui, "Takes the study up again at the trial where it was left.");
-    }
-    ImGui::TableSetColumnIndex(0);
-    if (ImGui::Selectable(code.c_str(), studying.shown == k, ImGuiSelectableFlags_SpanAllColumns)) {
-        studying.shown = studying.shown == k ? std::nullopt : std::optional(k);
-    }
-    note_item(ui.rects, "participant:" + code,
-              std::to_string(person->answers) + " of " + std::to_string(person->wanted) + ", " +
-                  state_of(*person));
-    draw_cells(ui, *person);
-    ImGui::PopID();
-}
-
-// Widths are set: columns that fit their content would move after the first frame.
-void draw_table(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
-                StudyState& studying, const StudyAnswers& answers) {
-    struct Column {
-        const char* name;
-        const char* tip;
-        float weight;
-    };
-    constexpr std::array<Column, kColumns> kHeads{
-        {{"participant", "Click one for their own matrix and map.", 2.2F},
-         {"answers", "Given, of those wanted.", 1.4F},
-         {"identical", "Similarities of identical patterns: the test of attention.", 1.5F},
-         {"rho", "Spearman's rho with the mean of the others who count.", 0.8F},
-         {"min", "Minutes spent on answers.", 0.8F},
-         {"", "", 4.0F},
-         {"", "", 1.0F}}};
-    constexpr ImGuiTableFlags kFlags =
-        ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
-    if (!ImGui::BeginTable("participants", kColumns, kFlags)) return;
-    for (const Column& column : kHeads) {
-        ImGui::TableSetupColumn(column.name, ImGuiTableColumnFlags_WidthStretch, column.weight);
-    }
-    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    ImGui::PushFont(ui.theme.fonts.small);
-    for (const Column& column : kHeads) {
-        ImGui::TableNextColumn();
-        const std::string name = column.name;
-        dim_text(ui, of_people(name, answers.results->synthetic && name == "rho"));
-        if (*column.tip != '\0') draw_tooltip(ui, column.tip);
-    }
-    ImGui::PopFont();
-    for (std::size_t k = 0; k < answers.records.size(); ++k)
-        draw_row(ui, work, timeline, play, studying, answers, k);
-    ImGui::EndTable();
-}
-
 void draw_rule(Ui& ui, StudyState& studying) {
     CollectRule& rule = studying.rule;
     ImGui::Checkbox("Count unfinished ones", &rule.unfinished_too);
@@ -244,6 +140,13 @@ void draw_rule(Ui& ui, StudyState& studying) {
         note_item(ui.rects, std::string("study scaling:") + choice.name);
         draw_tooltip(ui, choice.tip);
     }
+    const std::string rules = conduct_summary(rule.who.conduct);
+    flow_on(ImGui::CalcTextSize(rules.c_str()).x, 1.5F * ui.theme.gap_px);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
+    if (link(ui, "conduct rules", rules)) ui.dialog = Dialog::conduct_rules;
+    note_item(ui.rects, "link:conduct rules", rules);
+    draw_tooltip(ui, "Speed, agreement of repetitions, replays: who does not count by them.");
 }
 
 void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, Comparing& comparing,
@@ -262,10 +165,11 @@ void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, C
                    "These answers are about other patterns than the set now has.",
                    "study:other patterns");
     }
-    const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing();
+    // The link to the rules, lower than its line by a padding, pushes what follows down.
+    const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().FramePadding.y;
     const float height = std::max(ImGui::GetContentRegionAvail().y - foot, 60.0F * ui.theme.scale);
     ImGui::BeginChild("participants", {0.0F, height});
-    draw_table(ui, work, timeline, play, studying, answers);
+    draw_people_table(ui, work, timeline, play, studying, answers);
     ImGui::EndChild();
     draw_rule(ui, studying);
     const bool counts = !answers.results->study.judgements.empty();

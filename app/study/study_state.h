@@ -12,6 +12,7 @@
 #include "app/study/study_runner.h"
 #include "devices/device/device.h"
 #include "devices/device/memory_device.h"
+#include "model/evaluation/individual_weights.h"
 #include "model/io/people/study_file.h"
 #include "model/map/mds.h"
 #include "model/set/pattern_set.h"
@@ -47,6 +48,7 @@ struct StudyAnswers {
     std::optional<MapSettling> settling;  // of the latest one, in adaptive order
     InterRater raters;                    // of those who count, as the next
     OrderEffects effects;
+    IndividualWeights weights;  // of a common map
 };
 
 // Where participants' files are to be, as chosen for one document.
@@ -56,6 +58,12 @@ struct ChosenFolder {
 };
 
 enum class StudyShow { matrix, map };
+
+// Who is about to be left out, and why: while the reason is typed.
+struct LeavingOut {
+    std::string code;
+    std::string because;
+};
 
 // What is known of the device that a run is felt by (app/study/study_actuator.h).
 struct StudyActuator {
@@ -86,6 +94,7 @@ struct StudyState {
     std::optional<std::size_t> shown;   // a participant; none: the mean
     StudyShow show = StudyShow::matrix;
     CollectRule rule;  // but for the attention, which is the design's
+    LeavingOut leaving_out;
 
     std::string rounds_text;  // of sorting, while being typed
     std::string edited_text;  // id of the words being edited; empty: none

@@ -16,7 +16,9 @@ enum class Dialog {
     generate,
     import_recordings,
     simulate_measurement,
-    tap_rhythm
+    tap_rhythm,
+    leave_out,
+    conduct_rules
 };
 
 // What a chosen path is for.

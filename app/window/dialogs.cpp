@@ -22,6 +22,7 @@
 #include "app/play/calibrating.h"
 #include "app/play/play_panels.h"
 #include "app/study/study_follow.h"
+#include "app/study/study_panels.h"
 #include "app/subset/subset_export.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
@@ -158,6 +159,8 @@ void draw_dialogs(App& app) {
     if (app.ui.dialog == Dialog::generate) draw_generate_dialog(app.ui, app.work, app.generating);
     if (app.ui.dialog == Dialog::tap_rhythm)
         draw_tapping_dialog(app.ui, app.work, app.pattern_panes.tapping);
+    if (app.ui.dialog == Dialog::leave_out) draw_leave_out_dialog(app.ui, app.work, app.studying);
+    if (app.ui.dialog == Dialog::conduct_rules) draw_conduct_dialog(app.ui, app.studying);
     if (app.ui.dialog == Dialog::devices)
         draw_devices(app.ui, app.work, app.timeline, app.rendered, app.play);
     if (app.ui.dialog == Dialog::calibrate)

@@ -290,5 +290,31 @@ for (k in seq_len(nrow(table))) {
     }
 }
 
+# --- what each goes by --------------------------------------------------------------------------
+
+common <- rows("dimensions.csv")
+weighed <- rows("weights.csv")
+if (nrow(weighed) > 0) {
+    axes <- grep("^dimension_", names(weighed), value = TRUE)
+    x <- matrix(number(as.matrix(common[, axes, drop = FALSE])), nrow(common))
+    inside <- match(common$pattern, labels)
+    middle <- diag(nrow(x)) - 1 / nrow(x)
+    check("common map: a column's sum of squares", 1, max(colSums(x^2)))
+    for (k in seq_len(nrow(weighed))) {
+        who <- weighed$participant[k]
+        d <- square(own[[who]])[inside, inside]
+        diag(d) <- 0
+        b <- -0.5 * middle %*% d^2 %*% middle
+        b <- b / sqrt(sum(b^2))
+        w <- number(unlist(weighed[k, axes]))
+        rest <- b - x %*% diag(w, length(w)) %*% t(x)
+        check(paste0(who, ": share explained"), number(weighed$explained[k]), 1 - sum(rest^2))
+        # No weight could be moved for the better: where it is 0, not upwards.
+        slope <- -2 * diag(t(x) %*% rest %*% x)
+        worst <- max(ifelse(w > 0, abs(slope), pmax(0, -slope)))
+        check(paste0(who, ": slope at these weights"), 0, worst)
+    }
+}
+
 cat(if (differing > 0) paste(differing, "differ\n") else "all agree\n")
 quit(status = if (differing > 0) 1 else 0)

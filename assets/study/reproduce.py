@@ -331,5 +331,27 @@ for row in rows("table.csv"):
         as_good = sum(alienation(whole[np.ix_(o, o)][upper], e) <= alienation(d, e) + 1e-12 for o in orders)
         check(f"{key}: p of K", number(row["K_p"]), (as_good + 1) / 1001, 0.06)
 
+# --- what each goes by --------------------------------------------------------------------------
+
+common, weighed = rows("dimensions.csv"), rows("weights.csv")
+if weighed:
+    axes = [name for name in weighed[0] if name.startswith("dimension_")]
+    x = np.array([[number(row[axis]) for axis in axes] for row in common])
+    size = len(x)
+    inside = [place[row["pattern"]] for row in common]
+    middle = np.eye(size) - 1 / size
+    check("common map: a column's sum of squares", 1.0, float((x**2).sum(0).max()))
+    for row in weighed:
+        d = np.nan_to_num(square(own[row["participant"]]))[np.ix_(inside, inside)]
+        b = -0.5 * middle @ (d * d) @ middle
+        b /= np.linalg.norm(b)
+        w = np.array([number(row[axis]) for axis in axes])
+        rest = b - x @ np.diag(w) @ x.T
+        check(f"{row['participant']}: share explained", number(row["explained"]), 1 - (rest**2).sum())
+        # No weight could be moved for the better: where it is 0, not upwards.
+        slope = -2 * np.einsum("ij,ir,jr->r", rest, x, x)
+        worst = max(abs(s) if one > 0 else max(0.0, -s) for s, one in zip(slope, w))
+        check(f"{row['participant']}: slope at these weights", 0.0, float(worst))
+
 print(f"{differing} differ" if differing else "all agree")
 sys.exit(1 if differing else 0)

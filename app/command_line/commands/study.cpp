@@ -238,12 +238,26 @@ std::vector<TextRow> matrix_table(const StudyResults& results) {
     return rows;
 }
 
+// What the table and the lines above it were made by.
+std::string foot_of(const StudyResults& results) {
+    const bool all_halves = results.agreement.voices <= 12;
+    return std::string(
+               "rho: Spearman's, of each with the mean of the others, nothing is drawn; "
+               "reliability: ") +
+           (all_halves ? "all halves of" : "1,000 drawn halves of") +
+           (results.agreement.is_of_one_person ? " the repetitions" : " those who count") +
+           ", not tested; order, sides, practice: randomisation tests, two-sided, not corrected "
+           "for "
+           "how many there are\n";
+}
+
 std::string text_of(const StudyResults& results, const OrderEffects& effects) {
     std::string text = head_of(results, effects) + "\n" + aligned(people_table(results));
     for (const std::string& remark : results.remarks) text += remark + "\n";
     if (std::ranges::any_of(results.people, &ParticipantSummary::is_outlier)) {
         text += "outlier: rho with others below Tukey's lower fence, Q1 - 1.5 IQR; counts\n";
     }
+    if (results.agreement.voices > 1) text += foot_of(results);
     return text + "\nmean dissimilarity, 100 - similarity\n" + aligned(matrix_table(results));
 }
 
@@ -265,8 +279,16 @@ Expected<Done> collect(const StudyCommand& command, const PatternSet& set) {
         if (!written) return written.error();
     }
     const OrderEffects effects = order_effects(counted_records(study->records, results));
-    const std::string text =
-        command.common.json ? json_of(results, effects).dump() + "\n" : text_of(results, effects);
+    std::optional<IndividualWeights> weights;
+    if (command.weights) weights = individual_weights(results.study, *command.weights);
+    std::string text;
+    if (command.common.json) {
+        nlohmann::json json = json_of(results, effects);
+        if (weights) json["individual_weights"] = json_of(*weights);
+        text = json.dump() + "\n";
+    } else {
+        text = text_of(results, effects) + (weights ? "\n" + text_of(*weights) : "");
+    }
     if (!command.report.empty()) {
         const auto written = write_study_report(command, set, *std::move(study));
         if (!written) return written;

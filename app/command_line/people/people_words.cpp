@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/text_table.h"
+#include "model/text/utf8.h"
 
 namespace tact {
 
@@ -31,6 +32,17 @@ nlohmann::json json_of(const Shift& shift) {
             {"p", shift.p},
             {"drawn_signs", kOrderDraws}};
 }
+
+std::string ends_text(const IndividualWeights& weights, std::size_t dimension) {
+    const DimensionEnds ends = ends_of(weights, dimension);
+    return "dimension " + std::to_string(dimension + 1) + " leads from " + in_quotes(ends.low) +
+           " to " + in_quotes(ends.high) + "\n";
+}
+
+constexpr const char* kFootOfWeights =
+    "weight: how much of one's ratings stands in a dimension (INDSCAL, Carroll & Chang 1970; least "
+    "squares on scalar products, each person's to one size, weights not below 0; the best of 21 "
+    "starts, seed 1); explained: share of that; descriptions, nothing is tested\n";
 
 }  // namespace
 
@@ -68,6 +80,53 @@ nlohmann::json json_of(const OrderEffects& effects) {
     return {{"felt_first", json_of(effects.felt_first)},
             {"side", json_of(effects.side)},
             {"practice", json_of(effects.practice)}};
+}
+
+std::string text_of(const IndividualWeights& weights) {
+    if (weights.people.empty()) {
+        return "no individual weights: they take two people who rated every pair, and two patterns "
+               "more than dimensions\n";
+    }
+    TextRow head{"individual weights"};
+    for (Eigen::Index r = 0; r < weights.group.cols(); ++r) {
+        head.push_back("dimension " + std::to_string(r + 1));
+    }
+    head.emplace_back("explained");
+    std::vector<TextRow> rows{head};
+    for (const PersonWeights& person : weights.people) {
+        TextRow row{person.participant};
+        for (const double weight : person.weights) row.push_back(fixed_digits(weight, 3));
+        row.push_back(fixed_digits(person.explained, 3));
+        rows.push_back(row);
+    }
+    std::string text = aligned(rows);
+    for (std::size_t r = 0; r < mean_weights(weights).size(); ++r) text += ends_text(weights, r);
+    for (const std::string& one : weights.left_out) {
+        text += one + " did not rate every pair, or all alike, and has no weights\n";
+    }
+    return text + kFootOfWeights;
+}
+
+nlohmann::json json_of(const IndividualWeights& weights) {
+    nlohmann::json people = nlohmann::json::array();
+    for (const PersonWeights& person : weights.people) {
+        people.push_back({{"participant", person.participant},
+                          {"weights", person.weights},
+                          {"explained", person.explained}});
+    }
+    nlohmann::json places = nlohmann::json::array();
+    for (Eigen::Index i = 0; i < weights.group.rows(); ++i) {
+        std::vector<double> place;
+        for (Eigen::Index r = 0; r < weights.group.cols(); ++r) {
+            place.push_back(weights.group(i, r));
+        }
+        places.push_back(place);
+    }
+    return {{"labels", weights.labels},
+            {"common_map", places},
+            {"people", people},
+            {"left_out", weights.left_out},
+            {"explained", people.empty() ? nlohmann::json() : nlohmann::json(weights.explained)}};
 }
 
 }  // namespace tact

@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "model/evaluation/individual_weights.h"
 #include "model/study/agreement.h"
 
 namespace tact {
@@ -17,5 +18,9 @@ void add_to(nlohmann::json& json, const InterRater& raters);
 // A line on each that is known.
 std::string text_of(const OrderEffects& effects);
 nlohmann::json json_of(const OrderEffects& effects);
+
+// A table of people, what the dimensions lead from and to, and who is not in it.
+std::string text_of(const IndividualWeights& weights);
+nlohmann::json json_of(const IndividualWeights& weights);
 
 }  // namespace tact

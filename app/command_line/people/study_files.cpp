@@ -86,6 +86,9 @@ Expected<StudyTables> tables_of(const StudyCommand& command, const PatternSet& s
     if (!people) return people.error();
     StudyTables tables;
     tables.raters = inter_rater(study.results.study);
+    tables.weights = individual_weights(study.results.study,
+                                        command.weights.value_or(shown_weight_dimensions(
+                                            rated_part(people->rated).people.dissimilarity.size)));
     tables.effects = order_effects(counted_records(study.records, study.results));
     tables.records = std::move(study.records);
     tables.results = std::move(study.results);
@@ -139,7 +142,9 @@ Expected<Done> write_files(const fs::path& folder, const StudyTables& tables,
           {"reliability.csv", write_reliability_csv},
           {"pairs.csv", write_pairs_csv},
           {"table.csv", write_metrics_csv},
-          {"maps.csv", write_maps_csv}}) {
+          {"maps.csv", write_maps_csv},
+          {"weights.csv", write_weights_csv},
+          {"dimensions.csv", write_dimensions_csv}}) {
         const auto written =
             write_table(folder / file, [&](std::ostream& stream) { write(stream, tables); });
         if (!written) return written;

@@ -132,6 +132,14 @@ void write_map(std::ostream& stream, const std::string& name, const StudyTables&
     }
 }
 
+std::string dimension_heads(const IndividualWeights& weights) {
+    std::string heads;
+    for (Eigen::Index r = 0; r < weights.group.cols(); ++r) {
+        heads += ",dimension_" + std::to_string(r + 1);
+    }
+    return heads;
+}
+
 }  // namespace
 
 void write_participants_csv(std::ostream& stream, const StudyTables& tables) {
@@ -193,6 +201,32 @@ void write_maps_csv(std::ostream& stream, const StudyTables& tables) {
     write_map(stream, "people", tables, tables.people.space);
     for (const MetricOfStudy& metric : tables.metrics) {
         if (!metric.evaluation.is_failed_map) write_map(stream, metric.key, tables, metric.space);
+    }
+}
+
+void write_weights_csv(std::ostream& stream, const StudyTables& tables) {
+    const auto& standings = tables.results.people;
+    stream << "participant" << dimension_heads(tables.weights) << ",explained,synthetic\n";
+    for (const PersonWeights& person : tables.weights.people) {
+        stream << csv_field(person.participant);
+        for (const double weight : person.weights) stream << ',' << cell(weight);
+        const auto known =
+            std::ranges::find(standings, person.participant, &ParticipantSummary::code);
+        const bool synthetic =
+            known == standings.end() ? tables.results.synthetic : known->synthetic;
+        stream << ',' << cell(person.explained) << ',' << yes_no(synthetic) << '\n';
+    }
+}
+
+void write_dimensions_csv(std::ostream& stream, const StudyTables& tables) {
+    const IndividualWeights& weights = tables.weights;
+    stream << "pattern" << dimension_heads(weights) << ",synthetic\n";
+    for (Eigen::Index k = 0; k < weights.group.rows(); ++k) {
+        stream << csv_field(weights.labels[static_cast<std::size_t>(k)]);
+        for (Eigen::Index r = 0; r < weights.group.cols(); ++r) {
+            stream << ',' << cell(weights.group(k, r));
+        }
+        stream << ',' << yes_no(tables.results.synthetic) << '\n';
     }
 }
 

@@ -6,6 +6,8 @@
 //     pairs.csv         a,b,people,<a column a metric>,synthetic
 //     table.csv         metric,rho,rho_low,rho_high,p,tau_b,K,..,synthetic
 //     maps.csv          map,pattern,x,y,z,synthetic
+//     weights.csv       participant,dimension_1,..,explained,synthetic
+//     dimensions.csv    pattern,dimension_1,..,synthetic: the map that the weights are of
 //
 // Output    "NA" where there is no number; the shortest digits that read back as the same.
 //           `synthetic` is 1 where nobody was asked for some of the ratings that a line rests on
@@ -18,6 +20,7 @@
 #include <vector>
 
 #include "model/evaluation/evaluation.h"
+#include "model/evaluation/individual_weights.h"
 #include "model/study/agreement.h"
 #include "model/study/study_results.h"
 
@@ -40,6 +43,7 @@ struct StudyTables {
     Mapped people;                    // mean ratings of these
     AlienationChance k_chance;
     std::vector<MetricOfStudy> metrics;
+    IndividualWeights weights;
 };
 
 void write_participants_csv(std::ostream& stream, const StudyTables& tables);
@@ -47,5 +51,7 @@ void write_reliability_csv(std::ostream& stream, const StudyTables& tables);
 void write_pairs_csv(std::ostream& stream, const StudyTables& tables);
 void write_metrics_csv(std::ostream& stream, const StudyTables& tables);
 void write_maps_csv(std::ostream& stream, const StudyTables& tables);
+void write_weights_csv(std::ostream& stream, const StudyTables& tables);
+void write_dimensions_csv(std::ostream& stream, const StudyTables& tables);
 
 }  // namespace tact

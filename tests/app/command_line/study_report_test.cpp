@@ -19,8 +19,9 @@ constexpr const char* kSet = R"({"tactspace": 1, "name": "five", "duration_s": 0
     "study": {"repetitions": 2, "attention_pairs": 3,
               "patterns": ["v 1", "v, 2", "v 3", "v 4", "v 5"]}})";
 
-constexpr const char* kFiles[] = {"participants.csv", "answers.csv", "reliability.csv",
-                                  "pairs.csv",        "table.csv",   "maps.csv"};
+constexpr const char* kFiles[] = {"participants.csv", "answers.csv",   "reliability.csv",
+                                  "pairs.csv",        "table.csv",     "maps.csv",
+                                  "weights.csv",      "dimensions.csv"};
 
 struct Reported {
     TemporaryFolder folder;
@@ -103,6 +104,15 @@ TEST_CASE("study report: all tables, a page and scripts, every one with its labe
     CHECK(contains(page, "fell &quot;asleep&quot;, twice"));
     CHECK(contains(page, "1 of 6 patterns were not rated and are left out: &quot;unrated&quot;"));
     CHECK(contains(page, "Krippendorff"));
+    // A star each of those who count.
+    std::size_t stars = 0;
+    for (std::size_t at = page.find("class=\"star\""); at != page.npos;
+         at = page.find("class=\"star\"", at + 1)) {
+        ++stars;
+    }
+    CHECK(stars == 4);
+    CHECK(table_of(study.file("weights.csv")).size() == 1 + 4);
+    CHECK(table_of(study.file("dimensions.csv")).size() == 1 + 5);
 }
 
 TEST_CASE("study report: the table is that of compare, and compare reads the folder") {

@@ -329,4 +329,44 @@ TEST_CASE("coverage: intervals over people hold the truth of a simulated world")
     CHECK(hits.difference >= kEnough);
 }
 
+// The truth over people: as above, of maps; over both: that of other worlds as well.
+TEST_CASE(
+    "coverage: intervals of K over people, and over both, hold the truth of a simulated world") {
+    const World world;
+    RandomStream random{17};
+    MdsParams near = standard_mds_params(12, 3);
+    near.tolerance = 1e-7;
+    const auto map_of = [&](const Dissimilarity& mean, const MatrixXd& truth) {
+        return smacof(mean, truth, near).points;
+    };
+    double of_worlds = 0.0;
+    constexpr int kWorlds = 1000;
+    for (int other = 0; other < kWorlds; ++other) {
+        const MatrixXd truth = world.points(random);
+        const MatrixXd seen = world.maps(random, truth)[0];
+        of_worlds += *alienation(map_of(world.mean(random, truth), truth), seen) / kWorlds;
+    }
+    int people = 0;
+    int both = 0;
+    for (int study = 0; study < kStudies; ++study) {
+        const MatrixXd truth = world.points(random);
+        const auto maps = world.maps(random, truth);
+        double k = 0.0;
+        constexpr int kOthers = 20;
+        for (int other = 0; other < kOthers; ++other) {
+            k += *alienation(map_of(world.mean(random, truth), truth), maps[0]) / kOthers;
+        }
+        const RatingStudy said = study_of_people(12, world.said(random, truth));
+        const Uncertainty got = uncertainty_of(
+            with_maps(said, World::apart(maps), map_of(mean_ratings(said), truth), maps),
+            {.draws = 30, .map_draws = 30});
+        people += holds(got.k[0].interval[1], k) ? 1 : 0;
+        both += holds(got.k[0].interval[2], of_worlds) ? 1 : 0;
+    }
+    CAPTURE(people);
+    CAPTURE(both);
+    CHECK(people >= kEnough);
+    CHECK(both >= kEnough);
+}
+
 }  // namespace uncertainty_test

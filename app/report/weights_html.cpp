@@ -1,0 +1,113 @@
+#include "app/report/weights_html.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <span>
+
+#include "app/report/html.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kRadius = 38.0;  // of a weight of 1
+constexpr double kHalf = 44.0;    // of the picture
+
+std::string decimal(double value, int decimals) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+// The first ray points up, the others follow clockwise; of two the second points right.
+std::string point_on(std::size_t ray, std::size_t rays, double weight) {
+    const double turn = rays == 2 ? 0.25 : 1.0 / static_cast<double>(rays);
+    const double angle =
+        2.0 * std::numbers::pi * (static_cast<double>(ray) * turn) - std::numbers::pi / 2.0;
+    return decimal(kHalf + kRadius * weight * std::cos(angle), 1) + "," +
+           decimal(kHalf + kRadius * weight * std::sin(angle), 1);
+}
+
+std::string outline(std::span<const double> weights, const char* kind) {
+    std::string points;
+    for (std::size_t r = 0; r < weights.size(); ++r) {
+        points += (r == 0 ? "" : " ") + point_on(r, weights.size(), weights[r]);
+    }
+    // One ray is a line, two are a triangle with the middle.
+    if (weights.size() < 3) points += " " + decimal(kHalf, 1) + "," + decimal(kHalf, 1);
+    return std::string("<polygon class=\"") + kind + "\" points=\"" + points + "\"/>";
+}
+
+std::string star(const PersonWeights& person, std::span<const double> mean) {
+    std::string rays;
+    std::string said = person.participant + ":";
+    for (std::size_t r = 0; r < person.weights.size(); ++r) {
+        const std::string middle = decimal(kHalf, 1);
+        rays += "<path class=\"ray\" d=\"M" + middle + "," + middle + "L" +
+                point_on(r, person.weights.size(), 1.0) + "\"/>";
+        said += " " + decimal(person.weights[r], 2);
+    }
+    const std::string side = decimal(2.0 * kHalf, 0);
+    return "<figure class=\"star\"><svg role=\"img\" aria-label=\"" + html_escaped(said) +
+           "\" viewBox=\"0 0 " + side + " " + side + "\">" + rays + outline(person.weights, "own") +
+           outline(mean, "mean") + "</svg><figcaption>" + html_escaped(person.participant) +
+           "</figcaption></figure>\n";
+}
+
+HtmlTable table_of(const IndividualWeights& weights) {
+    HtmlTable table{{{"participant"}}, {}, {}};
+    for (Eigen::Index r = 0; r < weights.group.cols(); ++r) {
+        table.columns.push_back({"dimension " + std::to_string(r + 1), true});
+    }
+    table.columns.push_back({"explained", true});
+    for (const PersonWeights& person : weights.people) {
+        std::vector<std::string> row{html_escaped(person.participant)};
+        for (const double weight : person.weights) row.push_back(decimal(weight, 3));
+        row.push_back(decimal(person.explained, 3));
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+}  // namespace
+
+std::string weights_section(const IndividualWeights& weights) {
+    if (weights.people.empty()) return {};
+    const std::vector<double> mean = mean_weights(weights);
+    std::string html = "<div class=\"stars\">\n";
+    for (const PersonWeights& person : weights.people) html += star(person, mean);
+    html +=
+        "</div>\n<p>A ray a dimension of one common map, the first upwards, the others "
+        "clockwise; as long as the weight, the whole ray is 1. Dashed: the mean of "
+        "all.</p>\n<ul>\n";
+    for (std::size_t r = 0; r < mean.size(); ++r) {
+        const DimensionEnds ends = ends_of(weights, r);
+        html += "<li>Dimension " + std::to_string(r + 1) + " leads from <b>" +
+                html_escaped(ends.low) + "</b> to <b>" + html_escaped(ends.high) + "</b>.</li>\n";
+    }
+    html += "</ul>\n" + html_of(table_of(weights));
+    if (!weights.left_out.empty()) {
+        html +=
+            "<p class=\"dim\">Without weights, as they did not rate every pair, or all alike: " +
+            grouped_digits(weights.left_out.size()) + ".</p>\n";
+    }
+    return html_section(
+        "weights", "What each goes by",
+        html +
+            "<p class=\"dim\">INDSCAL (Carroll &amp; Chang 1970): least squares on scalar "
+            "products, "
+            "each person's brought to one size, weights not below 0. Explained: the share of that. "
+            "Its dimensions may not be turned. Descriptions: nothing is tested.</p>\n");
+}
+
+std::string weights_style() {
+    return "\n.stars{display:flex;flex-wrap:wrap;gap:10px;margin-bottom:8px}\n.star{width:92px;"
+           "margin:0;text-align:"
+           "center}\n.star svg{width:88px;height:88px}\n.star .ray{stroke:var(--line);fill:none}"
+           "\n.star .own{fill:var(--accent);fill-opacity:0.3;stroke:var(--accent);stroke-width:1.5}"
+           "\n.star .mean{fill:none;stroke:var(--dim-text);stroke-dasharray:3 3}";
+}
+
+}  // namespace tact
