@@ -140,7 +140,20 @@ SpaceScene scene_of(const Ui& ui, const Workspace& work, const ShownMap& shown_m
     return scene;
 }
 
-// A click selects; what else was done is for the frame.
+// What a box or a lasso holds, instead of what was selected.
+void select_enclosed(Workspace& work, const std::vector<std::size_t>& rows,
+                     const std::vector<std::optional<std::size_t>>& places) {
+    bool is_first = true;
+    for (const std::size_t row : rows) {
+        if (!places[row]) continue;
+        if (is_first) select_only(work, *places[row]);
+        if (!is_first) work.selection.others.insert(*places[row]);
+        is_first = false;
+    }
+    if (!is_first) work.selection.scroll_to_current = true;
+}
+
+// A click selects, with Ctrl too; what else was done is for the frame.
 SpacePaneAction taken(Workspace& work, const SpaceAction& action,
                       const std::vector<std::optional<std::size_t>>& places) {
     SpacePaneAction done;
@@ -151,8 +164,15 @@ SpacePaneAction taken(Workspace& work, const SpaceAction& action,
     }
     if (action.double_clicked) done.double_clicked = places[*action.double_clicked];
     if (action.clicked && places[*action.clicked]) {
-        select_only(work, *places[*action.clicked]);
+        const std::size_t place = *places[*action.clicked];
+        action.with_ctrl ? toggle_selected(work, place) : select_only(work, place);
         work.selection.scroll_to_current = true;
+    }
+    if (action.enclosed) select_enclosed(work, *action.enclosed, places);
+    if (const auto& between = action.drawn_between) {
+        if (places[between->a] && places[between->b]) {
+            done.drawn_between = {*places[between->a], *places[between->b]};
+        }
     }
     return done;
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/document/workspace.h"
 #include "app/map/map_look.h"
@@ -17,6 +18,8 @@ namespace tact {
 struct SpacePaneAction {
     std::optional<std::size_t> hovered{};
     std::optional<std::size_t> double_clicked{};
+    std::optional<std::pair<std::size_t, std::size_t>>
+        drawn_between{};  // Ctrl+drag, first to second
 };
 
 SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,

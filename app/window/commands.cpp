@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/ask/steps_follow.h"
 #include "app/compare/compare_follow.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
@@ -117,6 +118,8 @@ const auto kCommands = std::to_array<Command>({
     {"Edit", "Duplicate", ctrl('d'), has_selection, [](App& app) { duplicate_selected(app.ui, app.work); }},
     {"Edit", "Generate candidates...", ctrl('g'), always, [](App& app) { open_generate(app.ui, app.work, app.generating); }, nullptr,
      "design space factorial sample sobol latin hypercube levels"},
+    {"Edit", "Steps between...", {}, has_pairs, [](App& app) { open_steps(app.ui, app.work, app.steps, {}, {}); }, nullptr,
+     "even morph between interpolate two path series"},
     {"Edit", "Tap a rhythm...", plain('t'), has_editable_pattern, [](App& app) { open_tapping(app.ui, app.pattern_panes.tapping); }, nullptr, "beat notes hand"},
     {"Edit", "Add a point of amplitude at the playhead", {}, has_editable_pattern, add_at_playhead<GripKind::level>, nullptr, "curve envelope draw"},
     {"Edit", "Add a point of frequency at the playhead", {}, has_editable_pattern, add_at_playhead<GripKind::frequency>, nullptr, "curve sweep draw"},

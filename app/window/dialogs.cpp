@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/ask/steps_dialog.h"
 #include "app/calibrate/calibrate_dialog.h"
 #include "app/calibrate/measuring_response.h"
 #include "app/compare/compare_follow.h"
@@ -75,6 +76,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Double click on a pane's title", "maximise the pane; Esc puts it back"},
     {"Ctrl+P", "command palette"},
     {"Drag, wheel, right drag in the space", "turn, zoom, move"},
+    {"Ctrl+drag from a point of the map to another", "even steps between the two"},
     {"Drop files or a folder on the window", "open them"},
 });
 
@@ -156,6 +158,7 @@ void draw_dialogs(App& app) {
     if (app.ui.dialog == Dialog::about) draw_about(app);
     if (app.ui.dialog == Dialog::keys) draw_keys(app);
     if (app.ui.dialog == Dialog::generate) draw_generate_dialog(app.ui, app.work, app.generating);
+    if (app.ui.dialog == Dialog::steps) draw_steps_dialog(app.ui, app.work, app.steps);
     if (app.ui.dialog == Dialog::tap_rhythm)
         draw_tapping_dialog(app.ui, app.work, app.pattern_panes.tapping);
     if (app.ui.dialog == Dialog::devices)

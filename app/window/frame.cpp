@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/ask/steps_follow.h"
 #include "app/calibrate/calibrate_state.h"
 #include "app/calibrate/measuring_response.h"
 #include "app/compare/compare_follow.h"
@@ -123,6 +124,8 @@ void follow_renaming(App& app, const Renaming& renaming) {
     each(app.importing.patterns);
     follow(renaming, app.picking.reference_a);
     follow(renaming, app.picking.reference_b);
+    follow(renaming, app.steps.from);
+    follow(renaming, app.steps.to);
     if (auto& opened = app.picking.opened) {
         follow(renaming, opened->first);
         follow(renaming, opened->second);
@@ -259,6 +262,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_current(app.work, app.rendered, app.physiology);
     follow_comparing(app.work, app.layout, app.shown_map, app.rendered, app.comparing);
     follow_subset(app.work, app.layout, app.shown_map, app.picking);
+    follow_steps(app.ui, app.work, app.steps);
     autosave_if_due(app.ui, app.work);
     move_focus(app.ui);
     write_rects(app.ui.rects);
@@ -287,7 +291,8 @@ bool wants_another_frame(const App& app) {
 double next_wake_s(const App& app) {
     double wake_s = std::numeric_limits<double>::infinity();
     if (is_computing(app) || is_comparing(app) || is_subset_busy(app.picking) ||
-        is_training(app.model_bench) || is_predicting_loss(app.exports.effects)) {
+        is_training(app.model_bench) || is_placing(app.steps) ||
+        is_predicting_loss(app.exports.effects)) {
         wake_s = 0.1;  // progress
     }
     if (app.work.autosave_pending || is_autosaving(app.work)) wake_s = std::min(wake_s, 0.5);

@@ -28,6 +28,7 @@ void stop_jobs(App& app) {
     stop_import(app.importing);
     stop_subset_jobs(app.picking);
     stop_training(app.model_bench);
+    app.steps.job.reset();
     app.exports.effects.job.reset();
     app.comparing.findings_job.reset();
     app.rendered.job.reset();

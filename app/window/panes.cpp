@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/ask/steps_follow.h"
 #include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
 #include "app/document/editing.h"
@@ -209,6 +210,11 @@ void draw_space(App& app) {
     app.play.hovered_in_map = done.hovered ? done.hovered : app.play.hovered_in_map;
     if (done.double_clicked)
         play_once(app.ui, app.work, app.timeline, app.play, *done.double_clicked);
+    if (done.drawn_between) {
+        const auto& all = app.work.document.set.vibrations;
+        open_steps(app.ui, app.work, app.steps, all[done.drawn_between->first].name,
+                   all[done.drawn_between->second].name);
+    }
 }
 
 void draw_content(App& app, Pane pane) {

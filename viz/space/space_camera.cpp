@@ -156,6 +156,44 @@ void zoom_at(SpaceCamera& camera, const Rect& pane, ImVec2 mouse, double factor)
     camera.zoom = zoom;
 }
 
+void look_along(SpaceCamera& camera, int axis) {
+    SpaceCamera straight;
+    straight.locked = camera.locked;
+    straight.drag = camera.drag;
+    constexpr double kQuarter = std::numbers::pi / 2.0;
+    if (axis < 3) {
+        straight.yaw_rad = axis == 0 ? -kQuarter : 0.0;
+        straight.pitch_rad = axis == 2 ? kQuarter : 0.0;
+    }
+    camera = straight;
+}
+
+void frame_points(SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
+                  const std::vector<Eigen::Vector3d>& points) {
+    constexpr double kFills = 0.6;  // names want room
+    constexpr double kMostFramedZoom = 8.0;
+    if (points.empty()) return;
+    camera.pan_x = 0.0;
+    camera.pan_y = 0.0;
+    camera.zoom = 1.0;
+    Rect seen{project(camera, fit, pane, points.front()).at, {}};
+    seen.max = seen.min;
+    for (const Eigen::Vector3d& point : points) {
+        const ImVec2 at = project(camera, fit, pane, point).at;
+        seen = around(seen, {at, at});
+    }
+    const auto times = [](float room, float extent) {
+        return extent > 0.0F ? kFills * static_cast<double>(room / extent) : kMostFramedZoom;
+    };
+    camera.zoom =
+        std::clamp(std::min(times(pane.width(), seen.width()), times(pane.height(), seen.height())),
+                   0.5, kMostFramedZoom);
+    const ImVec2 off = seen.centre() - pane.centre();
+    const double half = half_side_px(pane);
+    camera.pan_x = -camera.zoom * static_cast<double>(off.x) / half;
+    camera.pan_y = -camera.zoom * static_cast<double>(off.y) / half;
+}
+
 void orbit(SpaceCamera& camera, ImVec2 drag_px, float scale) {
     constexpr double kRadPerPx = 0.008;
     constexpr double kMostPitch = std::numbers::pi / 2.0;

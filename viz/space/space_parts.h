@@ -13,6 +13,9 @@ void draw_floor(const SpaceStage& stage, const SpaceCamera& camera);
 void draw_drop_lines(const SpaceStage& stage, const SpaceCamera& camera);
 Rect draw_axes_cross(const SpaceStage& stage, const SpaceCamera& camera);
 
+// The axis whose name in the cross is there, 3 for its middle; none: neither.
+std::optional<int> axis_at(const SpaceStage& stage, const SpaceCamera& camera, ImVec2 at);
+
 // The points and what joins and surrounds them (space_points.cpp).
 void draw_paths(const SpaceStage& stage);
 void draw_links(const SpaceStage& stage);

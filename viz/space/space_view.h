@@ -4,7 +4,7 @@
 // Output    the point under the mouse and what was clicked
 // Valid     any n; names of at most kMostNames points are looked at. Of more links than kMostLinks
 //           and more ellipses than kMostSpreads an even choice and the foremost ones are drawn.
-// Left out  easing between maps (the caller moves the points), lassos.
+// Left out  easing between maps (the caller moves the points).
 #pragma once
 
 #include <Eigen/Core>
@@ -57,14 +57,20 @@ struct SpaceAction {
     std::optional<std::size_t> clicked{};  // on release, without a drag
     std::optional<std::size_t> double_clicked{};
     std::optional<std::size_t> right_clicked{};  // on release, without a drag
-    bool clicked_empty = false;                  // a click beside all points
+    // Ctrl+drag from the first to the second, let go there.
+    std::optional<SpaceLink> drawn_between{};
+    std::optional<std::vector<std::size_t>> enclosed{};  // by a box or a lasso, let go
+    bool with_ctrl = false;                              // it is held
+    bool clicked_empty = false;                          // a click beside all points
     bool camera_changed = false;
 };
 
 // Ellipses hold half of where a point might be, by a normal distribution.
 //
-// Left drag on empty space orbits (pans in 2-D), middle or right drag pans, the wheel zooms at the
-// mouse, a double click on empty space resets the camera.
+// Left drag on empty space orbits (pans in 2-D), with Shift draws a box, with Ctrl and Shift a
+// lasso; Ctrl+drag from a point draws a line to another; middle or right drag pans, the wheel zooms
+// at the mouse, a click on the name of an axis looks along it, a double click on empty space resets
+// the camera. A locked camera stays as it is.
 SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
                        const SpaceScene& scene, SpaceCamera& camera);
 
