@@ -26,6 +26,7 @@
 #include "app/play/playing.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_pages.h"
+#include "app/subset/separation_follow.h"
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_marks.h"
 #include "app/subset/subset_state.h"
@@ -262,6 +263,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_current(app.work, app.rendered, app.physiology);
     follow_comparing(app.work, app.layout, app.shown_map, app.rendered, app.comparing);
     follow_subset(app.work, app.layout, app.shown_map, app.picking);
+    check_applied(app.ui, app.work, app.shown_map, app.picking);
     follow_steps(app.ui, app.work, app.steps);
     autosave_if_due(app.ui, app.work);
     move_focus(app.ui);

@@ -22,6 +22,7 @@
 #include "app/play/playing.h"
 #include "app/study/study_panels.h"
 #include "app/study/study_state.h"
+#include "app/subset/separation_follow.h"
 #include "app/subset/subset_marks.h"
 #include "app/subset/subset_panel.h"
 #include "app/tour/tour.h"
@@ -217,12 +218,31 @@ void draw_space(App& app) {
     }
 }
 
+void draw_editor(App& app) {
+    const auto done = draw_editor_panel(app.ui, app.work, app.pattern_panes, app.shown_map);
+    const auto& all = app.work.document.set.vibrations;
+    if (!done || done->neighbour >= all.size()) return;
+    const std::size_t current = app.work.selection.current;
+    switch (done->deed) {
+        case NeighbourDeed::play_both:
+            return play_pair(app.ui, app.work, app.timeline, app.play, current, done->neighbour);
+        case NeighbourDeed::why:
+            choose_pair(app.work, current, done->neighbour);
+            app.layout.bench = BenchTab::why;
+            return;
+        case NeighbourDeed::separate:
+            app.layout.bench = BenchTab::subset;
+            return ask_about_pair(app.work, app.shown_map, app.picking, all[current].name,
+                                  all[done->neighbour].name);
+    }
+}
+
 void draw_content(App& app, Pane pane) {
     switch (pane) {
         case Pane::patterns:
             return draw_set_panel(app.ui, app.work, app.pattern_panes);
         case Pane::editor:
-            return draw_editor_panel(app.ui, app.work, app.pattern_panes, app.shown_map);
+            return draw_editor(app);
         case Pane::physiology:
             if (draw_physiology_panel(app.ui, app.work, app.timeline, app.physiology,
                                       app.tour.left_at > 0))

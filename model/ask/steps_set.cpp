@@ -41,6 +41,7 @@ PatternSet set_of_steps(const PatternSet& set, std::size_t from, std::size_t to,
     result.model = set.model;
     result.model_origin = set.model_origin;
     result.study = set.study;
+    result.felt_steps = set.felt_steps;
     result.vibrations.push_back(set.vibrations[from]);
     for (Vibration& step : vibrations_between(set, from, to, steps)) {
         result.vibrations.push_back(std::move(step));

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "model/design_space/design_space.h"
+#include "model/pattern/felt_steps.h"
 #include "model/pattern/pattern.h"
 #include "model/perceptual_model/perceptual_model_params.h"
 #include "model/signal/waveform.h"
@@ -85,6 +86,7 @@ struct PatternSet {
     PerceptualModelParams model;
     ModelOrigin model_origin{};
     StudyDesign study;  // how people are asked
+    FeltSteps felt_steps{};
     std::string unknown_json;
     std::optional<DesignSpace> generator;  // that candidates were made by last
 

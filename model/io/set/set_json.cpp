@@ -264,6 +264,10 @@ PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::s
     JsonObject study = object_field(object, "study");
     set.study = study_design_of(study, of_study);
     note_unknown(unknown, "study", of_study);
+    Json of_steps = Json::object();
+    JsonObject steps = object_field(object, "felt_steps");
+    set.felt_steps = felt_steps_of(steps, of_steps);
+    note_unknown(unknown, "felt_steps", of_steps);
     if (document.contains("generator")) {
         Json of_generator = Json::object();
         JsonObject generator = object_field(object, "generator");
@@ -289,6 +293,8 @@ Json json_of(const PatternSet& set, const fs::path& folder) {
     if (!model.empty()) document["model"] = model;
     const Json study = json_of(set.study);
     if (!study.empty()) document["study"] = study;
+    const Json steps = json_of(set.felt_steps);
+    if (!steps.empty()) document["felt_steps"] = steps;
     if (set.generator) document["generator"] = json_of(*set.generator, set.duration_s);
     restore_text(document, set.unknown_json);
     return document;
