@@ -198,6 +198,13 @@ void decorate(const MapDecor& decor, SpaceScene& scene) {
     scene.faint = decor.faint;
     scene.links = decor.marks.links;
     scene.spread = decor.marks.spread;
+    const MapMaybes& maybes = decor.marks.maybes;
+    const auto rows = [](const Eigen::MatrixXd& points) {
+        return points.rows() > 0 ? &points : nullptr;
+    };
+    scene.maybes = {rows(maybes.proposals), maybes.proposal_names, maybes.lit,
+                    rows(maybes.track),     maybes.track_words,    rows(maybes.cloud),
+                    maybes.wanted,          maybes.reached};
 }
 
 void draw_map_look(Ui& ui, ShownMap& shown_map) {

@@ -12,6 +12,18 @@
 
 namespace tact {
 
+// Places of patterns that there are not (app/ask); no rows: none.
+struct MapMaybes {
+    Eigen::MatrixXd proposals{};
+    std::vector<std::string> proposal_names{};
+    std::optional<std::size_t> lit{};
+    Eigen::MatrixXd track{};
+    std::vector<std::string> track_words{};
+    Eigen::MatrixXd cloud{};
+    std::optional<Eigen::RowVectorXd> wanted{};
+    std::optional<Eigen::RowVectorXd> reached{};
+};
+
 // What other rooms lay over the map; rows of the shown map.
 struct MapMarks {
     std::vector<std::size_t> chosen{};        // a subset: others step back
@@ -19,6 +31,7 @@ struct MapMarks {
     std::vector<Eigen::Matrix3d> spread{};    // how sure each place is
     std::optional<Eigen::MatrixXd> people{};  // the map of the ratings, laid over this one
     std::string people_text{};                // whose it is
+    MapMaybes maybes{};
 };
 
 // What a scene borrows while it is drawn.

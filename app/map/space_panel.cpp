@@ -168,6 +168,9 @@ SpacePaneAction taken(Workspace& work, const SpaceAction& action,
         action.with_ctrl ? toggle_selected(work, place) : select_only(work, place);
         work.selection.scroll_to_current = true;
     }
+    done.proposal_pressed = action.proposal_pressed;
+    done.proposal_clicked = action.proposal_clicked;
+    work.selection.on_track = action.on_track.has_value();
     if (action.enclosed) select_enclosed(work, *action.enclosed, places);
     if (const auto& between = action.drawn_between) {
         if (places[between->a] && places[between->b]) {
@@ -188,6 +191,23 @@ void note_points(Ui& ui, const ShownMap& shown_map, const Rect& area,
         note_rect(ui.rects, "point:" + labels[k], at.at, at.at);
     }
     if (is_moving(ui, shown_map)) note_rect(ui.rects, "points move", area.min, area.max);
+}
+
+void note_maybes(Ui& ui, const ShownMap& shown_map, const Rect& area, const MapMaybes& maybes,
+                 const Eigen::MatrixXd& points) {
+    if (ui.rects.file.empty()) return;
+    const SpaceFit placed = fit(points);
+    const auto note = [&](const char* what, const Eigen::MatrixXd& places,
+                          const std::vector<std::string>& words) {
+        for (Eigen::Index k = 0; k < places.rows(); ++k) {
+            const ImVec2 at = project(shown_map.camera, placed, area, point_of(places, k)).at;
+            const auto number = static_cast<std::size_t>(k);
+            note_rect(ui.rects, what + std::to_string(k + 1), at, at,
+                      number < words.size() ? words[number] : "");
+        }
+    };
+    note("proposal:", maybes.proposals, maybes.proposal_names);
+    note("track:", maybes.track, maybes.track_words);
 }
 
 // At the top: the foot has the axes and what the mouse can do.
@@ -283,6 +303,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     if (!ui.as_picture) draw_point_menu(ui, work, shown_map, action, places);
     draw_map_legend(ui, shown_map, area);
     note_points(ui, shown_map, area, labels, points);
+    note_maybes(ui, shown_map, area, marks.maybes, points);
     draw_remarks(ui, area, verdict_text(shown_map.transition.shown->space, shown.size()),
                  marks.people_text);
     return done;

@@ -194,8 +194,15 @@ void draw_separation(Ui& ui, Workspace& work, SubsetState& picking, const FoundS
     const std::string text = std::string(about.name) + " " + number(separation.from, about.unit) +
                              " \u2192 " + number(separation.to, about.unit);
     note_item(ui.rects, "apply:" + std::to_string(k), text);
+    bool rested = ImGui::IsItemHovered();
     ImGui::SameLine();
     ImGui::TextUnformatted(text.c_str());
+    rested |= ImGui::IsItemHovered();
+    const auto& changed = set.vibrations[found.request.changed];
+    if (const auto* own = std::get_if<Pattern>(&changed.source); own != nullptr && rested) {
+        work.selection.suggested = SuggestedChange{
+            changed.name, with_value(*own, separation.parameter, separation.to), text};
+    }
     ImGui::PushFont(ui.theme.fonts.small);
     coloured_note(ui.theme.dim_text, felt_steps_text(separation.steps) + "; then " +
                                          grouped(separation.nearest) + " from its closest, " +

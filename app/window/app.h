@@ -2,6 +2,7 @@
 // see all of it; a panel takes what it touches. draw_frame() in app/window/frame.h draws it.
 #pragma once
 
+#include "app/ask/maybes_state.h"
 #include "app/ask/steps_state.h"
 #include "app/calibrate/calibrate_state.h"
 #include "app/compare/compare_state.h"
@@ -45,6 +46,7 @@ struct App {
     PlayState play;
     SubsetState picking;
     StepsState steps;
+    MaybesState maybes;
     ExportState exports;
     GenerateState generating;
     ImportState importing;

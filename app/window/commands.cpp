@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/ask/maybes_follow.h"
 #include "app/ask/steps_follow.h"
 #include "app/compare/compare_follow.h"
 #include "app/document/editing.h"
@@ -120,6 +121,8 @@ const auto kCommands = std::to_array<Command>({
      "design space factorial sample sobol latin hypercube levels"},
     {"Edit", "Steps between...", {}, has_pairs, [](App& app) { open_steps(app.ui, app.work, app.steps, {}, {}); }, nullptr,
      "even morph between interpolate two path series"},
+    {"Edit", "Vary", plain('v'), has_editable_pattern, [](App& app) { vary(app.ui, app.work, app.maybes); }, nullptr,
+     "neighbours variants alternatives others like it ghosts"},
     {"Edit", "Tap a rhythm...", plain('t'), has_editable_pattern, [](App& app) { open_tapping(app.ui, app.pattern_panes.tapping); }, nullptr, "beat notes hand"},
     {"Edit", "Add a point of amplitude at the playhead", {}, has_editable_pattern, add_at_playhead<GripKind::level>, nullptr, "curve envelope draw"},
     {"Edit", "Add a point of frequency at the playhead", {}, has_editable_pattern, add_at_playhead<GripKind::frequency>, nullptr, "curve sweep draw"},

@@ -56,6 +56,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Ctrl+N, Ctrl+D, Del", "new pattern, duplicate, delete"},
     {"Ctrl+G", "generate candidates from levels and ranges"},
     {"N, Shift+N", "choose the next point or transient, the one before"},
+    {"V", "eight neighbours of the pattern as rings in the map; V again, others"},
     {"T", "tap a rhythm; each press is a note as long as it is held"},
     {"Ctrl+C, Ctrl+V, Ctrl+A", "copy, paste, select all patterns"},
     {"Space; comma, full stop", "play or stop; 5 ms back, on"},

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/ask/maybes_follow.h"
 #include "app/ask/steps_follow.h"
 #include "app/calibrate/calibrate_state.h"
 #include "app/calibrate/measuring_response.h"
@@ -127,6 +128,7 @@ void follow_renaming(App& app, const Renaming& renaming) {
     follow(renaming, app.picking.reference_b);
     follow(renaming, app.steps.from);
     follow(renaming, app.steps.to);
+    follow(renaming, app.maybes.varied);
     if (auto& opened = app.picking.opened) {
         follow(renaming, opened->first);
         follow(renaming, opened->second);
@@ -197,6 +199,9 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_progress(app);
     app.work.selection.hovered_last = app.work.selection.hovered;
     app.work.selection.hovered.reset();
+    app.work.selection.rested.reset();
+    app.work.selection.suggested.reset();
+    app.work.selection.on_track = false;
     app.work.selection.too_close = too_close_names(app.layout, app.picking);
     follow_unfelt(app.work, app.shown_map);
     follow_reach(app.work.cache, app.work.document.set, app.work.revision);
@@ -265,6 +270,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_subset(app.work, app.layout, app.shown_map, app.picking);
     check_applied(app.ui, app.work, app.shown_map, app.picking);
     follow_steps(app.ui, app.work, app.steps);
+    follow_maybes(app.ui, app.work, app.shown_map, app.maybes);
     autosave_if_due(app.ui, app.work);
     move_focus(app.ui);
     write_rects(app.ui.rects);
@@ -293,7 +299,7 @@ bool wants_another_frame(const App& app) {
 double next_wake_s(const App& app) {
     double wake_s = std::numeric_limits<double>::infinity();
     if (is_computing(app) || is_comparing(app) || is_subset_busy(app.picking) ||
-        is_training(app.model_bench) || is_placing(app.steps) ||
+        is_training(app.model_bench) || is_placing(app.steps) || is_asking(app.maybes) ||
         is_predicting_loss(app.exports.effects)) {
         wake_s = 0.1;  // progress
     }

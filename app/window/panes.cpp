@@ -5,10 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "app/ask/maybes_follow.h"
 #include "app/ask/steps_follow.h"
+#include "app/ask/vary_bar.h"
 #include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
 #include "app/document/editing.h"
+#include "app/document/pressing.h"
 #include "app/document/shown_side.h"
 #include "app/map/map_follow.h"
 #include "app/map/matrix_panel.h"
@@ -206,11 +209,26 @@ void draw_bench(App& app) {
     }
 }
 
+// Held it is felt, clicked it is taken.
+void take_proposal(App& app, const SpacePaneAction& done) {
+    const auto found = found_variants(app.maybes);
+    if (!found) return;
+    if (done.proposal_pressed && *done.proposal_pressed < found->patterns.size()) {
+        Vibration felt;
+        felt.name = "neighbour " + std::to_string(*done.proposal_pressed + 1);
+        felt.source = found->patterns[*done.proposal_pressed];
+        note_pressed(app.work, felt);
+    }
+    if (done.proposal_clicked) take_variant(app.ui, app.work, app.maybes, *done.proposal_clicked);
+}
+
 void draw_space(App& app) {
+    draw_vary_bar(app.ui, app.work, app.maybes);
     const SpacePaneAction done = draw_space_panel(app.ui, app.work, app.shown_map, map_marks(app));
     app.play.hovered_in_map = done.hovered ? done.hovered : app.play.hovered_in_map;
     if (done.double_clicked)
         play_once(app.ui, app.work, app.timeline, app.play, *done.double_clicked);
+    take_proposal(app, done);
     if (done.drawn_between) {
         const auto& all = app.work.document.set.vibrations;
         open_steps(app.ui, app.work, app.steps, all[done.drawn_between->first].name,
@@ -269,6 +287,7 @@ MapMarks map_marks(App& app) {
     MapMarks marks = subset_marks(app.layout, app.shown_map, app.picking);
     if (app.shown_map.show_people) marks.people = people_over_map(app.shown_map, app.comparing);
     if (marks.people) marks.people_text = people_over_map_text(app.comparing);
+    marks.maybes = shown_maybes(app.shown_map, app.maybes);
     return marks;
 }
 

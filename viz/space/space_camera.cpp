@@ -128,6 +128,20 @@ Projected project(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pa
             scale};
 }
 
+Eigen::Vector3d unprojected(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
+                            const Eigen::Vector3d& through, ImVec2 at) {
+    const Projected before = project(camera, fit, pane, through);
+    const double px = camera.zoom * framed(camera, fit, pane).radius_px * before.scale;
+    const double right = static_cast<double>(at.x - before.at.x) / px;
+    const double up = -static_cast<double>(at.y - before.at.y) / px;
+    // The screen's right and up in the map: the transpose of turned().
+    Eigen::Matrix3d turn;
+    for (int axis = 0; axis < 3; ++axis) {
+        turn.col(axis) = turned(camera, fit.flat, Eigen::Vector3d::Unit(axis));
+    }
+    return through + fit.radius * (turn.transpose() * Eigen::Vector3d(right, up, 0.0));
+}
+
 std::optional<std::size_t> pick(std::span<const Disc> discs,
                                 std::span<const std::size_t> front_to_back, ImVec2 at,
                                 float reach_px) {

@@ -33,7 +33,7 @@ inline constexpr double kLeastZoom = 0.2;
 inline constexpr double kMostZoom = 40.0;
 
 // What a drag with the left button does: by where it began, and the keys that were held.
-enum class SpaceGesture { none, orbit, between, box, lasso };
+enum class SpaceGesture { none, orbit, between, box, lasso, move };
 
 struct SpaceDrag {
     SpaceGesture gesture = SpaceGesture::none;
@@ -89,6 +89,10 @@ struct Disc {
     ImVec2 centre{0, 0};
     float radius = 0.0F;
 };
+
+// The point of the plane through `through`, parallel to the screen, that is seen there.
+Eigen::Vector3d unprojected(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
+                            const Eigen::Vector3d& through, ImVec2 at);
 
 // The disc under a point: the first in `front_to_back` that contains it, else the nearest within
 // `reach_px` of an edge.

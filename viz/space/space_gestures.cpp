@@ -19,7 +19,9 @@ bool is_dragged(ImGuiMouseButton button, const Theme& theme) {
 SpaceGesture gesture_begun(const SpaceAction& action, bool locked) {
     const ImGuiIO& io = ImGui::GetIO();
     if (!io.MouseDown[ImGuiMouseButton_Left]) return SpaceGesture::none;
+    if (action.hovered && io.KeyAlt) return SpaceGesture::move;
     if (action.hovered) return io.KeyCtrl ? SpaceGesture::between : SpaceGesture::none;
+    if (action.proposal) return SpaceGesture::none;
     if (io.KeyShift) return io.KeyCtrl ? SpaceGesture::lasso : SpaceGesture::box;
     return locked ? SpaceGesture::none : SpaceGesture::orbit;
 }
@@ -42,6 +44,43 @@ bool is_enclosed(const SpaceDrag& drag, ImVec2 at) {
     return inside;
 }
 
+// What lies under the mouse beside the points.
+void read_maybes(const SpaceStage& stage, SpaceAction& action) {
+    if (action.hovered) return;
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    const float reach = kClickSlackPx * stage.theme.scale;
+    float nearest = reach;
+    for (std::size_t k = 0; k < stage.proposals.size(); ++k) {
+        const ImVec2 away = stage.proposals[k].centre - at;
+        const float gap = std::hypot(away.x, away.y) - stage.proposals[k].radius;
+        if (gap > nearest) continue;
+        nearest = gap;
+        action.proposal = k;
+    }
+    if (action.proposal) return;
+    nearest = 2.0F * reach;
+    for (std::size_t k = 0; k < stage.track.size(); ++k) {
+        const ImVec2 away = stage.track[k] - at;
+        if (std::hypot(away.x, away.y) > nearest) continue;
+        nearest = std::hypot(away.x, away.y);
+        action.on_track = k;
+    }
+}
+
+// Where a point that is dragged is now.
+void follow_move(const SpaceStage& stage, const SpaceCamera& camera, bool ended,
+                 SpaceAction& action) {
+    const SpaceDrag& drag = camera.drag;
+    if (drag.gesture != SpaceGesture::move || !drag.from) return;
+    const Eigen::MatrixXd& points = *stage.scene.points;
+    const Eigen::Vector3d to = unprojected(camera, stage.fit, stage.pane,
+                                           point_of(points, static_cast<Eigen::Index>(*drag.from)),
+                                           ImGui::GetIO().MousePos);
+    action.moved = drag.from;
+    action.moved_to = Eigen::RowVectorXd(to.head(points.cols()).transpose());
+    action.move_ended = ended;
+}
+
 void follow_line(SpaceDrag& drag) {
     const ImVec2 at = ImGui::GetIO().MousePos;
     if (drag.line.empty() || !same(drag.line.back(), at)) drag.line.push_back(at);
@@ -52,6 +91,8 @@ void end_drag(const SpaceStage& stage, const SpaceCamera& camera, bool hovered, 
               SpaceAction& action) {
     const SpaceDrag& drag = camera.drag;
     if (!dragged) {
+        action.proposal_clicked = action.proposal;
+        if (action.proposal) return;
         if (drag.from || action.hovered) action.clicked = action.hovered;
         action.clicked_empty = hovered && !action.hovered;
         return;
@@ -122,6 +163,7 @@ SpaceAction read_mouse(const char* id, const Theme& theme, const Rect& pane, Spa
         action.hovered =
             pick(stage.discs, stage.front_to_back, io.MousePos, kClickSlackPx * theme.scale);
     }
+    if (hovered && camera.drag.gesture != SpaceGesture::orbit) read_maybes(stage, action);
     if (ImGui::IsItemActivated()) {
         camera.drag = {gesture_begun(action, camera.locked), action.hovered, {}};
     }
@@ -130,15 +172,20 @@ SpaceAction read_mouse(const char* id, const Theme& theme, const Rect& pane, Spa
     if (active && io.MouseDown[ImGuiMouseButton_Left] &&
         camera.drag.gesture == SpaceGesture::none) {
         action.pressed = action.hovered;
+        action.proposal_pressed = action.proposal;
     }
+    const bool left_dragged = is_dragged(ImGuiMouseButton_Left, theme);
+    if (active && left_dragged) follow_move(stage, camera, false, action);
     move_camera(stage, pane, active, hovered, camera);
     if (ImGui::IsItemDeactivated() && io.MouseReleased[ImGuiMouseButton_Left]) {
-        end_drag(stage, camera, hovered, is_dragged(ImGuiMouseButton_Left, theme), action);
+        end_drag(stage, camera, hovered, left_dragged, action);
+        if (left_dragged) follow_move(stage, camera, true, action);
     }
     read_clicks(stage, hovered, action, camera);
     if (!active) camera.drag = {};
-    if (action.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (active && !action.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    if (action.hovered || action.proposal) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (active && !action.hovered && !action.proposal)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
     SpaceCamera now = camera;
     now.drag = before.drag;
     action.camera_changed = now != before;

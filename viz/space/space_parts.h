@@ -23,6 +23,12 @@ void draw_spread(const SpaceStage& stage, const SpaceCamera& camera);
 void draw_ghosts(const SpaceStage& stage, const SpaceCamera& camera);
 void draw_points(const SpaceStage& stage, std::optional<std::size_t> hovered);
 
+// What is no pattern yet (space_maybes.cpp).
+void draw_cloud(const SpaceStage& stage);
+void draw_track(const SpaceStage& stage, std::optional<std::size_t> on_track);
+void draw_proposals(const SpaceStage& stage, std::optional<std::size_t> pointed);
+void draw_wanted(const SpaceStage& stage, const SpaceCamera& camera);
+
 // What is written over them (space_names.cpp): names where they have room beside what is occupied,
 // and the dissimilarity of a pair, whose plate is returned.
 void draw_pair_line(const SpaceStage& stage, std::size_t a, std::size_t b);

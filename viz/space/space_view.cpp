@@ -49,6 +49,7 @@ SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
     draw_floor(stage, camera);
     draw_drop_lines(stage, camera);
     draw_paths(stage);
+    draw_cloud(stage);
     draw_spread(stage, camera);
     draw_links(stage);
     draw_ghosts(stage, camera);
@@ -57,7 +58,10 @@ SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
                       std::max(*hovered, *scene.selected) < scene.labels.size() &&
                       somewhere(stage, *hovered) && somewhere(stage, *scene.selected);
     if (pair) draw_pair_line(stage, *scene.selected, *hovered);
+    draw_track(stage, action.on_track);
     draw_points(stage, hovered);
+    draw_proposals(stage, action.proposal);
+    draw_wanted(stage, camera);
     if (pair) occupied[2] = draw_pair_value(stage, *scene.selected, *hovered);
     draw_names(stage, occupied, hovered);
     draw_gesture(stage, camera, hovered);

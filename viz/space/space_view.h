@@ -30,6 +30,18 @@ struct SpaceLink {
     std::size_t b = 0;
 };
 
+// Places of patterns that there are not: k columns, as the points have.
+struct SpaceMaybes {
+    const Eigen::MatrixXd* proposals = nullptr;     // could be taken; rings, or null
+    std::span<const std::string> proposal_names{};  // a name each
+    std::optional<std::size_t> lit{};               // pointed at elsewhere
+    const Eigen::MatrixXd* track = nullptr;         // in order, along a number; or null
+    std::span<const std::string> track_words{};     // what the number is there
+    const Eigen::MatrixXd* cloud = nullptr;         // can be reached; or null
+    std::optional<Eigen::RowVectorXd> wanted{};     // where a point was put ...
+    std::optional<Eigen::RowVectorXd> reached{};    // ... and the nearest that it can be
+};
+
 struct SpaceScene {
     std::span<const std::string> labels{};              // n
     std::span<const PatternLook> looks{};               // n
@@ -48,6 +60,7 @@ struct SpaceScene {
     std::function<double(std::size_t, std::size_t)> dissimilarity{};  // may be empty
     std::string_view quantity{};                                      // what it is: "PM"
     std::string_view point_hint{};  // what a press on a point does, said where the mouse is on one
+    SpaceMaybes maybes{};
     bool stale = false;
 };
 
@@ -60,8 +73,16 @@ struct SpaceAction {
     // Ctrl+drag from the first to the second, let go there.
     std::optional<SpaceLink> drawn_between{};
     std::optional<std::vector<std::size_t>> enclosed{};  // by a box or a lasso, let go
-    bool with_ctrl = false;                              // it is held
-    bool clicked_empty = false;                          // a click beside all points
+    std::optional<std::size_t> proposal{};               // under the mouse
+    std::optional<std::size_t> proposal_pressed{};       // the left button is down on it
+    std::optional<std::size_t> proposal_clicked{};
+    std::optional<std::size_t> on_track{};  // the nearest place of the track under the mouse
+    // Alt+drag of a point: which, and where to, in the plane of the screen through it.
+    std::optional<std::size_t> moved{};
+    std::optional<Eigen::RowVectorXd> moved_to{};
+    bool move_ended = false;     // let go there
+    bool with_ctrl = false;      // it is held
+    bool clicked_empty = false;  // a click beside all points
     bool camera_changed = false;
 };
 
