@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
@@ -138,6 +139,18 @@ SpaceScene scene_of(const Ui& ui, const Workspace& work, const ShownMap& shown_m
     scene.point_hint = kHoldHelp;
     scene.stale = false;  // a drag would flicker; the title says what state the map is in
     return scene;
+}
+
+std::vector<Eigen::Vector3d> selected_points(const SpaceScene& scene,
+                                             const Eigen::MatrixXd& points) {
+    std::vector<Eigen::Vector3d> selected;
+    if (scene.selected) {
+        selected.push_back(point_of(points, static_cast<Eigen::Index>(*scene.selected)));
+    }
+    for (const std::size_t k : scene.selected_too) {
+        selected.push_back(point_of(points, static_cast<Eigen::Index>(k)));
+    }
+    return selected;
 }
 
 // What a box or a lasso holds, instead of what was selected.
@@ -293,14 +306,17 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
         scene.ghost_opacity = 1.0;
         note_rect(ui.rects, "overlay", area.min, area.max, marks.people_text);
     }
+    if (std::exchange(shown_map.frame_asked, false)) {
+        frame_points(shown_map.camera, fit(points), area, selected_points(scene, points));
+    }
     const SpaceAction action = draw_space("space", ui.theme, area, scene, shown_map.camera);
-    const SpacePaneAction done = taken(work, action, places);
+    SpacePaneAction done = taken(work, action, places);
     const auto pointed = action.hovered ? action.hovered : scene.pointed;
     if (scene.selected && pointed && *scene.selected != *pointed) {
         note_rect(ui.rects, "map pair", area.min, area.max,
                   labels[*scene.selected] + "|" + labels[*pointed]);
     }
-    if (!ui.as_picture) draw_point_menu(ui, work, shown_map, action, places);
+    if (!ui.as_picture) done.deed = draw_point_menu(ui, work, shown_map, action, places);
     draw_map_legend(ui, shown_map, area);
     note_points(ui, shown_map, area, labels, points);
     note_maybes(ui, shown_map, area, marks.maybes, points);

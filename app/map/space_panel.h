@@ -18,6 +18,7 @@ namespace tact {
 struct SpacePaneAction {
     std::optional<std::size_t> hovered{};
     std::optional<std::size_t> double_clicked{};
+    PointDeed deed = PointDeed::none;               // with the pattern at shown_map.menu_of
     std::optional<std::size_t> proposal_pressed{};  // of the marks' proposals
     std::optional<std::size_t> proposal_clicked{};
     std::optional<std::pair<std::size_t, std::size_t>>

@@ -264,6 +264,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     hear_edits(app.ui, app.work, app.timeline, app.play);
     follow_hold(app.ui, app.work, app.timeline, app.play);
     follow_level(app.work, app.rendered, app.play);
+    note_map_places(app.work, app.shown_map);
     follow_map(app.work, app.shown_map, app.rendered);
     follow_current(app.work, app.rendered, app.physiology);
     follow_comparing(app.work, app.layout, app.shown_map, app.rendered, app.comparing);

@@ -222,6 +222,21 @@ void take_proposal(App& app, const SpacePaneAction& done) {
     if (done.proposal_clicked) take_variant(app.ui, app.work, app.maybes, *done.proposal_clicked);
 }
 
+void do_with_point(App& app, PointDeed deed) {
+    switch (deed) {
+        case PointDeed::none:
+            return;
+        case PointDeed::play:
+            return play_once(app.ui, app.work, app.timeline, app.play, app.work.selection.current);
+        case PointDeed::duplicate:
+            return duplicate_selected(app.ui, app.work);
+        case PointDeed::vary:
+            return vary(app.ui, app.work, app.maybes);
+        case PointDeed::steps:
+            return open_steps(app.ui, app.work, app.steps, {}, {});
+    }
+}
+
 void draw_space(App& app) {
     draw_vary_bar(app.ui, app.work, app.maybes);
     const SpacePaneAction done = draw_space_panel(app.ui, app.work, app.shown_map, map_marks(app));
@@ -229,6 +244,7 @@ void draw_space(App& app) {
     if (done.double_clicked)
         play_once(app.ui, app.work, app.timeline, app.play, *done.double_clicked);
     take_proposal(app, done);
+    do_with_point(app, done.deed);
     if (done.drawn_between) {
         const auto& all = app.work.document.set.vibrations;
         open_steps(app.ui, app.work, app.steps, all[done.drawn_between->first].name,
