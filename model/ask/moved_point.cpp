@@ -26,7 +26,7 @@ MdsParams following(Eigen::Index objects, Eigen::Index dimensions) {
 
 std::optional<MovedPoint> MovedPoint::of(MapAsItIs map, std::size_t row, int threads,
                                          std::stop_token stop) {
-    MovedPoint result(std::move(map), row, threads);
+    MovedPoint result(std::move(map), row);
     PredictOptions options;
     options.envelope_decimation = kCoarseEnvelopes;
     options.threads = threads;
@@ -34,21 +34,22 @@ std::optional<MovedPoint> MovedPoint::of(MapAsItIs map, std::size_t row, int thr
     auto coarse = predict(result.map_.waveforms, result.map_.model, options);
     if (!coarse) return std::nullopt;
     result.coarse_ = std::make_shared<const Prediction>(*std::move(coarse));
-    const auto unchanged = result.raw(result.map_.waveforms[row], stop);
+    const auto unchanged = result.raw(result.map_.waveforms[row], stop, threads);
     if (!unchanged) return std::nullopt;
     result.shift_ = result.map_.points.row(static_cast<Eigen::Index>(row)) - unchanged->at;
     return result;
 }
 
-std::optional<MovedPoint::Place> MovedPoint::raw(const Waveform& changed, std::stop_token stop) {
-    Waveform own = std::exchange(map_.waveforms[row_], changed);
+std::optional<MovedPoint::Place> MovedPoint::raw(const Waveform& changed, std::stop_token stop,
+                                                 int threads) const {
+    std::vector<Waveform> waveforms = map_.waveforms;
+    waveforms[row_] = changed;
     PredictOptions options;
     options.envelope_decimation = kCoarseEnvelopes;
     options.previous = coarse_.get();
-    options.threads = threads_;
+    options.threads = threads;
     options.stop = stop;
-    auto prediction = predict(map_.waveforms, map_.model, options);
-    map_.waveforms[row_] = std::move(own);
+    auto prediction = predict(waveforms, map_.model, options);
     if (!prediction) return std::nullopt;
     const PerceptualSpace space = smacof(prediction->pm, map_.points,
                                          following(map_.points.rows(), map_.points.cols()), stop);
@@ -58,8 +59,8 @@ std::optional<MovedPoint::Place> MovedPoint::raw(const Waveform& changed, std::s
 }
 
 std::optional<MovedPoint::Place> MovedPoint::operator()(const Waveform& changed,
-                                                        std::stop_token stop) {
-    auto place = raw(changed, std::move(stop));
+                                                        std::stop_token stop, int threads) const {
+    auto place = raw(changed, std::move(stop), threads);
     if (place) place->at += shift_;
     return place;
 }

@@ -37,18 +37,20 @@ class MovedPoint {
         Eigen::RowVectorXd at;
         Dissimilarity pm;  // of the set with the change, by coarse envelopes
     };
-    std::optional<Place> operator()(const Waveform& changed, std::stop_token stop);
+    // From any thread.
+    std::optional<Place> operator()(const Waveform& changed, std::stop_token stop,
+                                    int threads = 0) const;
 
+    const Eigen::MatrixXd& points() const { return map_.points; }
+    const Dissimilarity& pm() const { return coarse_->pm; }
     std::size_t length() const { return map_.waveforms.front().samples_g.size(); }
 
   private:
-    MovedPoint(MapAsItIs map, std::size_t row, int threads)
-        : map_(std::move(map)), row_(row), threads_(threads) {}
-    std::optional<Place> raw(const Waveform& changed, std::stop_token stop);
+    MovedPoint(MapAsItIs map, std::size_t row) : map_(std::move(map)), row_(row) {}
+    std::optional<Place> raw(const Waveform& changed, std::stop_token stop, int threads) const;
 
     MapAsItIs map_;
     std::size_t row_;
-    int threads_;
     std::shared_ptr<const Prediction> coarse_;
     Eigen::RowVectorXd shift_;  // from where it is by coarse envelopes to where it is shown
 };
