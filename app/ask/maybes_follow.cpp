@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "app/ask/maybes_work.h"
+#include "app/ask/put_there.h"
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
-#include "devices/calibration/rendering.h"
-#include "model/ask/moved_point.h"
 
 namespace tact {
 
@@ -13,84 +13,9 @@ namespace {
 
 constexpr double kTrackStaysS = 2.0;
 
-// Keeps what is the same for every pattern in the place of one.
-class MaybesWork {
-  public:
-    std::optional<FoundMaybes> operator()(const MaybesRequest& request, std::stop_token stop,
-                                          std::atomic<float>& progress) {
-        FoundMaybes found{request, request.patterns, {}};
-        if (request.vary) {
-            auto patterns = varied(*request.vary, 0, stop);
-            if (!patterns) return std::nullopt;
-            found.patterns = *std::move(patterns);
-        }
-        if (!prepare(request, stop)) return std::nullopt;
-        const auto count = static_cast<Eigen::Index>(found.patterns.size());
-        found.places.resize(count, request.points.cols());
-        const auto& by = request.map->request.rendered_by;
-        for (Eigen::Index k = 0; k < count; ++k) {
-            Waveform waveform = render(found.patterns[static_cast<std::size_t>(k)]);
-            if (by) waveform = rendering(*by, waveform).waveform;
-            const auto place = (*point_)(padded(std::move(waveform), point_->length()), stop);
-            if (!place) return std::nullopt;
-            found.places.row(k) = place->at;
-            progress = static_cast<float>(k + 1) / static_cast<float>(count);
-        }
-        return found;
-    }
-
-  private:
-    bool prepare(const MaybesRequest& request, const std::stop_token& stop) {
-        if (point_ && of_ == request.map && row_ == request.row && points_ == request.points) {
-            return true;
-        }
-        point_ = MovedPoint::of({model_waveforms(*request.map->played),
-                                 request.map->request.set->model, request.points},
-                                request.row, 0, stop);
-        of_ = request.map;
-        row_ = request.row;
-        points_ = request.points;
-        return point_.has_value();
-    }
-
-    std::optional<MovedPoint> point_;
-    std::shared_ptr<const LiveMap> of_;
-    std::size_t row_ = 0;
-    Eigen::MatrixXd points_;
-};
-
 void make_job(const Ui& ui, AskedMaybes& asked) {
     using Job = LatestJob<MaybesRequest, FoundMaybes>;
     asked.job = std::make_unique<Job>(JobPolicy::supersede, MaybesWork{}, ui.wake);
-}
-
-// Of the map on screen; none where there is no map of the document as it is, or the pattern is not
-// in it, or is longer than all others.
-std::optional<MaybesRequest> request_for(const Workspace& work, const ShownMap& shown_map,
-                                         const std::string& name, std::vector<Pattern> patterns) {
-    const MapTransition& map = shown_map.transition;
-    const MapState state = map_state(work, shown_map);
-    if (state != MapState::exact && state != MapState::preview) return std::nullopt;
-    if (map.to.rows() < 3 || map.shown->space.verdict == MdsVerdict::constant) return std::nullopt;
-    const auto row = place_named(*map.shown->request.set, name);
-    if (!row) return std::nullopt;
-    const double longest = longest_s(*map.shown->played);
-    std::erase_if(patterns, [&](const Pattern& p) { return p.duration_s > longest; });
-    return MaybesRequest{map.shown, map.to, *row, std::move(patterns), {}};
-}
-
-void ask(AskedMaybes& asked, std::optional<MaybesRequest> wanted) {
-    if (!asked.job || wanted == asked.asked) return;
-    asked.asked = std::move(wanted);
-    if (asked.asked) asked.job->submit(*asked.asked);
-    if (!asked.asked) asked.job->cancel();
-}
-
-// The answer to what is asked now.
-std::shared_ptr<const FoundMaybes> answer_of(const AskedMaybes& asked) {
-    if (!asked.job || !asked.asked) return nullptr;
-    auto found = asked.job->latest();
-    return found && found->request == *asked.asked ? found : nullptr;
 }
 
 // The track stays a while when the mouse has left the slider, so that it can be rested on.
@@ -120,6 +45,7 @@ std::optional<MaybesRequest> vary_request(const Workspace& work, const ShownMap&
     question.seed = state.vary_seed;
     question.steps = work.document.set.felt_steps;
     question.model = work.document.set.model;
+    question.free = free_of(state);
     request->vary = question;
     return request;
 }
@@ -130,12 +56,17 @@ void make_maybes_jobs(const Ui& ui, MaybesState& state) {
     make_job(ui, state.track);
     make_job(ui, state.suggestion);
     make_job(ui, state.variants);
+    make_job(ui, state.put.cloud);
+    using Job = LatestJob<ReachRequest, FoundReach>;
+    state.put.job = std::make_unique<Job>(JobPolicy::supersede, MaybesWork{}, ui.wake);
 }
 
 void stop_maybes_jobs(MaybesState& state) {
     state.track.job.reset();
     state.suggestion.job.reset();
     state.variants.job.reset();
+    state.put.cloud.job.reset();
+    state.put.job.reset();
 }
 
 void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
@@ -155,7 +86,8 @@ void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_ma
 
 bool is_asking(const MaybesState& state) {
     const auto busy = [](const AskedMaybes& asked) { return asked.job && asked.job->busy(); };
-    return busy(state.track) || busy(state.suggestion) || busy(state.variants);
+    return busy(state.track) || busy(state.suggestion) || busy(state.variants) ||
+           busy(state.put.cloud) || (state.put.job && state.put.job->busy());
 }
 
 MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state) {
@@ -178,6 +110,7 @@ MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state) {
         shown.proposal_names = {suggested->words};
         shown.lit = 0;
     }
+    show_put(shown, columns, state);
     return shown;
 }
 

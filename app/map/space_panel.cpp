@@ -184,6 +184,11 @@ SpacePaneAction taken(Workspace& work, const SpaceAction& action,
     done.proposal_pressed = action.proposal_pressed;
     done.proposal_clicked = action.proposal_clicked;
     work.selection.on_track = action.on_track.has_value();
+    if (action.moved && action.moved_to && places[*action.moved]) {
+        done.moved = places[*action.moved];
+        done.moved_to = *action.moved_to;
+        done.move_ended = action.move_ended;
+    }
     if (action.enclosed) select_enclosed(work, *action.enclosed, places);
     if (const auto& between = action.drawn_between) {
         if (places[between->a] && places[between->b]) {

@@ -18,6 +18,11 @@ namespace tact {
 struct SpacePaneAction {
     std::optional<std::size_t> hovered{};
     std::optional<std::size_t> double_clicked{};
+    // Alt+drag of a point: its place in the document, where to in the map, and whether it is let
+    // go.
+    std::optional<std::size_t> moved{};
+    Eigen::RowVectorXd moved_to{};
+    bool move_ended = false;
     PointDeed deed = PointDeed::none;               // with the pattern at shown_map.menu_of
     std::optional<std::size_t> proposal_pressed{};  // of the marks' proposals
     std::optional<std::size_t> proposal_clicked{};

@@ -79,6 +79,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Drag, wheel, right drag in the space", "turn, zoom, move"},
     {"F; a click on D1, D2, D3", "fill the space with the selection; look along an axis"},
     {"Shift+drag, Ctrl+Shift+drag in the space; Ctrl+click", "select by a box, by a lasso; add one"},
+    {"Alt+drag of a point of the map", "put it there: its pattern is searched"},
     {"Ctrl+drag from a point of the map to another", "even steps between the two"},
     {"Drop files or a folder on the window", "open them"},
 });

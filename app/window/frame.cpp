@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/ask/maybes_follow.h"
+#include "app/ask/put_there.h"
 #include "app/ask/steps_follow.h"
 #include "app/calibrate/calibrate_state.h"
 #include "app/calibrate/measuring_response.h"
@@ -129,6 +130,7 @@ void follow_renaming(App& app, const Renaming& renaming) {
     follow(renaming, app.steps.from);
     follow(renaming, app.steps.to);
     follow(renaming, app.maybes.varied);
+    follow(renaming, app.maybes.put.name);
     if (auto& opened = app.picking.opened) {
         follow(renaming, opened->first);
         follow(renaming, opened->second);
@@ -271,6 +273,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_subset(app.work, app.layout, app.shown_map, app.picking);
     check_applied(app.ui, app.work, app.shown_map, app.picking);
     follow_steps(app.ui, app.work, app.steps);
+    follow_put(app.ui, app.work, app.shown_map, app.maybes);
     follow_maybes(app.ui, app.work, app.shown_map, app.maybes);
     autosave_if_due(app.ui, app.work);
     move_focus(app.ui);

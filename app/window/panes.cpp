@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/ask/maybes_follow.h"
+#include "app/ask/put_there.h"
 #include "app/ask/steps_follow.h"
 #include "app/ask/vary_bar.h"
 #include "app/compare/compare_follow.h"
@@ -245,6 +246,10 @@ void draw_space(App& app) {
         play_once(app.ui, app.work, app.timeline, app.play, *done.double_clicked);
     take_proposal(app, done);
     do_with_point(app, done.deed);
+    if (done.moved) {
+        move_point(app.ui, app.work, app.shown_map, app.maybes,
+                   {*done.moved, done.moved_to, done.move_ended});
+    }
     if (done.drawn_between) {
         const auto& all = app.work.document.set.vibrations;
         open_steps(app.ui, app.work, app.steps, all[done.drawn_between->first].name,
