@@ -50,15 +50,15 @@ std::vector<double> values_of(const Steps& steps) {
 }
 
 // What it costs to come to each place of the last layer, and from where.
-struct Reached {
+struct Costs {
     std::vector<std::vector<double>> cost;
     std::vector<std::vector<std::size_t>> before;
 };
 
 // By steps within [least, most]: the largest distance, or the sum of squared extents.
-Reached reached(const std::vector<std::vector<double>>& layers, const Steps& steps, double least,
-                double most, bool by_extent) {
-    Reached result;
+Costs costs_of(const std::vector<std::vector<double>>& layers, const Steps& steps, double least,
+               double most, bool by_extent) {
+    Costs result;
     for (const auto& layer : layers) {
         result.cost.emplace_back(layer.size(), kNever);
         result.before.emplace_back(layer.size(), 0);
@@ -77,10 +77,10 @@ Reached reached(const std::vector<std::vector<double>>& layers, const Steps& ste
     return result;
 }
 
-std::vector<std::size_t> way_to(const Reached& reached, std::size_t last) {
+std::vector<std::size_t> way_to(const Costs& costs, std::size_t last) {
     std::vector<std::size_t> chosen{last};
-    for (std::size_t layer = reached.before.size() - 1; layer > 0; --layer) {
-        chosen.push_back(reached.before[layer][chosen.back()]);
+    for (std::size_t layer = costs.before.size() - 1; layer > 0; --layer) {
+        chosen.push_back(costs.before[layer][chosen.back()]);
     }
     std::ranges::reverse(chosen);
     return chosen;
@@ -94,7 +94,7 @@ EvenPath even_path(const std::vector<std::vector<double>>& layers, const LayerDi
     double least_extent = kNever;
     const Steps steps = steps_of(layers, distance);
     for (const double least : values_of(steps)) {
-        const Reached any = reached(layers, steps, least, kNever, false);
+        const Costs any = costs_of(layers, steps, least, kNever, false);
         const auto end = std::ranges::min_element(any.cost.back());
         if (*end == kNever) break;  // nor with a larger one
         const double ratio = *end / least;
@@ -104,7 +104,7 @@ EvenPath even_path(const std::vector<std::vector<double>>& layers, const LayerDi
             continue;
         }
         const double most = least * (1.0 + tolerance);
-        const Reached even = reached(layers, steps, least, most, true);
+        const Costs even = costs_of(layers, steps, least, most, true);
         const auto nearest = std::ranges::min_element(even.cost.back());
         if (!(*nearest < least_extent)) continue;
         least_extent = *nearest;
