@@ -12,7 +12,7 @@ namespace tact {
 namespace {
 
 constexpr std::size_t kParts = 64;
-constexpr int kRounds = 7;
+constexpr int kNarrowings = 7;
 constexpr int kHalfWindow = 4;      // places to either side, in a window
 constexpr double kAimedAt = 0.015;  // of the tolerance some is left for what is coarse
 constexpr double kSmallestJump = 1e-5;
@@ -183,12 +183,12 @@ Placed placed(PathDistances& path, const StepsQuestion& question, const Overview
     Placed best;
     std::vector<double> shares = first_places(overview, question.count);
     double grain = 1.0 / static_cast<double>(kParts * kHalfWindow);
-    for (int round = 0; round < kRounds; ++round, grain *= 0.25) {
+    for (int round = 0; round < kNarrowings; ++round, grain *= 0.25) {
         if (!path.prepare(shares)) return {};
         const std::vector<double> exact = exact_neighbours(path, shares);
         const double uneven = unevenness(exact);
         if (best.shares.empty() || uneven < best.uneven) best = {shares, exact, uneven};
-        if (progress) progress(0.4 + 0.4 * (round + 1) / kRounds);
+        if (progress) progress(0.4 + 0.4 * (round + 1) / kNarrowings);
         if (uneven <= 2.0 * kAimedAt || question.count == 2) break;
         shares = narrowed(path, best.shares, best.exact, grain);
         if (shares.empty()) return {};
