@@ -98,8 +98,8 @@ std::optional<int> axis_at(const SpaceStage& stage, const SpaceCamera& camera, I
 Rect draw_axes_cross(const SpaceStage& stage, const SpaceCamera& camera) {
     const Theme& theme = stage.theme;
     const AxesCross cross = cross_of(stage);
-    const auto pointed = ImGui::IsItemHovered() ? axis_at(stage, camera, ImGui::GetIO().MousePos)
-                                                : std::optional<int>();
+    const int pointed =
+        ImGui::IsItemHovered() ? axis_at(stage, camera, ImGui::GetIO().MousePos).value_or(-1) : -1;
     for (int axis = 0; axis < (stage.fit.flat ? 2 : 3); ++axis) {
         const ImVec2 tip = tip_of(stage, camera, cross, axis);
         const bool lit = pointed == axis;
