@@ -238,6 +238,17 @@ struct SeparateCommand {
 };
 Expected<Done> run(const SeparateCommand& command);
 
+struct StepsCommand {
+    CommonOptions common;
+    std::string from;
+    std::string to;
+    int count = 5;              // with both ends
+    std::string parameter;      // along this number of `from` alone; empty: along all
+    std::string metric = "pm";  // before ranks, or nc or oc
+    std::filesystem::path out;  // a set file
+};
+Expected<Done> run(const StepsCommand& command);
+
 struct FindingsCommand {
     int threads = 0;
     bool json = false;

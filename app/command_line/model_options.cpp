@@ -1,6 +1,8 @@
 // What the model says of a set, and what follows from it.
 #include "app/command_line/options.h"
 
+#include "model/ask/steps.h"
+
 namespace tact {
 
 namespace {
@@ -144,6 +146,27 @@ void add_separate_command(CLI::App& app, SeparateCommand& command, Chosen& chose
     separate.add_option("--threshold", command.threshold, "instead farther than this PM")
         ->check(within(0.0, kMost))
         ->excludes(closest);
+}
+
+void add_steps_command(CLI::App& app, StepsCommand& command, Chosen& chosen) {
+    CLI::App& steps = add_command(
+        app, "steps", "patterns between two, each as far from the next as all others are", command,
+        chosen);
+    steps.add_option("--from", command.from, "name of the pattern at one end")->required();
+    steps.add_option("--to", command.to, "name of the pattern at the other end")->required();
+    steps.add_option("-n,--count", command.count, "how many, with both ends; else 5")
+        ->check(within(2, static_cast<double>(kMostSteps)));
+    steps.add_option("--parameter", command.parameter,
+                     "only this number of --from changes, to what --to has: amplitude_g, "
+                     "carrier_hz, second_carrier_hz, mix, modulation_hz, depth, rhythm_unit_s, "
+                     "attack_s or release_s; else all that the two differ in");
+    steps
+        .add_option("--metric", command.metric,
+                    "what is even: pm, the parts of PM before ranks are taken (ranks of "
+                    "neighbours cannot be equal), or one of the parts, nc or oc; else pm")
+        ->check(CLI::IsMember({"pm", "nc", "oc"}));
+    steps.add_option("--out", command.out, "a set file for them")->required();
+    steps.footer("Rhythms that differ are morphed: notes move, stretch, split and fade.");
 }
 
 void add_findings_command(CLI::App& app, FindingsCommand& command, Chosen& chosen) {

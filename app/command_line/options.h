@@ -57,6 +57,7 @@ void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen);
 void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen);
 void add_report_command(CLI::App& app, ReportCommand& command, Chosen& chosen);
 void add_separate_command(CLI::App& app, SeparateCommand& command, Chosen& chosen);
+void add_steps_command(CLI::App& app, StepsCommand& command, Chosen& chosen);
 void add_findings_command(CLI::App& app, FindingsCommand& command, Chosen& chosen);
 
 // pattern_options.cpp
@@ -92,6 +93,7 @@ struct Commands {
     SubsetCommand subset;
     ReportCommand report;
     SeparateCommand separate;
+    StepsCommand steps;
     FindingsCommand findings;
     DevicesCommand devices;
     PlayCommand play;

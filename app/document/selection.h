@@ -11,6 +11,26 @@
 
 namespace tact {
 
+// A number of the pattern in the editor whose slider the mouse rests on: what the pattern would be
+// over the slider's range, and the number there in words.
+struct RestedNumber {
+    std::string name;   // of the pattern
+    std::string field;  // its id
+    std::vector<Pattern> patterns;
+    std::vector<std::string> words;
+
+    bool operator==(const RestedNumber&) const = default;
+};
+
+// A change of a pattern that is pointed at, such as one that would separate two.
+struct SuggestedChange {
+    std::string name;  // of the pattern
+    Pattern changed;
+    std::string words;
+
+    bool operator==(const SuggestedChange&) const = default;
+};
+
 // What of the document the person is looking at. Indices into document.set.vibrations.
 struct Selection {
     std::string pinned;            // name of the pattern shown for comparison; empty: none
@@ -28,6 +48,9 @@ struct Selection {
     std::optional<std::pair<std::size_t, std::size_t>> hovered_pair_last{};
     // In this frame, by any panel (app/document/pressing.h); a candidate is in no document yet.
     std::optional<Vibration> pressed{};
+    std::optional<RestedNumber> rested{};        // in this frame
+    std::optional<SuggestedChange> suggested{};  // in this frame
+    bool on_track = false;                       // in this frame the mouse is on the rested one's
 };
 
 }  // namespace tact

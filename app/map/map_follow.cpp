@@ -5,6 +5,7 @@
 #include <limits>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "app/document/shown_side.h"
 #include "model/map/procrustes.h"
@@ -47,13 +48,60 @@ Eigen::MatrixXd picked(const Eigen::MatrixXd& points, const std::vector<Eigen::I
     return result;
 }
 
+// As it was saved with the set: rows of this map, and where those were.
+struct SavedPlaces {
+    std::vector<Eigen::Index> rows;
+    Eigen::MatrixXd points;
+};
+
+SavedPlaces saved_places(const LiveMap& map) {
+    const auto& saved = map.request.set->map_places.at;
+    const auto columns = static_cast<std::size_t>(map.space.points.cols());
+    SavedPlaces places;
+    std::vector<const std::vector<double>*> found;
+    const auto& now = map.request.set->vibrations;
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        const auto at = saved.find(now[k].name);
+        if (at == saved.end() || at->second.size() != columns) continue;
+        places.rows.push_back(static_cast<Eigen::Index>(k));
+        found.push_back(&at->second);
+    }
+    places.points.resize(static_cast<Eigen::Index>(found.size()), map.space.points.cols());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        for (std::size_t d = 0; d < columns; ++d) {
+            places.points(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(d)) =
+                (*found[k])[d];
+        }
+    }
+    return places;
+}
+
+Eigen::MatrixXd turned_onto(const Eigen::MatrixXd& points, const std::vector<Eigen::Index>& rows,
+                            const Eigen::MatrixXd& target) {
+    return transformed(procrustes(picked(points, rows), target, false), points);
+}
+
+// Fewer points in common tell no turn.
+bool tells_turn(std::size_t common, Eigen::Index dimensions) {
+    return common >= static_cast<std::size_t>(dimensions) + 1;
+}
+
+// Onto the last exact map; before there is one of this document, onto how it was saved, else onto
+// the preview on screen.
 Eigen::MatrixXd aligned_to_anchor(const MapTransition& map, const LiveMap& fresh) {
     const Eigen::MatrixXd& points = fresh.space.points;
-    if (!map.anchor || map.anchor_points.cols() != points.cols()) return points;
-    const Common common = common_rows(fresh, *map.anchor);
-    const ProcrustesFit fit =
-        procrustes(picked(points, common.here), picked(map.anchor_points, common.there), false);
-    return transformed(fit, points);
+    if (map.anchor && map.anchor_points.cols() == points.cols()) {
+        const Common common = common_rows(fresh, *map.anchor);
+        return turned_onto(points, common.here, picked(map.anchor_points, common.there));
+    }
+    const SavedPlaces saved = saved_places(fresh);
+    if (tells_turn(saved.rows.size(), points.cols())) {
+        return turned_onto(points, saved.rows, saved.points);
+    }
+    if (!map.shown || map.to.cols() != points.cols()) return points;
+    const Common common = common_rows(fresh, *map.shown);
+    if (!tells_turn(common.here.size(), points.cols())) return points;
+    return turned_onto(points, common.here, picked(map.to, common.there));
 }
 
 double smooth(double share) {
@@ -119,6 +167,10 @@ void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingSta
     if (!shown_map.full_job) return;  // a picture without a window computes its map itself
     shown_map.maps_asked = work.revision;
     shown_map.cancelled = false;
+    // Another document is another map: what the last one is turned onto says nothing of it.
+    if (std::exchange(shown_map.of_document, work.document_number) != work.document_number) {
+        shown_map.transition.anchor.reset();
+    }
     const PatternSet& set = work.document.set;
     if (needs_asking(set) && shown_map.compute_large_of != work.document_number) {
         shown_map.preview_job->cancel();
@@ -140,6 +192,23 @@ void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingSta
 
 void follow_map(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered) {
     if (shown_map.maps_asked != work.revision) request_maps(work, shown_map, rendered);
+}
+
+void note_map_places(Workspace& work, ShownMap& shown_map) {
+    if (map_state(work, shown_map) != MapState::exact) return;
+    const MapTransition& map = shown_map.transition;
+    if (map.shown->space.verdict == MdsVerdict::constant) return;
+    if (std::exchange(shown_map.places_noted_of, map.shown) == map.shown) return;
+    constexpr double kFine = 1e4;  // of a map's mean distance from its middle
+    auto& at = work.document.set.map_places.at;
+    at.clear();
+    const auto& all = map.shown->request.set->vibrations;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        auto& place = at[all[k].name];
+        for (Eigen::Index d = 0; d < map.to.cols(); ++d) {
+            place.push_back(std::round(kFine * map.to(static_cast<Eigen::Index>(k), d)) / kFine);
+        }
+    }
 }
 
 MapState map_state(const Workspace& work, const ShownMap& shown_map) {

@@ -198,6 +198,13 @@ void decorate(const MapDecor& decor, SpaceScene& scene) {
     scene.faint = decor.faint;
     scene.links = decor.marks.links;
     scene.spread = decor.marks.spread;
+    const MapMaybes& maybes = decor.marks.maybes;
+    const auto rows = [](const Eigen::MatrixXd& points) {
+        return points.rows() > 0 ? &points : nullptr;
+    };
+    scene.maybes = {rows(maybes.proposals), maybes.proposal_names, maybes.lit,
+                    rows(maybes.track),     maybes.track_words,    rows(maybes.cloud),
+                    maybes.wanted,          maybes.reached};
 }
 
 void draw_map_look(Ui& ui, ShownMap& shown_map) {
@@ -278,26 +285,38 @@ void draw_map_legend(const Ui& ui, const ShownMap& shown_map, const Rect& area) 
     draw_text(list, theme.fonts.small, {x + bar + gap, y}, theme.dim_text, high);
 }
 
-void draw_point_menu(Ui& ui, Workspace& work, ShownMap& shown_map, const SpaceAction& action,
-                     const std::vector<std::optional<std::size_t>>& places) {
+PointDeed draw_point_menu(Ui& ui, Workspace& work, ShownMap& shown_map, const SpaceAction& action,
+                          const std::vector<std::optional<std::size_t>>& places) {
     if (action.right_clicked && places[*action.right_clicked]) {
         shown_map.menu_of = *places[*action.right_clicked];
         ImGui::OpenPopup("point menu");
     }
-    if (!ImGui::BeginPopup("point menu")) return;
+    PointDeed deed = PointDeed::none;
+    if (!ImGui::BeginPopup("point menu")) return deed;
     const std::size_t place = shown_map.menu_of;
     if (place < work.document.set.vibrations.size()) {
         const Vibration& vibration = work.document.set.vibrations[place];
+        const bool editable = editable_pattern(vibration) != nullptr;
+        const bool has_numbers = std::holds_alternative<Pattern>(vibration.source);
         dim_text(ui, vibration.name);
+        const auto item = [&](const char* id, const char* words, PointDeed what, bool enabled) {
+            if (ImGui::MenuItem(words, nullptr, false, enabled)) deed = what;
+            note_item(ui.rects, std::string("menu:") + id);
+        };
+        item("play point", "Play", PointDeed::play, true);
         const bool locks = ImGui::MenuItem(vibration.locked ? "Unlock" : "Lock: always pick it");
         note_item(ui.rects, "menu:lock");
         const bool drops = ImGui::MenuItem(vibration.dropped ? "Take back" : "Drop: never pick it");
         note_item(ui.rects, "menu:drop");
-        if (locks || drops) select_only(work, place);
+        item("duplicate point", "Duplicate", PointDeed::duplicate, true);
+        item("vary point", "Vary", PointDeed::vary, editable);
+        item("steps point", "Steps to...", PointDeed::steps, has_numbers);
+        if (locks || drops || deed != PointDeed::none) select_only(work, place);
         if (locks) toggle_locked(ui, work);
         if (drops) toggle_dropped(ui, work);
     }
     ImGui::EndPopup();
+    return deed;
 }
 
 }  // namespace tact

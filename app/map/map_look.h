@@ -12,6 +12,18 @@
 
 namespace tact {
 
+// Places of patterns that there are not (app/ask); no rows: none.
+struct MapMaybes {
+    Eigen::MatrixXd proposals{};
+    std::vector<std::string> proposal_names{};
+    std::optional<std::size_t> lit{};
+    Eigen::MatrixXd track{};
+    std::vector<std::string> track_words{};
+    Eigen::MatrixXd cloud{};
+    std::optional<Eigen::RowVectorXd> wanted{};
+    std::optional<Eigen::RowVectorXd> reached{};
+};
+
 // What other rooms lay over the map; rows of the shown map.
 struct MapMarks {
     std::vector<std::size_t> chosen{};        // a subset: others step back
@@ -19,6 +31,7 @@ struct MapMarks {
     std::vector<Eigen::Matrix3d> spread{};    // how sure each place is
     std::optional<Eigen::MatrixXd> people{};  // the map of the ratings, laid over this one
     std::string people_text{};                // whose it is
+    MapMaybes maybes{};
 };
 
 // What a scene borrows while it is drawn.
@@ -39,8 +52,10 @@ void draw_map_look(Ui& ui, ShownMap& shown_map);
 // What the colours mean, in the upper right corner of the map.
 void draw_map_legend(const Ui& ui, const ShownMap& shown_map, const Rect& area);
 
-// The menu of a point: lock, drop.
-void draw_point_menu(Ui& ui, Workspace& work, ShownMap& shown_map, const SpaceAction& action,
-                     const std::vector<std::optional<std::size_t>>& places);
+// The menu of a point. Lock and drop are done; the others are for the frame, of the pattern at
+// shown_map.menu_of.
+enum class PointDeed { none, play, duplicate, vary, steps };
+PointDeed draw_point_menu(Ui& ui, Workspace& work, ShownMap& shown_map, const SpaceAction& action,
+                          const std::vector<std::optional<std::size_t>>& places);
 
 }  // namespace tact

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/jobs/latest_job.h"
@@ -66,6 +67,15 @@ struct ShownLargest {
     double value = 0.0;
 };
 
+// The order of the matrix's rows, kept while what it is of stays.
+struct ShownOrder {
+    std::shared_ptr<const LiveMap> of;
+    MatrixQuantity quantity = MatrixQuantity::pm;
+    std::vector<std::size_t> order;  // rows of the map, as the matrix has them
+    Dissimilarity matrix;            // in that order
+    std::vector<std::string> labels;
+};
+
 // Which map and which document those that are not felt were found in.
 struct ShownUnfelt {
     std::shared_ptr<const LiveMap> of;
@@ -85,9 +95,14 @@ struct ShownMap {
     ShownClusters clusters;
     ShownPaths paths;
     ShownLargest largest;
+    bool clustered_matrix = false;  // rows as a tree of clusters has them, not as the list
+    ShownOrder order;
+    std::shared_ptr<const LiveMap> places_noted_of;  // whose places the document has
+    std::uint64_t of_document = 0;                   // number of the one that the map is of
     ShownUnfelt unfelt;
     std::size_t menu_of = 0;  // the pattern whose menu is open in the map
     SpaceCamera camera;
+    bool frame_asked = false;  // what is selected is to fill the pane
     int dimensions = 3;
     MatrixQuantity quantity = MatrixQuantity::pm;
 };

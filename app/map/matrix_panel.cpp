@@ -1,5 +1,6 @@
 // PM, NC or OC of every pair as a heat map, and the pair under the mouse in numbers.
 
+#include <algorithm>
 #include <cstdio>
 
 #include "app/document/editing.h"
@@ -7,6 +8,7 @@
 #include "app/map/matrix_panel.h"
 #include "app/ui/failure.h"
 #include "app/ui/widgets.h"
+#include "model/map/clusters.h"
 #include "viz/charts/matrix_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -31,6 +33,33 @@ double shown_largest(ShownMap& shown_map) {
         if (value > kept.value) kept.value = value;
     }
     return kept.value;
+}
+
+// The matrix as it is to be drawn: its rows by the list, or alike ones beside each other.
+const ShownOrder& shown_order(ShownMap& shown_map) {
+    ShownOrder& kept = shown_map.order;
+    const auto& map = shown_map.transition.shown;
+    if (kept.of == map && kept.quantity == shown_map.quantity) return kept;
+    const Dissimilarity& matrix = shown_matrix(shown_map);
+    kept = {map, shown_map.quantity, clustered_order(matrix), {matrix.size, {}}, {}};
+    for (std::size_t i = 0; i < matrix.size; ++i) {
+        kept.labels.push_back(map->request.set->vibrations[kept.order[i]].name);
+        for (std::size_t j = i + 1; j < matrix.size; ++j) {
+            kept.matrix.condensed.push_back(matrix(kept.order[i], kept.order[j]));
+        }
+    }
+    return kept;
+}
+
+// Where a row of the map is drawn.
+std::size_t drawn_row(const ShownMap& shown_map, std::size_t row) {
+    if (!shown_map.clustered_matrix) return row;
+    const auto& order = shown_map.order.order;
+    return static_cast<std::size_t>(std::ranges::find(order, row) - order.begin());
+}
+
+std::size_t row_of_map(const ShownMap& shown_map, std::size_t drawn) {
+    return shown_map.clustered_matrix ? shown_map.order.order[drawn] : drawn;
 }
 
 const char* quantity_name(MatrixQuantity quantity) {
@@ -61,6 +90,13 @@ void draw_choice(Ui& ui, ShownMap& shown_map) {
            "pattern more or less changes every number.");
     choose(MatrixQuantity::nc, "Neural coding: difference of the predicted brain waveforms.");
     choose(MatrixQuantity::oc, "Rhythm: dynamic time warping of the two envelopes.");
+    constexpr const char* kClustered = "Alike together";
+    flow_on(ImGui::GetFrameHeight() + ImGui::CalcTextSize(kClustered).x, 2.0F * gap);
+    ImGui::Checkbox(kClustered, &shown_map.clustered_matrix);
+    note_item(ui.rects, "check:clustered", shown_map.clustered_matrix ? "on" : "off");
+    draw_tooltip(ui,
+                 "Rows in the order of a tree of clusters (average linkage), instead of the "
+                 "list's.");
 }
 
 // The pair's numbers beneath the map: all three, so that PM explains itself.
@@ -124,7 +160,8 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
         return;
     }
     const PatternSet& mapped = *shown_map.transition.shown->request.set;
-    const std::vector<std::string> labels = names_of(mapped);
+    const ShownOrder* order = shown_map.clustered_matrix ? &shown_order(shown_map) : nullptr;
+    const std::vector<std::string> labels = order ? order->labels : names_of(mapped);
     // Low panes need it for the map; the pair under the mouse is told there, too.
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const bool has_foot = !ui.as_picture && area.height() > 9.0F * line;
@@ -134,14 +171,19 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     area.max.y = foot_area.min.y - ui.theme.gap_px * 0.5F;
 
     MatrixScene scene;
-    scene.condensed = shown_matrix(shown_map).condensed;
+    scene.condensed = order ? order->matrix.condensed : shown_matrix(shown_map).condensed;
     scene.labels = labels;
     scene.quantity = quantity_name(shown_map.quantity);
     scene.largest = shown_largest(shown_map);
     const PatternSet& set = work.document.set;
     const Vibration* current = current_vibration(work);
     if (current != nullptr) scene.selected = place_named(mapped, current->name);
+    if (scene.selected) scene.selected = drawn_row(shown_map, *scene.selected);
     scene.pointed = pair_in_map(work, mapped);
+    if (scene.pointed) {
+        scene.pointed = Pair{drawn_row(shown_map, scene.pointed->first),
+                             drawn_row(shown_map, scene.pointed->second)};
+    }
     note_rect(
         ui.rects, "view:Matrix", area.min, area.max,
         scene.pointed ? labels[scene.pointed->first] + "|" + labels[scene.pointed->second] : "");
@@ -162,7 +204,13 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
             work.selection.hovered_pair = {*first, *work.selection.hovered};
         }
     }
-    if (has_foot) draw_pair(ui, shown_map, foot_area, action.hovered, labels);
+    if (!has_foot) return;
+    std::optional<Pair> hovered = action.hovered;
+    if (hovered) {
+        hovered =
+            Pair{row_of_map(shown_map, hovered->first), row_of_map(shown_map, hovered->second)};
+    }
+    draw_pair(ui, shown_map, foot_area, hovered, names_of(mapped));
 }
 
 }  // namespace tact

@@ -10,6 +10,13 @@ std::optional<ChosenPair> chosen_pair(const Workspace& work, const ShownMap& sho
     if (partner && partner != current) return ChosenPair{current, *partner, PartnerKind::chosen};
     const auto pinned = place_named(work.document.set, work.selection.pinned);
     if (pinned && pinned != current) return ChosenPair{current, *pinned, PartnerKind::pinned};
+    return closest_pair(work, shown_map);
+}
+
+std::optional<ChosenPair> closest_pair(const Workspace& work, const ShownMap& shown_map) {
+    const std::size_t count = work.document.set.vibrations.size();
+    const std::size_t current = work.selection.current;
+    if (count < 2 || current >= count) return std::nullopt;
     ChosenPair pair{current, current == 0 ? 1U : 0U, PartnerKind::closest};
     if (!shown_map.transition.shown) return pair;
     const PatternSet& mapped = *shown_map.transition.shown->request.set;

@@ -21,6 +21,9 @@ struct ChosenPair {
 // Chosen by a click, else pinned, else the closest by PM. None with fewer than two patterns.
 std::optional<ChosenPair> chosen_pair(const Workspace& work, const ShownMap& shown_map);
 
+// The current pattern and the closest one by PM, whatever was chosen.
+std::optional<ChosenPair> closest_pair(const Workspace& work, const ShownMap& shown_map);
+
 // Their rows in the map on screen, which there must be; none where it leaves one of them out.
 std::optional<std::pair<std::size_t, std::size_t>> rows_in_map(const Workspace& work,
                                                                const ShownMap& shown_map,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
@@ -140,7 +141,32 @@ SpaceScene scene_of(const Ui& ui, const Workspace& work, const ShownMap& shown_m
     return scene;
 }
 
-// A click selects; what else was done is for the frame.
+std::vector<Eigen::Vector3d> selected_points(const SpaceScene& scene,
+                                             const Eigen::MatrixXd& points) {
+    std::vector<Eigen::Vector3d> selected;
+    if (scene.selected) {
+        selected.push_back(point_of(points, static_cast<Eigen::Index>(*scene.selected)));
+    }
+    for (const std::size_t k : scene.selected_too) {
+        selected.push_back(point_of(points, static_cast<Eigen::Index>(k)));
+    }
+    return selected;
+}
+
+// What a box or a lasso holds, instead of what was selected.
+void select_enclosed(Workspace& work, const std::vector<std::size_t>& rows,
+                     const std::vector<std::optional<std::size_t>>& places) {
+    bool is_first = true;
+    for (const std::size_t row : rows) {
+        if (!places[row]) continue;
+        if (is_first) select_only(work, *places[row]);
+        if (!is_first) work.selection.others.insert(*places[row]);
+        is_first = false;
+    }
+    if (!is_first) work.selection.scroll_to_current = true;
+}
+
+// A click selects, with Ctrl too; what else was done is for the frame.
 SpacePaneAction taken(Workspace& work, const SpaceAction& action,
                       const std::vector<std::optional<std::size_t>>& places) {
     SpacePaneAction done;
@@ -151,8 +177,23 @@ SpacePaneAction taken(Workspace& work, const SpaceAction& action,
     }
     if (action.double_clicked) done.double_clicked = places[*action.double_clicked];
     if (action.clicked && places[*action.clicked]) {
-        select_only(work, *places[*action.clicked]);
+        const std::size_t place = *places[*action.clicked];
+        action.with_ctrl ? toggle_selected(work, place) : select_only(work, place);
         work.selection.scroll_to_current = true;
+    }
+    done.proposal_pressed = action.proposal_pressed;
+    done.proposal_clicked = action.proposal_clicked;
+    work.selection.on_track = action.on_track.has_value();
+    if (action.moved && action.moved_to && places[*action.moved]) {
+        done.moved = places[*action.moved];
+        done.moved_to = *action.moved_to;
+        done.move_ended = action.move_ended;
+    }
+    if (action.enclosed) select_enclosed(work, *action.enclosed, places);
+    if (const auto& between = action.drawn_between) {
+        if (places[between->a] && places[between->b]) {
+            done.drawn_between = {*places[between->a], *places[between->b]};
+        }
     }
     return done;
 }
@@ -168,6 +209,23 @@ void note_points(Ui& ui, const ShownMap& shown_map, const Rect& area,
         note_rect(ui.rects, "point:" + labels[k], at.at, at.at);
     }
     if (is_moving(ui, shown_map)) note_rect(ui.rects, "points move", area.min, area.max);
+}
+
+void note_maybes(Ui& ui, const ShownMap& shown_map, const Rect& area, const MapMaybes& maybes,
+                 const Eigen::MatrixXd& points) {
+    if (ui.rects.file.empty()) return;
+    const SpaceFit placed = fit(points);
+    const auto note = [&](const char* what, const Eigen::MatrixXd& places,
+                          const std::vector<std::string>& words) {
+        for (Eigen::Index k = 0; k < places.rows(); ++k) {
+            const ImVec2 at = project(shown_map.camera, placed, area, point_of(places, k)).at;
+            const auto number = static_cast<std::size_t>(k);
+            note_rect(ui.rects, what + std::to_string(k + 1), at, at,
+                      number < words.size() ? words[number] : "");
+        }
+    };
+    note("proposal:", maybes.proposals, maybes.proposal_names);
+    note("track:", maybes.track, maybes.track_words);
 }
 
 // At the top: the foot has the axes and what the mouse can do.
@@ -253,16 +311,20 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
         scene.ghost_opacity = 1.0;
         note_rect(ui.rects, "overlay", area.min, area.max, marks.people_text);
     }
+    if (std::exchange(shown_map.frame_asked, false)) {
+        frame_points(shown_map.camera, fit(points), area, selected_points(scene, points));
+    }
     const SpaceAction action = draw_space("space", ui.theme, area, scene, shown_map.camera);
-    const SpacePaneAction done = taken(work, action, places);
+    SpacePaneAction done = taken(work, action, places);
     const auto pointed = action.hovered ? action.hovered : scene.pointed;
     if (scene.selected && pointed && *scene.selected != *pointed) {
         note_rect(ui.rects, "map pair", area.min, area.max,
                   labels[*scene.selected] + "|" + labels[*pointed]);
     }
-    if (!ui.as_picture) draw_point_menu(ui, work, shown_map, action, places);
+    if (!ui.as_picture) done.deed = draw_point_menu(ui, work, shown_map, action, places);
     draw_map_legend(ui, shown_map, area);
     note_points(ui, shown_map, area, labels, points);
+    note_maybes(ui, shown_map, area, marks.maybes, points);
     draw_remarks(ui, area, verdict_text(shown_map.transition.shown->space, shown.size()),
                  marks.people_text);
     return done;

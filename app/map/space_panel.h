@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/document/workspace.h"
 #include "app/map/map_look.h"
@@ -17,6 +18,16 @@ namespace tact {
 struct SpacePaneAction {
     std::optional<std::size_t> hovered{};
     std::optional<std::size_t> double_clicked{};
+    // Alt+drag of a point: its place in the document, where to in the map, and whether it is let
+    // go.
+    std::optional<std::size_t> moved{};
+    Eigen::RowVectorXd moved_to{};
+    bool move_ended = false;
+    PointDeed deed = PointDeed::none;               // with the pattern at shown_map.menu_of
+    std::optional<std::size_t> proposal_pressed{};  // of the marks' proposals
+    std::optional<std::size_t> proposal_clicked{};
+    std::optional<std::pair<std::size_t, std::size_t>>
+        drawn_between{};  // Ctrl+drag, first to second
 };
 
 SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "app/document/editing.h"
+#include "app/model_bench/felt_step_fields.h"
 #include "app/model_bench/model_panel.h"
 #include "app/model_bench/model_rows.h"
 #include "app/ui/widgets.h"
@@ -169,6 +170,10 @@ void draw_model_panel(Ui& ui, Workspace& work, ModelBench& model_bench) {
     draw_heading(ui, "Physiology tables",
                  "Rebuilt from published rates and slopes; the original figures were not at hand.");
     draw_table_fields(ui, work, model_bench, original.coding.tables);
+    draw_heading(ui, "What people feel",
+                 "The least felt step of each number: by these, changes are proposed and pairs are "
+                 "too close. PM does not depend on them.");
+    draw_felt_step_fields(ui, work);
     ImGui::EndChild();
 }
 

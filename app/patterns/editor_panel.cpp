@@ -142,10 +142,7 @@ void draw_note(const Ui& ui, const Workspace& work, const Vibration& vibration) 
     ImGui::PopStyleColor();
 }
 
-}  // namespace
-
-void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
-                       const ShownMap& shown_map) {
+void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const ShownMap& shown_map) {
     const Vibration* vibration = current_vibration(work);
     if (vibration == nullptr) {
         draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "Nothing to edit",
@@ -213,6 +210,20 @@ void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     draw_partner(ui, work, shown_map);
     draw_note(ui, work, shown);
     ImGui::EndChild();
+}
+
+}  // namespace
+
+std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
+                                                 PatternPanes& pattern_panes,
+                                                 const ShownMap& shown_map) {
+    const float card_px = ui.as_picture ? 0.0F : neighbour_card_px(ui, work, shown_map);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    ImGui::BeginChild("editor", {room.x, std::max(1.0F, room.y - card_px)});
+    draw_fields(ui, work, pattern_panes, shown_map);
+    ImGui::EndChild();
+    if (card_px == 0.0F) return std::nullopt;
+    return draw_neighbour_card(ui, work, shown_map);
 }
 
 }  // namespace tact

@@ -3,12 +3,15 @@
 
 #include "app/document/workspace.h"
 #include "app/map/map_state.h"
+#include "app/patterns/neighbour_card.h"
 #include "app/patterns/patterns_state.h"
 #include "app/ui/ui.h"
 
 namespace tact {
 
-void draw_editor_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
-                       const ShownMap& shown_map);
+// What was pressed on the card of its closest neighbour is for the frame.
+std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
+                                                 PatternPanes& pattern_panes,
+                                                 const ShownMap& shown_map);
 
 }  // namespace tact

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -84,6 +85,32 @@ std::size_t write_all(Workspace& work, const std::vector<double>& to_each, const
     return clamped;
 }
 
+// What the pattern would be over the slider's range: once the mouse has come to rest there.
+void note_rested(const Ui& ui, Workspace& work, const Field& field, const Pattern& shown,
+                 const WriteNumber& write) {
+    constexpr double kRestS = 0.15;
+    constexpr int kPlaces = 13;
+    const bool rests = ui.time_s - ui.hover_since_s >= kRestS;
+    if (!rests || ImGui::GetIO().MouseDown[0] || !work.selection.others.empty()) return;
+    RestedNumber rested{
+        work.document.set.vibrations[work.selection.current].name, field.id, {}, {}};
+    const auto [low, high] = field.slider;
+    double last = std::numeric_limits<double>::quiet_NaN();
+    for (int k = 0; k < kPlaces; ++k) {
+        const double share = static_cast<double>(k) / (kPlaces - 1);
+        const double exact =
+            field.logarithmic ? low * std::pow(high / low, share) : low + share * (high - low);
+        const double value = std::clamp(snapped_to(exact, field.snap), low, high);
+        if (value == last) continue;
+        last = value;
+        Pattern changed = shown;
+        write(changed, value);
+        rested.patterns.push_back(clamped(std::move(changed)));
+        rested.words.push_back(shown_number(field.format, value));
+    }
+    work.selection.rested = std::move(rested);
+}
+
 void tell_clamped(Ui& ui, const Field& field, std::size_t clamped, std::size_t count) {
     if (clamped == 0 || count < 2) return;
     complain(ui, std::string(field.label) + ": " + std::to_string(clamped) + " of " +
@@ -117,6 +144,7 @@ void edit_number(Ui& ui, Workspace& work, Field field, const std::string& what,
         ui.field.clamped =
             write_all(work, targets(all, ui.field.before, field, edit, edited), read, write);
     }
+    if (edit.over_bar && !edit.changed) note_rested(ui, work, field, shown, write);
     if (!edit.finished) return;
     commit_step(ui, work, "Change " + of_selection(work, what));
     tell_clamped(ui, field, std::exchange(ui.field.clamped, 0), all.values.size());

@@ -45,6 +45,12 @@ void keep_closest(TooClosePairs& pairs, const Dissimilarity& dissimilarity) {
 void find_pairs(TooClosePairs& pairs, const SubsetState& state) {
     const PatternSet& set = *pairs.of->request.set;
     const Dissimilarity& pm = pairs.of->prediction.pm;
+    if (pairs.by == TooClose::felt) {
+        pairs.pairs = pairs_within_a_step(set, pm);
+        pairs.count = pairs.pairs.size();
+        if (pairs.pairs.size() > kMostPairs) pairs.pairs.resize(kMostPairs);
+        return;
+    }
     if (pairs.by == TooClose::ratings) {
         const Expected<RatingStudy> study = study_of(set);
         if (!study) return;
@@ -121,7 +127,14 @@ std::size_t row_to_change(const Workspace& work, const ShownMap& shown_map,
 SeparationRequest separation_request(const ShownMap& shown_map, SubsetState& picking,
                                      std::size_t row) {
     const TooClosePairs& pairs = too_close_pairs(shown_map, picking);
-    return {pairs.of, row, pairs.threshold, pairs.picked};
+    SeparationRequest request{pairs.of, row, pairs.threshold, pairs.picked};
+    if (pairs.by == TooClose::share || pairs.by == TooClose::picked) request.share = pairs.share;
+    if (pairs.by != TooClose::felt) return request;
+    request.by_a_step = true;
+    if (const auto opened = opened_rows(shown_map, picking)) {
+        request.threshold = pairs.of->prediction.pm(opened->first, opened->second);
+    }
+    return request;
 }
 
 std::string separation_obstacle(const Workspace& work, const ShownMap& shown_map,
@@ -152,6 +165,42 @@ void ask_about_picked(Workspace& work, const ShownMap& shown_map, SubsetState& p
     if (const auto rows = opened_rows(shown_map, picking))
         ask_for_separation(work, shown_map, picking,
                            row_to_change(work, shown_map, picking, *rows));
+}
+
+void ask_about_pair(Workspace& work, const ShownMap& shown_map, SubsetState& picking,
+                    const std::string& a, const std::string& b) {
+    picking.view = SubsetView::confusable;
+    if (picking.too_close == TooClose::ratings) picking.too_close = TooClose::felt;
+    open_pair(work, picking, a, b);
+    const auto rows = opened_rows(shown_map, picking);
+    if (!rows) return;
+    const auto& all = shown_map.transition.shown->request.set->vibrations;
+    picking.change_second = all[rows->second].name == a;
+    ask_for_separation(work, shown_map, picking, row_to_change(work, shown_map, picking, *rows));
+}
+
+bool is_listed(const TooClosePairs& pairs, const std::string& a, const std::string& b) {
+    if (!pairs.of) return false;
+    const auto& all = pairs.of->request.set->vibrations;
+    return std::ranges::any_of(pairs.pairs, [&](const ConfusablePair& pair) {
+        const std::string& first = all[pair.a].name;
+        const std::string& second = all[pair.b].name;
+        return (first == a && second == b) || (first == b && second == a);
+    });
+}
+
+void check_applied(Ui& ui, const Workspace& work, const ShownMap& shown_map, SubsetState& picking) {
+    if (!picking.applied) return;
+    if (work.revision != picking.applied->revision) return picking.applied.reset();
+    if (map_state(work, shown_map) != MapState::exact) return;
+    const AppliedChange applied = *std::exchange(picking.applied, std::nullopt);
+    const bool listed =
+        is_listed(too_close_pairs(shown_map, picking), applied.changed, applied.other);
+    const std::string pair = applied.changed + " and " + applied.other;
+    if (!listed) return say(ui, pair + " are no longer too close. Ctrl+Z takes the change back.");
+    complain(ui, pair +
+                     " are still listed: the change moved the ranks of the other pairs, too. "
+                     "Ask again, or take a larger one.");
 }
 
 void apply_separation(Ui& ui, Workspace& work, std::size_t place, const Separation& separation) {

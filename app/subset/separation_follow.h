@@ -35,6 +35,16 @@ void ask_for_separation(const Workspace& work, const ShownMap& shown_map, Subset
 void ask_about_picked(Workspace& work, const ShownMap& shown_map, SubsetState& picking,
                       const std::string& a, const std::string& b);
 
+// And for any pair, by what counts as too close now; the first of them is to be changed.
+void ask_about_pair(Workspace& work, const ShownMap& shown_map, SubsetState& picking,
+                    const std::string& a, const std::string& b);
+
+// Whether the two are listed as too close.
+bool is_listed(const TooClosePairs& pairs, const std::string& a, const std::string& b);
+
+// Says of an applied change, once the map is exact, whether the pair is still listed.
+void check_applied(Ui& ui, const Workspace& work, const ShownMap& shown_map, SubsetState& picking);
+
 // Applies a change as one step.
 void apply_separation(Ui& ui, Workspace& work, std::size_t place, const Separation& separation);
 

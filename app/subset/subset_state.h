@@ -47,6 +47,8 @@ struct SeparationRequest {
     std::size_t changed = 0;
     double threshold = 0.0;
     std::vector<std::size_t> from{};  // rows that count; empty: all
+    std::optional<double> share{};    // of the closest pairs, anew with each change
+    bool by_a_step = false;           // and no other within a felt step
 
     bool operator==(const SeparationRequest&) const = default;
 };
@@ -72,6 +74,7 @@ enum class SubsetView { pick, confusable, stability };
 
 // What is too close for comfort.
 enum class TooClose {
+    felt,       // no number differs by a felt step: most sets have no such pair
     share,      // the closest pairs of the set, so many of them
     picked,     // the same share of the pairs within the picked subset
     reference,  // all that are no farther apart than a pair the person knows
@@ -81,13 +84,20 @@ enum class TooClose {
 // The pairs that are too close, kept while nothing they depend on changes.
 struct TooClosePairs {
     std::shared_ptr<const LiveMap> of;
-    TooClose by = TooClose::share;
+    TooClose by = TooClose::felt;
     double share = 0.0;
     std::string reference;
     std::vector<std::size_t> picked;    // rows; empty unless by them
     double threshold = 0.0;             // in the matrix's own unit
     std::size_t count = 0;              // of all such pairs ...
     std::vector<ConfusablePair> pairs;  // ... of which the closest are kept
+};
+
+// A change that was to part a pair: whether it did is known once the map is exact.
+struct AppliedChange {
+    std::string changed;  // names
+    std::string other;
+    std::uint64_t revision = 0;  // of the document with the change
 };
 
 struct SubsetState {
@@ -98,13 +108,14 @@ struct SubsetState {
     Metric metric = Metric::pm;
     std::optional<std::size_t> alternative;  // looked at in the map instead of the best
 
-    TooClose too_close = TooClose::share;
+    TooClose too_close = TooClose::felt;
     double share = 0.05;
     std::string reference_a;  // names; empty: none chosen yet
     std::string reference_b;
     TooClosePairs pairs;
     std::optional<std::pair<std::string, std::string>> opened;  // names of a pair
     bool change_second = false;                                 // of the open pair
+    std::optional<AppliedChange> applied{};                     // not yet checked
 
     std::filesystem::path export_to;  // when the frame is done
     std::filesystem::path report_to;  // when a subset has been picked

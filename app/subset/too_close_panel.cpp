@@ -63,7 +63,11 @@ void draw_threshold(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         note_item(ui.rects, std::string("radio:") + name);
         draw_tooltip(ui, help);
     };
-    choose("Closest", TooClose::share, "The closest pairs of this set, so many of them.", true);
+    choose("Felt step", TooClose::felt,
+           "Pairs of which no number differs by the least change that people are taken to feel: "
+           "see Model, What people feel. Most sets have none.",
+           true);
+    choose("Closest", TooClose::share, "The closest pairs of this set, so many of them.", false);
     choose("Among the picked", TooClose::picked,
            "The closest pairs within the picked subset; a change has to part a pattern from the "
            "others of the subset only.",
@@ -76,13 +80,19 @@ void draw_threshold(Ui& ui, const Workspace& work, const ShownMap& shown_map,
     }
     if (picking.too_close == TooClose::reference) {
         draw_reference(ui, work, shown_map, picking);
-    } else {
+    } else if (picking.too_close != TooClose::felt) {
         draw_share_slider(ui, picking);
     }
 }
 
 const std::string& name_of(const TooClosePairs& pairs, std::size_t row) {
     return pairs.of->request.set->vibrations[row].name;
+}
+
+// "1 felt step", "2.3 felt steps".
+std::string felt_steps_text(double steps) {
+    const std::string text = significant(steps, 2);
+    return text + (text == "1" ? " felt step" : " felt steps");
 }
 
 // What the list has, or why it has nothing.
@@ -92,6 +102,9 @@ std::string summary_of(const SubsetState& picking, const TooClosePairs& pairs) {
     }
     if (pairs.by == TooClose::reference && picking.reference_a.empty()) {
         return "Click a pattern in the map, then another one, and take them.";
+    }
+    if (pairs.by == TooClose::felt && pairs.pairs.empty()) {
+        return "Every two differ by a felt step, in one number at least.";
     }
     if (pairs.pairs.empty()) return "No pair is too close.";
     const std::string total = grouped_digits(pairs.count) + (pairs.count == 1 ? " pair" : " pairs");
@@ -162,7 +175,8 @@ std::string number(double value, const char* unit) {
     return *unit == '\0' ? text : text + " " + unit;
 }
 
-void draw_separation(Ui& ui, Workspace& work, const FoundSeparations& found, std::size_t k) {
+void draw_separation(Ui& ui, Workspace& work, SubsetState& picking, const FoundSeparations& found,
+                     std::size_t k) {
     const Separation& separation = found.all[k];
     const ParameterTraits& about = traits(separation.parameter);
     const PatternSet& set = *found.request.map->request.set;
@@ -171,14 +185,27 @@ void draw_separation(Ui& ui, Workspace& work, const FoundSeparations& found, std
         const auto place =
             place_named(work.document.set, set.vibrations[found.request.changed].name);
         if (place) apply_separation(ui, work, *place, separation);
+        if (place && picking.opened) {
+            const std::string& changed = work.document.set.vibrations[*place].name;
+            const auto& [a, b] = *picking.opened;
+            picking.applied = AppliedChange{changed, changed == a ? b : a, work.revision};
+        }
     }
     const std::string text = std::string(about.name) + " " + number(separation.from, about.unit) +
                              " \u2192 " + number(separation.to, about.unit);
     note_item(ui.rects, "apply:" + std::to_string(k), text);
+    bool rested = ImGui::IsItemHovered();
     ImGui::SameLine();
     ImGui::TextUnformatted(text.c_str());
+    rested |= ImGui::IsItemHovered();
+    const auto& changed = set.vibrations[found.request.changed];
+    if (const auto* own = std::get_if<Pattern>(&changed.source); own != nullptr && rested) {
+        work.selection.suggested = SuggestedChange{
+            changed.name, with_value(*own, separation.parameter, separation.to), text};
+    }
     ImGui::PushFont(ui.theme.fonts.small);
-    coloured_note(ui.theme.dim_text, "then " + grouped(separation.nearest) + " from its closest, " +
+    coloured_note(ui.theme.dim_text, felt_steps_text(separation.steps) + "; then " +
+                                         grouped(separation.nearest) + " from its closest, " +
                                          set.vibrations[separation.nearest_to].name);
     ImGui::PopFont();
     ImGui::PopID();
@@ -194,20 +221,20 @@ void draw_search(Ui& ui, SubsetState& picking) {
     note_item(ui.rects, "link:cancel separation");
 }
 
-void draw_found(Ui& ui, Workspace& work, const SubsetState& picking,
-                const SeparationRequest& asked) {
+void draw_found(Ui& ui, Workspace& work, SubsetState& picking, const SeparationRequest& asked) {
     const std::shared_ptr<const FoundSeparations> found = picking.separations;
     if (!found || found->request != asked) return;
     if (found->all.empty()) {
         coloured_note(ui.theme.dim_text,
-                      "No change of a single number is enough. Change the rhythm, or add a "
-                      "carrier.");
+                      "No change of a single number is enough, up to 16 felt steps of it. Change "
+                      "the rhythm, or add a carrier.");
         note_item(ui.rects, "separations", "none");
         return;
     }
     note_rect(ui.rects, "separations", ImGui::GetCursorScreenPos(), ImGui::GetCursorScreenPos(),
               std::to_string(found->all.size()));
-    for (std::size_t k = 0; k < found->all.size(); ++k) draw_separation(ui, work, *found, k);
+    for (std::size_t k = 0; k < found->all.size(); ++k)
+        draw_separation(ui, work, picking, *found, k);
 }
 
 // The open pair: which to change, and the changes that would do.

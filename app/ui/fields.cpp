@@ -193,6 +193,7 @@ void draw_bar_and_entry(Ui& ui, const Field& field, const FieldRow& row, double&
             edit.along = Along::ratio;
         }
         edit.finished |= ImGui::IsItemDeactivatedAfterEdit();
+        edit.over_bar = ImGui::IsItemHovered();
         edit.begun = touched = ImGui::IsItemActivated();
         wheel = wheel_over(ui, field);
         ImGui::SameLine(0.0F, ui.theme.gap_px);

@@ -16,6 +16,7 @@ enum class Dialog {
     generate,
     import_recordings,
     simulate_measurement,
+    steps,
     tap_rhythm,
     leave_out,
     conduct_rules

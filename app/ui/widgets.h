@@ -45,6 +45,7 @@ struct Field {
 
 struct FieldEdit : NumberEdit {
     bool finished = false;  // the gesture ended: an undo step
+    bool over_bar = false;  // the mouse is on the slider
 };
 
 FieldEdit draw_field(Ui& ui, const Field& field, double& value);

@@ -2,6 +2,8 @@
 // see all of it; a panel takes what it touches. draw_frame() in app/window/frame.h draws it.
 #pragma once
 
+#include "app/ask/maybes_state.h"
+#include "app/ask/steps_state.h"
 #include "app/calibrate/calibrate_state.h"
 #include "app/compare/compare_state.h"
 #include "app/document/workspace.h"
@@ -43,6 +45,8 @@ struct App {
     ModelBench model_bench;
     PlayState play;
     SubsetState picking;
+    StepsState steps;
+    MaybesState maybes;
     ExportState exports;
     GenerateState generating;
     ImportState importing;

@@ -1,5 +1,7 @@
 #include "app/window/command_actions.h"
 
+#include "app/ask/maybes_follow.h"
+#include "app/ask/put_there.h"
 #include "app/compare/compare_state.h"
 #include "app/document/editing.h"
 #include "app/export/exports.h"
@@ -70,6 +72,10 @@ void escape(App& app) {
         cancel_animation(app);
     } else if (app.tour.step) {
         leave_tour(app.work, app.layout, app.timeline, app.physiology, app.tour);
+    } else if (app.maybes.put.asked) {
+        stop_putting(app.maybes);
+    } else if (!app.maybes.varied.empty()) {
+        stop_varying(app.maybes);
     } else if (app.timeline.playhead.playing) {
         app.timeline.playhead.playing = false;
     } else if (app.physiology.view.explained) {

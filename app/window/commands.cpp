@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/ask/maybes_follow.h"
+#include "app/ask/steps_follow.h"
 #include "app/compare/compare_follow.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
@@ -117,6 +119,10 @@ const auto kCommands = std::to_array<Command>({
     {"Edit", "Duplicate", ctrl('d'), has_selection, [](App& app) { duplicate_selected(app.ui, app.work); }},
     {"Edit", "Generate candidates...", ctrl('g'), always, [](App& app) { open_generate(app.ui, app.work, app.generating); }, nullptr,
      "design space factorial sample sobol latin hypercube levels"},
+    {"Edit", "Steps between...", {}, has_pairs, [](App& app) { open_steps(app.ui, app.work, app.steps, {}, {}); }, nullptr,
+     "even morph between interpolate two path series"},
+    {"Edit", "Vary", plain('v'), has_editable_pattern, [](App& app) { vary(app.ui, app.work, app.maybes); }, nullptr,
+     "neighbours variants alternatives others like it ghosts"},
     {"Edit", "Tap a rhythm...", plain('t'), has_editable_pattern, [](App& app) { open_tapping(app.ui, app.pattern_panes.tapping); }, nullptr, "beat notes hand"},
     {"Edit", "Add a point of amplitude at the playhead", {}, has_editable_pattern, add_at_playhead<GripKind::level>, nullptr, "curve envelope draw"},
     {"Edit", "Add a point of frequency at the playhead", {}, has_editable_pattern, add_at_playhead<GripKind::frequency>, nullptr, "curve sweep draw"},
@@ -142,6 +148,10 @@ const auto kCommands = std::to_array<Command>({
      [](App& app) { app.shown_map.camera = SpaceCamera{}; },
      nullptr,
      "camera"},
+    {"View", "Frame the selection in the space", plain('f'), has_selection, [](App& app) { app.shown_map.frame_asked = true; }, nullptr,
+     "zoom camera map focus"},
+    {"View", "Lock the view of the space", {}, always, [](App& app) { app.shown_map.camera.locked = !app.shown_map.camera.locked; },
+     [](const App& app) { return app.shown_map.camera.locked; }, "camera map turn"},
     {"View",
      "Dark",
      {},

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/ask/steps_dialog.h"
 #include "app/calibrate/calibrate_dialog.h"
 #include "app/calibrate/measuring_response.h"
 #include "app/compare/compare_follow.h"
@@ -56,6 +57,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Ctrl+N, Ctrl+D, Del", "new pattern, duplicate, delete"},
     {"Ctrl+G", "generate candidates from levels and ranges"},
     {"N, Shift+N", "choose the next point or transient, the one before"},
+    {"V", "eight neighbours of the pattern as rings in the map; V again, others"},
     {"T", "tap a rhythm; each press is a note as long as it is held"},
     {"Ctrl+C, Ctrl+V, Ctrl+A", "copy, paste, select all patterns"},
     {"Space; comma, full stop", "play or stop; 5 ms back, on"},
@@ -76,6 +78,10 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Double click on a pane's title", "maximise the pane; Esc puts it back"},
     {"Ctrl+P", "command palette"},
     {"Drag, wheel, right drag in the space", "turn, zoom, move"},
+    {"F; a click on D1, D2, D3", "fill the space with the selection; look along an axis"},
+    {"Shift+drag, Ctrl+Shift+drag in the space; Ctrl+click", "select by a box, by a lasso; add one"},
+    {"Alt+drag of a point of the map", "put it there: its pattern is searched"},
+    {"Ctrl+drag from a point of the map to another", "even steps between the two"},
     {"Drop files or a folder on the window", "open them"},
 });
 
@@ -157,6 +163,7 @@ void draw_dialogs(App& app) {
     if (app.ui.dialog == Dialog::about) draw_about(app);
     if (app.ui.dialog == Dialog::keys) draw_keys(app);
     if (app.ui.dialog == Dialog::generate) draw_generate_dialog(app.ui, app.work, app.generating);
+    if (app.ui.dialog == Dialog::steps) draw_steps_dialog(app.ui, app.work, app.steps);
     if (app.ui.dialog == Dialog::tap_rhythm)
         draw_tapping_dialog(app.ui, app.work, app.pattern_panes.tapping);
     if (app.ui.dialog == Dialog::leave_out) draw_leave_out_dialog(app.ui, app.work, app.studying);

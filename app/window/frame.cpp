@@ -7,6 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "app/ask/maybes_follow.h"
+#include "app/ask/put_there.h"
+#include "app/ask/steps_follow.h"
 #include "app/calibrate/calibrate_state.h"
 #include "app/calibrate/measuring_response.h"
 #include "app/compare/compare_follow.h"
@@ -25,6 +28,7 @@
 #include "app/play/playing.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_pages.h"
+#include "app/subset/separation_follow.h"
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_marks.h"
 #include "app/subset/subset_state.h"
@@ -123,6 +127,10 @@ void follow_renaming(App& app, const Renaming& renaming) {
     each(app.importing.patterns);
     follow(renaming, app.picking.reference_a);
     follow(renaming, app.picking.reference_b);
+    follow(renaming, app.steps.from);
+    follow(renaming, app.steps.to);
+    follow(renaming, app.maybes.varied);
+    follow(renaming, app.maybes.put.name);
     if (auto& opened = app.picking.opened) {
         follow(renaming, opened->first);
         follow(renaming, opened->second);
@@ -193,6 +201,9 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_progress(app);
     app.work.selection.hovered_last = app.work.selection.hovered;
     app.work.selection.hovered.reset();
+    app.work.selection.rested.reset();
+    app.work.selection.suggested.reset();
+    app.work.selection.on_track = false;
     app.work.selection.too_close = too_close_names(app.layout, app.picking);
     follow_unfelt(app.work, app.shown_map);
     follow_reach(app.work.cache, app.work.document.set, app.work.revision);
@@ -255,10 +266,15 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     hear_edits(app.ui, app.work, app.timeline, app.play);
     follow_hold(app.ui, app.work, app.timeline, app.play);
     follow_level(app.work, app.rendered, app.play);
+    note_map_places(app.work, app.shown_map);
     follow_map(app.work, app.shown_map, app.rendered);
     follow_current(app.work, app.rendered, app.physiology);
     follow_comparing(app.work, app.layout, app.shown_map, app.rendered, app.comparing);
     follow_subset(app.work, app.layout, app.shown_map, app.picking);
+    check_applied(app.ui, app.work, app.shown_map, app.picking);
+    follow_steps(app.ui, app.work, app.steps);
+    follow_put(app.ui, app.work, app.shown_map, app.maybes);
+    follow_maybes(app.ui, app.work, app.shown_map, app.maybes);
     autosave_if_due(app.ui, app.work);
     move_focus(app.ui);
     write_rects(app.ui.rects);
@@ -287,7 +303,8 @@ bool wants_another_frame(const App& app) {
 double next_wake_s(const App& app) {
     double wake_s = std::numeric_limits<double>::infinity();
     if (is_computing(app) || is_comparing(app) || is_subset_busy(app.picking) ||
-        is_training(app.model_bench) || is_predicting_loss(app.exports.effects)) {
+        is_training(app.model_bench) || is_placing(app.steps) || is_asking(app.maybes) ||
+        is_predicting_loss(app.exports.effects)) {
         wake_s = 0.1;  // progress
     }
     if (app.work.autosave_pending || is_autosaving(app.work)) wake_s = std::min(wake_s, 0.5);

@@ -1,5 +1,6 @@
 #include "app/window/jobs.h"
 
+#include "app/ask/maybes_follow.h"
 #include "app/compare/compare_follow.h"
 #include "app/map/map_follow.h"
 #include "app/measured/import_follow.h"
@@ -16,6 +17,7 @@ void make_jobs(App& app) {
     make_stages_jobs(app.ui, app.physiology);
     make_compare_jobs(app.ui, app.rendered, app.comparing);
     make_subset_jobs(app.ui, app.picking);
+    make_maybes_jobs(app.ui, app.maybes);
     make_effect_job(app.ui, app.exports.effects);
     make_training_job(app.ui, app.model_bench);
 }
@@ -28,6 +30,8 @@ void stop_jobs(App& app) {
     stop_import(app.importing);
     stop_subset_jobs(app.picking);
     stop_training(app.model_bench);
+    stop_maybes_jobs(app.maybes);
+    app.steps.job.reset();
     app.exports.effects.job.reset();
     app.comparing.findings_job.reset();
     app.rendered.job.reset();

@@ -5,9 +5,14 @@
 #include <utility>
 #include <vector>
 
+#include "app/ask/maybes_follow.h"
+#include "app/ask/put_there.h"
+#include "app/ask/steps_follow.h"
+#include "app/ask/vary_bar.h"
 #include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
 #include "app/document/editing.h"
+#include "app/document/pressing.h"
 #include "app/document/shown_side.h"
 #include "app/map/map_follow.h"
 #include "app/map/matrix_panel.h"
@@ -21,6 +26,7 @@
 #include "app/play/playing.h"
 #include "app/study/study_panels.h"
 #include "app/study/study_state.h"
+#include "app/subset/separation_follow.h"
 #include "app/subset/subset_marks.h"
 #include "app/subset/subset_panel.h"
 #include "app/tour/tour.h"
@@ -204,11 +210,70 @@ void draw_bench(App& app) {
     }
 }
 
+// Held it is felt, clicked it is taken.
+void take_proposal(App& app, const SpacePaneAction& done) {
+    const auto found = found_variants(app.maybes);
+    if (!found) return;
+    if (done.proposal_pressed && *done.proposal_pressed < found->patterns.size()) {
+        Vibration felt;
+        felt.name = "neighbour " + std::to_string(*done.proposal_pressed + 1);
+        felt.source = found->patterns[*done.proposal_pressed];
+        note_pressed(app.work, felt);
+    }
+    if (done.proposal_clicked) take_variant(app.ui, app.work, app.maybes, *done.proposal_clicked);
+}
+
+void do_with_point(App& app, PointDeed deed) {
+    switch (deed) {
+        case PointDeed::none:
+            return;
+        case PointDeed::play:
+            return play_once(app.ui, app.work, app.timeline, app.play, app.work.selection.current);
+        case PointDeed::duplicate:
+            return duplicate_selected(app.ui, app.work);
+        case PointDeed::vary:
+            return vary(app.ui, app.work, app.maybes);
+        case PointDeed::steps:
+            return open_steps(app.ui, app.work, app.steps, {}, {});
+    }
+}
+
 void draw_space(App& app) {
+    draw_vary_bar(app.ui, app.work, app.maybes);
     const SpacePaneAction done = draw_space_panel(app.ui, app.work, app.shown_map, map_marks(app));
     app.play.hovered_in_map = done.hovered ? done.hovered : app.play.hovered_in_map;
     if (done.double_clicked)
         play_once(app.ui, app.work, app.timeline, app.play, *done.double_clicked);
+    take_proposal(app, done);
+    do_with_point(app, done.deed);
+    if (done.moved) {
+        move_point(app.ui, app.work, app.shown_map, app.maybes,
+                   {*done.moved, done.moved_to, done.move_ended});
+    }
+    if (done.drawn_between) {
+        const auto& all = app.work.document.set.vibrations;
+        open_steps(app.ui, app.work, app.steps, all[done.drawn_between->first].name,
+                   all[done.drawn_between->second].name);
+    }
+}
+
+void draw_editor(App& app) {
+    const auto done = draw_editor_panel(app.ui, app.work, app.pattern_panes, app.shown_map);
+    const auto& all = app.work.document.set.vibrations;
+    if (!done || done->neighbour >= all.size()) return;
+    const std::size_t current = app.work.selection.current;
+    switch (done->deed) {
+        case NeighbourDeed::play_both:
+            return play_pair(app.ui, app.work, app.timeline, app.play, current, done->neighbour);
+        case NeighbourDeed::why:
+            choose_pair(app.work, current, done->neighbour);
+            app.layout.bench = BenchTab::why;
+            return;
+        case NeighbourDeed::separate:
+            app.layout.bench = BenchTab::subset;
+            return ask_about_pair(app.work, app.shown_map, app.picking, all[current].name,
+                                  all[done->neighbour].name);
+    }
 }
 
 void draw_content(App& app, Pane pane) {
@@ -216,7 +281,7 @@ void draw_content(App& app, Pane pane) {
         case Pane::patterns:
             return draw_set_panel(app.ui, app.work, app.pattern_panes);
         case Pane::editor:
-            return draw_editor_panel(app.ui, app.work, app.pattern_panes, app.shown_map);
+            return draw_editor(app);
         case Pane::physiology:
             if (draw_physiology_panel(app.ui, app.work, app.timeline, app.physiology,
                                       app.tour.left_at > 0))
@@ -243,6 +308,7 @@ MapMarks map_marks(App& app) {
     MapMarks marks = subset_marks(app.layout, app.shown_map, app.picking);
     if (app.shown_map.show_people) marks.people = people_over_map(app.shown_map, app.comparing);
     if (marks.people) marks.people_text = people_over_map_text(app.comparing);
+    marks.maybes = shown_maybes(app.shown_map, app.maybes);
     return marks;
 }
 

@@ -116,4 +116,21 @@ std::vector<std::size_t> clusters(const Dissimilarity& dissimilarity, std::size_
     return group;
 }
 
+std::vector<std::size_t> clustered_order(const Dissimilarity& dissimilarity) {
+    std::vector<Join> joins = Linkage(dissimilarity).joined();
+    std::ranges::stable_sort(joins, {}, &Join::height);
+    // Each branch is kept under its first object, and known by all of its objects.
+    std::vector<std::vector<std::size_t>> branch(dissimilarity.size);
+    std::vector<std::size_t> first(dissimilarity.size);
+    for (std::size_t k = 0; k < branch.size(); ++k) branch[k] = {first[k] = k};
+    for (const Join& join : joins) {
+        const auto [into, from] = std::minmax(first[join.a], first[join.b]);
+        std::vector<std::size_t> moved = std::move(branch[from]);
+        branch[from].clear();
+        for (const std::size_t object : moved) first[object] = into;
+        branch[into].insert(branch[into].end(), moved.begin(), moved.end());
+    }
+    return branch.empty() ? std::vector<std::size_t>{} : branch.front();
+}
+
 }  // namespace tact

@@ -16,4 +16,8 @@ namespace tact {
 // `count` groups, or as many as there are objects.
 std::vector<std::size_t> clusters(const Dissimilarity& dissimilarity, std::size_t count);
 
+// The order of the leaves of that tree: alike ones beside each other; of two branches the one with
+// the first object is first.
+std::vector<std::size_t> clustered_order(const Dissimilarity& dissimilarity);
+
 }  // namespace tact

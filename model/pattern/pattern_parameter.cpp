@@ -1,26 +1,21 @@
 #include "model/pattern/pattern_parameter.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "model/common/portable.h"
 
 namespace tact {
 
 namespace {
 
-// Weber fractions near 0.2 for amplitude, carrier and modulation rate: Israr et al. 2006;
-// Pongrac 2008. What one feels of ramps and depths is less known.
 constexpr std::array<ParameterTraits, 9> kTraits{
-    {{"amplitude_g", "amplitude", "g", {0.01, 50.0}, 1.2, true, 0.05},
-     {"carrier_hz", "carrier", "Hz", {20.0, 1000.0}, 1.2, true, 20.0},
-     {"second_carrier_hz", "second carrier", "Hz", {20.0, 1000.0}, 1.2, true, 20.0},
-     {"mix", "weight of the second carrier", "", {0.0, 10.0}, 0.2, false, 0.0},
-     {"modulation_hz", "modulation", "Hz", {0.0, 200.0}, 1.2, true, 1.0},
-     {"depth", "depth", "", {0.0, 1.0}, 0.2, false, 0.0},
-     {"rhythm_unit_s", "rhythm unit", "s", {0.01, 2.0}, 1.2, true, 0.01},
-     {"attack_s", "attack", "s", {0.0, 1.0}, 0.03, false, 0.0},
-     {"release_s", "release", "s", {0.0, 1.0}, 0.03, false, 0.0}}};
+    {{"amplitude_g", "amplitude", "g", {0.01, 50.0}, true, 0.05},
+     {"carrier_hz", "carrier", "Hz", {20.0, 1000.0}, true, 20.0},
+     {"second_carrier_hz", "second carrier", "Hz", {20.0, 1000.0}, true, 20.0},
+     {"mix", "weight of the second carrier", "", {0.0, 10.0}, false, 0.0},
+     {"modulation_hz", "modulation", "Hz", {0.0, 200.0}, true, 1.0},
+     {"depth", "depth", "", {0.0, 1.0}, false, 0.0},
+     {"rhythm_unit_s", "rhythm unit", "s", {0.01, 2.0}, true, 0.01},
+     {"attack_s", "attack", "s", {0.0, 1.0}, false, 0.0},
+     {"release_s", "release", "s", {0.0, 1.0}, false, 0.0}}};
 
 // The number itself, in either kind of pattern.
 template <class SomePattern>
@@ -69,19 +64,6 @@ Pattern with_value(Pattern pattern, PatternParameter parameter, double value) {
     const Range& range = traits(parameter).range;
     if (number != nullptr) *number = std::clamp(value, range.low, range.high);
     return pattern;
-}
-
-double stepped(PatternParameter parameter, double value, double steps) {
-    const ParameterTraits& about = traits(parameter);
-    double moved = value + about.step * steps;
-    if (about.by_ratio) {
-        // Below the first there is only 0, where the range has it.
-        const double from = std::max(value, about.first);
-        moved = from *
-                portable::pow(about.step, value < about.first && steps > 0.0 ? steps - 1.0 : steps);
-        if (moved < about.first && about.range.low <= 0.0) moved = 0.0;
-    }
-    return std::clamp(moved, about.range.low, about.range.high);
 }
 
 }  // namespace tact

@@ -36,9 +36,8 @@ struct ParameterTraits {
     const char* name;  // amplitude
     const char* unit;  // g
     Range range;
-    // A change that is felt, roughly [ours]: times 1.2 is one of 20 % where `by_ratio`. From 0, a
-    // ratio begins at `first`.
-    double step;
+    // Whether changes of it are felt by ratio (model/pattern/felt_steps.h); then one from 0 begins
+    // at `first`.
     bool by_ratio;
     double first;
 };
@@ -51,8 +50,5 @@ std::optional<double> value_of(const Pattern& pattern, PatternParameter paramete
 
 // The pattern with the number put in range; unchanged where it has none.
 Pattern with_value(Pattern pattern, PatternParameter parameter, double value);
-
-// The value so many steps away, in range.
-double stepped(PatternParameter parameter, double value, double steps);
 
 }  // namespace tact

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "model/design_space/design_space.h"
+#include "model/pattern/felt_steps.h"
 #include "model/pattern/pattern.h"
 #include "model/perceptual_model/perceptual_model_params.h"
 #include "model/signal/waveform.h"
@@ -77,6 +78,14 @@ struct ModelOrigin {
     bool operator==(const ModelOrigin&) const = default;
 };
 
+// Where the points of a set's map were when it was saved, by name: the next map is turned onto
+// them. No part of what the set is: two sets are equal wherever they lie.
+struct MapPlaces {
+    std::map<std::string, std::vector<double>> at;  // 2 or 3 coordinates each
+
+    bool operator==(const MapPlaces&) const { return true; }
+};
+
 struct PatternSet {
     std::string name;
     double duration_s = 1.0;  // of every new pattern
@@ -85,6 +94,8 @@ struct PatternSet {
     PerceptualModelParams model;
     ModelOrigin model_origin{};
     StudyDesign study;  // how people are asked
+    FeltSteps felt_steps{};
+    MapPlaces map_places{};
     std::string unknown_json;
     std::optional<DesignSpace> generator;  // that candidates were made by last
 

@@ -1,23 +1,19 @@
 #include "model/subset/separation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <tuple>
 
 #include "model/common/portable.h"
-#include "model/common/quantile.h"
 
 namespace tact {
 
 namespace {
 
-constexpr std::array<double, 5> kSteps{1.0, 2.0, 4.0, 8.0, 16.0};
-constexpr int kHalvings = 3;
-// A change that only coarse envelopes take for enough is made larger this many times.
+constexpr int kMostFeltSteps = 16;
+// A change that only coarse envelopes take for enough is made a step larger this many times.
 constexpr int kCorrections = 2;
-constexpr double kCorrection = 1.15;
 constexpr std::size_t kMostGiven = 6;
 
 struct Nearest {
@@ -37,12 +33,23 @@ Nearest nearest_to(const Dissimilarity& pm, std::size_t place,
     return nearest;
 }
 
+// What a change comes to.
+struct Outcome {
+    Nearest nearest;
+    bool parts = false;
+};
+
 // The set with one pattern changed, as the model sees it: one row is computed, all is ranked anew.
 class Trial {
   public:
     Trial(const PatternSet& set, const PerceptualModelParams& params, std::size_t place,
-          const SeparationOptions& options)
-        : params_(params), place_(place), others_(options.from), felt_(options.felt) {
+          double threshold, const SeparationOptions& options)
+        : set_(set),
+          params_(params),
+          place_(place),
+          threshold_(threshold),
+          options_(options),
+          others_(options.from) {
         const std::size_t longest = longest_samples(set);
         for (const Vibration& vibration : set.vibrations) {
             waveforms_.push_back(as_felt(waveform_of(vibration), longest));
@@ -56,7 +63,7 @@ class Trial {
     }
 
     // Beside what `previous` holds; none when stopped.
-    std::optional<Nearest> operator()(const Pattern& pattern, const Prediction& previous) {
+    std::optional<Outcome> operator()(const Pattern& pattern, const Prediction& previous) {
         const std::size_t length = waveforms_[place_].samples_g.size();
         Waveform changed = as_felt(render(pattern), length);
         std::swap(changed, waveforms_[place_]);
@@ -65,7 +72,9 @@ class Trial {
         const auto prediction = predict(waveforms_, params_, predict_);
         std::swap(changed, waveforms_[place_]);
         if (!prediction) return std::nullopt;
-        return nearest_to(prediction->pm, place_, others_);
+        const Nearest nearest = nearest_to(prediction->pm, place_, others_);
+        return Outcome{nearest, nearest.distance > threshold_in(prediction->pm) &&
+                                    !(options_.by_a_step && is_within_a_step(pattern))};
     }
 
     // The set as it is, with coarse envelopes: a hundredth of the work, for the search.
@@ -77,35 +86,74 @@ class Trial {
 
   private:
     Waveform as_felt(Waveform meant, std::size_t length) const {
-        return padded(felt_ ? felt_(meant) : std::move(meant), length);
+        return padded(options_.felt ? options_.felt(meant) : std::move(meant), length);
     }
 
+    double threshold_in(const Dissimilarity& pm) const {
+        if (!options_.share) return threshold_;
+        const Dissimilarity counted = others_.size() == pm.size ? pm : among(pm, others_);
+        return std::max(threshold_, threshold_at(counted, *options_.share));
+    }
+
+    bool is_within_a_step(const Pattern& pattern) const {
+        return std::ranges::any_of(others_, [&](std::size_t k) {
+            const auto* other = std::get_if<Pattern>(&set_.vibrations[k].source);
+            return k != place_ && other != nullptr &&
+                   within_a_step(set_.felt_steps, pattern, *other);
+        });
+    }
+
+    const PatternSet& set_;
     std::vector<Waveform> waveforms_;
     const PerceptualModelParams& params_;
     std::size_t place_;
+    double threshold_;
+    const SeparationOptions& options_;
     std::vector<std::size_t> others_;
-    const std::function<Waveform(const Waveform&)>& felt_;
     PredictOptions predict_;
 };
 
-// One number in one direction.
+double with_three_digits(double value, double past) {
+    if (value == 0.0) return 0.0;
+    // By whole powers of ten, so that 55.3 is the number that 55.3 is read as.
+    const double digits = 2.0 - std::floor(portable::log10(std::abs(value)));
+    const double whole = portable::pow(10.0, std::abs(digits));
+    return digits >= 0.0 ? (std::round(value * whole) + past) / whole
+                         : (std::round(value / whole) + past) * whole;
+}
+
+// One number in one direction, so many felt steps.
 struct Way {
     PatternParameter parameter;
     double from = 0.0;
     double sign = 1.0;
-    double steps = 0.0;  // found
+    int steps = 0;
 
-    double to() const { return stepped(parameter, from, sign * steps); }
+    // To three digits, which are not nearer than the steps are.
+    double to(const FeltSteps& felt) const {
+        const double exact = stepped(felt, parameter, from, sign * steps);
+        const Range& range = traits(parameter).range;
+        if (exact == range.low || exact == range.high) return exact;
+        double rounded = with_three_digits(exact, 0.0);
+        if (sign * (rounded - exact) < 0.0) rounded = with_three_digits(exact, sign);
+        return std::clamp(rounded, range.low, range.high);
+    }
+
+    double felt_steps(const FeltSteps& felt) const {
+        return steps_between(felt, parameter, from, to(felt));
+    }
 };
 
-std::vector<Way> ways_of(const Pattern& pattern) {
+std::vector<Way> ways_of(const Pattern& pattern, const FeltSteps& felt) {
     std::vector<Way> ways;
     for (const PatternParameter parameter : kPatternParameters) {
         const auto value = value_of(pattern, parameter);
         if (!value) continue;
         for (const double sign : {1.0, -1.0}) {
-            if (stepped(parameter, *value, sign) != *value)
-                ways.push_back({parameter, *value, sign});
+            const Way way{parameter, *value, sign, 1};
+            if (sign * (way.to(felt) - *value) > 0.0 && way.felt_steps(felt) >= 1.0) {
+                ways.push_back(way);
+            }
         }
     }
     return ways;
@@ -114,85 +162,48 @@ std::vector<Way> ways_of(const Pattern& pattern) {
 // Whether so large a change parts the pattern; none when stopped.
 using Parts = std::function<std::optional<bool>(const Way&)>;
 
-// The smallest change found that does: steps up until it does, then halves the last one.
-std::optional<bool> narrow(Way& way, const Parts& parts) {
-    double before = 0.0;
+// The fewest steps found that do: twice as many until they do, then halved between.
+std::optional<bool> narrow(Way& way, const FeltSteps& felt, const Parts& parts) {
+    int before = 0;
     double last = way.from;
-    for (const double steps : kSteps) {
+    for (int steps = 1; steps <= kMostFeltSteps; steps *= 2) {
         way.steps = steps;
-        if (way.to() == last) return false;  // at the end of its range
-        last = way.to();
+        if (way.to(felt) == last) return false;  // at the end of its range
+        last = way.to(felt);
         const auto enough = parts(way);
         if (!enough) return std::nullopt;
-        if (!*enough) {
-            before = steps;
-            continue;
-        }
-        double after = steps;
-        for (int k = 0; k < kHalvings; ++k) {
-            way.steps = 0.5 * (before + after);
-            const auto half = parts(way);
-            if (!half) return std::nullopt;
-            (*half ? after : before) = way.steps;
-        }
-        way.steps = after;
-        return true;
+        if (*enough) break;
+        if (steps == kMostFeltSteps) return false;
+        before = steps;
     }
-    return false;
+    int after = way.steps;
+    while (after - before > 1) {
+        way.steps = (before + after) / 2;
+        const auto enough = parts(way);
+        if (!enough) return std::nullopt;
+        (*enough ? after : before) = way.steps;
+    }
+    way.steps = after;
+    return true;
 }
 
-double with_three_digits(double value) {
-    if (value == 0.0) return 0.0;
-    // By whole powers of ten, so that 55.3 is the number that 55.3 is read as.
-    const double digits = 2.0 - std::floor(portable::log10(std::abs(value)));
-    const double whole = portable::pow(10.0, std::abs(digits));
-    return digits >= 0.0 ? std::round(value * whole) / whole : std::round(value / whole) * whole;
+// As many steps more as exact envelopes want; nothing in it where none is enough, none when
+// stopped.
+std::optional<std::vector<Separation>> confirmed(Way way, const Pattern& pattern,
+                                                 const FeltSteps& felt,
+                                                 const Prediction& prediction, Trial& trial) {
+    for (int k = 0; k <= kCorrections; ++k, ++way.steps) {
+        const double to = way.to(felt);
+        const auto outcome = trial(with_value(pattern, way.parameter, to), prediction);
+        if (!outcome) return std::nullopt;
+        if (!outcome->parts) continue;
+        return std::vector{Separation{way.parameter, way.from, to, way.felt_steps(felt),
+                                      outcome->nearest.distance, outcome->nearest.place}};
+    }
+    return std::vector<Separation>{};
 }
 
 }  // namespace
-
-std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold,
-                                             std::size_t most) {
-    if (!std::isfinite(threshold)) return {};
-    std::vector<ConfusablePair> pairs;
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < dissimilarity.size; ++i) {
-        for (std::size_t j = i + 1; j < dissimilarity.size; ++j, ++k) {
-            const double value = dissimilarity.condensed[k];
-            if (value <= threshold) pairs.push_back({i, j, value});
-        }
-    }
-    // Of half a million pairs a few hundred are wanted.
-    const auto end = pairs.begin() + static_cast<std::ptrdiff_t>(std::min(most, pairs.size()));
-    std::ranges::partial_sort(pairs, end, {}, [](const ConfusablePair& pair) {
-        return std::tuple(pair.dissimilarity, pair.a, pair.b);
-    });
-    pairs.erase(end, pairs.end());
-    return pairs;
-}
-
-std::vector<double> sorted_values(const Dissimilarity& dissimilarity) {
-    std::vector<double> values;
-    for (const double value : dissimilarity.condensed) {
-        if (std::isfinite(value)) values.push_back(value);
-    }
-    std::ranges::sort(values);
-    return values;
-}
-
-double threshold_at(const Dissimilarity& dissimilarity, double share) {
-    return quantile(sorted_values(dissimilarity), share);
-}
-
-Dissimilarity among(const Dissimilarity& dissimilarity, std::span<const std::size_t> objects) {
-    Dissimilarity result{objects.size(), {}};
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        for (std::size_t j = i + 1; j < objects.size(); ++j) {
-            result.condensed.push_back(dissimilarity(objects[i], objects[j]));
-        }
-    }
-    return result;
-}
 
 std::optional<std::vector<Separation>> separations(const PatternSet& set,
                                                    const Prediction& prediction, std::size_t place,
@@ -201,10 +212,11 @@ std::optional<std::vector<Separation>> separations(const PatternSet& set,
     const auto* pattern = std::get_if<Pattern>(&set.vibrations[place].source);
     if (pattern == nullptr) return std::nullopt;
     if (!std::isfinite(threshold)) return std::vector<Separation>{};
-    Trial trial(set, prediction.params, place, options);
+    const FeltSteps& felt = set.felt_steps;
+    Trial trial(set, prediction.params, place, threshold, options);
     const std::optional<Prediction> coarse = trial.coarse();
     if (!coarse) return std::nullopt;
-    std::vector<Way> ways = ways_of(*pattern);
+    std::vector<Way> ways = ways_of(*pattern, felt);
     double done = 0.0;
     const double all = static_cast<double>(ways.size() + 2 * kMostGiven);
     const auto tell = [&](double more) {
@@ -212,30 +224,23 @@ std::optional<std::vector<Separation>> separations(const PatternSet& set,
         if (options.progress) options.progress(std::min(1.0, done / all));
     };
     const Parts parts_coarsely = [&](const Way& way) -> std::optional<bool> {
-        const auto nearest = trial(with_value(*pattern, way.parameter, way.to()), *coarse);
-        if (!nearest) return std::nullopt;
-        return nearest->distance > threshold;
+        const auto outcome = trial(with_value(*pattern, way.parameter, way.to(felt)), *coarse);
+        return outcome ? std::optional(outcome->parts) : std::nullopt;
     };
     std::vector<Way> found;
     for (Way& way : ways) {
-        const auto narrowed = narrow(way, parts_coarsely);
+        const auto narrowed = narrow(way, felt, parts_coarsely);
         if (!narrowed) return std::nullopt;
         if (*narrowed) found.push_back(way);
         tell(1.0);
     }
-    std::ranges::stable_sort(found, {}, &Way::steps);
+    std::ranges::stable_sort(found, {}, [&](const Way& way) { return way.felt_steps(felt); });
     std::vector<Separation> result;
-    for (Way& way : found) {
+    for (const Way& way : found) {
         if (result.size() == kMostGiven) break;
-        for (int k = 0; k <= kCorrections; ++k, way.steps *= kCorrection) {
-            const double to = with_three_digits(way.to());
-            const auto nearest = trial(with_value(*pattern, way.parameter, to), prediction);
-            if (!nearest) return std::nullopt;
-            if (nearest->distance <= threshold) continue;
-            result.push_back(
-                {way.parameter, way.from, to, way.steps, nearest->distance, nearest->place});
-            break;
-        }
+        const auto sure = confirmed(way, *pattern, felt, prediction, trial);
+        if (!sure) return std::nullopt;
+        result.insert(result.end(), sure->begin(), sure->end());
         tell(2.0);
     }
     std::ranges::stable_sort(result, {}, &Separation::steps);

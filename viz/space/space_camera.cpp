@@ -128,6 +128,20 @@ Projected project(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pa
             scale};
 }
 
+Eigen::Vector3d unprojected(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
+                            const Eigen::Vector3d& through, ImVec2 at) {
+    const Projected before = project(camera, fit, pane, through);
+    const double px = camera.zoom * framed(camera, fit, pane).radius_px * before.scale;
+    const double right = static_cast<double>(at.x - before.at.x) / px;
+    const double up = -static_cast<double>(at.y - before.at.y) / px;
+    // The screen's right and up in the map: the transpose of turned().
+    Eigen::Matrix3d turn;
+    for (int axis = 0; axis < 3; ++axis) {
+        turn.col(axis) = turned(camera, fit.flat, Eigen::Vector3d::Unit(axis));
+    }
+    return through + fit.radius * (turn.transpose() * Eigen::Vector3d(right, up, 0.0));
+}
+
 std::optional<std::size_t> pick(std::span<const Disc> discs,
                                 std::span<const std::size_t> front_to_back, ImVec2 at,
                                 float reach_px) {
@@ -154,6 +168,44 @@ void zoom_at(SpaceCamera& camera, const Rect& pane, ImVec2 mouse, double factor)
     camera.pan_x = x - (x - camera.pan_x) * ratio;
     camera.pan_y = y - (y - camera.pan_y) * ratio;
     camera.zoom = zoom;
+}
+
+void look_along(SpaceCamera& camera, int axis) {
+    SpaceCamera straight;
+    straight.locked = camera.locked;
+    straight.drag = camera.drag;
+    constexpr double kQuarter = std::numbers::pi / 2.0;
+    if (axis < 3) {
+        straight.yaw_rad = axis == 0 ? -kQuarter : 0.0;
+        straight.pitch_rad = axis == 2 ? kQuarter : 0.0;
+    }
+    camera = straight;
+}
+
+void frame_points(SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
+                  const std::vector<Eigen::Vector3d>& points) {
+    constexpr double kFills = 0.6;  // names want room
+    constexpr double kMostFramedZoom = 8.0;
+    if (points.empty()) return;
+    camera.pan_x = 0.0;
+    camera.pan_y = 0.0;
+    camera.zoom = 1.0;
+    Rect seen{project(camera, fit, pane, points.front()).at, {}};
+    seen.max = seen.min;
+    for (const Eigen::Vector3d& point : points) {
+        const ImVec2 at = project(camera, fit, pane, point).at;
+        seen = around(seen, {at, at});
+    }
+    const auto times = [](float room, float extent) {
+        return extent > 0.0F ? kFills * static_cast<double>(room / extent) : kMostFramedZoom;
+    };
+    camera.zoom =
+        std::clamp(std::min(times(pane.width(), seen.width()), times(pane.height(), seen.height())),
+                   0.5, kMostFramedZoom);
+    const ImVec2 off = seen.centre() - pane.centre();
+    const double half = half_side_px(pane);
+    camera.pan_x = -camera.zoom * static_cast<double>(off.x) / half;
+    camera.pan_y = -camera.zoom * static_cast<double>(off.y) / half;
 }
 
 void orbit(SpaceCamera& camera, ImVec2 drag_px, float scale) {

@@ -18,6 +18,7 @@
 #include <imgui.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -31,13 +32,28 @@ inline constexpr double kEyeDistance = 4.0;  // in radii of the map
 inline constexpr double kLeastZoom = 0.2;
 inline constexpr double kMostZoom = 40.0;
 
+// What a drag with the left button does: by where it began, and the keys that were held.
+enum class SpaceGesture { none, orbit, between, box, lasso, move };
+
+struct SpaceDrag {
+    SpaceGesture gesture = SpaceGesture::none;
+    std::optional<std::size_t> from{};  // the point that it began on
+    std::vector<ImVec2> line{};         // the mouse's way
+
+    bool operator==(const SpaceDrag& other) const {
+        return gesture == other.gesture && from == other.from &&
+               std::ranges::equal(line, other.line, same);
+    }
+};
+
 struct SpaceCamera {
     double yaw_rad = -0.45;
     double pitch_rad = 0.55;  // 0: from the side; pi/2: from above
     double zoom = 1.0;
     double pan_x = 0.0;  // in half sides of the pane's smaller extent
     double pan_y = 0.0;
-    bool orbiting = false;  // a drag that began on empty space is under way
+    bool locked = false;  // the mouse turns, moves and zooms nothing
+    SpaceDrag drag{};     // under way
 
     bool operator==(const SpaceCamera&) const = default;
 };
@@ -74,6 +90,10 @@ struct Disc {
     float radius = 0.0F;
 };
 
+// The point of the plane through `through`, parallel to the screen, that is seen there.
+Eigen::Vector3d unprojected(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
+                            const Eigen::Vector3d& through, ImVec2 at);
+
 // The disc under a point: the first in `front_to_back` that contains it, else the nearest within
 // `reach_px` of an edge.
 std::optional<std::size_t> pick(std::span<const Disc> discs,
@@ -82,6 +102,14 @@ std::optional<std::size_t> pick(std::span<const Disc> discs,
 
 // Zooms by a factor so that what is under the mouse stays there.
 void zoom_at(SpaceCamera& camera, const Rect& pane, ImVec2 mouse, double factor);
+
+// Straight along an axis of the map: D1 from the side, D2 from the front, D3 from above; of 3: as
+// it is at first. The map is unmoved and unzoomed then.
+void look_along(SpaceCamera& camera, int axis);
+
+// Moves and zooms so that these points of a map fill most of the pane.
+void frame_points(SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
+                  const std::vector<Eigen::Vector3d>& points);
 
 void orbit(SpaceCamera& camera, ImVec2 drag_px, float scale);
 void pan(SpaceCamera& camera, const Rect& pane, ImVec2 drag_px);

@@ -48,25 +48,75 @@ void draw_drop_lines(const SpaceStage& stage, const SpaceCamera& camera) {
     }
 }
 
+namespace {
+
+struct AxesCross {
+    ImVec2 origin;
+    float room = 0.0F;
+    float arm = 0.0F;
+    float text_px = 0.0F;
+};
+
+AxesCross cross_of(const SpaceStage& stage) {
+    const float arm = 22.0F * stage.theme.scale;
+    const float text_px = font_or_current(stage.theme.fonts.small).FontSize;
+    const float room = arm + 1.3F * text_px;
+    return {{stage.pane.min.x + room, stage.pane.max.y - room}, room, arm, text_px};
+}
+
+ImVec2 tip_of(const SpaceStage& stage, const SpaceCamera& camera, const AxesCross& cross,
+              int axis) {
+    const Eigen::Vector3d seen = turned(camera, stage.fit.flat, Eigen::Vector3d::Unit(axis));
+    return {cross.arm * static_cast<float>(seen.x()), -cross.arm * static_cast<float>(seen.y())};
+}
+
+ImVec2 name_centre(const AxesCross& cross, ImVec2 tip) {
+    const float length = std::max(1.0F, std::hypot(tip.x, tip.y));
+    return cross.origin + tip * (1.0F + 0.7F * cross.text_px / length);
+}
+
+bool is_on(ImVec2 at, ImVec2 centre, float reach) {
+    return std::hypot(at.x - centre.x, at.y - centre.y) <= reach;
+}
+
+}  // namespace
+
+std::optional<int> axis_at(const SpaceStage& stage, const SpaceCamera& camera, ImVec2 at) {
+    if (stage.fit.flat) return std::nullopt;
+    const AxesCross cross = cross_of(stage);
+    for (int axis = 0; axis < 3; ++axis) {
+        const ImVec2 tip = tip_of(stage, camera, cross, axis);
+        // One that points at the eye has its name in the middle, as the middle has.
+        if (std::hypot(tip.x, tip.y) < 0.4F * cross.arm) continue;
+        if (is_on(at, name_centre(cross, tip), 0.75F * cross.text_px)) return axis;
+    }
+    if (is_on(at, cross.origin, 0.6F * cross.text_px)) return 3;
+    return std::nullopt;
+}
+
 // The directions of D1-D3 in the lower left corner; returns what it covers.
 Rect draw_axes_cross(const SpaceStage& stage, const SpaceCamera& camera) {
     const Theme& theme = stage.theme;
-    const float arm = 22.0F * theme.scale;
-    const float text_px = font_or_current(theme.fonts.small).FontSize;
-    const float room = arm + 1.3F * text_px;
-    const ImVec2 origin{stage.pane.min.x + room, stage.pane.max.y - room};
+    const AxesCross cross = cross_of(stage);
+    const int pointed =
+        ImGui::IsItemHovered() ? axis_at(stage, camera, ImGui::GetIO().MousePos).value_or(-1) : -1;
     for (int axis = 0; axis < (stage.fit.flat ? 2 : 3); ++axis) {
-        const Eigen::Vector3d seen = turned(camera, stage.fit.flat, Eigen::Vector3d::Unit(axis));
-        const ImVec2 tip{arm * static_cast<float>(seen.x()), -arm * static_cast<float>(seen.y())};
-        stage.list.AddLine(origin, origin + tip, toned(stage, theme.dim_text, 0.6F),
+        const ImVec2 tip = tip_of(stage, camera, cross, axis);
+        const bool lit = pointed == axis;
+        stage.list.AddLine(cross.origin, cross.origin + tip,
+                           toned(stage, lit ? theme.accent : theme.dim_text, lit ? 1.0F : 0.6F),
                            theme.hairline_px);
         const std::string name = "D" + std::to_string(axis + 1);
         const ImVec2 size = text_size(theme.fonts.small, name);
-        const float length = std::max(1.0F, std::hypot(tip.x, tip.y));
-        const ImVec2 corner = origin + tip * (1.0F + 0.7F * text_px / length) - size * 0.5F;
-        draw_text(stage.list, theme.fonts.small, corner, toned(stage, theme.dim_text, 0.75F), name);
+        draw_text(stage.list, theme.fonts.small, name_centre(cross, tip) - size * 0.5F,
+                  toned(stage, lit ? theme.text : theme.dim_text, lit ? 1.0F : 0.75F), name);
     }
-    return {{origin.x - room, origin.y - room}, {origin.x + room, origin.y + room}};
+    if (!stage.fit.flat) {
+        draw_disc(stage.list, theme, cross.origin, (pointed == 3 ? 4.0F : 2.5F) * theme.scale,
+                  toned(stage, pointed == 3 ? theme.accent : theme.dim_text, 0.8F));
+    }
+    return {{cross.origin.x - cross.room, cross.origin.y - cross.room},
+            {cross.origin.x + cross.room, cross.origin.y + cross.room}};
 }
 
 }  // namespace tact

@@ -28,7 +28,7 @@ SpaceFit fit_of(const SpaceScene& scene) {
 }  // namespace
 
 SpaceStage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene) {
-    return {list, theme, pane, scene, fit_of(scene), {}, {}, {}, {}, {}};
+    return {list, theme, pane, scene, fit_of(scene), {}, {}, {}, {}, {}, {}, {}, {}, {}};
 }
 
 float nearness(const SpaceStage& stage, std::size_t i) {
@@ -66,7 +66,25 @@ bool is_cloud(const SpaceStage& stage, std::size_t i) {
     return stage.discs.size() > kMany && !stage.scene.chosen.empty() && !stage.chosen[i];
 }
 
+void place_maybes(SpaceStage& stage, const SpaceCamera& camera) {
+    const auto places = [&](const Eigen::MatrixXd* points) {
+        std::vector<ImVec2> seen;
+        for (Eigen::Index i = 0; points != nullptr && i < points->rows(); ++i) {
+            seen.push_back(project(camera, stage.fit, stage.pane, point_of(*points, i)).at);
+        }
+        return seen;
+    };
+    const float radius = 0.9F * base_radius_px(stage.theme, stage.scene.labels.size());
+    stage.proposals.clear();
+    for (const ImVec2 at : places(stage.scene.maybes.proposals)) {
+        stage.proposals.push_back({at, radius});
+    }
+    stage.track = places(stage.scene.maybes.track);
+    stage.cloud = places(stage.scene.maybes.cloud);
+}
+
 void place_points(SpaceStage& stage, const SpaceCamera& camera) {
+    place_maybes(stage, camera);
     const std::size_t n = stage.scene.labels.size();
     const float base = base_radius_px(stage.theme, n);
     stage.projected.resize(n);

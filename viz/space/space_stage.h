@@ -23,6 +23,9 @@ struct SpaceStage {
     std::vector<bool> chosen;          // by point
     std::vector<bool> faint;           // by point
     std::vector<bool> selected_too{};  // by point
+    std::vector<Disc> proposals{};     // of the scene's maybes
+    std::vector<ImVec2> track{};
+    std::vector<ImVec2> cloud{};
 };
 
 SpaceStage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene);

@@ -1,7 +1,5 @@
 #include "viz/space/space_view.h"
 
-#include <imgui_internal.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -9,70 +7,11 @@
 
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
+#include "viz/space/space_gestures.h"
 #include "viz/space/space_parts.h"
 
 namespace tact {
 namespace {
-
-constexpr float kClickSlackPx = 4.0F;  // a hand is never quite still
-
-// Turns the mouse into camera moves and clicks. Drags are taken from the frame's own movement, so
-// they work whatever moved the mouse.
-SpaceAction read_mouse(const char* id, const Theme& theme, const Rect& pane, SpaceStage& stage,
-                       SpaceCamera& camera) {
-    ImGui::SetCursorScreenPos(pane.min);
-    ImGui::InvisibleButton(id, pane.size(),
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                               ImGuiButtonFlags_MouseButtonMiddle);
-    const bool hovered = ImGui::IsItemHovered();
-    const bool active = ImGui::IsItemActive();
-    const ImGuiIO& io = ImGui::GetIO();
-    const SpaceCamera before = camera;
-    SpaceAction action;
-    if (hovered && !camera.orbiting) {
-        action.hovered =
-            pick(stage.discs, stage.front_to_back, io.MousePos, kClickSlackPx * theme.scale);
-    }
-    if (ImGui::IsItemActivated()) {
-        camera.orbiting = io.MouseDown[ImGuiMouseButton_Left] && !action.hovered;
-    }
-    const bool dragged = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >
-                         std::pow(kClickSlackPx * theme.scale, 2);
-    if (active && io.MouseDown[ImGuiMouseButton_Left] && !camera.orbiting) {
-        action.pressed = action.hovered;
-    }
-    if (active && camera.orbiting && dragged) {
-        stage.fit.flat ? pan(camera, pane, io.MouseDelta)
-                       : orbit(camera, io.MouseDelta, theme.scale);
-    } else if (active &&
-               (io.MouseDown[ImGuiMouseButton_Right] || io.MouseDown[ImGuiMouseButton_Middle])) {
-        pan(camera, pane, io.MouseDelta);
-    }
-    if (hovered && io.MouseWheel != 0.0F) {
-        ImGui::SetItemUsingMouseWheel();
-        zoom_at(camera, pane, io.MousePos, std::pow(1.15, static_cast<double>(io.MouseWheel)));
-    }
-    if (ImGui::IsItemDeactivated() && io.MouseReleased[ImGuiMouseButton_Left] && !dragged) {
-        if (camera.orbiting) action.clicked_empty = hovered;
-        if (!camera.orbiting) action.clicked = action.hovered;
-    }
-    const bool right_dragged = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] >
-                               std::pow(kClickSlackPx * theme.scale, 2);
-    if (hovered && io.MouseReleased[ImGuiMouseButton_Right] && !right_dragged) {
-        action.right_clicked = action.hovered;
-    }
-    if (hovered && io.MouseDoubleClicked[ImGuiMouseButton_Left]) {
-        action.double_clicked = action.hovered;
-        if (!action.hovered) camera = SpaceCamera{.orbiting = camera.orbiting};
-    }
-    if (!active) camera.orbiting = false;
-    if (action.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (active && !action.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-    SpaceCamera now = camera;
-    now.orbiting = before.orbiting;
-    action.camera_changed = now != before;
-    return action;
-}
 
 // What the mouse can do where it is. Returns what that covers.
 Rect draw_hint(const SpaceStage& stage, const SpaceAction& action) {
@@ -80,8 +19,8 @@ Rect draw_hint(const SpaceStage& stage, const SpaceAction& action) {
     const Theme& theme = stage.theme;
     const std::string_view text = action.hovered ? stage.scene.point_hint
                                   : stage.fit.flat
-                                      ? "drag to move, wheel to zoom, double click to reset"
-                                      : "drag to turn, wheel to zoom, double click to reset";
+                                      ? "drag to move, Shift+drag to select, wheel to zoom"
+                                      : "drag to turn, Shift+drag to select, wheel to zoom";
     if (text.empty()) return {};
     const ImVec2 size = text_size(theme.fonts.small, text);
     const float left = stage.pane.max.x - size.x - theme.gap_px;
@@ -110,6 +49,7 @@ SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
     draw_floor(stage, camera);
     draw_drop_lines(stage, camera);
     draw_paths(stage);
+    draw_cloud(stage);
     draw_spread(stage, camera);
     draw_links(stage);
     draw_ghosts(stage, camera);
@@ -118,9 +58,13 @@ SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
                       std::max(*hovered, *scene.selected) < scene.labels.size() &&
                       somewhere(stage, *hovered) && somewhere(stage, *scene.selected);
     if (pair) draw_pair_line(stage, *scene.selected, *hovered);
+    draw_track(stage, action.on_track);
     draw_points(stage, hovered);
+    draw_proposals(stage, action.proposal);
+    draw_wanted(stage, camera);
     if (pair) occupied[2] = draw_pair_value(stage, *scene.selected, *hovered);
     draw_names(stage, occupied, hovered);
+    draw_gesture(stage, camera, hovered);
     if (scene.stale) draw_stale(list, theme, pane, ImGui::GetTime());
     list.PopClipRect();
     return action;

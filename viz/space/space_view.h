@@ -4,7 +4,7 @@
 // Output    the point under the mouse and what was clicked
 // Valid     any n; names of at most kMostNames points are looked at. Of more links than kMostLinks
 //           and more ellipses than kMostSpreads an even choice and the foremost ones are drawn.
-// Left out  easing between maps (the caller moves the points), lassos.
+// Left out  easing between maps (the caller moves the points).
 #pragma once
 
 #include <Eigen/Core>
@@ -30,6 +30,18 @@ struct SpaceLink {
     std::size_t b = 0;
 };
 
+// Places of patterns that there are not: k columns, as the points have.
+struct SpaceMaybes {
+    const Eigen::MatrixXd* proposals = nullptr;     // could be taken; rings, or null
+    std::span<const std::string> proposal_names{};  // a name each
+    std::optional<std::size_t> lit{};               // pointed at elsewhere
+    const Eigen::MatrixXd* track = nullptr;         // in order, along a number; or null
+    std::span<const std::string> track_words{};     // what the number is there
+    const Eigen::MatrixXd* cloud = nullptr;         // can be reached; or null
+    std::optional<Eigen::RowVectorXd> wanted{};     // where a point was put ...
+    std::optional<Eigen::RowVectorXd> reached{};    // ... and the nearest that it can be
+};
+
 struct SpaceScene {
     std::span<const std::string> labels{};              // n
     std::span<const PatternLook> looks{};               // n
@@ -48,6 +60,7 @@ struct SpaceScene {
     std::function<double(std::size_t, std::size_t)> dissimilarity{};  // may be empty
     std::string_view quantity{};                                      // what it is: "PM"
     std::string_view point_hint{};  // what a press on a point does, said where the mouse is on one
+    SpaceMaybes maybes{};
     bool stale = false;
 };
 
@@ -57,14 +70,28 @@ struct SpaceAction {
     std::optional<std::size_t> clicked{};  // on release, without a drag
     std::optional<std::size_t> double_clicked{};
     std::optional<std::size_t> right_clicked{};  // on release, without a drag
-    bool clicked_empty = false;                  // a click beside all points
+    // Ctrl+drag from the first to the second, let go there.
+    std::optional<SpaceLink> drawn_between{};
+    std::optional<std::vector<std::size_t>> enclosed{};  // by a box or a lasso, let go
+    std::optional<std::size_t> proposal{};               // under the mouse
+    std::optional<std::size_t> proposal_pressed{};       // the left button is down on it
+    std::optional<std::size_t> proposal_clicked{};
+    std::optional<std::size_t> on_track{};  // the nearest place of the track under the mouse
+    // Alt+drag of a point: which, and where to, in the plane of the screen through it.
+    std::optional<std::size_t> moved{};
+    std::optional<Eigen::RowVectorXd> moved_to{};
+    bool move_ended = false;     // let go there
+    bool with_ctrl = false;      // it is held
+    bool clicked_empty = false;  // a click beside all points
     bool camera_changed = false;
 };
 
 // Ellipses hold half of where a point might be, by a normal distribution.
 //
-// Left drag on empty space orbits (pans in 2-D), middle or right drag pans, the wheel zooms at the
-// mouse, a double click on empty space resets the camera.
+// Left drag on empty space orbits (pans in 2-D), with Shift draws a box, with Ctrl and Shift a
+// lasso; Ctrl+drag from a point draws a line to another; middle or right drag pans, the wheel zooms
+// at the mouse, a click on the name of an axis looks along it, a double click on empty space resets
+// the camera. A locked camera stays as it is.
 SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
                        const SpaceScene& scene, SpaceCamera& camera);
 

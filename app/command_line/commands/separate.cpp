@@ -98,6 +98,7 @@ Expected<SeparateResult> separated(const SeparateCommand& command, const FeltSet
                           sets.labels};
     SeparationOptions options;
     options.from = *others;
+    if (!command.threshold) options.share = command.percent / 100.0;
     options.threads = command.common.threads;
     options.stop = stop;
     if (sets.labels.by) {
@@ -128,6 +129,7 @@ nlohmann::json json_of(const SeparateResult& result, const std::vector<std::stri
              {"parameter", traits(one.parameter).key},
              {"from", one.from},
              {"to", one.to},
+             {"felt_steps", one.steps},
              {"nearest", {{"pattern", names[one.nearest_to]}, {"dissimilarity", one.nearest}}}});
     }
     return json;
@@ -141,14 +143,18 @@ std::string text_of(const SeparateResult& result, const std::vector<std::string>
         return text +
                "no change of a single number is enough: change the rhythm, or add a carrier\n";
     }
-    std::vector<TextRow> rows{{"pattern", "parameter", "from", "to", "then", "closest"}};
+    std::vector<TextRow> rows{
+        {"pattern", "parameter", "from", "to", "felt steps", "then", "closest"}};
     for (const auto& [place, one] : result.changes) {
         const ParameterTraits& about = traits(one.parameter);
         const std::string unit = *about.unit == '\0' ? "" : std::string(", ") + about.unit;
         rows.push_back({names[place], about.name + unit, six_digits(one.from), six_digits(one.to),
-                        six_digits(one.nearest), names[one.nearest_to]});
+                        fixed_digits(one.steps, 1), six_digits(one.nearest),
+                        names[one.nearest_to]});
     }
-    return text + aligned(rows);
+    return text + aligned(rows) +
+           "\na felt step is the least change that people are taken to feel: 1.5 dB, 20 % of a "
+           "frequency; felt_steps in the set file changes that\n";
 }
 
 }  // namespace

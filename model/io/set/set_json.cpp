@@ -241,6 +241,27 @@ Json json_of(const Ratings& ratings) {
     return fields;
 }
 
+// {"Pulse": [0.12, -0.9, 0.3], ..}
+MapPlaces map_places_field(JsonObject& object) {
+    constexpr Range kCoordinate{-1000.0, 1000.0};
+    MapPlaces places;
+    JsonObject all = object_field(object, "map_places");
+    if (all.value == nullptr) return places;
+    for (const auto& [name, value] : all.value->items()) {
+        for (const Json* number : array_field(all, name, 2, 3)) {
+            places.at[name].push_back(
+                number_at(*object.reading, *number, place_of(all, name), kCoordinate));
+        }
+    }
+    return places;
+}
+
+Json json_of(const MapPlaces& places) {
+    Json json = Json::object();
+    for (const auto& [name, coordinates] : places.at) json[name] = coordinates;
+    return json;
+}
+
 }  // namespace
 
 PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::string>& remarks) {
@@ -264,6 +285,11 @@ PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::s
     JsonObject study = object_field(object, "study");
     set.study = study_design_of(study, of_study);
     note_unknown(unknown, "study", of_study);
+    set.map_places = map_places_field(object);
+    Json of_steps = Json::object();
+    JsonObject steps = object_field(object, "felt_steps");
+    set.felt_steps = felt_steps_of(steps, of_steps);
+    note_unknown(unknown, "felt_steps", of_steps);
     if (document.contains("generator")) {
         Json of_generator = Json::object();
         JsonObject generator = object_field(object, "generator");
@@ -289,6 +315,9 @@ Json json_of(const PatternSet& set, const fs::path& folder) {
     if (!model.empty()) document["model"] = model;
     const Json study = json_of(set.study);
     if (!study.empty()) document["study"] = study;
+    if (!set.map_places.at.empty()) document["map_places"] = json_of(set.map_places);
+    const Json steps = json_of(set.felt_steps);
+    if (!steps.empty()) document["felt_steps"] = steps;
     if (set.generator) document["generator"] = json_of(*set.generator, set.duration_s);
     restore_text(document, set.unknown_json);
     return document;

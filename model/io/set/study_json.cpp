@@ -109,4 +109,25 @@ Json json_of(const StudyDesign& design) {
     return fields;
 }
 
+FeltSteps felt_steps_of(JsonObject& object, Json& unknown) {
+    FeltSteps steps;
+    for (std::size_t k = 0; k < steps.size.size(); ++k) {
+        const PatternParameter parameter = kPatternParameters[k];
+        steps.size[k] =
+            number_field(object, traits(parameter).key, steps.size[k], step_range(parameter));
+    }
+    unknown.update(unknown_fields(object));
+    return steps;
+}
+
+Json json_of(const FeltSteps& steps) {
+    Json json = Json::object();
+    const FeltSteps usual;
+    for (std::size_t k = 0; k < steps.size.size(); ++k) {
+        if (steps.size[k] == usual.size[k]) continue;
+        json[traits(kPatternParameters[k]).key] = steps.size[k];
+    }
+    return json;
+}
+
 }  // namespace tact

@@ -55,6 +55,7 @@ Json changes_of(const ShortSet& short_set, std::size_t place, double threshold,
              {"parameter", tact::traits(one.parameter).key},
              {"from", one.from},
              {"to", one.to},
+             {"felt_steps", one.steps},
              {"nearest", {{"pattern", all[one.nearest_to].name}, {"dissimilarity", one.nearest}}}});
     }
     return changes;

@@ -29,6 +29,7 @@ struct SubsetBench {
         program.compute_map();
         app.layout.bench = BenchTab::subset;
         app.picking.count = 4;
+        app.picking.too_close = TooClose::share;  // by felt steps none of these is
         wait_for_pick();
     }
     ~SubsetBench() { stop_jobs(app); }
@@ -151,6 +152,35 @@ TEST_CASE("subset panel: too close pairs are listed, and a separation is one ste
     CHECK(nearest > found->request.threshold);
     undo(app.ui, app.work);
     CHECK(app.work.document.set == before);
+}
+
+TEST_CASE("subset panel: by felt steps no pair is too close, until two differ by none") {
+    SubsetBench bench;
+    App& app = bench.app;
+    CHECK(SubsetState{}.too_close == TooClose::felt);
+    bench.program.click("subset:Too close");
+    bench.program.click("radio:Felt step");
+    CHECK(bench.program.at("too close").value.find("differ by a felt step") != std::string::npos);
+    CHECK(too_close_names(app.layout, app.picking).empty());
+    Pattern twin = bench.program.pattern(0);
+    twin.amplitude_g *= 1.1;
+    app.work.document.set.vibrations[1].source = twin;
+    document_changed(app.work);
+    commit_step(app.ui, app.work, "Change the second");
+    bench.wait_for_pick();
+    CHECK(bench.program.shows("too close:p1|p2"));
+    bench.program.click("too close:p1|p2");
+    bench.program.click("button:separate");
+    bench.wait([&] { return !app.picking.separation_job->busy(); });
+    const auto found = app.picking.separations;
+    REQUIRE(found);
+    REQUIRE_FALSE(found->all.empty());
+    for (const Separation& one : found->all) CHECK(one.steps >= 1.0 - 1e-9);
+    bench.program.click("apply:0");
+    bench.wait_for_pick();
+    CHECK_FALSE(bench.program.shows("too close:p1|p2"));
+    CHECK(app.ui.status.text.find("no longer too close") != std::string::npos);
+    CHECK_FALSE(app.ui.status.is_error);
 }
 
 TEST_CASE("subset panel: what would separate the weakest pair is asked in one click") {

@@ -173,6 +173,7 @@ TEST_CASE("every view: the same share of the pairs is too close in a set of any 
         Large program(count);
         program.app.layout.bench = BenchTab::subset;
         program.app.picking.view = SubsetView::confusable;
+        program.app.picking.too_close = TooClose::share;
         program.settle();
         // Values are spread evenly: the share asked for, to within a pair or two.
         CHECK(std::abs(share_too_close(program) - program.app.picking.share) < 1e-4);

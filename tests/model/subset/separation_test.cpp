@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/common/random.h"
 #include "model/map/clusters.h"
 #include "model/map/mds.h"
 #include "model/perceptual_model/perceptual_model.h"
@@ -112,6 +113,57 @@ TEST_CASE("separation: where one step is not enough, larger changes are found") 
     CHECK(all->front().nearest > threshold);
 }
 
+TEST_CASE("separation: never less than a felt step, in random sets") {
+    RandomStream random{11};
+    for (int drawn = 0; drawn < 12; ++drawn) {
+        PatternSet set = short_set();
+        for (Vibration& vibration : set.vibrations) {
+            auto& pattern = std::get<Pattern>(vibration.source);
+            pattern.amplitude_g = 1.0 + 0.9 * next_even(random);
+            pattern.carriers[0].frequency_hz = 150.0 + 120.0 * next_even(random);
+            pattern.modulation.frequency_hz = 5.0 * static_cast<double>(next_index(random, 4));
+        }
+        set.felt_steps.size[0] = 1.1 + 0.4 * std::abs(next_even(random));
+        const Prediction prediction = predicted(set);
+        SeparationOptions options;
+        options.by_a_step = drawn % 2 == 0;
+        if (drawn % 3 == 0) options.share = 0.2;
+        const double threshold = threshold_at(prediction.pm, 0.1 * (drawn % 4));
+        const auto all = separations(set, prediction, 1, threshold, options);
+        REQUIRE(all);
+        for (const Separation& one : *all) {
+            CAPTURE(traits(one.parameter).key);
+            CHECK(one.steps >= 1.0 - 1e-9);
+            CHECK(steps_between(set.felt_steps, one.parameter, one.from, one.to) == one.steps);
+        }
+    }
+}
+
+TEST_CASE("separation: after the change no pair of the pattern is listed any more") {
+    PatternSet set = short_set();
+    std::get<Pattern>(set.vibrations[1].source) = std::get<Pattern>(set.vibrations[0].source);
+    const Prediction prediction = predicted(set);
+    for (const bool by_share : {true, false}) {
+        SeparationOptions options;
+        options.by_a_step = !by_share;
+        if (by_share) options.share = 0.3;
+        const double threshold = by_share ? threshold_at(prediction.pm, 0.3) : prediction.pm(0, 1);
+        CHECK(pairs_within_a_step(set, prediction.pm).size() == 1);
+        const auto all = separations(set, prediction, 1, threshold, options);
+        REQUIRE(all);
+        REQUIRE_FALSE(all->empty());
+        for (const Separation& one : *all) {
+            PatternSet changed = set;
+            auto& pattern = std::get<Pattern>(changed.vibrations[1].source);
+            pattern = with_value(pattern, one.parameter, one.to);
+            const Dissimilarity pm = predicted(changed).pm;
+            const auto listed = by_share ? confusable_pairs(pm, threshold_at(pm, 0.3), 99)
+                                         : pairs_within_a_step(changed, pm);
+            for (const ConfusablePair& pair : listed) CHECK((pair.a != 1 && pair.b != 1));
+        }
+    }
+}
+
 TEST_CASE("separation: from a subset alone, changes are found that do not part it from all") {
     const PatternSet set = short_set();
     const Prediction prediction = predicted(set);
@@ -150,19 +202,7 @@ TEST_CASE("separation: the same on one and on four threads; none when stopped") 
     CHECK_FALSE(separations(set, prediction, 0, prediction.pm(0, 1), options));
 }
 
-TEST_CASE("pattern parameters: steps go up and down again, and stay in range") {
-    for (const PatternParameter parameter : kPatternParameters) {
-        CAPTURE(traits(parameter).key);
-        const Range range = traits(parameter).range;
-        const double middle = std::clamp(1.0, range.low, range.high);
-        const double up = stepped(parameter, middle, 1.0);
-        CHECK(up >= middle);
-        if (up < range.high) CHECK(std::abs(stepped(parameter, up, -1.0) - middle) <= 1e-12);
-        CHECK(stepped(parameter, middle, 1000.0) == range.high);
-        CHECK(stepped(parameter, middle, -1000.0) == range.low);
-    }
-    CHECK(stepped(PatternParameter::modulation, 0.0, 1.0) == 1.0);  // off, then 1 Hz
-    CHECK(stepped(PatternParameter::modulation, 1.0, -1.0) == 0.0);
+TEST_CASE("pattern parameters: a number that a pattern has not stays none") {
     Pattern plain;
     CHECK_FALSE(value_of(plain, PatternParameter::second_carrier));
     CHECK_FALSE(value_of(plain, PatternParameter::depth));

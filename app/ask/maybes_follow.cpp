@@ -1,0 +1,151 @@
+#include "app/ask/maybes_follow.h"
+
+#include <algorithm>
+
+#include "app/ask/maybes_work.h"
+#include "app/ask/put_there.h"
+#include "app/document/editing.h"
+#include "app/map/map_follow.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kTrackStaysS = 2.0;
+
+void make_job(const Ui& ui, AskedMaybes& asked) {
+    using Job = LatestJob<MaybesRequest, FoundMaybes>;
+    asked.job = std::make_unique<Job>(JobPolicy::supersede, MaybesWork{}, ui.wake);
+}
+
+// The track stays a while when the mouse has left the slider, so that it can be rested on.
+void follow_rested(const Ui& ui, const Workspace& work, MaybesState& state) {
+    if (work.selection.rested) {
+        state.rested = work.selection.rested;
+        state.rested_until_s = ui.time_s + kTrackStaysS;
+        return;
+    }
+    const Vibration* current = current_vibration(work);
+    if (!state.rested) return;
+    if (work.selection.on_track) state.rested_until_s = ui.time_s + kTrackStaysS;
+    const bool is_gone = ui.time_s > state.rested_until_s || current == nullptr ||
+                         current->name != state.rested->name;
+    if (is_gone) state.rested.reset();
+}
+
+std::optional<MaybesRequest> vary_request(const Workspace& work, const ShownMap& shown_map,
+                                          const MaybesState& state) {
+    const auto place = place_named(work.document.set, state.varied);
+    if (!place) return std::nullopt;
+    const auto* pattern = std::get_if<Pattern>(&work.document.set.vibrations[*place].source);
+    auto request = request_for(work, shown_map, state.varied, {});
+    if (!request || pattern == nullptr) return std::nullopt;
+    VaryQuestion question{*pattern};
+    question.how_far = state.how_far;
+    question.seed = state.vary_seed;
+    question.steps = work.document.set.felt_steps;
+    question.model = work.document.set.model;
+    question.free = free_of(state);
+    request->vary = question;
+    return request;
+}
+
+}  // namespace
+
+void make_maybes_jobs(const Ui& ui, MaybesState& state) {
+    make_job(ui, state.track);
+    make_job(ui, state.suggestion);
+    make_job(ui, state.variants);
+    make_job(ui, state.put.cloud);
+    using Job = LatestJob<ReachRequest, FoundReach>;
+    state.put.job = std::make_unique<Job>(JobPolicy::supersede, MaybesWork{}, ui.wake);
+}
+
+void stop_maybes_jobs(MaybesState& state) {
+    state.track.job.reset();
+    state.suggestion.job.reset();
+    state.variants.job.reset();
+    state.put.cloud.job.reset();
+    state.put.job.reset();
+}
+
+void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                   MaybesState& state) {
+    if (!state.track.job) return;
+    follow_rested(ui, work, state);
+    const auto& rested = state.rested;
+    ask(state.track,
+        rested ? request_for(work, shown_map, rested->name, rested->patterns) : std::nullopt);
+    state.suggested = work.selection.suggested;
+    const auto& suggested = state.suggested;
+    ask(state.suggestion, suggested
+                              ? request_for(work, shown_map, suggested->name, {suggested->changed})
+                              : std::nullopt);
+    ask(state.variants, state.varied.empty() ? std::nullopt : vary_request(work, shown_map, state));
+}
+
+bool is_asking(const MaybesState& state) {
+    const auto busy = [](const AskedMaybes& asked) { return asked.job && asked.job->busy(); };
+    return busy(state.track) || busy(state.suggestion) || busy(state.variants) ||
+           busy(state.put.cloud) || (state.put.job && state.put.job->busy());
+}
+
+MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state) {
+    MapMaybes shown;
+    const Eigen::Index columns = shown_map.transition.to.cols();
+    if (const auto track = answer_of(state.track); track && track->places.cols() == columns) {
+        shown.track = track->places;
+        shown.track_words = state.rested ? state.rested->words : std::vector<std::string>{};
+    }
+    if (const auto all = answer_of(state.variants); all && all->places.cols() == columns) {
+        shown.proposals = all->places;
+        for (Eigen::Index k = 0; k < all->places.rows(); ++k) {
+            shown.proposal_names.push_back("neighbour " + std::to_string(k + 1));
+        }
+    }
+    const auto& suggested = state.suggested;
+    const auto ghost = answer_of(state.suggestion);
+    if (suggested && ghost && ghost->places.rows() == 1 && ghost->places.cols() == columns) {
+        shown.proposals = ghost->places;
+        shown.proposal_names = {suggested->words};
+        shown.lit = 0;
+    }
+    show_put(shown, columns, state);
+    return shown;
+}
+
+void vary(Ui& ui, const Workspace& work, MaybesState& state) {
+    const Vibration* current = current_vibration(work);
+    if (current == nullptr || editable_pattern(*current) == nullptr) {
+        return complain(ui, "Only a pattern made of parameters that is not locked can be varied.");
+    }
+    if (work.document.set.vibrations.size() < 3) {
+        return complain(ui, "Neighbours are shown in the map: it needs three patterns.");
+    }
+    const bool again = state.varied == current->name;
+    if (again) ++state.vary_seed;
+    state.varied = current->name;
+}
+
+void stop_varying(MaybesState& state) { state.varied.clear(); }
+
+std::shared_ptr<const FoundMaybes> found_variants(const MaybesState& state) {
+    return answer_of(state.variants);
+}
+
+void take_variant(Ui& ui, Workspace& work, MaybesState& state, std::size_t k) {
+    const auto found = found_variants(state);
+    const auto place = place_named(work.document.set, state.varied);
+    if (!found || !place || k >= found->patterns.size()) return;
+    Vibration& vibration = work.document.set.vibrations[*place];
+    if (editable_pattern(vibration) == nullptr) return;
+    vibration.source = found->patterns[k];
+    vibration.generated = false;
+    select_only(work, *place);
+    document_changed(work);
+    commit_step(ui, work, "Vary " + vibration.name);
+    say(ui, vibration.name + " is its neighbour now. V varies that one, Ctrl+Z takes it back.");
+    stop_varying(state);
+}
+
+}  // namespace tact

@@ -1,0 +1,86 @@
+// Patterns that there are not, shown in the map: the track of a number, a suggestion, neighbours.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/document/selection.h"
+#include "app/jobs/latest_job.h"
+#include "app/map/live_map.h"
+#include "model/ask/reach.h"
+#include "model/ask/vary.h"
+
+namespace tact {
+
+// Where these would be in the map, each in the place of the pattern of a row.
+struct MaybesRequest {
+    std::shared_ptr<const LiveMap> map;
+    Eigen::MatrixXd points;  // of the map, as it is shown
+    std::size_t row = 0;
+    std::vector<Pattern> patterns{};
+    std::optional<VaryQuestion> vary{};  // makes the patterns first
+
+    bool operator==(const MaybesRequest& other) const {
+        return map == other.map && row == other.row && patterns == other.patterns &&
+               vary == other.vary && points.rows() == other.points.rows() &&
+               points.cols() == other.points.cols() && points == other.points;
+    }
+};
+
+struct FoundMaybes {
+    MaybesRequest request;
+    std::vector<Pattern> patterns;
+    Eigen::MatrixXd places;  // a row each
+};
+
+struct AskedMaybes {
+    std::unique_ptr<LatestJob<MaybesRequest, FoundMaybes>> job;  // null until the program has begun
+    std::optional<MaybesRequest> asked;
+};
+
+// A point that is put somewhere else: its pattern is searched.
+struct ReachRequest {
+    MaybesRequest where;  // the map and the row; its patterns do not count
+    ReachQuestion question;
+
+    bool operator==(const ReachRequest& other) const {
+        return where == other.where && question.pattern == other.question.pattern &&
+               question.target.size() == other.question.target.size() &&
+               question.target == other.question.target && question.seed == other.question.seed &&
+               question.free == other.question.free && question.steps == other.question.steps;
+    }
+};
+
+struct FoundReach {
+    ReachRequest request;
+    Reached reached;
+};
+
+struct PutThere {
+    std::string name;                          // of the pattern; empty: none is moved
+    std::optional<Eigen::RowVectorXd> wanted;  // place of the map
+    bool is_dragged = false;                   // in this frame
+    std::optional<ReachRequest> asked;         // let go there: under way
+    AskedMaybes cloud;                         // what can be reached
+    std::unique_ptr<LatestJob<ReachRequest, FoundReach>> job;
+};
+
+struct MaybesState {
+    AskedMaybes track;
+    AskedMaybes suggestion;
+    AskedMaybes variants;
+    std::optional<RestedNumber> rested;        // whose track is shown
+    double rested_until_s = 0.0;               // it goes then, unless the mouse is on it
+    std::optional<SuggestedChange> suggested;  // in the last frame
+    std::string varied;                        // name of the pattern; empty: nothing is varied
+    double how_far = 3.0;                      // felt steps
+    std::uint64_t vary_seed = 1;
+    std::vector<PatternParameter> held;  // numbers that neither varying nor moving may change
+    PutThere put;
+};
+
+}  // namespace tact

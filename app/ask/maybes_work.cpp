@@ -1,0 +1,99 @@
+#include "app/ask/maybes_work.h"
+
+#include <algorithm>
+
+#include "app/map/map_follow.h"
+#include "devices/calibration/rendering.h"
+
+namespace tact {
+
+std::optional<FoundMaybes> MaybesWork::operator()(const MaybesRequest& request,
+                                                  std::stop_token stop,
+                                                  std::atomic<float>& progress) {
+    FoundMaybes found{request, request.patterns, {}};
+    if (request.vary) {
+        auto patterns = varied(*request.vary, 0, stop);
+        if (!patterns) return std::nullopt;
+        found.patterns = *std::move(patterns);
+    }
+    if (!prepare(request, stop)) return std::nullopt;
+    const auto count = static_cast<Eigen::Index>(found.patterns.size());
+    found.places.resize(count, request.points.cols());
+    const auto& by = request.map->request.rendered_by;
+    for (Eigen::Index k = 0; k < count; ++k) {
+        Waveform waveform = render(found.patterns[static_cast<std::size_t>(k)]);
+        if (by) waveform = rendering(*by, waveform).waveform;
+        const auto place = (*point_)(padded(std::move(waveform), point_->length()), stop);
+        if (!place) return std::nullopt;
+        found.places.row(k) = place->at;
+        progress = static_cast<float>(k + 1) / static_cast<float>(count);
+    }
+    return found;
+}
+
+std::optional<FoundReach> MaybesWork::operator()(const ReachRequest& request, std::stop_token stop,
+                                                 std::atomic<float>& progress) {
+    if (!prepare(request.where, stop)) return std::nullopt;
+    ReachOptions options;
+    options.stop = stop;
+    options.progress = [&progress](double share) { progress = static_cast<float>(share); };
+    if (const auto& by = request.where.map->request.rendered_by) {
+        options.felt = [&by](const Waveform& meant) { return rendering(*by, meant).waveform; };
+    }
+    auto reached = reach(request.question, *point_, options);
+    if (!reached) return std::nullopt;
+    return FoundReach{request, *std::move(reached)};
+}
+
+bool MaybesWork::prepare(const MaybesRequest& request, const std::stop_token& stop) {
+    const bool same_map = of_ == request.map && row_ == request.row &&
+                          points_.cols() == request.points.cols() && points_ == request.points;
+    if (point_ && same_map) return true;
+    point_ = MovedPoint::of(
+        {model_waveforms(*request.map->played), request.map->request.set->model, request.points},
+        request.row, 0, stop);
+    of_ = request.map;
+    row_ = request.row;
+    points_ = request.points;
+    return point_.has_value();
+}
+
+// Of the map on screen; none where there is no map of the document as it is, or the pattern is not
+// in it, or is longer than all others.
+std::optional<MaybesRequest> request_for(const Workspace& work, const ShownMap& shown_map,
+                                         const std::string& name, std::vector<Pattern> patterns) {
+    const MapTransition& map = shown_map.transition;
+    const MapState state = map_state(work, shown_map);
+    if (state != MapState::exact && state != MapState::preview) return std::nullopt;
+    if (map.to.rows() < 3 || map.shown->space.verdict == MdsVerdict::constant) return std::nullopt;
+    const auto row = place_named(*map.shown->request.set, name);
+    if (!row) return std::nullopt;
+    const double longest = longest_s(*map.shown->played);
+    std::erase_if(patterns, [&](const Pattern& p) { return p.duration_s > longest; });
+    return MaybesRequest{map.shown, map.to, *row, std::move(patterns), {}};
+}
+
+void ask(AskedMaybes& asked, std::optional<MaybesRequest> wanted) {
+    if (!asked.job || wanted == asked.asked) return;
+    asked.asked = std::move(wanted);
+    if (asked.asked) asked.job->submit(*asked.asked);
+    if (!asked.asked) asked.job->cancel();
+}
+
+// The answer to what is asked now.
+std::shared_ptr<const FoundMaybes> answer_of(const AskedMaybes& asked) {
+    if (!asked.job || !asked.asked) return nullptr;
+    auto found = asked.job->latest();
+    return found && found->request == *asked.asked ? found : nullptr;
+}
+
+std::vector<PatternParameter> free_of(const MaybesState& state) {
+    std::vector<PatternParameter> free;
+    for (const PatternParameter parameter : kPatternParameters) {
+        const bool is_held = std::ranges::find(state.held, parameter) != state.held.end();
+        if (!is_held) free.push_back(parameter);
+    }
+    return free;
+}
+
+}  // namespace tact

@@ -1,0 +1,104 @@
+#include "app/ask/put_there.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/ask/maybes_work.h"
+#include "app/document/editing.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+constexpr std::size_t kCloud = 60;
+constexpr std::uint64_t kPutSeed = 1;
+
+const Pattern* pattern_to_put(const Workspace& work, const std::string& name) {
+    const auto place = place_named(work.document.set, name);
+    return place ? editable_pattern(work.document.set.vibrations[*place]) : nullptr;
+}
+
+}  // namespace
+
+std::string sentence_on(const Reached& reached) {
+    const std::string off =
+        significant(reached.off_pm, 2) + " of " + significant(reached.largest_pm, 3);
+    if (is_reached(reached)) return "About PM " + off + " from there.";
+    return "About PM " + off +
+           " from there: no change of these numbers reaches it; the rhythm would have to change.";
+}
+
+void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state,
+                const PointMove& move) {
+    PutThere& put = state.put;
+    if (move.place >= work.document.set.vibrations.size() || put.asked) return;
+    const Vibration& vibration = work.document.set.vibrations[move.place];
+    const Pattern* pattern = editable_pattern(vibration);
+    if (pattern == nullptr) {
+        return complain(ui, "Only a pattern made of parameters that is not locked can be moved.");
+    }
+    put.name = vibration.name;
+    put.wanted = move.to;
+    put.is_dragged = !move.ended;
+    if (!move.ended) return;
+    auto where = request_for(work, shown_map, put.name, {});
+    if (!where || !put.job) return stop_putting(state);
+    ReachQuestion question{*pattern, move.to};
+    question.free = free_of(state);
+    question.steps = work.document.set.felt_steps;
+    question.seed = kPutSeed;
+    put.asked = ReachRequest{*std::move(where), std::move(question)};
+    put.job->submit(*put.asked);
+}
+
+void follow_put(Ui& ui, Workspace& work, const ShownMap& shown_map, MaybesState& state) {
+    PutThere& put = state.put;
+    if (!put.cloud.job) return;
+    const Pattern* pattern = pattern_to_put(work, put.name);
+    if (pattern == nullptr && !put.name.empty()) stop_putting(state);
+    const bool is_shown = pattern != nullptr && (put.is_dragged || put.asked);
+    if (!is_shown && !put.name.empty()) stop_putting(state);
+    ask(put.cloud, is_shown
+                       ? request_for(work, shown_map, put.name,
+                                     surroundings(*pattern, free_of(state),
+                                                  work.document.set.felt_steps, kCloud, kPutSeed))
+                       : std::nullopt);
+    put.is_dragged = false;
+    if (!put.asked) return;
+    const auto found = put.job->latest();
+    if (!found || !(found->request == *put.asked)) {
+        if (!put.job->busy() && !put.job->failure().empty()) stop_putting(state);
+        return;
+    }
+    const auto place = place_named(work.document.set, put.name);
+    work.document.set.vibrations[*place].source = found->reached.pattern;
+    work.document.set.vibrations[*place].generated = false;
+    select_only(work, *place);
+    document_changed(work);
+    commit_step(ui, work, "Put " + put.name + " there");
+    say(ui, sentence_on(found->reached) + " Ctrl+Z takes it back.");
+    stop_putting(state);
+}
+
+void stop_putting(MaybesState& state) {
+    PutThere& put = state.put;
+    put.name.clear();
+    put.wanted.reset();
+    put.is_dragged = false;
+    if (std::exchange(put.asked, std::nullopt) && put.job) put.job->cancel();
+}
+
+void show_put(MapMaybes& shown, Eigen::Index columns, const MaybesState& state) {
+    const PutThere& put = state.put;
+    if (!put.wanted || put.wanted->size() != columns) return;
+    shown.wanted = put.wanted;
+    const auto cloud = answer_of(put.cloud);
+    if (!cloud || cloud->places.cols() != columns || cloud->places.rows() == 0) return;
+    shown.cloud = cloud->places;
+    Eigen::Index nearest = 0;
+    (cloud->places.rowwise() - *put.wanted).rowwise().norm().minCoeff(&nearest);
+    shown.reached = cloud->places.row(nearest);
+}
+
+}  // namespace tact

@@ -1,0 +1,214 @@
+#include "app/ask/steps_dialog.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/ask/steps_follow.h"
+#include "app/document/pressing.h"
+#include "app/ui/dialog.h"
+#include "app/ui/failure.h"
+#include "app/ui/number_field.h"
+#include "app/ui/widgets.h"
+#include "model/ask/steps_set.h"
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kDialogPx = 640.0F;
+constexpr float kChoicePx = 240.0F;
+
+void draw_name_choice(Ui& ui, const PatternSet& set, const char* label, std::string& name) {
+    draw_label(ui, label);
+    ImGui::SetNextItemWidth(kChoicePx * ui.theme.scale);
+    const std::string id = std::string("##") + label;
+    if (ImGui::BeginCombo(id.c_str(), name.c_str())) {
+        for (const Vibration& vibration : set.vibrations) {
+            if (!std::holds_alternative<Pattern>(vibration.source)) continue;
+            if (ImGui::Selectable(vibration.name.c_str(), vibration.name == name)) {
+                name = vibration.name;
+            }
+            note_item(ui.rects, std::string("steps:") + label + ":" + vibration.name);
+        }
+        ImGui::EndCombo();
+    }
+    note_item(ui.rects, std::string("steps:") + label, name);
+}
+
+void draw_count(Ui& ui, StepsState& state) {
+    draw_label(ui, "How many");
+    enter_whole_with_buttons(ui,
+                             {.id = "steps count",
+                              .label = "How many",
+                              .format = "%.0f",
+                              .rules = {{3.0, static_cast<double>(kMostSteps)}},
+                              .width_px = 120.0F * ui.theme.scale},
+                             state.count);
+    note_item(ui.rects, "steps:count", std::to_string(state.count));
+    ImGui::SameLine();
+    dim_text(ui, "with both ends");
+}
+
+void draw_along(Ui& ui, StepsState& state) {
+    draw_label(ui, "Change");
+    ImGui::SetNextItemWidth(kChoicePx * ui.theme.scale);
+    const char* chosen = state.along ? traits(*state.along).name : "all that differs";
+    if (ImGui::BeginCombo("##along", chosen)) {
+        if (ImGui::Selectable("all that differs", !state.along)) state.along.reset();
+        for (const PatternParameter parameter : kPatternParameters) {
+            if (ImGui::Selectable(traits(parameter).name, state.along == parameter)) {
+                state.along = parameter;
+            }
+            note_item(ui.rects, std::string("steps:along:") + traits(parameter).key);
+        }
+        ImGui::EndCombo();
+    }
+    note_item(ui.rects, "steps:along", chosen);
+    draw_tooltip(ui,
+                 "One number of the first pattern alone, up to what the other one has; or all in "
+                 "which they differ. Rhythms are morphed: notes move, stretch, split and fade.");
+}
+
+void draw_measure(Ui& ui, StepsState& state) {
+    draw_label(ui, "Even in");
+    const auto choose = [&](const char* name, StepMeasure measure, const char* help, bool first) {
+        if (!first) flow_on(radio_width(ui, name), 1.5F * ui.theme.gap_px);
+        if (draw_radio(ui, name, state.measure == measure)) state.measure = measure;
+        note_item(ui.rects, std::string("radio:") + name);
+        draw_tooltip(ui, help);
+    };
+    choose("PM before ranks", StepMeasure::pm,
+           "Both parts of PM, each as a share of its largest on the way. PM itself counts ranks "
+           "of pairs: neighbours are always the closest pairs, so they cannot be equal in it.",
+           true);
+    choose("NC", StepMeasure::nc, "Neural coding alone: strength, frequency, modulation.", false);
+    choose("OC", StepMeasure::oc, "The rhythm's envelope alone.", false);
+}
+
+void draw_search_of_steps(Ui& ui, StepsState& state) {
+    char text[32];
+    std::snprintf(text, sizeof text, "placing, %d %%",
+                  static_cast<int>(100.0F * state.job->progress()));
+    dim_text(ui, text);
+    note_item(ui.rects, "steps:progress", text);
+    ImGui::SameLine();
+    if (link(ui, "cancel steps", "Stop")) {
+        state.job->cancel();
+        state.cancelled = true;
+    }
+    note_item(ui.rects, "link:cancel steps");
+}
+
+// How far along the way each is: dots on a line, and the distances of neighbours under it.
+void draw_way(const Ui& ui, const EvenSteps& steps) {
+    const Theme& theme = ui.theme;
+    const float s = theme.scale;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x - 16.0F * s;
+    ImGui::Dummy({width, 24.0F * s});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float y = corner.y + 12.0F * s;
+    const auto x = [&](double share) {
+        return corner.x + 8.0F * s + static_cast<float>(share) * (width - 16.0F * s);
+    };
+    list.AddLine({x(0.0), y}, {x(1.0), y}, theme.dim_text, theme.hairline_px);
+    for (const double share : steps.shares) {
+        draw_disc(list, theme, {x(share), y}, 4.5F * s, theme.accent);
+    }
+    if (!steps.jump) return;
+    const float at = x(steps.jump->share);
+    list.AddLine({at, y - 9.0F * s}, {at, y + 9.0F * s}, theme.warning, 2.0F * s);
+}
+
+void draw_step_rows(Ui& ui, Workspace& work, const StepsState& state, const EvenSteps& steps) {
+    if (!ImGui::BeginTable("steps", 4, ImGuiTableFlags_SizingStretchProp)) return;
+    for (const char* head : {"Step", "Of the way", "To the next", "PM to the next"}) {
+        ImGui::TableNextColumn();
+        dim_text(ui, head);
+    }
+    for (std::size_t k = 0; k < steps.patterns.size(); ++k) {
+        ImGui::TableNextColumn();
+        const std::string name = k == 0 ? state.from
+                                 : k + 1 == steps.patterns.size() && !state.along
+                                     ? state.to
+                                     : std::to_string(k + 1);
+        ImGui::PushID(static_cast<int>(k));
+        ImGui::Selectable(
+            name.c_str(), false,
+            ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_DontClosePopups);
+        if (ImGui::IsItemActive()) {
+            Vibration felt;
+            felt.name = name;
+            felt.source = steps.patterns[k];
+            note_pressed(work, felt);
+        }
+        note_item(ui.rects, "step:" + std::to_string(k + 1), significant(steps.shares[k], 6));
+        if (k == 0) draw_tooltip(ui, kHoldHelp);
+        ImGui::PopID();
+        ImGui::TableNextColumn();
+        dim_text(ui, significant(100.0 * steps.shares[k], 3) + " %");
+        const bool last = k + 1 == steps.patterns.size();
+        ImGui::TableNextColumn();
+        if (!last) dim_text(ui, significant(steps.apart[k], 3));
+        ImGui::TableNextColumn();
+        if (!last) dim_text(ui, significant(steps.pm[k], 3));
+    }
+    ImGui::EndTable();
+}
+
+void draw_answer(Ui& ui, Workspace& work, StepsState& state, const FoundSteps* found) {
+    if (found == nullptr) {
+        if (state.job && state.job->busy()) return draw_search_of_steps(ui, state);
+        if (draw_failure(ui, "steps", failure_of(state.job))) return;
+        if (!state.cancelled) return;
+        dim_text(ui, "Stopped.");
+        ImGui::SameLine();
+        if (link(ui, "place steps", "Place them")) state.asked.reset();
+        note_item(ui.rects, "link:place steps");
+        return;
+    }
+    const EvenSteps& steps = found->steps;
+    draw_way(ui, steps);
+    draw_step_rows(ui, work, state, steps);
+    const std::string verdict = sentence_on(found->request.question, steps);
+    coloured_text(is_even(steps) ? ui.theme.text : ui.theme.warning, verdict);
+    note_item(ui.rects, "steps:verdict", verdict);
+    coloured_text(ui.theme.dim_text, pm_sentence_on(steps));
+}
+
+std::string add_text(const Workspace& work, const StepsState& state, const FoundSteps* found) {
+    if (found == nullptr) return "Add";
+    const auto from = place_named(work.document.set, state.from);
+    const auto to = place_named(work.document.set, state.to);
+    const std::size_t count =
+        vibrations_between(work.document.set, *from, *to, found->steps).size();
+    return "Add " + std::to_string(count) + (count == 1 ? " pattern" : " patterns");
+}
+
+}  // namespace
+
+void draw_steps_dialog(Ui& ui, Workspace& work, StepsState& state) {
+    if (!begin_dialog(ui, "Steps between", kDialogPx)) return;
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
+    draw_name_choice(ui, work.document.set, "From", state.from);
+    draw_name_choice(ui, work.document.set, "To", state.to);
+    draw_count(ui, state);
+    draw_along(ui, state);
+    draw_measure(ui, state);
+    ImGui::PopStyleColor();
+    ImGui::Spacing();
+    const std::string obstacle = steps_obstacle(work, state);
+    const auto found = current_steps(work, state);
+    if (!obstacle.empty()) {
+        coloured_text(ui.theme.dim_text, obstacle);
+        note_item(ui.rects, "steps:obstacle", obstacle);
+    } else {
+        draw_answer(ui, work, state, found.get());
+    }
+    const std::string action = add_text(work, state, found.get());
+    if (draw_ends(ui, action.c_str(), found != nullptr)) add_steps(ui, work, state, *found);
+}
+
+}  // namespace tact

@@ -1,0 +1,93 @@
+#include "app/ask/vary_bar.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/ask/maybes_follow.h"
+#include "app/ask/put_there.h"
+#include "app/ui/failure.h"
+#include "app/ui/widgets.h"
+
+namespace tact {
+
+namespace {
+
+// Which numbers varying and moving may change.
+void draw_free_numbers(Ui& ui, MaybesState& state) {
+    const std::string words = state.held.empty()
+                                  ? "May change: all"
+                                  : "Held: " + std::to_string(state.held.size()) +
+                                        (state.held.size() == 1 ? " number" : " numbers");
+    flow_on(ImGui::CalcTextSize(words.c_str()).x, 1.5F * ui.theme.gap_px);
+    if (link(ui, "free numbers", words)) ImGui::OpenPopup("free numbers");
+    note_item(ui.rects, "link:free numbers");
+    draw_tooltip(ui,
+                 "Which numbers may change, here and when a point is put somewhere (Alt+drag).");
+    if (!ImGui::BeginPopup("free numbers")) return;
+    for (const PatternParameter parameter : kPatternParameters) {
+        const auto held = std::ranges::find(state.held, parameter);
+        bool is_free = held == state.held.end();
+        if (ImGui::Checkbox(traits(parameter).name, &is_free)) {
+            if (is_free) state.held.erase(held);
+            if (!is_free) state.held.push_back(parameter);
+        }
+        note_item(ui.rects, std::string("free:") + traits(parameter).key, is_free ? "on" : "off");
+    }
+    ImGui::EndPopup();
+}
+
+void draw_put_bar(Ui& ui, MaybesState& state) {
+    if (!state.put.asked) return;
+    char text[48];
+    std::snprintf(text, sizeof text, ": searching, %d %%",
+                  static_cast<int>(100.0F * state.put.job->progress()));
+    ImGui::AlignTextToFramePadding();
+    dim_text(ui, "Put " + state.put.name + " there" + text);
+    note_item(ui.rects, "put:progress", text);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    if (link(ui, "cancel put", "Cancel")) stop_putting(state);
+    note_item(ui.rects, "link:cancel put");
+}
+
+}  // namespace
+
+void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
+    draw_put_bar(ui, state);
+    if (state.varied.empty()) return;
+    if (!place_named(work.document.set, state.varied)) return stop_varying(state);
+    ImGui::AlignTextToFramePadding();
+    dim_text(ui, "Neighbours of " + state.varied + ": how far");
+    const float width = 170.0F * ui.theme.scale;
+    flow_on(width, ui.theme.gap_px);
+    draw_short_field(ui,
+                     {.id = "how_far",
+                      .label = "How far",
+                      .format = "%.3g steps",
+                      .slider = {1.0, 20.0},
+                      .typed = {0.5, 100.0},
+                      .step = 0.5,
+                      .snap = 0.5,
+                      .help = "How many felt steps each is away, all numbers together.",
+                      .normal = 3.0},
+                     width, state.how_far);
+    note_item(ui.rects, "vary:how far");
+    const auto word = [&](const char* id, const char* text, const char* help) {
+        flow_on(ImGui::CalcTextSize(text).x, 1.5F * ui.theme.gap_px);
+        const bool pressed = link(ui, id, text);
+        note_item(ui.rects, std::string("link:") + id);
+        draw_tooltip(ui, help);
+        return pressed;
+    };
+    if (word("vary again", "Others (V)", "Eight others, as far away.")) ++state.vary_seed;
+    draw_free_numbers(ui, state);
+    if (word("vary stop", "Done", "The pattern stays as it is.")) return stop_varying(state);
+    const auto found = found_variants(state);
+    flow_on(120.0F * ui.theme.scale, 1.5F * ui.theme.gap_px);
+    const std::string failure = failure_of(state.variants.job);
+    dim_text(ui, !failure.empty() ? failure
+                 : found          ? "a preview; click one to take it, hold to feel it"
+                                  : "searching");
+    note_item(ui.rects, "vary:found", found ? std::to_string(found->patterns.size()) : "");
+}
+
+}  // namespace tact

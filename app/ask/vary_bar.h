@@ -1,0 +1,12 @@
+// The row over the map while a pattern is varied, or one is searched for a place.
+#pragma once
+
+#include "app/ask/maybes_state.h"
+#include "app/document/workspace.h"
+#include "app/ui/ui.h"
+
+namespace tact {
+
+void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state);
+
+}  // namespace tact

@@ -1,0 +1,122 @@
+// tactspace steps: patterns between two, as far apart from each other as the model can make them
+// even.
+
+#include "model/ask/steps.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/command_line/commands.h"
+#include "app/command_line/interrupt.h"
+#include "app/command_line/output.h"
+#include "app/command_line/text_table.h"
+#include "model/ask/steps_set.h"
+#include "model/io/set/set_file.h"
+
+namespace tact {
+
+namespace {
+
+Expected<std::size_t> pattern_named(const PatternSet& set, const char* option,
+                                    const std::string& name) {
+    const Expected<std::size_t> place = place_of(set, name);
+    if (!place) return Error{option + (": " + place.error().message)};
+    if (std::holds_alternative<Pattern>(set.vibrations[*place].source)) return place;
+    return Error{std::string(option) +
+                 ": expected a pattern made of parameters, got the recording \"" + name + "\""};
+}
+
+std::string numbers_of(const Pattern& pattern) {
+    std::string list;
+    for (const PatternParameter parameter : kPatternParameters) {
+        if (!value_of(pattern, parameter)) continue;
+        list += std::string(list.empty() ? "" : ", ") + traits(parameter).key;
+    }
+    return list;
+}
+
+Expected<Pattern> end_of_way(const StepsCommand& command, const Pattern& from, const Pattern& to) {
+    if (command.parameter.empty()) return to;
+    for (const PatternParameter parameter : kPatternParameters) {
+        if (traits(parameter).key != command.parameter) continue;
+        if (const auto end = end_along(from, to, parameter)) return *end;
+    }
+    return Error{"--parameter: expected a number that both patterns have (" + numbers_of(from) +
+                 "), got \"" + command.parameter + "\""};
+}
+
+struct AnsweredSteps {
+    StepsQuestion question;
+    EvenSteps steps;
+    PatternSet written;
+};
+
+Expected<AnsweredSteps> answered(const StepsCommand& command, const PatternSet& set,
+                                 std::stop_token stop) {
+    const auto from = pattern_named(set, "--from", command.from);
+    if (!from) return from.error();
+    const auto to = pattern_named(set, "--to", command.to);
+    if (!to) return to.error();
+    if (*from == *to) return Error{"--to: expected another pattern than --from"};
+    const Pattern& first = std::get<Pattern>(set.vibrations[*from].source);
+    const auto last = end_of_way(command, first, std::get<Pattern>(set.vibrations[*to].source));
+    if (!last) return last.error();
+    const StepMeasure measure = command.metric == "nc"   ? StepMeasure::nc
+                                : command.metric == "oc" ? StepMeasure::oc
+                                                         : StepMeasure::pm;
+    const StepsQuestion question{first, *last, static_cast<std::size_t>(command.count), measure,
+                                 set.model};
+    const auto steps =
+        even_steps(question, {command.common.threads, stop, progress_line("placing steps")});
+    if (!steps) return Error{"stopped before the steps were placed"};
+    return AnsweredSteps{question, *steps, set_of_steps(set, *from, *to, *steps)};
+}
+
+nlohmann::json json_of(const AnsweredSteps& answer) {
+    const EvenSteps& steps = answer.steps;
+    nlohmann::json json{{"patterns", names_of(answer.written)},
+                        {"shares", steps.shares},
+                        {"apart", steps.apart},
+                        {"ends_apart", steps.ends_apart},
+                        {"pm", steps.pm},
+                        {"largest_pm", steps.largest_pm},
+                        {"uneven", steps.uneven},
+                        {"even", is_even(steps)}};
+    if (steps.jump) {
+        json["jump"] = {{"share", steps.jump->share}, {"distance", steps.jump->distance}};
+    }
+    return json;
+}
+
+std::string text_of(const AnsweredSteps& answer) {
+    const EvenSteps& steps = answer.steps;
+    const std::vector<std::string> names = names_of(answer.written);
+    std::vector<TextRow> rows{{"pattern", "of the way, %", "to the next", "PM to the next"}};
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const bool last = k + 1 == names.size();
+        rows.push_back({names[k], six_digits(100.0 * steps.shares[k]),
+                        last ? "" : six_digits(steps.apart[k]),
+                        last ? "" : six_digits(steps.pm[k])});
+    }
+    return aligned(rows) + "\n" + sentence_on(answer.question, steps) + "\n" +
+           pm_sentence_on(steps) + "\n";
+}
+
+}  // namespace
+
+Expected<Done> run(const StepsCommand& command) {
+    const Interrupt interrupt;
+    if (const auto writable = writable_result(command.out); !writable) return writable;
+    const Expected<PatternSet> set = load_as_meant(command.common);
+    if (!set) return set.error();
+    const Expected<AnsweredSteps> answer = answered(command, *set, interrupt.token());
+    if (!answer) return answer.error();
+    const Expected<Done> written = write_set_file(command.out, answer->written);
+    if (!written) return written;
+    return write_result({}, [&](std::ostream& stream) {
+        stream << (command.common.json ? json_of(*answer).dump() + "\n" : text_of(*answer));
+    });
+}
+
+}  // namespace tact

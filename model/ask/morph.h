@@ -1,0 +1,29 @@
+// A pattern between two patterns: the straight path of their parameters, and of rhythms that differ
+// the way by which their notes warp into each other.
+//
+// Amplitudes, frequencies and the rhythm's unit go by ratio where both are above 0, all else by
+// difference. Carriers are taken in their order; one that the other has not gains its weight on the
+// way. Between no modulation and one that multiplies, or between the two kinds, the carriers give
+// their strength to the two side bands that the modulation consists of, by degrees.
+//
+// Source    ours. Trigonometry: sin a sin b = (sin(b - a + pi/2) + sin(b + a - pi/2)) / 2.
+// Output    at 0 and 1 the two patterns themselves, bit for bit; between rhythms that differ the
+//           notes are drawn, as an amplitude curve, since a rhythm has no notes of other strengths
+// Left out  what morph_jumps() names, which changes at half of the way.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/pattern/pattern.h"
+
+namespace tact {
+
+// `share` of the way, 0 to 1.
+Pattern morphed(const Pattern& from, const Pattern& to, double share);
+
+// What cannot change by degrees between these two, as the beginning of a sentence each ("the
+// modulation"); empty: nothing.
+std::vector<std::string> morph_jumps(const Pattern& from, const Pattern& to);
+
+}  // namespace tact

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/ask/blend.h"
+#include "model/ask/morph_parts.h"
+
+namespace tact {
+
+namespace {
+
+// How strongly the carriers themselves are felt, and their side bands, as the modulation has them.
+struct Strengths {
+    double carriers = 1.0;
+    double side_bands = 0.0;
+    std::optional<double> at_hz{};  // of the modulation, if there is one
+};
+
+Strengths strengths_of(const Modulation& modulation) {
+    const bool am = modulation.kind == ModulationKind::am;
+    if (modulation.frequency_hz == 0.0 || (am && modulation.depth == 0.0)) return {};
+    return {am ? 1.0 : 0.0, am ? modulation.depth : 1.0, modulation.frequency_hz};
+}
+
+// Carriers of both, in their order.
+std::vector<Carrier> carriers_between(const Pattern& from, const Pattern& to, double share) {
+    const std::size_t count = std::max({std::size_t{1}, from.carriers.size(), to.carriers.size()});
+    const auto carrier_of = [](const Pattern& own, const Pattern& other, std::size_t k) {
+        if (k < own.carriers.size()) return own.carriers[k];
+        Carrier silent = k < other.carriers.size() ? other.carriers[k] : Carrier{};
+        silent.weight = 0.0;
+        return silent;
+    };
+    std::vector<Carrier> carriers;
+    for (std::size_t k = 0; k < count; ++k) {
+        const Carrier a = carrier_of(from, to, k);
+        const Carrier b = carrier_of(to, from, k);
+        carriers.push_back({between(a.frequency_hz, b.frequency_hz, share, BlendBy::ratio),
+                            between(a.weight, b.weight, share, BlendBy::difference),
+                            between(a.phase_rad, b.phase_rad, share, BlendBy::difference)});
+    }
+    return carriers;
+}
+
+// sin(2 pi m t) w sin(2 pi f t + phi) as two sines; none where one would not move at all.
+std::optional<std::vector<Carrier>> side_bands_of(const Carrier& carrier, double at_hz) {
+    constexpr double kQuarter = std::numbers::pi / 2.0;
+    const double low_hz = carrier.frequency_hz - at_hz;
+    const double high_hz = carrier.frequency_hz + at_hz;
+    if (std::abs(low_hz) < limits::kCarrierHz.low || high_hz > limits::kCarrierHz.high) {
+        return std::nullopt;
+    }
+    Carrier low{low_hz, 0.5 * carrier.weight, carrier.phase_rad + kQuarter};
+    // Below 0 Hz it is the same sine, turned.
+    if (low_hz < 0.0) low = {-low_hz, -low.weight, -low.phase_rad};
+    return std::vector<Carrier>{low, {high_hz, 0.5 * carrier.weight, carrier.phase_rad - kQuarter}};
+}
+
+// The modulation written out as carriers.
+std::optional<Tone> written_out(std::vector<Carrier> carriers, const Strengths& strengths) {
+    Tone tone;
+    for (Carrier& carrier : carriers) {
+        const auto bands = side_bands_of(carrier, *strengths.at_hz);
+        if (!bands) return std::nullopt;
+        for (Carrier band : *bands) {
+            band.weight *= strengths.side_bands;
+            tone.carriers.push_back(band);
+        }
+        carrier.weight *= strengths.carriers;
+    }
+    tone.carriers.insert(tone.carriers.begin(), carriers.begin(), carriers.end());
+    if (tone.carriers.size() > limits::kMaxCarriers) return std::nullopt;
+    return tone;
+}
+
+}  // namespace
+
+std::optional<Tone> tone_between(const Pattern& from, const Pattern& to, double share) {
+    const Strengths a = strengths_of(from.modulation);
+    const Strengths b = strengths_of(to.modulation);
+    std::vector<Carrier> carriers = carriers_between(from, to, share);
+    if (!a.at_hz && !b.at_hz) return Tone{std::move(carriers), {}};
+    Strengths way{between(a.carriers, b.carriers, share, BlendBy::difference),
+                  between(a.side_bands, b.side_bands, share, BlendBy::difference),
+                  between(a.at_hz.value_or(*(b.at_hz ? b.at_hz : a.at_hz)),
+                          b.at_hz.value_or(*(a.at_hz ? a.at_hz : b.at_hz)), share, BlendBy::ratio)};
+    if (a.carriers == 1.0 && b.carriers == 1.0) {
+        return Tone{std::move(carriers), {ModulationKind::am, *way.at_hz, way.side_bands}};
+    }
+    if (a.carriers == 0.0 && b.carriers == 0.0) {
+        return Tone{std::move(carriers), {ModulationKind::product, *way.at_hz, 1.0}};
+    }
+    // Carriers follow a drawn frequency in proportion, which side bands do not.
+    if (!from.frequency_curve.empty() || !to.frequency_curve.empty()) return std::nullopt;
+    return written_out(std::move(carriers), way);
+}
+
+}  // namespace tact

@@ -1,0 +1,68 @@
+#include "model/ask/moved_point.h"
+
+#include <utility>
+
+#include "model/map/mds.h"
+#include "model/map/procrustes.h"
+
+namespace tact {
+
+namespace {
+
+constexpr std::size_t kCoarseEnvelopes = 10;
+constexpr Eigen::Index kMany = 100;
+
+MdsParams following(Eigen::Index objects, Eigen::Index dimensions) {
+    MdsParams params;
+    params.dimensions = static_cast<int>(dimensions);
+    params.random_starts = 0;
+    params.tolerance = 1e-7;
+    params.max_steps = objects > kMany ? 60 : 400;
+    params.threads = 1;
+    return params;
+}
+
+}  // namespace
+
+std::optional<MovedPoint> MovedPoint::of(MapAsItIs map, std::size_t row, int threads,
+                                         std::stop_token stop) {
+    MovedPoint result(std::move(map), row);
+    PredictOptions options;
+    options.envelope_decimation = kCoarseEnvelopes;
+    options.threads = threads;
+    options.stop = stop;
+    auto coarse = predict(result.map_.waveforms, result.map_.model, options);
+    if (!coarse) return std::nullopt;
+    result.coarse_ = std::make_shared<const Prediction>(*std::move(coarse));
+    const auto unchanged = result.raw(result.map_.waveforms[row], stop, threads);
+    if (!unchanged) return std::nullopt;
+    result.shift_ = result.map_.points.row(static_cast<Eigen::Index>(row)) - unchanged->at;
+    return result;
+}
+
+std::optional<MovedPoint::Place> MovedPoint::raw(const Waveform& changed, std::stop_token stop,
+                                                 int threads) const {
+    std::vector<Waveform> waveforms = map_.waveforms;
+    waveforms[row_] = changed;
+    PredictOptions options;
+    options.envelope_decimation = kCoarseEnvelopes;
+    options.previous = coarse_.get();
+    options.threads = threads;
+    options.stop = stop;
+    auto prediction = predict(waveforms, map_.model, options);
+    if (!prediction) return std::nullopt;
+    const PerceptualSpace space = smacof(prediction->pm, map_.points,
+                                         following(map_.points.rows(), map_.points.cols()), stop);
+    if (stop.stop_requested()) return std::nullopt;
+    const ProcrustesFit fit = procrustes(space.points, map_.points, false);
+    return Place{fit.aligned.row(static_cast<Eigen::Index>(row_)), std::move(prediction->pm)};
+}
+
+std::optional<MovedPoint::Place> MovedPoint::operator()(const Waveform& changed,
+                                                        std::stop_token stop, int threads) const {
+    auto place = raw(changed, std::move(stop), threads);
+    if (place) place->at += shift_;
+    return place;
+}
+
+}  // namespace tact

@@ -1,0 +1,47 @@
+// How far places on the way from one pattern to another are apart, as the model sees them. Private
+// to the room.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "model/ask/steps.h"
+
+namespace tact {
+
+class PathDistances {
+  public:
+    PathDistances(const StepsQuestion& question, const StepsOptions& options);
+
+    Pattern at(double share) const;
+
+    // Makes the codes of these places, those not yet known, on several threads. False when stopped.
+    bool prepare(const std::vector<double>& shares);
+
+    // Of pairs of prepared places, in their order; with envelopes at 1 kHz, a hundredth of the
+    // work, or exact. Infinite for some when stopped.
+    using Pairs = std::vector<std::pair<double, double>>;
+    std::vector<double> of(const Pairs& pairs, bool exact) const;
+
+    // Takes the largest NC and OC of these pairs for 1. Before that, distances are 0.
+    void scale_by(const Pairs& pairs);
+
+  private:
+    struct Place {
+        std::shared_ptr<const PatternCode> code;
+        std::vector<double> coarse;  // its envelope
+    };
+    std::vector<double> nc_of(const Pairs& pairs) const;
+    std::vector<double> oc_of(const Pairs& pairs, bool exact) const;
+
+    const StepsQuestion& question_;
+    const StepsOptions& options_;
+    std::size_t samples_ = 0;
+    std::map<double, Place> places_;
+    double nc_scale_ = 0.0;
+    double oc_scale_ = 0.0;
+};
+
+}  // namespace tact

@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "model/ask/morph.h"
+#include "model/ask/steps.h"
+
+namespace tact {
+
+namespace {
+
+std::string percent(double share) {
+    char text[32];
+    std::snprintf(text, sizeof text, share < 0.1 ? "%.1f %%" : "%.0f %%", 100.0 * share);
+    return text;
+}
+
+}  // namespace
+
+double unevenness(const std::vector<double>& values) {
+    if (values.empty()) return 0.0;
+    const auto [least, most] = std::ranges::minmax_element(values);
+    if (*least > 0.0) return *most / *least - 1.0;
+    return *most > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+}
+
+bool is_even(const EvenSteps& steps) { return steps.uneven <= kEvenWithin; }
+
+std::string sentence_on(const StepsQuestion& question, const EvenSteps& steps) {
+    const char* measure = question.measure == StepMeasure::nc   ? "NC"
+                          : question.measure == StepMeasure::oc ? "OC"
+                                                                : "PM before ranks";
+    const std::string in = std::string(" in ") + measure;
+    if (!(steps.ends_apart > 0.0)) {
+        return "The two do not differ" + in + ": every step between them is the same.";
+    }
+    if (is_even(steps)) {
+        return "Neighbours are equally far" + in + ", within " + percent(steps.uneven) + ".";
+    }
+    std::string text =
+        "There are no " + std::to_string(steps.patterns.size()) + " even steps" + in +
+        ": neighbours differ by " +
+        (std::isfinite(steps.uneven) ? percent(steps.uneven) : std::string("any factor")) +
+        " at best.";
+    if (!steps.jump) return text;
+    text += " At " + percent(steps.jump->share) + " of the way the path jumps by " +
+            percent(steps.jump->distance / steps.ends_apart) + " of the distance of the two.";
+    for (const std::string& what : morph_jumps(question.from, question.to)) {
+        text += " At half of the way " + what + " changes at once.";
+    }
+    return text;
+}
+
+std::string pm_sentence_on(const EvenSteps& steps) {
+    const auto [least, most] = std::ranges::minmax_element(steps.pm);
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "PM of neighbours, in the set of these patterns: %.3g to %.3g, of at most %.3g. "
+                  "PM counts ranks, so neighbours cannot be equal in it.",
+                  *least, *most, steps.largest_pm);
+    return text;
+}
+
+std::optional<Pattern> end_along(const Pattern& from, const Pattern& to,
+                                 PatternParameter parameter) {
+    const auto value = value_of(to, parameter);
+    if (!value || !value_of(from, parameter)) return std::nullopt;
+    return with_value(from, parameter, *value);
+}
+
+}  // namespace tact

@@ -1,0 +1,103 @@
+#include "model/pattern/felt_steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/common/portable.h"
+#include "model/pattern/same_vibration.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kDecibels15 = 1.188502227437019;  // 1.5 dB as a factor
+constexpr const char* kIsrar = "Israr, Tan & Reed 2006";
+constexpr const char* kOurs = "ours";
+
+constexpr std::array<FeltSource, kPatternParameters.size()> kSources{
+    {{"Craig 1972, as it is cited", false},
+     {kIsrar, false},
+     {kIsrar, false},
+     {kOurs, true},
+     {"as of a carrier", true},
+     {kOurs, true},
+     {"Jones, Poliakoff & Wells 2009", false},
+     {"Remache-Vinueza et al. 2025, of pulses", true},
+     {"Remache-Vinueza et al. 2025, of pulses", true}}};
+
+std::size_t place_in_order(PatternParameter parameter) {
+    return static_cast<std::size_t>(parameter);
+}
+
+double steps_from_zero(const FeltSteps& steps, PatternParameter parameter, double value) {
+    const double first = traits(parameter).first;
+    if (value <= 0.0) return 0.0;
+    if (value <= first) return 1.0;
+    return 1.0 + portable::log(value / first) / portable::log(step_of(steps, parameter));
+}
+
+}  // namespace
+
+StepSizes usual_felt_steps() { return {kDecibels15, 1.2, 1.2, 0.2, 1.2, 0.2, 1.16, 0.03, 0.03}; }
+
+FeltSource source_of_step(PatternParameter parameter) {
+    return kSources[place_in_order(parameter)];
+}
+
+Range step_range(PatternParameter parameter) {
+    const ParameterTraits& about = traits(parameter);
+    return about.by_ratio ? Range{1.01, 4.0} : Range{0.001, about.range.high};
+}
+
+double step_of(const FeltSteps& steps, PatternParameter parameter) {
+    return steps.size[place_in_order(parameter)];
+}
+
+double stepped(const FeltSteps& steps, PatternParameter parameter, double value, double count) {
+    const ParameterTraits& about = traits(parameter);
+    const double step = step_of(steps, parameter);
+    double moved = value + step * count;
+    if (about.by_ratio) {
+        // Below the first there is only 0, where the range has it.
+        const double from = std::max(value, about.first);
+        const bool from_nothing = value < about.first && count > 0.0;
+        moved = from * portable::pow(step, from_nothing ? count - 1.0 : count);
+        if (moved < about.first && about.range.low <= 0.0) moved = 0.0;
+    }
+    return std::clamp(moved, about.range.low, about.range.high);
+}
+
+double steps_between(const FeltSteps& steps, PatternParameter parameter, double a, double b) {
+    if (a == b) return 0.0;
+    const double low = std::min(a, b);
+    const double high = std::max(a, b);
+    const ParameterTraits& about = traits(parameter);
+    if (!about.by_ratio) return (high - low) / step_of(steps, parameter);
+    if (low < about.first && about.range.low <= 0.0) {
+        return std::max(
+            1.0, steps_from_zero(steps, parameter, high) - steps_from_zero(steps, parameter, low));
+    }
+    if (low <= 0.0) return steps_from_zero(steps, parameter, high);
+    return portable::log(high / low) / portable::log(step_of(steps, parameter));
+}
+
+bool within_a_step(const FeltSteps& steps, const Pattern& a, const Pattern& b) {
+    Pattern plain_a = a;
+    Pattern plain_b = b;
+    for (const PatternParameter parameter : kPatternParameters) {
+        const auto of_a = value_of(a, parameter);
+        const auto of_b = value_of(b, parameter);
+        if (of_a.has_value() != of_b.has_value()) return false;
+        if (!of_a) continue;
+        if (steps_between(steps, parameter, *of_a, *of_b) >= 1.0) return false;
+        plain_a = with_value(plain_a, parameter, *of_a);
+        plain_b = with_value(plain_b, parameter, *of_a);
+    }
+    const double longer_s = std::max(a.duration_s, b.duration_s);
+    const double shorter_s = std::min(a.duration_s, b.duration_s);
+    if (longer_s >= shorter_s * step_of(steps, PatternParameter::rhythm_unit)) return false;
+    plain_b.duration_s = a.duration_s;
+    return essence(plain_a) == essence(plain_b);
+}
+
+}  // namespace tact

@@ -1,0 +1,54 @@
+// The least change of each number of a pattern that people are taken to feel, and what is counted
+// in such changes.
+//
+// Source    amplitude: about 1.5 dB (Craig 1972, as it is cited; 2.2 to 2.5 dB at the fingertip:
+//           Israr, Tan & Reed 2006). Frequency: 18 to 25 % at the fingertip, 2 to 200 Hz (Israr,
+//           Tan & Reed 2006). A rhythm's unit, so how long notes and gaps are: 160 ms of 1 s
+//           (Jones, Poliakoff & Wells 2009). Ramps: 30 ms part a pulse from a vibration
+//           (Remache-Vinueza, Trujillo-Leon & Vidal-Verdu 2025), taken for what is felt of a ramp:
+//           a guess. The rate of a modulation as of a carrier, and a fifth of mix and depth:
+//           guesses.
+// Valid     one finger, well above threshold, one number changed at a time
+// Left out  that small changes of several numbers add up.
+#pragma once
+
+#include <array>
+
+#include "model/pattern/pattern_parameter.h"
+
+namespace tact {
+
+// In the order of kPatternParameters: a factor where traits().by_ratio, else a difference.
+using StepSizes = std::array<double, kPatternParameters.size()>;
+StepSizes usual_felt_steps();
+
+struct FeltSteps {
+    StepSizes size = usual_felt_steps();
+
+    bool operator==(const FeltSteps&) const = default;
+};
+
+// "Israr, Tan & Reed 2006"; and whether that measured something else.
+struct FeltSource {
+    const char* words;
+    bool is_guess;
+};
+FeltSource source_of_step(PatternParameter parameter);
+
+// What a step may be: a factor above 1, or a part of the number's range.
+Range step_range(PatternParameter parameter);
+
+double step_of(const FeltSteps& steps, PatternParameter parameter);
+
+// The value so many steps away, in range. From 0 of what goes by ratio, the first step leads to
+// traits().first.
+double stepped(const FeltSteps& steps, PatternParameter parameter, double value, double count);
+
+// How many steps two values are apart, at least 0; not whole.
+double steps_between(const FeltSteps& steps, PatternParameter parameter, double a, double b);
+
+// Whether two patterns differ by less than a step in every number, and in nothing else that is
+// felt. So as long as one another, to a step of a rhythm's unit.
+bool within_a_step(const FeltSteps& steps, const Pattern& a, const Pattern& b);
+
+}  // namespace tact

@@ -1,0 +1,94 @@
+#include "model/subset/confusable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "model/common/quantile.h"
+
+namespace tact {
+
+std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold,
+                                             std::size_t most) {
+    if (!std::isfinite(threshold)) return {};
+    std::vector<ConfusablePair> pairs;
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < dissimilarity.size; ++i) {
+        for (std::size_t j = i + 1; j < dissimilarity.size; ++j, ++k) {
+            const double value = dissimilarity.condensed[k];
+            if (value <= threshold) pairs.push_back({i, j, value});
+        }
+    }
+    // Of half a million pairs a few hundred are wanted.
+    const auto end = pairs.begin() + static_cast<std::ptrdiff_t>(std::min(most, pairs.size()));
+    std::ranges::partial_sort(pairs, end, {}, [](const ConfusablePair& pair) {
+        return std::tuple(pair.dissimilarity, pair.a, pair.b);
+    });
+    pairs.erase(end, pairs.end());
+    return pairs;
+}
+
+std::vector<double> sorted_values(const Dissimilarity& dissimilarity) {
+    std::vector<double> values;
+    for (const double value : dissimilarity.condensed) {
+        if (std::isfinite(value)) values.push_back(value);
+    }
+    std::ranges::sort(values);
+    return values;
+}
+
+double threshold_at(const Dissimilarity& dissimilarity, double share) {
+    return quantile(sorted_values(dissimilarity), share);
+}
+
+Dissimilarity among(const Dissimilarity& dissimilarity, std::span<const std::size_t> objects) {
+    Dissimilarity result{objects.size(), {}};
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        for (std::size_t j = i + 1; j < objects.size(); ++j) {
+            result.condensed.push_back(dissimilarity(objects[i], objects[j]));
+        }
+    }
+    return result;
+}
+
+bool within_a_step(const PatternSet& set, std::size_t a, std::size_t b) {
+    const auto& first = set.vibrations[a].source;
+    const auto& second = set.vibrations[b].source;
+    const auto* one = std::get_if<Pattern>(&first);
+    const auto* other = std::get_if<Pattern>(&second);
+    if (one != nullptr && other != nullptr) return within_a_step(set.felt_steps, *one, *other);
+    if (one != nullptr || other != nullptr) return false;
+    return *std::get<Measurement>(first).waveform == *std::get<Measurement>(second).waveform;
+}
+
+std::vector<ConfusablePair> pairs_within_a_step(const PatternSet& set,
+                                                const Dissimilarity& dissimilarity) {
+    std::vector<ConfusablePair> pairs;
+    for (std::size_t i = 0; i < dissimilarity.size; ++i) {
+        for (std::size_t j = i + 1; j < dissimilarity.size; ++j) {
+            if (within_a_step(set, i, j)) pairs.push_back({i, j, dissimilarity(i, j)});
+        }
+    }
+    std::ranges::stable_sort(pairs, {}, &ConfusablePair::dissimilarity);
+    return pairs;
+}
+
+PairVerdict pair_verdict(const PatternSet& set, const Dissimilarity& pm, std::size_t a,
+                         std::size_t b, double largest_pm) {
+    if (within_a_step(set, a, b)) return PairVerdict::same;
+    return pm(a, b) <= kHardShare * largest_pm ? PairVerdict::hard : PairVerdict::clear;
+}
+
+const char* words_of(PairVerdict verdict) {
+    switch (verdict) {
+        case PairVerdict::same:
+            return "same";
+        case PairVerdict::hard:
+            return "hard to tell";
+        case PairVerdict::clear:
+            return "clear";
+    }
+    return "";
+}
+
+}  // namespace tact

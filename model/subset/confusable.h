@@ -1,0 +1,53 @@
+// Pairs that people may confuse: by how far apart they are, or by what is felt of each number.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "model/dissimilarity/dissimilarity.h"
+#include "model/set/pattern_set.h"
+
+namespace tact {
+
+struct ConfusablePair {
+    std::size_t a = 0;
+    std::size_t b = 0;  // > a
+    double dissimilarity = 0.0;
+
+    bool operator==(const ConfusablePair&) const = default;
+};
+
+// The pairs not above the threshold, the closest first, at most so many; none where it is no finite
+// number.
+std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold,
+                                             std::size_t most);
+
+// The dissimilarity below which a share of the pairs lies; NaN of none.
+double threshold_at(const Dissimilarity& dissimilarity, double share);
+
+// What quantiles are taken of: dissimilarities that are known, ascending.
+std::vector<double> sorted_values(const Dissimilarity& dissimilarity);
+
+// Those of some of the objects alone (ascending), in their order.
+Dissimilarity among(const Dissimilarity& dissimilarity, std::span<const std::size_t> objects);
+
+// The pairs of which no number differs by a felt step of the set (model/pattern/felt_steps.h), the
+// closest first; recordings only where they are the same to the sample. Empty for most sets.
+std::vector<ConfusablePair> pairs_within_a_step(const PatternSet& set,
+                                                const Dissimilarity& dissimilarity);
+bool within_a_step(const PatternSet& set, std::size_t a, std::size_t b);
+
+// Whether two patterns are felt as two, in a word. By felt steps and by PM: a guess, as nobody has
+// measured at which rank pairs are told apart.
+enum class PairVerdict {
+    same,  // within a felt step
+    hard,  // PM of at most kHardShare of the set's largest
+    clear
+};
+inline constexpr double kHardShare = 0.1;
+PairVerdict pair_verdict(const PatternSet& set, const Dissimilarity& pm, std::size_t a,
+                         std::size_t b, double largest_pm);
+const char* words_of(PairVerdict verdict);  // "hard to tell"
+
+}  // namespace tact

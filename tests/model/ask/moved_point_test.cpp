@@ -1,0 +1,98 @@
+#include "model/ask/moved_point.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "model/common/random.h"
+#include "model/map/mds.h"
+#include "model/map/procrustes.h"
+#include "model/pattern/pattern_parameter.h"
+#include "model/set/pattern_set.h"
+
+namespace moved_point_test {
+
+using namespace tact;
+
+namespace {
+
+PatternSet eight_short() {
+    PatternSet set;
+    for (int k = 0; k < 8; ++k) {
+        Pattern pattern;
+        pattern.duration_s = 0.3;
+        pattern.amplitude_g = 0.5 + 0.25 * (k % 3);
+        pattern.carriers[0].frequency_hz = 50.0 + 30.0 * k;
+        pattern.modulation.frequency_hz = 6.0 * (k % 4);
+        Vibration vibration;
+        vibration.name = "p" + std::to_string(k);
+        vibration.source = pattern;
+        set.vibrations.push_back(vibration);
+    }
+    return set;
+}
+
+Eigen::MatrixXd map_of(const PatternSet& set) {
+    const auto prediction = predict(model_waveforms(set), set.model);
+    return nonmetric_mds(prediction->pm, standard_mds_params(set.vibrations.size(), 3)).points;
+}
+
+double diameter_of(const Eigen::MatrixXd& points) {
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        for (Eigen::Index j = 0; j < i; ++j) {
+            largest = std::max(largest, (points.row(i) - points.row(j)).norm());
+        }
+    }
+    return largest;
+}
+
+}  // namespace
+
+TEST_CASE("moved point: an unchanged pattern is where it is; the same bits on any threads") {
+    const PatternSet set = eight_short();
+    const MapAsItIs map{model_waveforms(set), set.model, map_of(set)};
+    auto one = MovedPoint::of(map, 2, 1, {});
+    auto four = MovedPoint::of(map, 2, 4, {});
+    REQUIRE(one);
+    REQUIRE(four);
+    CHECK(((*one)(map.waveforms[2], {})->at - map.points.row(2)).norm() < 1e-12);
+    Pattern changed = std::get<Pattern>(set.vibrations[2].source);
+    changed.amplitude_g = 3.0;
+    const Waveform waveform = render(changed);
+    CHECK((*one)(waveform, {})->at == (*four)(waveform, {})->at);
+    std::stop_source stop;
+    stop.request_stop();
+    CHECK_FALSE(MovedPoint::of(map, 2, 1, stop.get_token()));
+    CHECK_FALSE((*one)(waveform, stop.get_token()));
+}
+
+TEST_CASE("moved point: it is where the map has the point once the number is really set") {
+    const PatternSet set = eight_short();
+    const Eigen::MatrixXd points = map_of(set);
+    RandomStream random{3};
+    int near = 0;
+    double worst = 0.0;
+    constexpr int kTries = 50;
+    for (int tried = 0; tried < kTries; ++tried) {
+        const std::size_t row = next_index(random, set.vibrations.size());
+        const PatternParameter parameter =
+            std::array{PatternParameter::amplitude, PatternParameter::carrier,
+                       PatternParameter::modulation}[next_index(random, 3)];
+        PatternSet changed = set;
+        auto& pattern = std::get<Pattern>(changed.vibrations[row].source);
+        const double value = *value_of(pattern, parameter);
+        pattern = with_value(pattern, parameter, std::max(1.0, value) * (1.0 + next_even(random)));
+        auto moved = MovedPoint::of({model_waveforms(set), set.model, points}, row, 0, {});
+        const auto place = (*moved)(render(pattern), {});
+        const Eigen::MatrixXd after = procrustes(map_of(changed), points, false).aligned;
+        const double off =
+            (place->at - after.row(static_cast<Eigen::Index>(row))).norm() / diameter_of(after);
+        near += off <= 0.02;
+        worst = std::max(worst, off);
+    }
+    MESSAGE("within 2 % of the diameter: " << near << " of " << kTries << ", worst " << worst);
+    CHECK(near >= 25);
+}
+
+}  // namespace moved_point_test
