@@ -100,7 +100,8 @@ struct SnapshotCommand {
     std::string stage;            // ... at this stage, large; a key of app/physiology/stages.h
     std::optional<double> at_s;   // ... with the playhead there
     bool tilted = false;          // ... and the receptors
-    int frames = 0;               // of a sequence in the folder `out`; 0: a single picture
+    int frames = 0;               // of a film, or of a sequence in a folder; 0: a single picture
+    std::optional<double> slower;  // the same by how much slower than life it goes
     std::optional<double> from_s;
     std::optional<double> to_s;
     std::string theme = "dark";

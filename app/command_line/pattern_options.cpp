@@ -36,8 +36,14 @@ void add_moment_options(CLI::App& snapshot, SnapshotCommand& command) {
         ->check(within(0.0, kLongestS));
     snapshot
         .add_option("--frames", command.frames,
-                    "draws so many pictures over time into the folder --out: frame_0001.png ...")
+                    "draws so many pictures over time: as a film, where --out is a .gif, .apng or "
+                    ".mp4 (by ffmpeg), else into the folder --out: frame_0001.png ...")
         ->check(within(1, kMostFrames));
+    snapshot
+        .add_option("--slower", command.slower,
+                    "instead of --frames: so many times slower than life, 25 frames a second in a "
+                    "film, 30 in a folder")
+        ->check(within(0.01, 10'000.0));
     snapshot.add_option("--from", command.from_s, "time of the first frame, s; else 0")
         ->check(within(0.0, kLongestS));
     snapshot
@@ -144,7 +150,9 @@ void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chose
     snapshot.add_option("--height", command.height, "pixels")->check(within(64, 8192));
     snapshot.add_option("--scale", command.scale, "size of text and marks, 0.75-4")
         ->check(within(0.75, 4.0));
-    snapshot.add_option("--out", command.out, "file, .png or .svg; with --frames a folder")
+    snapshot
+        .add_option("--out", command.out,
+                    "file, .png or .svg; with --frames or --slower .gif, .apng, .mp4 or a folder")
         ->required();
 }
 

@@ -34,6 +34,7 @@ struct ShownDifference {
     std::shared_ptr<const LiveStages> b;
     StageDifferences stages;
     std::array<std::vector<std::vector<double>>, kStages.size()> signals;  // a - b
+    double nc = 0.0;
 };
 
 struct PhysiologyState {
@@ -49,6 +50,7 @@ struct PhysiologyState {
     ShownLayers layers;
     ShownLayers pinned_layers;
     ShownDifference difference;
+    std::optional<double> pair_oc;  // of the two patterns on screen, where the map knows it
 };
 
 struct Physiology {

@@ -4,6 +4,7 @@
 // Source    thresholds: the model's own tables, so that the picture and the prediction agree.
 // Input     an amplitude spectrum in g; 1-500 Hz of it are shown
 // Output    the component under the mouse
+//           A threshold is dashed beyond the band of its type (mechanoreceptor.h).
 // Left out  phase, components below 1e-9 g (the model ignores them too).
 #pragma once
 
@@ -20,6 +21,7 @@ namespace tact {
 struct SpectrumScene {
     std::span<const Component> components{};         // by ascending frequency
     const PerReceptor<Curve>* thresholds = nullptr;  // log10 um; never null
+    const PerReceptor<Curve>* ghosts = nullptr;      // as they were, where they differ; or null
     ImU32 colour = 0;                                // of components that are felt
     bool stale = false;
 };
