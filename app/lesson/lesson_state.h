@@ -60,7 +60,7 @@ struct LessonAnswered {
 
 using LessonJob = LatestJob<std::shared_ptr<const Lesson>, LessonAnswered>;
 
-inline constexpr float kLeastPresentScale = 1.5F;
+inline constexpr float kPresentScale = 1.75F;  // of text
 
 struct LessonState {
     std::shared_ptr<const Lesson> lesson;  // open; kept when it is left
@@ -80,11 +80,11 @@ struct LessonState {
     bool editing = false;
     bool shows_source = false;
     DockSide dock = DockSide::right;
-    float card_share = 0.27F;                  // of the window's width, or of its height
-    float present_scale = kLeastPresentScale;  // of text while presenting
-    std::filesystem::path sheet_to;            // a student sheet is wanted there ...
-    std::vector<std::string> sheet_pictures;   // ... and these of its steps are drawn
-    std::string told;                          // to who speaks, last
+    float card_share = 0.27F;                 // of the window's width, or of its height
+    float present_scale = kPresentScale;      // of text while presenting
+    std::filesystem::path sheet_to;           // a student sheet is wanted there ...
+    std::vector<std::string> sheet_pictures;  // ... and these of its steps are drawn
+    std::string told;                         // to who speaks, last
 };
 
 }  // namespace tact

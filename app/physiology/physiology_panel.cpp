@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
@@ -163,6 +164,23 @@ void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
                   size);
 }
 
+// What was moved in the spectrum is a change of the set's model.
+void move_threshold(Ui& ui, Workspace& work, Physiology& physiology) {
+    const auto move = std::exchange(physiology.view.threshold_move, std::nullopt);
+    if (!move) return;
+    constexpr Range kTable = kThresholdTable.values;
+    Curve& curve = work.document.set.model.coding.tables.threshold[index_of(move->type)];
+    const double by = move->db / 20.0;
+    const auto [low, high] = std::ranges::minmax(curve.value);
+    if (by != 0.0 && low + by >= kTable.low && high + by <= kTable.high) {
+        for (double& value : curve.value) value += by;
+        model_changed(work);
+    }
+    if (move->is_last) {
+        commit_step(ui, work, std::string("Move threshold of ") + traits(move->type).name);
+    }
+}
+
 }  // namespace
 
 bool draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline, Physiology& physiology,
@@ -188,7 +206,7 @@ bool draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline, Physiolo
                   "Space plays silently, in slow motion; drag in any plot to move through time; a "
                   "stage's name opens it large.");
         draw_strip(ui, physiology);
-        tour_asked = draw_pin_choice(ui, work, tour_begun);
+        if (!ui.presenting) tour_asked = draw_pin_choice(ui, work, tour_begun);
     }
     // The links above may have turned to another range.
     timeline.range = fitted(timeline.range, duration_s);
@@ -202,6 +220,7 @@ bool draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline, Physiolo
     }
     if (physiology.view.open) {
         draw_large(ui, work, timeline, physiology, patterns, *physiology.view.open);
+        move_threshold(ui, work, physiology);
     } else {
         draw_overview(ui, work, timeline, physiology, patterns);
     }

@@ -37,6 +37,13 @@ struct ShownDifference {
     double nc = 0.0;
 };
 
+// A threshold that is moved in the spectrum, in this frame.
+struct ThresholdMove {
+    Receptor type = Receptor::pacinian;
+    double db = 0.0;
+    bool is_last = false;
+};
+
 struct PhysiologyState {
     std::optional<Stage> open;              // fills the pane; none: all of them, small
     std::optional<Stage> explained;         // its text is open beside it
@@ -50,6 +57,7 @@ struct PhysiologyState {
     ShownLayers layers;
     ShownLayers pinned_layers;
     ShownDifference difference;
+    std::optional<ThresholdMove> threshold_move;
     std::optional<double> pair_oc;  // of the two patterns on screen, where the map knows it
 };
 

@@ -39,28 +39,27 @@ std::string shares_text(const LiveStages& live, double (*share)(const LiveStages
         const double part = share(live, receptor);
         if (part <= 0.0) continue;
         char one[48];
-        std::snprintf(one, sizeof one, "%s%s %.0f %%", text.empty() ? "" : ", ",
+        std::snprintf(one, sizeof one, "%s%s %.3g %%", text.empty() ? "" : ", ",
                       traits(receptor).name, 100.0 * part);
         text += one;
     }
     return text;
 }
 
-std::string ringing_text(const LiveStages& live, bool fires) {
+std::string leak_text(const LiveStages& live, bool fires) {
     for (const Receptor receptor : kReceptors) {
-        if (!only_rings(live, receptor) || (fires && !fires_at_all(live, receptor))) continue;
+        if (!only_leaks(live, receptor) || (fires && !fires_at_all(live, receptor))) continue;
         const double peak_g = peak_of(live.neural.channel[index_of(receptor)].filtered_g);
         const std::string name = traits(receptor).name;
+        const std::string leak =
+            "what its filter leaks, and how it rings where the vibration "
+            "begins and ends";
         if (fires) {
-            return "What " + name + " fires here answers to its filter\u2019s ringing (" +
-                   significant(peak_g, 2) +
-                   " g), not to the vibration: the model\u2019s, not the "
-                   "skin\u2019s.";
+            return "What " + name + " fires here answers to " + leak +
+                   ": the model\u2019s doing, not the skin\u2019s.";
         }
-        return name + ": " + significant(peak_g, 2) +
-               " g of ringing of its filter at the ends of "
-               "the vibration, which holds nothing of its band: the model\u2019s, not the "
-               "skin\u2019s.";
+        return name + ": nothing in its band. The " + significant(peak_g, 2) + " g are " + leak +
+               ": the model\u2019s doing, not the skin\u2019s.";
     }
     return {};
 }
@@ -80,7 +79,8 @@ std::string gate_text(const LiveStages& live) {
     const std::string cap = shares_text(live, share_at_cap);
     if (cap.empty()) return {};
     return "A gate, nearly on or off: at the model\u2019s cap of " +
-           significant(live.request.model.coding.spike_cap) + " in 5 ms " + cap + " of the time.";
+           std::to_string(live.request.model.coding.spike_cap) + " in 5 ms " + cap +
+           " of the time.";
 }
 
 std::string on_text(const LiveStages& live) {
@@ -91,11 +91,20 @@ std::string on_text(const LiveStages& live) {
 
 }  // namespace
 
-bool only_rings(const LiveStages& live, Receptor receptor) {
+bool only_leaks(const LiveStages& live, Receptor receptor) {
     const ChannelStages& channel = live.neural.channel[index_of(receptor)];
     const double peak_g = peak_of(channel.filtered_g);
-    return !channel.silent && peak_g > 0.0 &&
-           peak_g <= kRingingShare * peak_of(live.waveform.samples_g);
+    if (channel.silent || peak_g <= 0.0) return false;
+    if (peak_g > kLeakShare * peak_of(live.waveform.samples_g)) return false;
+    double in_band_g = 0.0;
+    double strongest_g = 0.0;
+    for (const Component& component : live.neural.components) {
+        strongest_g = std::max(strongest_g, component.amplitude_g);
+        const bool in_band = component.frequency_hz >= traits(receptor).low_hz &&
+                             component.frequency_hz <= traits(receptor).high_hz;
+        if (in_band) in_band_g = std::max(in_band_g, component.amplitude_g);
+    }
+    return in_band_g <= kLeakShare * strongest_g;
 }
 
 double share_on(const LiveStages& live, Receptor receptor) {
@@ -118,12 +127,12 @@ std::size_t beyond_finger(const LiveStages& live, Receptor receptor) {
 std::string stage_remark(const LiveStages& live, Stage stage) {
     switch (stage) {
         case Stage::filtered:
-            return ringing_text(live, false);
+            return leak_text(live, false);
         case Stage::spikes:
-            return ringing_text(live, true);
+            return leak_text(live, true);
         case Stage::receptors: {
             const std::string beyond = beyond_text(live);
-            return beyond.empty() ? ringing_text(live, true) : beyond;
+            return beyond.empty() ? leak_text(live, true) : beyond;
         }
         case Stage::networks:
         case Stage::central:

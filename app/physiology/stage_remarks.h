@@ -1,4 +1,4 @@
-// What misleads in a stage of one pattern, said where it is seen: a filter's ringing, a gate that
+// What misleads in a stage of one pattern, said where it is seen: what a filter leaks, a gate that
 // is nearly on or off, receptors beyond the finger.
 //
 // Input     one pattern's stages
@@ -12,12 +12,13 @@
 
 namespace tact {
 
-// What a filter lets through is at most this share of the vibration's peak: no tone of the type's
-// band, but the filter's ringing where the vibration begins and ends. [ours]
-inline constexpr double kRingingShare = 0.01;
+// What a filter lets through, and the strongest component in its band, are at most this share of
+// the vibration's: nothing of the type's band, but what the filter leaks, and how it rings where
+// the vibration begins and ends. [ours]
+inline constexpr double kLeakShare = 0.05;
 
-// The type follows nothing but its filter's ringing.
-bool only_rings(const LiveStages& live, Receptor receptor);
+// The type follows nothing but what its filter leaks.
+bool only_leaks(const LiveStages& live, Receptor receptor);
 
 // Share of the steps in which the centre of a type's network sends anything at all.
 double share_on(const LiveStages& live, Receptor receptor);

@@ -12,7 +12,6 @@
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
-#include "viz/charts/spectrum_view.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -101,14 +100,15 @@ void draw_reach(Ui& ui, const Rect& area, const char* id, double reach_g) {
 }
 
 // In a trace that shows nothing of the vibration, what it does show.
-void draw_ringing_note(Ui& ui, const Rect& area, Receptor receptor) {
-    const std::string text = std::string(traits(receptor).name) + ": its filter rings, no tone";
+void draw_leak_note(Ui& ui, const Rect& area, Receptor receptor) {
+    const std::string text =
+        std::string(traits(receptor).name) + ": nothing in its band, its filter leaks";
     const ImVec2 size = text_size(ui.theme.fonts.small, text);
     if (area.height() < size.y || area.width() < size.x) return;
     const ImVec2 corner{area.centre().x - size.x / 2.0F, area.min.y};
     draw_text_halo(*ImGui::GetWindowDrawList(), ui.theme.fonts.small, corner, ui.theme.dim_text,
                    ui.theme.pane, ui.theme.hairline_px, text);
-    note_rect(ui.rects, std::string("rings:") + traits(receptor).afferent, corner, corner + size,
+    note_rect(ui.rects, std::string("leaks:") + traits(receptor).afferent, corner, corner + size,
               text);
 }
 
@@ -156,30 +156,13 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Shown
         if ((stage == Stage::vibration || first_of_filters) && !size.large && row.largest > 0.0) {
             draw_reach(ui, rects[k], text_of(stage).key, row.largest);
         }
-        if (stage == Stage::filtered && only_rings(*shown.live, *signals[k].receptor)) {
-            draw_ringing_note(ui, rects[k], *signals[k].receptor);
+        if (stage == Stage::filtered && only_leaks(*shown.live, *signals[k].receptor)) {
+            draw_leak_note(ui, rects[k], *signals[k].receptor);
         }
         if (signals[k].receptor && size.large) {
             draw_channel_name(ui, rects[k], *signals[k].receptor);
         }
     }
-}
-
-void draw_spectrum_stage(Ui& ui, const ShownStages& shown, const Rect& area) {
-    SpectrumScene scene;
-    scene.components = shown.live->neural.components;
-    scene.thresholds = &shown.live->request.model.coding.tables.threshold;
-    scene.ghosts = &default_tables().threshold;
-    scene.colour = ui.theme.text;
-    scene.stale = shown.stale;
-    const char* id = shown.pinned ? "spectrum pinned" : "spectrum";
-    const SpectrumAction action = draw_spectrum(id, ui.theme, area, scene);
-    note_rect(ui.rects, std::string("plot:") + id, area.min, area.max);
-    if (!action.hovered) return;
-    const Component& component = scene.components[*action.hovered];
-    char text[96];
-    std::snprintf(text, sizeof text, "%.17g %.17g", component.frequency_hz, component.skin_um);
-    note_rect(ui.rects, std::string("under the mouse:") + id, area.min, area.max, text);
 }
 
 // In words, where there is no signal to subtract.
@@ -218,7 +201,7 @@ void draw_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
                 const ShownStages& shown, Stage stage, const Rect& area, const StageSize& size) {
     switch (stage) {
         case Stage::spectrum:
-            return draw_spectrum_stage(ui, shown, area);
+            return draw_spectrum_stage(ui, physiology, shown, area, size.large);
         case Stage::receptors:
             return draw_receptor_stage(ui, timeline, physiology, shown, area, size);
         case Stage::spikes:

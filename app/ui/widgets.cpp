@@ -148,7 +148,7 @@ void draw_splitter(Ui& ui, const Splitter& splitter, float& share) {
 }
 
 void draw_hint(Ui& ui, const char* id, const char* text) {
-    if (ui.dismissed_hints.contains(id)) return;
+    if (ui.presenting || ui.dismissed_hints.contains(id)) return;
     ImGui::PushID(id);
     ImGui::PushStyleColor(ImGuiCol_Text, colour4(ui.theme.dim_text));
     const float button = ImGui::GetContentRegionMax().x - button_width("\u00d7");

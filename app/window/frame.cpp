@@ -193,6 +193,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     take_answers(app);
     follow_document(hands_of(app), app.lesson);
     watch_pointed(app.ui, app.lesson);
+    app.ui.presenting = is_presenting(app.lesson);
     follow_progress(app);
     app.work.selection.hovered_last = app.work.selection.hovered;
     app.work.selection.hovered.reset();

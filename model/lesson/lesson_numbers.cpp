@@ -101,7 +101,7 @@ std::string share_text(const CodedPattern& coded, Receptor receptor, int least) 
     if (counts.empty()) return "0 %";
     const auto hits = std::ranges::count_if(counts, [least](int n) { return n >= least; });
     const double share = static_cast<double>(hits) / static_cast<double>(counts.size());
-    return significant_digits(std::round(100.0 * share), 3) + " %";
+    return significant_digits(100.0 * share, 3) + " %";
 }
 
 std::string felt_text(const CodedPattern& coded) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "model/common/units.h"
+#include "viz/charts/threshold_curves.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 
@@ -16,13 +17,6 @@ namespace tact {
 namespace {
 
 constexpr PlotLabels kLabels{.x_unit = "Hz", .y_unit = "dB re 1 µm"};
-
-// Of a type that was removed: beyond any vibration.
-constexpr double kOutOfReachDb = 119.0;
-
-double threshold_db(const Curve& threshold, double frequency_hz) {
-    return 20.0 * at(threshold, frequency_hz);
-}
 
 // Every threshold and every component that comes near one is in view.
 Axis level_axis(const SpectrumScene& scene) {
@@ -62,64 +56,6 @@ void draw_bar(ImDrawList& list, const Theme& theme, const Plot& plot, const Spec
     bar(1.5F * theme.scale, plot.y.low, silent_to, faded(theme.dim_text, hovered ? 0.9F : 0.4F));
     if (level <= felt_from) return;
     bar(2.5F * theme.scale, felt_from, level, hovered ? theme.accent : scene.colour);
-}
-
-bool is_in_band(Receptor receptor, double frequency_hz) {
-    return frequency_hz >= traits(receptor).low_hz && frequency_hz <= traits(receptor).high_hz;
-}
-
-// Whole within the type's own band, in dashes beyond it.
-void draw_threshold(ImDrawList& list, const Theme& theme, const Plot& plot, Receptor receptor,
-                    const Curve& threshold, ImU32 colour) {
-    constexpr float kStepPx = 2.0F;
-    const float dash_px = 5.0F * theme.scale;
-    std::vector<ImVec2> points;
-    const auto end_line = [&] {
-        if (points.size() > 1) {
-            list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0,
-                             theme.trace_px);
-        }
-        points.clear();
-    };
-    for (float x = plot.area.min.x; x < plot.area.max.x + kStepPx; x += kStepPx) {
-        const double frequency_hz = to_value(plot.x, x);
-        points.push_back({x, to_pixel(plot.y, threshold_db(threshold, frequency_hz))});
-        const bool in_gap = std::fmod(x - plot.area.min.x, 2.0F * dash_px) >= dash_px;
-        if (in_gap && !is_in_band(receptor, frequency_hz)) end_line();
-    }
-    end_line();
-}
-
-// Curves as they were before they were changed.
-void draw_ghosts(ImDrawList& list, const Theme& theme, const Plot& plot,
-                 const SpectrumScene& scene) {
-    if (scene.ghosts == nullptr) return;
-    for (const Receptor receptor : kReceptors) {
-        const std::size_t i = index_of(receptor);
-        const Curve& was = (*scene.ghosts)[i];
-        if (was == (*scene.thresholds)[i]) continue;
-        draw_threshold(list, theme, plot, receptor, was, faded(theme.receptor[i], 0.28F));
-    }
-}
-
-// Where Pacinian corpuscles are most sensitive, between round ticks: in a wide plot it is read.
-void draw_tick_of_peak(ImDrawList& list, const Theme& theme, const Plot& plot) {
-    constexpr double kPeakHz = 250.0;
-    const ImFont* font = theme.fonts.small;
-    const float text_px = font_or_current(font).FontSize;
-    const float x = to_pixel(plot.x, kPeakHz);
-    const std::string text = tick_text(kPeakHz);
-    const float half_px = 0.5F * text_size(font, text).x;
-    const std::vector<double> ticks = ticks_apart(plot.x, 4.0F * text_px);
-    for (const double tick : ticks) {
-        const bool last = tick == ticks.back();
-        const float reach_px = half_px + (last ? 3.0F : 1.2F) * text_px;
-        if (std::abs(to_pixel(plot.x, tick) - x) < reach_px) return;
-    }
-    draw_upright_line(list, x, plot.area.max.y, plot.area.max.y + 3.0F * theme.scale,
-                      theme.hairline_px, theme.line);
-    draw_text(list, font, {x - half_px, plot.area.max.y + 5.0F * theme.scale}, theme.dim_text,
-              text);
 }
 
 // Marks where the strongest components cross a type's threshold: the types that hear them.
@@ -240,6 +176,7 @@ SpectrumAction draw_spectrum(const char* id, const Theme& theme, const Rect& are
         action.hovered = nearest(theme, plot, scene.components, mouse.x);
     }
 
+    take_curve(id, theme, plot, scene, action);
     const PerReceptor<bool> hears = reached(scene.components, *scene.thresholds);
     draw_axes(list, theme, plot, kLabels);
     draw_tick_of_peak(list, theme, plot);

@@ -24,10 +24,14 @@ struct SpectrumScene {
     const PerReceptor<Curve>* ghosts = nullptr;      // as they were, where they differ; or null
     ImU32 colour = 0;                                // of components that are felt
     bool stale = false;
+    bool curves_move = false;  // thresholds can be taken by the mouse
 };
 
 struct SpectrumAction {
     std::optional<std::size_t> hovered{};  // index of a component
+    std::optional<Receptor> taken{};       // whose threshold is held by the mouse
+    double moved_db = 0.0;                 // of it, in this frame
+    bool released = false;                 // the mouse has let it go
 };
 
 SpectrumAction draw_spectrum(const char* id, const Theme& theme, const Rect& area,

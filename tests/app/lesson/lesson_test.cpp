@@ -136,7 +136,7 @@ TEST_CASE("presenting: a clicker's keys lead through the lesson, and Esc puts th
     const float scale = program.app.ui.text_scale;
     program.press_key(key::kF1 + 4);
     REQUIRE(is_presenting(program.lesson()));
-    CHECK(program.app.ui.text_scale >= kLeastPresentScale);
+    CHECK(program.app.ui.text_scale == kPresentScale);
     CHECK_FALSE(program.shows("menu:File"));
     CHECK_FALSE(program.shows("pane:Patterns"));
     CHECK(program.shows("pane:Physiology"));

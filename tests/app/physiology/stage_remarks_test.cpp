@@ -30,14 +30,14 @@ bool holds(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("remarks: Merkel cells follow a ringing filter on 70 Hz, and a tone on 3 Hz") {
+TEST_CASE("remarks: Merkel cells follow what a filter leaks on 70 Hz, and a tone on 3 Hz") {
     const LiveStages high = stages_of_tone(70.0, 0.8);
-    CHECK(only_rings(high, Receptor::merkel));
-    CHECK_FALSE(only_rings(high, Receptor::meissner));
+    CHECK(only_leaks(high, Receptor::merkel));
+    CHECK_FALSE(only_leaks(high, Receptor::meissner));
     CHECK(holds(stage_remark(high, Stage::filtered), "Merkel"));
-    CHECK(holds(stage_remark(high, Stage::spikes), "ringing"));
+    CHECK(holds(stage_remark(high, Stage::spikes), "leaks"));
     const LiveStages low = stages_of_tone(3.0, 0.8);
-    CHECK_FALSE(only_rings(low, Receptor::merkel));
+    CHECK_FALSE(only_leaks(low, Receptor::merkel));
 }
 
 TEST_CASE("remarks: the networks of a strong tone are gates, and it is said how much they are on") {

@@ -94,9 +94,7 @@ struct Recomputed {
         const std::vector<int>& counts = stages[place(name)].code.central_count[type];
         double steps = 0.0;
         for (const int count : counts) steps += count >= least ? 1.0 : 0.0;
-        return significant_digits(std::round(100.0 * steps / static_cast<double>(counts.size())),
-                                  3) +
-               " %";
+        return significant_digits(100.0 * steps / static_cast<double>(counts.size()), 3) + " %";
     }
 
     double moved_um(const std::string& name) const {
