@@ -71,6 +71,12 @@ struct StagesCommand {
 };
 Expected<Done> run(const StagesCommand& command);
 
+struct LessonCommand {
+    std::string lesson;         // a file, or the name of one that comes with the program
+    std::filesystem::path out;  // .html: a student sheet; a lesson file; empty: text
+};
+Expected<Done> run(const LessonCommand& command);
+
 struct RenderCommand {
     CommonOptions common;
     std::string format = "wav";  // wav, txt, csv

@@ -130,6 +130,20 @@ void add_generate_command(CLI::App& app, GenerateCommand& command, Chosen& chose
     });
 }
 
+void add_lesson_command(CLI::App& app, LessonCommand& command, Chosen& chosen) {
+    CLI::App& lesson =
+        *app.add_subcommand("lesson", "a lesson with its numbers, as text or as a student sheet");
+    lesson
+        .add_option("LESSON", command.lesson,
+                    "a .tactlesson.json file, or one that comes with the program: tour, "
+                    "thresholds, pacinian_meissner, twins, beats, gaps, why")
+        ->required();
+    lesson.add_option("--out", command.out,
+                      "a .html for students, or a .tactlesson.json as the program writes it; "
+                      "else text on standard output");
+    lesson.callback([&command, &chosen] { chosen = [&command] { return run(command); }; });
+}
+
 void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chosen) {
     CLI::App& snapshot = add_command(app, "snapshot", kSnapshotHelp, command, chosen);
     add_rendering(snapshot, command.common);

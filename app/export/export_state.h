@@ -46,6 +46,7 @@ struct ExportState {
     std::filesystem::path picture;  // to be drawn when the window's own frame is done
     std::shared_ptr<RunningAnimation> animation;
     bool cancel_asked = false;  // of the animation
+    bool copy_asked = false;    // of the view, to the clipboard
     EffectExport effects;       // patterns for phones and other programs
 };
 

@@ -1,15 +1,13 @@
 #include "app/pictures/film.h"
 
-#include <signal.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "app/pictures/frame_sequence.h"
+#include "app/pictures/programs.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
 
@@ -25,18 +23,6 @@ fs::path part_of(const fs::path& path) {
     return part;
 }
 
-bool has_ffmpeg() {
-    const char* folders = std::getenv("PATH");
-    std::string left = folders == nullptr ? "" : folders;
-    while (!left.empty()) {
-        const std::size_t end = left.find(':');
-        std::error_code none;
-        if (fs::exists(fs::path(left.substr(0, end)) / "ffmpeg", none)) return true;
-        left = end == std::string::npos ? "" : left.substr(end + 1);
-    }
-    return false;
-}
-
 // Many players want sizes that two divides.
 std::string ffmpeg_line(const fs::path& path, int width, int height) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
@@ -44,21 +30,6 @@ std::string ffmpeg_line(const fs::path& path, int width, int height) {
     return "exec ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s " + size +
            " -framerate 25 -i - " + (odd ? "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' " : "") +
            "-pix_fmt yuv420p -f mp4 " + shell_word(part_of(path).string());
-}
-
-// A player that has gone is an error of writing, not the end of the program.
-bool write_unharmed(std::FILE* to, const std::vector<std::uint8_t>& bytes) {
-    sigset_t pipe;
-    sigset_t before;
-    sigemptyset(&pipe);
-    sigaddset(&pipe, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &pipe, &before);
-    const bool good =
-        std::fwrite(bytes.data(), 1, bytes.size(), to) == bytes.size() && std::fflush(to) == 0;
-    const timespec now{};
-    if (!good) sigtimedwait(&pipe, nullptr, &now);
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    return good;
 }
 
 }  // namespace
@@ -93,7 +64,7 @@ Expected<std::shared_ptr<Film>> open_film(const fs::path& path, int width, int h
     film->format = film_format(path).value_or(FilmFormat::apng);
     film->apng.frame_s = 1.0 / kFilmFileFramesPerS;
     if (film->format != FilmFormat::mp4) return film;
-    if (!has_ffmpeg()) {
+    if (!is_installed("ffmpeg")) {
         return Error{
             path.string() +
             ": MP4 is made by ffmpeg, which is not installed; .gif and .apng need nothing"};
@@ -109,7 +80,7 @@ Expected<Done> add_frame(Film& film, const Image& image) {
         add_frame(film.apng, image);
         return Done{};
     }
-    if (write_unharmed(film.ffmpeg, image.rgba)) return Done{};
+    if (write_unharmed(film.ffmpeg, image.rgba.data(), image.rgba.size())) return Done{};
     return Error{film.path.string() + ": ffmpeg stopped; what it said is on the terminal"};
 }
 

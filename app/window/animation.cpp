@@ -5,6 +5,7 @@
 #include "app/document/editing.h"
 #include "app/export/exports.h"
 #include "app/lesson/lesson_sheet.h"
+#include "app/pictures/clipboard.h"
 #include "app/subset/subset_export.h"
 #include "app/subset/subset_state.h"
 #include "app/window/view_pictures.h"
@@ -16,6 +17,20 @@ namespace tact {
 namespace {
 
 namespace fs = std::filesystem;
+
+void copy_view(App& app) {
+    app.exports.copy_asked = false;
+    PictureSize size = app.exports.picture_size;
+    size.dark = app.ui.dark;
+    const auto still = still_view(app);
+    const Picture picture =
+        view_picture(*still, app.exports.view, app.timeline.playhead.at_s, size);
+    if (const auto copied = copy_to_clipboard(std::get<Image>(picture)); !copied) {
+        return complain(app.ui, copied.error().message + ".");
+    }
+    say(app.ui,
+        std::string("The picture of the ") + name_of(app.exports.view) + " is on the clipboard.");
+}
 
 void draw_waiting_picture(App& app) {
     const fs::path file = std::exchange(app.exports.picture, {});
@@ -138,7 +153,7 @@ void cancel_animation(App& app) {
 bool is_exporting(const App& app) {
     return app.exports.animation != nullptr || !app.exports.picture.empty() ||
            !app.picking.export_to.empty() || !app.exports.effects.export_to.empty() ||
-           !app.lesson.sheet_to.empty();
+           !app.lesson.sheet_to.empty() || app.exports.copy_asked;
 }
 
 void continue_exports(App& app) {
@@ -149,6 +164,7 @@ void continue_exports(App& app) {
         return continue_effect_export(app.ui, app.exports.effects);
     if (!app.exports.picture.empty()) return draw_waiting_picture(app);
     if (app.exports.animation) return draw_next_frame(app);
+    if (app.exports.copy_asked) return copy_view(app);
     if (!app.lesson.sheet_to.empty()) draw_next_of_sheet(app);
 }
 

@@ -130,6 +130,8 @@ const auto kCommands = std::to_array<Command>({
     {"Edit", "Drop from subsets or not", ctrl('l', true), has_selection, [](App& app) { toggle_dropped(app.ui, app.work); }, nullptr,
      "exclude must not pick"},
     {"Edit", "Copy", ctrl('c'), has_selection, [](App& app) { copy_selected(app.ui, app.work); }},
+    {"Edit", "Copy picture", ctrl('c', true), always, [](App& app) { app.exports.copy_asked = true; }, nullptr,
+     "clipboard image view slides png"},
     {"Edit", "Paste", ctrl('v'), always, [](App& app) { paste(app.ui, app.work); }},
     {"Edit", "Select all", ctrl('a'), has_selection, [](App& app) { select_all(app.work); }},
     {"Edit", "Delete", special(key::kDelete), has_selection, remove_chosen_or_selected, nullptr, "remove"},

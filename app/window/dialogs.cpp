@@ -59,6 +59,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"N, Shift+N", "choose the next point or transient, the one before"},
     {"T", "tap a rhythm; each press is a note as long as it is held"},
     {"Ctrl+C, Ctrl+V, Ctrl+A", "copy, paste, select all patterns"},
+    {"Ctrl+Shift+C", "copy a picture of the view, as it was exported last"},
     {"Space; comma, full stop", "play or stop; 5 ms back, on"},
     {"Esc", "silences everything, at once"},
     {"Double click on a point of the map", "play that pattern"},
