@@ -108,6 +108,7 @@ struct SnapshotCommand {
     bool tilted = false;          // ... and the receptors
     int frames = 0;               // of a film, or of a sequence in a folder; 0: a single picture
     std::optional<double> slower;  // the same by how much slower than life it goes
+    bool figures = false;          // every stage as an SVG in the folder `out`
     std::optional<double> from_s;
     std::optional<double> to_s;
     std::string theme = "dark";

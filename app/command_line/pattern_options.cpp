@@ -157,6 +157,8 @@ void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chose
     snapshot.add_option("--stage", command.stage, "the stage to show large; else all of them")
         ->check(CLI::IsMember(keys));
     snapshot.add_flag("--tilted", command.tilted, "the receptors seen from the side");
+    snapshot.add_flag("--figures", command.figures,
+                      "every stage as an SVG of its own, into the folder --out");
     add_moment_options(snapshot, command);
     snapshot.add_option("--theme", command.theme, "dark or light")
         ->check(CLI::IsMember({"dark", "light"}));

@@ -133,7 +133,7 @@ void start_lesson(const LessonHands& hands, LessonState& state,
     state.is_tour = false;
     state.editing = false;
     state.tallies.assign(state.lesson->steps.size(), {});
-    if (state.job) state.job->submit(state.lesson);
+    if (state.job) state.job->submit({state.lesson});
     go_to_step(hands, state, 0);
 }
 
@@ -201,27 +201,33 @@ void follow_renaming(LessonState& state, const Renaming& renaming) {
     }
     if (!(lesson == *state.lesson)) {
         state.lesson = std::make_shared<const Lesson>(std::move(lesson));
-        if (state.job) state.job->submit(state.lesson);
+        if (state.job) state.job->submit({state.lesson});
     }
 }
 
 void make_lesson_job(const Ui& ui, LessonState& state) {
     state.job = std::make_unique<LessonJob>(
         JobPolicy::supersede,
-        [](const std::shared_ptr<const Lesson>& lesson, std::stop_token stop,
+        [](const LessonAsked& asked, std::stop_token stop,
            std::atomic<float>& progress) -> std::optional<LessonAnswered> {
-            LessonAnswered answered{lesson, lesson_answers(*lesson, stop)};
+            LessonAnswered answered{asked.lesson, asked.with_pairs,
+                                    lesson_answers(*asked.lesson, stop, asked.with_pairs)};
             progress = 1.0F;
             if (stop.stop_requested()) return std::nullopt;
             return answered;
         },
         ui.wake);
-    if (state.step && state.lesson) state.job->submit(state.lesson);
+    if (state.step && state.lesson) state.job->submit({state.lesson});
 }
 
 void follow_lesson(LessonState& state) {
     if (!state.job) return;
-    if (auto answered = state.job->latest()) state.answered = std::move(answered);
+    auto answered = state.job->latest();
+    if (!answered || answered == state.answered) return;
+    state.answered = std::move(answered);
+    if (!state.answered->with_pairs && state.answered->of == state.lesson) {
+        state.job->submit({state.lesson, true});
+    }
 }
 
 // Numbers of a lesson that is being edited stay until the new ones are there.

@@ -27,6 +27,9 @@ float card_px(const Ui& ui, const LessonState& state, const Rect& area) {
                                static_cast<float>(kCardShare.high) * all));
 }
 
+// A larger hand for those at the back.
+constexpr float kPresentedText = 1.25F;
+
 std::string text_in(const LessonState& state, const std::string& text) {
     const LessonAnswers* answers = answers_of(state);
     return filled(text, answers == nullptr ? LessonNumbers{} : answers->numbers);
@@ -44,9 +47,7 @@ void draw_head(Ui& ui, LessonState& state, const LessonStep& step, float width) 
     ImGui::PopFont();
     draw_tooltip(ui, "To the next edge of the window; its inner edge can be dragged");
     ImGui::PushFont(ui.theme.fonts.semibold);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text_in(state, step.title).c_str());
-    ImGui::PopTextWrapPos();
+    wrapped_text(text_in(state, step.title));
     ImGui::PopFont();
     ImGui::Spacing();
 }
@@ -153,14 +154,13 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
+        if (state.presenting) ImGui::SetWindowFontScale(kPresentedText);
         const float width = ImGui::GetWindowContentRegionMax().x;
         draw_head(ui, state, step, width);
         if (state.editing) {
             draw_step_editor(hands, state);
         } else {
-            ImGui::PushTextWrapPos(0.0F);
-            ImGui::TextUnformatted(text_in(state, step.text).c_str());
-            ImGui::PopTextWrapPos();
+            wrapped_text(text_in(state, step.text));
             note_item(ui.rects, "lesson:text", text_in(state, step.text));
         }
         if (step.question) draw_lesson_question(ui, state, *step.question);

@@ -18,7 +18,7 @@ namespace {
 void change_lesson(LessonState& state, Lesson lesson) {
     state.lesson = std::make_shared<const Lesson>(std::move(lesson));
     state.tallies.resize(state.lesson->steps.size());
-    if (state.job) state.job->submit(state.lesson);
+    if (state.job) state.job->submit({state.lesson});
 }
 
 void change_step(LessonState& state, const LessonStep& step) {

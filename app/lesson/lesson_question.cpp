@@ -31,9 +31,7 @@ void draw_option(Ui& ui, LessonState& state, const QuestionAnswer& answer, std::
     if (right) text += "   \u2713";
     ImGui::PushID(static_cast<int>(k));
     if (right) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.accent);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped_text(text);
     if (right) ImGui::PopStyleColor();
     if (ImGui::IsItemClicked()) vote(state, k);
     if (ImGui::IsItemHovered() && !tally.revealed) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -54,9 +52,7 @@ void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& questio
         text += " Right so far: " + std::to_string(score.right) + " of " +
                 std::to_string(score.asked) + ".";
     }
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped_text(text);
     note_item(ui.rects, "lesson:answer", text);
 }
 
@@ -73,11 +69,8 @@ void draw_lesson_question(Ui& ui, LessonState& state, const LessonQuestion& ques
     const QuestionAnswer* answer = answer_at(state, *state.step);
     ImGui::Spacing();
     ImGui::PushFont(ui.theme.fonts.semibold);
-    ImGui::PushTextWrapPos(0.0F);
     const LessonNumbers none;
-    ImGui::TextUnformatted(
-        filled(question.ask, answers == nullptr ? none : answers->numbers).c_str());
-    ImGui::PopTextWrapPos();
+    wrapped_text(filled(question.ask, answers == nullptr ? none : answers->numbers));
     ImGui::PopFont();
     if (answer == nullptr) return dim_text(ui, "The model is on its way.");
     for (std::size_t k = 0; k < answer->options.size(); ++k) draw_option(ui, state, *answer, k);

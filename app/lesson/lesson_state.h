@@ -53,12 +53,18 @@ struct Tally {
 // Which edge of the window the card stands at.
 enum class DockSide { right, bottom, left, top };
 
+struct LessonAsked {
+    std::shared_ptr<const Lesson> lesson;
+    bool with_pairs = false;  // which take longer: they come second
+};
+
 struct LessonAnswered {
     std::shared_ptr<const Lesson> of;
+    bool with_pairs = false;
     LessonAnswers answers;
 };
 
-using LessonJob = LatestJob<std::shared_ptr<const Lesson>, LessonAnswered>;
+using LessonJob = LatestJob<LessonAsked, LessonAnswered>;
 
 inline constexpr float kPresentScale = 1.75F;  // of text
 

@@ -16,14 +16,14 @@ namespace {
 
 // Whose signals these are, at the right end of a row of plots.
 void draw_row_name(Ui& ui, const Rect& area, const std::string& name, const std::string& id,
-                   ImU32 colour) {
+                   ImU32 colour, bool top = false) {
     const ImFont* font = ui.theme.fonts.small;
     const float pad = 3.0F * ui.theme.scale;
     const std::string text = shortened(font, name, 0.5F * area.width());
     const ImVec2 size = text_size(font, text);
     if (area.height() < size.y) return;
     // Clear of what stands at the top right of some plots.
-    const ImVec2 corner{area.max.x - size.x - pad, area.max.y - size.y - pad};
+    const ImVec2 corner{area.max.x - size.x - pad, top ? area.min.y : area.max.y - size.y - pad};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(corner - ImVec2{pad, 0.0F}, corner + size + ImVec2{pad, 0.0F}, ui.theme.pane,
                        ui.theme.rounding_px);
@@ -64,10 +64,11 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
                size);
     const std::string key = text_of(stage).key;
     const auto name_of = [&](std::size_t k) { return patterns[k].live->request.vibration.name; };
+    const bool top = stage == Stage::receptors;  // where no caption is
     draw_row_name(ui, {area.min, {area.max.x, y1}}, name_of(0), "row a:" + key,
-                  patterns[0].look.colour);
+                  patterns[0].look.colour, top);
     draw_row_name(ui, {{area.min.x, y2}, {area.max.x, area.max.y - axis}}, name_of(1),
-                  "row b:" + key, patterns[1].look.colour);
+                  "row b:" + key, patterns[1].look.colour, top);
     if (!has_signals) return;
     draw_row_name(ui, {{area.min.x, y1}, {area.max.x, y2}}, difference_name(physiology, stage),
                   "row difference:" + key, difference_colour(ui.theme));

@@ -50,7 +50,9 @@ void draw_silent_row(const Ui& ui, const Rect& area, const StageSignal& signal) 
 // Names a channel within its own row, where there is room for it.
 void draw_channel_name(const Ui& ui, const Rect& area, Receptor receptor) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_text_halo(list, ui.theme.fonts.small, {area.min.x + 2.0F * ui.theme.scale, area.min.y},
+    // Within the plot: left of it stand values and their unit.
+    const float left = area.min.x + value_room_px(ui) + 4.0F * ui.theme.scale;
+    draw_text_halo(list, ui.theme.fonts.small, {left, area.min.y},
                    ui.theme.receptor[index_of(receptor)], ui.theme.pane, ui.theme.hairline_px,
                    traits(receptor).name);
 }
@@ -106,8 +108,10 @@ void draw_leak_note(Ui& ui, const Rect& area, Receptor receptor) {
     const ImVec2 size = text_size(ui.theme.fonts.small, text);
     if (area.height() < size.y || area.width() < size.x) return;
     const ImVec2 corner{area.centre().x - size.x / 2.0F, area.min.y};
-    draw_text_halo(*ImGui::GetWindowDrawList(), ui.theme.fonts.small, corner, ui.theme.dim_text,
-                   ui.theme.pane, ui.theme.hairline_px, text);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 pad{3.0F * ui.theme.scale, 0.0F};
+    list.AddRectFilled(corner - pad, corner + size + pad, ui.theme.pane, ui.theme.rounding_px);
+    draw_text(list, ui.theme.fonts.small, corner, ui.theme.dim_text, text);
     note_rect(ui.rects, std::string("leaks:") + traits(receptor).afferent, corner, corner + size,
               text);
 }
@@ -166,10 +170,16 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Shown
 }
 
 // In words, where there is no signal to subtract.
-void draw_difference_text(const Ui& ui, const Rect& area, std::optional<double> difference) {
+void draw_difference_text(const Ui& ui, const Rect& area, Stage stage,
+                          std::optional<double> difference) {
     if (!difference) return;
     char text[64];
-    std::snprintf(text, sizeof text, "%.0f %% not in common", 100.0 * *difference);
+    // Bars beside each other share nothing, however near: a number would say no more.
+    if (stage == Stage::spectrum && *difference > 0.995) {
+        std::snprintf(text, sizeof text, "no frequency in common");
+    } else {
+        std::snprintf(text, sizeof text, "%.0f %% not in common", 100.0 * *difference);
+    }
     const ImVec2 size = text_size(ui.theme.fonts.small, text);
     draw_text(*ImGui::GetWindowDrawList(), ui.theme.fonts.small,
               {area.centre().x - size.x / 2.0F, area.centre().y - size.y / 2.0F}, ui.theme.dim_text,
@@ -220,7 +230,7 @@ void draw_stage_difference(Ui& ui, const Workspace& work, Timeline& timeline,
     const auto& differences = physiology.view.difference.signals[index_of(stage)];
     if (signals.empty() || differences.size() != signals.size()) {
         const auto& known = physiology.view.difference.stages;
-        return draw_difference_text(ui, area, known[index_of(stage)]);
+        return draw_difference_text(ui, area, stage, known[index_of(stage)]);
     }
     const std::vector<Rect> rects = shared_out(area, signals, 0.0F);
     for (std::size_t k = 0; k < signals.size(); ++k) {

@@ -80,7 +80,7 @@ void draw_next_of_sheet(App& app) {
     LessonState& state = app.lesson;
     if (!state.lesson) return state.sheet_to.clear();
     const LessonAnswers* answers = answers_of(state);
-    if (state.job && answers == nullptr && state.job->busy()) return;  // on their way
+    if (state.job && state.job->busy()) return;  // they are on their way
     const std::size_t next = state.sheet_pictures.size();
     if (next < state.lesson->steps.size()) {
         state.sheet_pictures.push_back(step_picture(*state.lesson, next));

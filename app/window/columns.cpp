@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/lesson/lesson_card.h"
+#include "app/physiology/physiology_panel.h"
 #include "app/ui/widgets.h"
 
 namespace tact {
@@ -119,6 +120,7 @@ void draw_presentation(App& app) {
     draw_pane_of(app, map ? Pane::space : Pane::physiology, places.rest);
     draw_lesson_card(hands_of(app), app.lesson, places);
     draw_pointed(app.ui, places.rest);
+    draw_explain_window(app.ui, app.physiology, places.rest);
 }
 
 void draw_study_columns(App& app, const Rect& area) {

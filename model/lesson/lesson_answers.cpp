@@ -121,7 +121,7 @@ QuestionAnswer answer_of(const Lesson& lesson, const LessonStep& step, const Les
 
 }  // namespace
 
-LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop) {
+LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop, bool with_pairs) {
     LessonPairs pairs;
     const std::vector<Waveform> waveforms = model_waveforms(lesson.set);
     for (const Waveform& waveform : waveforms) {
@@ -129,7 +129,7 @@ LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop) {
         pairs.coded.push_back({neural_coding_stages(waveform, lesson.set.model.coding,
                                                     KeepLayers::none, {stop, {}})});
     }
-    if (!asks_for_pairs(lesson) || waveforms.size() < 2) return pairs;
+    if (!with_pairs || !asks_for_pairs(lesson) || waveforms.size() < 2) return pairs;
     PredictOptions options;
     options.stop = stop;
     pairs.prediction = predict(waveforms, lesson.set.model, options);
@@ -149,9 +149,9 @@ std::string pair_text(const std::string& word, const LessonPairs& pairs, std::si
     return std::to_string(below + 1) + " of " + std::to_string(prediction.pm.condensed.size());
 }
 
-LessonAnswers lesson_answers(const Lesson& lesson, std::stop_token stop) {
+LessonAnswers lesson_answers(const Lesson& lesson, std::stop_token stop, bool with_pairs) {
     LessonAnswers answers;
-    const LessonPairs pairs = lesson_pairs(lesson, stop);
+    const LessonPairs pairs = lesson_pairs(lesson, stop, with_pairs);
     if (stop.stop_requested()) return answers;
     for (const LessonStep& step : lesson.steps) {
         for (const std::string& text : texts_of(step)) {

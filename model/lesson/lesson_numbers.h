@@ -56,7 +56,9 @@ struct LessonAnswers {
     std::vector<QuestionAnswer> questions;  // of each step; of one that asks nothing, empty
 };
 
-// Stopped: what was there until then.
-LessonAnswers lesson_answers(const Lesson& lesson, std::stop_token stop = {});
+// Stopped: what was there until then. Without pairs only what patterns say by themselves, which
+// takes next to no time.
+LessonAnswers lesson_answers(const Lesson& lesson, std::stop_token stop = {},
+                             bool with_pairs = true);
 
 }  // namespace tact

@@ -21,7 +21,7 @@ struct LessonPairs {
     std::optional<Prediction> prediction;  // where a text or a question asks for pairs
 };
 
-LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop);
+LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop, bool with_pairs);
 
 // NC, OC, PM or its rank among all pairs, from 1.
 std::string pair_text(const std::string& word, const LessonPairs& pairs, std::size_t a,

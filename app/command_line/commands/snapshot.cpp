@@ -8,6 +8,7 @@
 #include "app/pictures/film.h"
 #include "app/pictures/frame_sequence.h"
 #include "app/pictures/pictures.h"
+#include "app/session/folders.h"
 #include "app/window/view_pictures.h"
 #include "model/evaluation/metric.h"
 #include "model/io/recordings/recording.h"
@@ -48,6 +49,7 @@ Expected<Done> check_options(const SnapshotCommand& command) {
                          "a view that moves: physiology or window");
         }
     }
+    if (command.figures && is_moving(command)) return Error{"--figures stand still; no --frames"};
     if (command.frames > 0 && command.slower) {
         return Error{"--slower says how many --frames there are; expected one of the two"};
     }
@@ -218,6 +220,30 @@ Expected<Done> draw_sequence(const SnapshotCommand& command, const PictureSize& 
     return Done{};
 }
 
+// For a paper: one stage a file, by the key of the stage.
+Expected<Done> draw_figures(const SnapshotCommand& command, PictureSize size) {
+    if (command.view != "physiology") return Error{"--figures needs --view physiology"};
+    if (!command.stage.empty())
+        return Error{"--figures are of every --stage; expected one of the two"};
+    const Expected<PatternSet> set = load_as_meant(command.common);
+    if (!set) return set.error();
+    const double at_s = command.at_s.value_or(0.0);
+    if (const auto within = check_time("--at", at_s, longest_s(*set)); !within) return within;
+    Expected<ViewChoice> choice = view_choice(command, *set);
+    if (!choice) return choice.error();
+    if (const Expected<Done> made = make_folder(command.out); !made) return made;
+    size.format = PictureFormat::svg;
+    for (const Stage stage : kStages) {
+        choice->stage = stage;
+        const auto view = opened_view(*set, *choice);
+        const Picture picture = view_picture(*view, choice->view, at_s, size);
+        const auto path = command.out / (std::string(text_of(stage).key) + ".svg");
+        if (const auto written = write_picture(path, picture); !written) return written;
+        std::cerr << "tactspace: wrote " << path.string() << "\n";
+    }
+    return Done{};
+}
+
 }  // namespace
 
 Expected<Done> run(const SnapshotCommand& command) {
@@ -227,6 +253,7 @@ Expected<Done> run(const SnapshotCommand& command) {
     size.height = command.height;
     size.scale = static_cast<float>(command.scale);
     size.dark = command.theme == "dark";
+    if (command.figures) return draw_figures(command, size);
     if (is_moving(command)) return draw_sequence(command, size);
     const Expected<PictureFormat> format = picture_format(command.out);
     if (!format) return format.error();

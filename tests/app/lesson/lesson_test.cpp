@@ -33,7 +33,7 @@ struct Class : ProgramWithStages {
     // Until the numbers of the lesson are there.
     void wait_for_numbers() {
         const auto until = end_of_patience();
-        while (answers_of(app.lesson) == nullptr) {
+        while (answers_of(app.lesson) == nullptr || !app.lesson.answered->with_pairs) {
             REQUIRE(std::chrono::steady_clock::now() < until);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
             frame();

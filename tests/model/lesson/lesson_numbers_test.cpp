@@ -51,6 +51,12 @@ std::size_t type_of(const std::string& name) {
     return static_cast<std::size_t>(at - names.begin());
 }
 
+// Of numbers from 0.01 on.
+std::string two_digits(double value) {
+    return value < 100.0 ? significant_digits(value, 2)
+                         : std::to_string(10 * static_cast<int>(value / 10.0 + 0.5));
+}
+
 // The set taken apart from the front: waveforms, codes, pairs.
 struct Recomputed {
     PatternSet set;
