@@ -42,6 +42,7 @@ void add_commands(CLI::App& app, Commands& commands, Chosen& chosen) {
     add_import_command(app, commands.import, chosen);
     add_measure_command(app, commands.measure, chosen);
     add_snapshot_command(app, commands.snapshot, chosen);
+    add_lesson_command(app, commands.lesson, chosen);
 }
 
 int run_command_line(int argc, const char* const* argv, RunWindow run_window) {

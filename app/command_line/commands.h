@@ -71,6 +71,12 @@ struct StagesCommand {
 };
 Expected<Done> run(const StagesCommand& command);
 
+struct LessonCommand {
+    std::string lesson;         // a file, or the name of one that comes with the program
+    std::filesystem::path out;  // .html: a student sheet; a lesson file; empty: text
+};
+Expected<Done> run(const LessonCommand& command);
+
 struct RenderCommand {
     CommonOptions common;
     std::string format = "wav";  // wav, txt, csv
@@ -100,7 +106,9 @@ struct SnapshotCommand {
     std::string stage;            // ... at this stage, large; a key of app/physiology/stages.h
     std::optional<double> at_s;   // ... with the playhead there
     bool tilted = false;          // ... and the receptors
-    int frames = 0;               // of a sequence in the folder `out`; 0: a single picture
+    int frames = 0;               // of a film, or of a sequence in a folder; 0: a single picture
+    std::optional<double> slower;  // the same by how much slower than life it goes
+    bool figures = false;          // every stage as an SVG in the folder `out`
     std::optional<double> from_s;
     std::optional<double> to_s;
     std::string theme = "dark";

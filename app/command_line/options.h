@@ -62,6 +62,7 @@ void add_findings_command(CLI::App& app, FindingsCommand& command, Chosen& chose
 
 // pattern_options.cpp
 void add_stages_command(CLI::App& app, StagesCommand& command, Chosen& chosen);
+void add_lesson_command(CLI::App& app, LessonCommand& command, Chosen& chosen);
 void add_render_command(CLI::App& app, RenderCommand& command, Chosen& chosen);
 void add_export_command(CLI::App& app, ExportCommand& command, Chosen& chosen);
 void add_generate_command(CLI::App& app, GenerateCommand& command, Chosen& chosen);
@@ -84,6 +85,7 @@ struct Commands {
     PredictCommand predict;
     SpaceCommand space;
     StagesCommand stages;
+    LessonCommand lesson;
     RenderCommand render;
     ExportCommand exported;
     SnapshotCommand snapshot;

@@ -36,8 +36,14 @@ void add_moment_options(CLI::App& snapshot, SnapshotCommand& command) {
         ->check(within(0.0, kLongestS));
     snapshot
         .add_option("--frames", command.frames,
-                    "draws so many pictures over time into the folder --out: frame_0001.png ...")
+                    "draws so many pictures over time: as a film, where --out is a .gif, .apng or "
+                    ".mp4 (by ffmpeg), else into the folder --out: frame_0001.png ...")
         ->check(within(1, kMostFrames));
+    snapshot
+        .add_option("--slower", command.slower,
+                    "instead of --frames: so many times slower than life, 25 frames a second in a "
+                    "film, 30 in a folder")
+        ->check(within(0.01, 10'000.0));
     snapshot.add_option("--from", command.from_s, "time of the first frame, s; else 0")
         ->check(within(0.0, kLongestS));
     snapshot
@@ -124,6 +130,20 @@ void add_generate_command(CLI::App& app, GenerateCommand& command, Chosen& chose
     });
 }
 
+void add_lesson_command(CLI::App& app, LessonCommand& command, Chosen& chosen) {
+    CLI::App& lesson =
+        *app.add_subcommand("lesson", "a lesson with its numbers, as text or as a student sheet");
+    lesson
+        .add_option("LESSON", command.lesson,
+                    "a .tactlesson.json file, or one that comes with the program: tour, "
+                    "thresholds, pacinian_meissner, twins, beats, gaps, why")
+        ->required();
+    lesson.add_option("--out", command.out,
+                      "a .html for students, or a .tactlesson.json as the program writes it; "
+                      "else text on standard output");
+    lesson.callback([&command, &chosen] { chosen = [&command] { return run(command); }; });
+}
+
 void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chosen) {
     CLI::App& snapshot = add_command(app, "snapshot", kSnapshotHelp, command, chosen);
     add_rendering(snapshot, command.common);
@@ -137,6 +157,8 @@ void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chose
     snapshot.add_option("--stage", command.stage, "the stage to show large; else all of them")
         ->check(CLI::IsMember(keys));
     snapshot.add_flag("--tilted", command.tilted, "the receptors seen from the side");
+    snapshot.add_flag("--figures", command.figures,
+                      "every stage as an SVG of its own, into the folder --out");
     add_moment_options(snapshot, command);
     snapshot.add_option("--theme", command.theme, "dark or light")
         ->check(CLI::IsMember({"dark", "light"}));
@@ -144,7 +166,9 @@ void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chose
     snapshot.add_option("--height", command.height, "pixels")->check(within(64, 8192));
     snapshot.add_option("--scale", command.scale, "size of text and marks, 0.75-4")
         ->check(within(0.75, 4.0));
-    snapshot.add_option("--out", command.out, "file, .png or .svg; with --frames a folder")
+    snapshot
+        .add_option("--out", command.out,
+                    "file, .png or .svg; with --frames or --slower .gif, .apng, .mp4 or a folder")
         ->required();
 }
 

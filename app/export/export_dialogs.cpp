@@ -8,10 +8,12 @@
 #include <string>
 
 #include "app/document/editing.h"
+#include "app/export/export_progress.h"
 #include "app/export/exports.h"
 #include "app/ui/dialog.h"
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -88,10 +90,36 @@ void draw_size(Ui& ui, const Workspace& work, PictureView view, PictureSize& siz
     dim_text(ui, "times as large as usual");
 }
 
+// Of screens and projectors.
+void draw_presets(Ui& ui, PictureSize& size) {
+    struct Preset {
+        const char* name;
+        int width;
+        int height;
+        float scale;
+    };
+    constexpr std::array<Preset, 3> kPresets{{{"1280 \u00d7 720", 1280, 720, 1.0F},
+                                              {"1920 \u00d7 1080", 1920, 1080, 1.5F},
+                                              {"3840 \u00d7 2160", 3840, 2160, 3.0F}}};
+    draw_label(ui, "16:9");
+    for (const Preset& preset : kPresets) {
+        const bool lit = size.width == preset.width && size.height == preset.height;
+        if (draw_chip(ui, preset.name, preset.name, lit)) {
+            size.width = preset.width;
+            size.height = preset.height;
+            size.scale = preset.scale;
+        }
+        note_item(ui.rects, "export preset:" + std::to_string(preset.height));
+        ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
+    }
+    ImGui::NewLine();
+}
+
 void draw_view_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
     if (!begin_dialog(ui, "Export view")) return;
     draw_views(ui, work, kPictureViews, exports.view, exports.picture_size);
     draw_size(ui, work, exports.view, exports.picture_size);
+    draw_presets(ui, exports.picture_size);
     dim_text(ui, "PNG for pixels, SVG to magnify and to edit: by the ending of the name.");
     if (!draw_ends(ui, "Choose a file...", true)) return;
     choose_picture(ui, work, exports);
@@ -109,12 +137,54 @@ void draw_seconds(Ui& ui, const Workspace& work, const char* id, const char* lab
     dim_text(ui, "s");
 }
 
+constexpr const char* label_of(std::optional<FilmFormat> film) {
+    if (!film) return "Pictures in a folder";
+    return *film == FilmFormat::gif ? "GIF" : *film == FilmFormat::apng ? "APNG" : "MP4";
+}
+
+void draw_formats(Ui& ui, ExportState& exports) {
+    draw_label(ui, "As");
+    for (const std::optional<FilmFormat> film :
+         {std::optional(FilmFormat::gif), std::optional(FilmFormat::apng),
+          std::optional(FilmFormat::mp4), std::optional<FilmFormat>()}) {
+        const char* name = label_of(film);
+        if (draw_chip(ui, name, name, exports.film == film)) exports.film = film;
+        note_item(ui.rects, std::string("export as:") + name, exports.film == film ? "chosen" : "");
+        if (film == FilmFormat::mp4) draw_tooltip(ui, "Made by ffmpeg, where that is installed");
+        if (film == FilmFormat::gif) draw_tooltip(ui, "Plays everywhere; 255 colours a picture");
+        if (film == FilmFormat::apng)
+            draw_tooltip(ui, "Every colour; plays in browsers and slides");
+        ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
+    }
+    ImGui::NewLine();
+}
+
+double frames_per_s(const ExportState& exports) {
+    return exports.film ? kFilmFileFramesPerS : kFilmFramesPerS;
+}
+
+// How many times slower than life, which says how many frames there are, and the other way round.
+void draw_slower(Ui& ui, ExportState& exports) {
+    const double length_s = exports.to_s - exports.from_s;
+    if (length_s <= 0.0) return;
+    draw_label(ui, "Slower");
+    double slower = exports.frames / (frames_per_s(exports) * length_s);
+    NumberEntry entry = entry_of(ui, "slower", "Slower", {0.01, 10'000.0});
+    if (enter_number(ui, entry, slower)) {
+        exports.frames = frames_of(length_s, slower, frames_per_s(exports));
+    }
+    note_item(ui.rects, "export:slower", significant_digits(slower, 4));
+    ImGui::SameLine();
+    dim_text(ui, "times slower than life");
+}
+
 void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
     if (!begin_dialog(ui, "Export animation")) return;
     constexpr std::array<PictureView, 2> kMoving{PictureView::physiology, PictureView::window};
     draw_views(ui, work, kMoving, exports.moving_view, exports.frame_size);
     draw_seconds(ui, work, "from", "From", 0.0, exports.from_s);
     draw_seconds(ui, work, "to", "To", shown_duration_s(work), exports.to_s);
+    draw_slower(ui, exports);
     draw_label(ui, "Frames");
     reset_by_label(ui, ExportState{}.frames, exports.frames);
     enter_whole(ui, entry_of(ui, "frames", "Frames", {1.0, kMostFrames}), exports.frames);
@@ -126,8 +196,9 @@ void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) 
     char text[128];
     if (is_good) {
         const FrameSequence sequence{{}, exports.from_s, exports.to_s, exports.frames};
-        std::snprintf(text, sizeof text, "a film of %.3g s, %s", exports.frames / kFilmFramesPerS,
-                      film_speed(sequence).c_str());
+        std::snprintf(text, sizeof text, "a film of %.3g s, %s",
+                      exports.frames / frames_per_s(exports),
+                      film_speed(sequence, frames_per_s(exports)).c_str());
     } else {
         std::snprintf(text, sizeof text, "times from 0 to %.4g s, frames from 1 to %d", duration_s,
                       kMostFrames);
@@ -135,51 +206,11 @@ void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) 
     ImGui::SameLine();
     dim_text(ui, text);
     draw_size(ui, work, exports.moving_view, exports.frame_size);
-    if (!draw_ends(ui, "Choose a folder...", is_good)) return;
-    choose_frames(ui, work);
-}
-
-std::string time_left(const Ui& ui, const RunningAnimation& running) {
-    if (running.done == 0) return "";
-    const double each_s = (ui.time_s - running.begun_s) / running.done;
-    const double left_s = each_s * (running.sequence.frames - running.done);
-    char text[48];
-    if (left_s < 90.0) {
-        std::snprintf(text, sizeof text, ", %.0f s left", std::ceil(left_s));
-    } else {
-        std::snprintf(text, sizeof text, ", %.0f min left", std::ceil(left_s / 60.0));
-    }
-    return text;
-}
-
-// At the lower right, over the panes: the window goes on working.
-void draw_progress(Ui& ui, ExportState& exports) {
-    const RunningAnimation& running = *exports.animation;
-    const Theme& theme = ui.theme;
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({screen.x - theme.padding_px, screen.y - 34.0F * theme.scale},
-                            ImGuiCond_Always, {1.0F, 1.0F});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme.field);
-    bool cancelled = false;
-    if (ImGui::Begin("export progress", nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                         ImGuiWindowFlags_NoFocusOnAppearing)) {
-        char text[96];
-        std::snprintf(text, sizeof text, "Drawing frame %d of %d%s", running.done + 1,
-                      running.sequence.frames, time_left(ui, running).c_str());
-        ImGui::TextUnformatted(text);
-        note_item(ui.rects, "export progress", text);
-        const float share =
-            static_cast<float>(running.done) / static_cast<float>(running.sequence.frames);
-        ImGui::ProgressBar(share, {240.0F * theme.scale, 6.0F * theme.scale}, "");
-        cancelled = ImGui::Button("Cancel export");
-        note_item(ui.rects, "button:cancel export");
-        draw_tooltip(ui, "Keeps the frames that are drawn (Esc)");
-    }
-    ImGui::End();
-    ImGui::PopStyleColor();
-    exports.cancel_asked |= cancelled;
+    draw_presets(ui, exports.frame_size);
+    draw_formats(ui, exports);
+    const char* choose = exports.film ? "Choose a file..." : "Choose a folder...";
+    if (!draw_ends(ui, choose, is_good)) return;
+    choose_frames(ui, work, exports);
 }
 
 }  // namespace
@@ -188,7 +219,7 @@ void draw_exports(Ui& ui, const Workspace& work, ExportState& exports) {
     if (ui.dialog == Dialog::export_view) draw_view_dialog(ui, work, exports);
     if (ui.dialog == Dialog::export_animation) draw_animation_dialog(ui, work, exports);
     if (ui.dialog == Dialog::export_effects) draw_effect_dialog(ui, work, exports.effects);
-    if (exports.animation) draw_progress(ui, exports);
+    if (exports.animation) draw_export_progress(ui, exports);
 }
 
 }  // namespace tact

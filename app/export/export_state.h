@@ -4,8 +4,10 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/export/effect_export.h"
+#include "app/pictures/film.h"
 #include "app/pictures/frame_sequence.h"
 #include "app/pictures/pictures.h"
 
@@ -27,7 +29,8 @@ struct RunningAnimation {
     PictureView view = PictureView::physiology;
     PictureSize size;
     FrameSequence sequence;
-    int done = 0;  // frames
+    std::shared_ptr<Film> film;  // one file; null: a picture each
+    int done = 0;                // frames
     double begun_s = 0.0;
 };
 
@@ -39,9 +42,11 @@ struct ExportState {
     double from_s = 0.0;
     double to_s = 0.0;  // 0: the end of the pattern
     int frames = 150;
+    std::optional<FilmFormat> film = FilmFormat::gif;  // none: pictures in a folder
     std::filesystem::path picture;  // to be drawn when the window's own frame is done
     std::shared_ptr<RunningAnimation> animation;
     bool cancel_asked = false;  // of the animation
+    bool copy_asked = false;    // of the view, to the clipboard
     EffectExport effects;       // patterns for phones and other programs
 };
 

@@ -89,8 +89,18 @@ void choose_picture(Ui& ui, const Workspace& work, const ExportState& exports) {
                  set_word(work) + " " + name_of(exports.view) + ".png");
 }
 
-void choose_frames(Ui& ui, const Workspace& work) {
+void choose_frames(Ui& ui, const Workspace& work, const ExportState& exports) {
     if (current_vibration(work) == nullptr) return;
+    if (exports.film) {
+        const std::string ending = ending_of(*exports.film);
+        return ask_for_file(ui,
+                            {.purpose = ChooserPurpose::export_animation,
+                             .use = ChooserUse::save,
+                             .title = "Export the animation as one file",
+                             .extensions = {ending}},
+                            work.document.path.parent_path(),
+                            file_stem(current_vibration(work)->name) + ending);
+    }
     ask_for_file(ui,
                  {.purpose = ChooserPurpose::export_animation,
                   .use = ChooserUse::save_folder,

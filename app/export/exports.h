@@ -23,7 +23,7 @@ void export_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports
 
 // Where to: after the dialogs.
 void choose_picture(Ui& ui, const Workspace& work, const ExportState& exports);
-void choose_frames(Ui& ui, const Workspace& work);
+void choose_frames(Ui& ui, const Workspace& work, const ExportState& exports);
 
 // What the chooser's answer starts. PNG or SVG by the name's ending; the stage that is open, or
 // all of them, with the files of "tactspace stages".

@@ -167,6 +167,9 @@ void draw_model_panel(Ui& ui, Workspace& work, ModelBench& model_bench) {
     draw_heading(ui, "Choices of ours", "Where the paper leaves a choice open.");
     for (const ModelChoice& row : choice_rows()) draw_choice(ui, work, row, original);
     for (const ModelNumber& row : number_rows()) draw_number(ui, work, row, original);
+    draw_heading(ui, "Thresholds",
+                 "How much more it takes than in the table before a type notices anything.");
+    draw_threshold_knobs(ui, work, original.coding.tables.threshold);
     draw_heading(ui, "Physiology tables",
                  "Rebuilt from published rates and slopes; the original figures were not at hand.");
     draw_table_fields(ui, work, model_bench, original.coding.tables);

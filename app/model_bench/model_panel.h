@@ -9,6 +9,8 @@
 namespace tact {
 
 void draw_model_panel(Ui& ui, Workspace& work, ModelBench& model_bench);
+// How deaf each receptor type is, as a whole.
+void draw_threshold_knobs(Ui& ui, Workspace& work, const PerReceptor<Curve>& original);
 void draw_table_fields(Ui& ui, Workspace& work, ModelBench& model_bench,
                        const PhysiologyTables& original);
 void draw_model_choice(Ui& ui, Workspace& work, ModelBench& model_bench);

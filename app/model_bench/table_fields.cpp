@@ -50,11 +50,12 @@ void draw_knot(Ui& ui, Workspace& work, const ModelBench& model_bench, std::size
     const std::string id = "knot_" + std::to_string(k);
     Field field{.id = id.c_str(),
                 .label = label,
-                .format = state.threshold ? "%.3f" : "%.4g",
+                .format = state.threshold ? "%.3f log10 \u00b5m" : "%.4g imp/s",
                 .slider = state.threshold ? Range{-3.0, 4.0} : Range{0.0, 400.0},
                 .typed = state.threshold ? kThresholdLog10Um : kSlope,
                 .step = state.threshold ? 0.05 : 1.0,
-                .help = state.threshold ? "Absolute threshold, log10 of \u00b5m peak"
+                .help = state.threshold ? "Absolute threshold, log10 of \u00b5m peak: 1 is 10 "
+                                          "\u00b5m, or 20 dB re 1 \u00b5m"
                                         : "Slope \u03b1, impulses/s per log10 of \u00b5m",
                 .right_room_px = 56.0F * ui.theme.scale};
     const bool known = k < original.value.size() && curve.frequency_hz == original.frequency_hz;

@@ -54,6 +54,7 @@ void draw_explain_window(Ui& ui, Physiology& physiology, const Rect& beside) {
         draw_paragraph(ui, "Equation and section", text.equation);
         draw_paragraph(ui, "Left out", text.left_out);
         draw_paragraph(ui, "Ours, not the paper's", text.ours);
+        draw_paragraph(ui, "Sources", text.source);
         ImGui::PopTextWrapPos();
         draw_way(ui, physiology, stage);
         const ImVec2 min = ImGui::GetWindowPos();

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "app/map/map_follow.h"
+
 namespace tact {
 
 void make_stages_jobs(const Ui& ui, Physiology& physiology) {
@@ -34,6 +36,15 @@ void follow_current(Workspace& work, const RenderingState& rendered, Physiology&
     if (request == physiology.pinned_asked) return;
     physiology.pinned_asked = request;
     physiology.pinned_job->submit(std::move(request));
+}
+
+void follow_pair(const Workspace& work, const ShownMap& shown_map, Physiology& physiology) {
+    physiology.view.pair_oc.reset();
+    const auto pinned = place_named(work.document.set, work.selection.pinned);
+    const std::size_t current = work.selection.current;
+    if (!pinned || *pinned == current || map_state(work, shown_map) != MapState::exact) return;
+    const Dissimilarity& oc = shown_map.transition.shown->prediction.oc;
+    if (*pinned < oc.size && current < oc.size) physiology.view.pair_oc = oc(current, *pinned);
 }
 
 }  // namespace tact

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/physiology/physiology_panel.h"
+#include "app/physiology/stage_pair.h"
+#include "app/physiology/stage_strip.h"
 #include "app/physiology/stage_views.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/failure.h"
@@ -57,82 +60,15 @@ void follow_difference(Physiology& physiology, const std::vector<ShownStages>& p
     const auto& a = patterns[0].live;
     const auto& b = patterns[1].live;
     if (known.a == a && known.b == b) return;
-    known = {a, b, stage_differences(*a, *b), {}};
+    known = {a, b, stage_differences(*a, *b), {}, 0.0};
+    if (a->neural.code.central_spikes.size() == b->neural.code.central_spikes.size()) {
+        known.nc =
+            nc_dissimilarity(a->neural.code, b->neural.code, a->request.model.channel_weight);
+    }
     for (const Stage stage : kStages) {
         known.signals[index_of(stage)] = signal_differences(*a, *b, stage);
     }
 }
-
-// ---- the strip ----
-
-// A stage in the strip; beneath it, how far two patterns are apart there.
-void draw_stage_chip(Ui& ui, Physiology& physiology, const char* key, const char* text, bool lit,
-                     std::optional<double> difference) {
-    const bool pressed = draw_chip(ui, key, text, lit);
-    note_item(ui.rects, std::string("stage:") + key);
-    if (difference) {
-        const Theme& theme = ui.theme;
-        const ImVec2 corner{ImGui::GetItemRectMin().x,
-                            ImGui::GetItemRectMax().y + 1.0F * theme.scale};
-        const ImVec2 end{ImGui::GetItemRectMax().x, corner.y + 3.0F * theme.scale};
-        const float share = static_cast<float>(*difference);
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.AddRectFilled(corner, end, theme.field);
-        list.AddRectFilled(corner, {corner.x + share * (end.x - corner.x), end.y}, theme.warning);
-    }
-    if (!pressed) return;
-    const std::optional<Stage> stage = stage_named(key);
-    physiology.view.open = physiology.view.open == stage ? std::nullopt : stage;
-}
-
-void draw_strip(Ui& ui, Physiology& physiology) {
-    const float gap = 2.0F * ui.theme.scale;
-    const ShownDifference& difference = physiology.view.difference;
-    draw_stage_chip(ui, physiology, "all", "All stages", !physiology.view.open, std::nullopt);
-    for (const Stage stage : kStages) {
-        const StageText& text = text_of(stage);
-        ImGui::SameLine(0.0F, gap);
-        const float wanted =
-            text_size(ui.theme.fonts.small, text.short_name).x + 12.0F * ui.theme.scale;
-        if (ImGui::GetContentRegionAvail().x < wanted) ImGui::NewLine();
-        draw_stage_chip(ui, physiology, text.key, text.short_name, physiology.view.open == stage,
-                        difference.a ? difference.stages[index_of(stage)] : std::nullopt);
-        char tip[160];
-        std::snprintf(tip, sizeof tip, "%s: %s", text.name, text.detail);
-        draw_tooltip(ui, tip);
-    }
-    if (difference.a) ImGui::Dummy({1.0F, 1.0F * ui.theme.scale});
-}
-
-// True where the tour was asked for.
-bool draw_pin_choice(Ui& ui, Workspace& work, bool tour_begun) {
-    const bool pinned = !work.selection.pinned.empty();
-    const std::string text =
-        pinned ? "compared with " + work.selection.pinned : "Compare with\u2026";
-    if (link(ui, "compare", text)) ImGui::OpenPopup("compare with");
-    note_item(ui.rects, "compare with");
-    if (pinned) {
-        ImGui::SameLine();
-        if (link(ui, "unpin", "\u00d7")) work.selection.pinned.clear();
-        note_item(ui.rects, "unpin");
-        draw_tooltip(ui, "Show one pattern again");
-    }
-    ImGui::SameLine(0.0F, 2.0F * ui.theme.padding_px);
-    const bool tour_asked = link(ui, "tour", tour_begun ? "Resume the tour" : "Tour");
-    note_item(ui.rects, "start tour");
-    if (!ImGui::BeginPopup("compare with")) return tour_asked;
-    for (const Vibration& vibration : work.document.set.vibrations) {
-        if (&vibration == current_vibration(work)) continue;
-        if (ImGui::Selectable(vibration.name.c_str(), work.selection.pinned == vibration.name)) {
-            work.selection.pinned = vibration.name;
-        }
-        note_item(ui.rects, "pin:" + vibration.name);
-    }
-    ImGui::EndPopup();
-    return tour_asked;
-}
-
-// ---- one stage's place ----
 
 // Name and what is plotted, left of the plots; the name opens the stage, the "i" explains it.
 void draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& area) {
@@ -168,30 +104,6 @@ void draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& a
     note_item(ui.rects, std::string("explain:") + text.key);
     draw_tooltip(ui, "What happens here?");
     ImGui::PopID();
-}
-
-// One pattern, or two with their difference between them.
-void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
-                   const std::vector<ShownStages>& patterns, Stage stage, const Rect& area,
-                   const StageSize& size) {
-    if (patterns.empty()) return;
-    if (patterns.size() < 2)
-        return draw_stage(ui, work, timeline, physiology, patterns[0], stage, area, size);
-    const bool has_signals = !signals_of(*patterns[0].live, stage).empty();
-    const float axis = size.time_axis ? time_axis_height(ui) : 0.0F;
-    const float text = font_or_current(ui.theme.fonts.small).FontSize;
-    const float middle = has_signals ? std::max(text, 0.24F * (area.height() - axis)) : text * 1.2F;
-    const float each = 0.5F * (area.height() - axis - middle);
-    const float y1 = area.min.y + each;
-    const float y2 = y1 + middle;
-    StageSize upper = size;
-    upper.time_axis = false;
-    draw_stage(ui, work, timeline, physiology, patterns[0], stage, {area.min, {area.max.x, y1}},
-               upper);
-    draw_stage_difference(ui, work, timeline, physiology, patterns[0], patterns[1], stage,
-                          {{area.min.x, y1}, {area.max.x, y2}}, upper);
-    draw_stage(ui, work, timeline, physiology, patterns[1], stage, {{area.min.x, y2}, area.max},
-               size);
 }
 
 void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
@@ -247,8 +159,26 @@ void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
     size.large = true;
     size.time_axis =
         stage != Stage::spectrum && stage != Stage::receptors && stage != Stage::networks;
-    draw_patterns(ui, work, timeline, physiology, patterns, stage,
-                  {{pane.min.x, pane.min.y + line}, pane.max}, size);
+    const float top = pane.min.y + line + draw_remark(ui, patterns, stage, pane, line);
+    draw_patterns(ui, work, timeline, physiology, patterns, stage, {{pane.min.x, top}, pane.max},
+                  size);
+}
+
+// What was moved in the spectrum is a change of the set's model.
+void move_threshold(Ui& ui, Workspace& work, Physiology& physiology) {
+    const auto move = std::exchange(physiology.view.threshold_move, std::nullopt);
+    if (!move) return;
+    constexpr Range kTable = kThresholdTable.values;
+    Curve& curve = work.document.set.model.coding.tables.threshold[index_of(move->type)];
+    const double by = move->db / 20.0;
+    const auto [low, high] = std::ranges::minmax(curve.value);
+    if (by != 0.0 && low + by >= kTable.low && high + by <= kTable.high) {
+        for (double& value : curve.value) value += by;
+        model_changed(work);
+    }
+    if (move->is_last) {
+        commit_step(ui, work, std::string("Move threshold of ") + traits(move->type).name);
+    }
 }
 
 }  // namespace
@@ -276,7 +206,7 @@ bool draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline, Physiolo
                   "Space plays silently, in slow motion; drag in any plot to move through time; a "
                   "stage's name opens it large.");
         draw_strip(ui, physiology);
-        tour_asked = draw_pin_choice(ui, work, tour_begun);
+        if (!ui.presenting) tour_asked = draw_pin_choice(ui, work, tour_begun);
     }
     // The links above may have turned to another range.
     timeline.range = fitted(timeline.range, duration_s);
@@ -290,6 +220,7 @@ bool draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline, Physiolo
     }
     if (physiology.view.open) {
         draw_large(ui, work, timeline, physiology, patterns, *physiology.view.open);
+        move_threshold(ui, work, physiology);
     } else {
         draw_overview(ui, work, timeline, physiology, patterns);
     }

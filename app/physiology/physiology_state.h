@@ -34,6 +34,14 @@ struct ShownDifference {
     std::shared_ptr<const LiveStages> b;
     StageDifferences stages;
     std::array<std::vector<std::vector<double>>, kStages.size()> signals;  // a - b
+    double nc = 0.0;
+};
+
+// A threshold that is moved in the spectrum, in this frame.
+struct ThresholdMove {
+    Receptor type = Receptor::pacinian;
+    double db = 0.0;
+    bool is_last = false;
 };
 
 struct PhysiologyState {
@@ -49,6 +57,8 @@ struct PhysiologyState {
     ShownLayers layers;
     ShownLayers pinned_layers;
     ShownDifference difference;
+    std::optional<ThresholdMove> threshold_move;
+    std::optional<double> pair_oc;  // of the two patterns on screen, where the map knows it
 };
 
 struct Physiology {

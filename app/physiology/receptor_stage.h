@@ -1,10 +1,12 @@
-// The stages that are places rather than signals: receptor grids, raster and relay networks.
+// The stages that are no signals over time: spectrum, receptor grids, raster and relay networks.
 #pragma once
 
 #include "app/physiology/stage_views.h"
 
 namespace tact {
 
+void draw_spectrum_stage(Ui& ui, Physiology& physiology, const ShownStages& shown,
+                         const Rect& area, bool large);
 void draw_receptor_stage(Ui& ui, const Timeline& timeline, Physiology& physiology,
                          const ShownStages& shown, const Rect& area, const StageSize& size);
 void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,

@@ -7,11 +7,11 @@
 
 #include "app/document/pattern_looks.h"
 #include "app/physiology/receptor_stage.h"
+#include "app/physiology/stage_remarks.h"
 #include "app/physiology/stage_signals.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
-#include "viz/charts/spectrum_view.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -50,7 +50,9 @@ void draw_silent_row(const Ui& ui, const Rect& area, const StageSignal& signal) 
 // Names a channel within its own row, where there is room for it.
 void draw_channel_name(const Ui& ui, const Rect& area, Receptor receptor) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_text_halo(list, ui.theme.fonts.small, {area.min.x + 2.0F * ui.theme.scale, area.min.y},
+    // Within the plot: left of it stand values and their unit.
+    const float left = area.min.x + value_room_px(ui) + 4.0F * ui.theme.scale;
+    draw_text_halo(list, ui.theme.fonts.small, {left, area.min.y},
                    ui.theme.receptor[index_of(receptor)], ui.theme.pane, ui.theme.hairline_px,
                    traits(receptor).name);
 }
@@ -75,17 +77,19 @@ std::vector<Rect> shared_out(const Rect& area, const std::vector<StageSignal>& s
     return rects;
 }
 
-// Vibrations of a set are on one scale, what a device makes of them too, unless it is stronger.
+// Vibrations of a set are on one scale, what a device makes of them and what filters leave of them
+// too, unless it is stronger.
 double reach_of(const Workspace& work, const StageSignal& signal, Stage stage) {
     const double reach_g = shown_reach_g(work);
-    if (stage != Stage::vibration || reach_g == 0.0) return signal.largest;
+    const bool in_g = stage == Stage::vibration || stage == Stage::filtered;
+    if (!in_g || reach_g == 0.0) return signal.largest;
     double peak = reach_g;
     for (const double sample : signal.samples) peak = std::max(peak, std::abs(sample));
     return peak;
 }
 
 // Without an axis, how many g the upper edge is.
-void draw_reach(Ui& ui, const Rect& area, double reach_g) {
+void draw_reach(Ui& ui, const Rect& area, const char* id, double reach_g) {
     const std::string text = "\u00b1" + significant_digits(reach_g, 3) + " g";
     const ImVec2 size = text_size(ui.theme.fonts.small, text);
     if (area.height() < 2.0F * size.y) return;
@@ -94,7 +98,22 @@ void draw_reach(Ui& ui, const Rect& area, double reach_g) {
     const ImVec2 pad{3.0F * ui.theme.scale, 0.0F};  // a plate: over a body no halo is enough
     list.AddRectFilled(corner - pad, corner + size + pad, ui.theme.pane, ui.theme.rounding_px);
     draw_text(list, ui.theme.fonts.small, corner, ui.theme.dim_text, text);
-    note_rect(ui.rects, "reach:vibration", corner, corner + size, text);
+    note_rect(ui.rects, std::string("reach:") + id, corner, corner + size, text);
+}
+
+// In a trace that shows nothing of the vibration, what it does show.
+void draw_leak_note(Ui& ui, const Rect& area, Receptor receptor) {
+    const std::string text =
+        std::string(traits(receptor).name) + ": nothing in its band, its filter leaks";
+    const ImVec2 size = text_size(ui.theme.fonts.small, text);
+    if (area.height() < size.y || area.width() < size.x) return;
+    const ImVec2 corner{area.centre().x - size.x / 2.0F, area.min.y};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 pad{3.0F * ui.theme.scale, 0.0F};
+    list.AddRectFilled(corner - pad, corner + size + pad, ui.theme.pane, ui.theme.rounding_px);
+    draw_text(list, ui.theme.fonts.small, corner, ui.theme.dim_text, text);
+    note_rect(ui.rects, std::string("leaks:") + traits(receptor).afferent, corner, corner + size,
+              text);
 }
 
 TimeRow row_of(const Ui& ui, const ShownStages& shown, const StageSignal& signal, Stage stage) {
@@ -137,8 +156,12 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Shown
         row.largest = reach_of(work, signals[k], stage);
         row.time_axis = last && size.time_axis;
         draw_time_row(ui, work, timeline, rects[k], row);
-        if (stage == Stage::vibration && !size.large && row.largest > 0.0) {
-            draw_reach(ui, rects[k], row.largest);
+        const bool first_of_filters = stage == Stage::filtered && k == 0;
+        if ((stage == Stage::vibration || first_of_filters) && !size.large && row.largest > 0.0) {
+            draw_reach(ui, rects[k], text_of(stage).key, row.largest);
+        }
+        if (stage == Stage::filtered && only_leaks(*shown.live, *signals[k].receptor)) {
+            draw_leak_note(ui, rects[k], *signals[k].receptor);
         }
         if (signals[k].receptor && size.large) {
             draw_channel_name(ui, rects[k], *signals[k].receptor);
@@ -146,27 +169,17 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Shown
     }
 }
 
-void draw_spectrum_stage(Ui& ui, const ShownStages& shown, const Rect& area) {
-    SpectrumScene scene;
-    scene.components = shown.live->neural.components;
-    scene.thresholds = &shown.live->request.model.coding.tables.threshold;
-    scene.colour = ui.theme.text;
-    scene.stale = shown.stale;
-    const char* id = shown.pinned ? "spectrum pinned" : "spectrum";
-    const SpectrumAction action = draw_spectrum(id, ui.theme, area, scene);
-    note_rect(ui.rects, std::string("plot:") + id, area.min, area.max);
-    if (!action.hovered) return;
-    const Component& component = scene.components[*action.hovered];
-    char text[96];
-    std::snprintf(text, sizeof text, "%.17g %.17g", component.frequency_hz, component.skin_um);
-    note_rect(ui.rects, std::string("under the mouse:") + id, area.min, area.max, text);
-}
-
 // In words, where there is no signal to subtract.
-void draw_difference_text(const Ui& ui, const Rect& area, std::optional<double> difference) {
+void draw_difference_text(const Ui& ui, const Rect& area, Stage stage,
+                          std::optional<double> difference) {
     if (!difference) return;
     char text[64];
-    std::snprintf(text, sizeof text, "%.0f %% not in common", 100.0 * *difference);
+    // Bars beside each other share nothing, however near: a number would say no more.
+    if (stage == Stage::spectrum && *difference > 0.995) {
+        std::snprintf(text, sizeof text, "no frequency in common");
+    } else {
+        std::snprintf(text, sizeof text, "%.0f %% not in common", 100.0 * *difference);
+    }
     const ImVec2 size = text_size(ui.theme.fonts.small, text);
     draw_text(*ImGui::GetWindowDrawList(), ui.theme.fonts.small,
               {area.centre().x - size.x / 2.0F, area.centre().y - size.y / 2.0F}, ui.theme.dim_text,
@@ -174,6 +187,10 @@ void draw_difference_text(const Ui& ui, const Rect& area, std::optional<double> 
 }
 
 }  // namespace
+
+ImU32 difference_colour(const Theme& theme) {
+    return theme.is_dark ? IM_COL32(0xB1, 0x8C, 0xFF, 0xFF) : IM_COL32(0x6A, 0x3F, 0xC4, 0xFF);
+}
 
 Receptor strongest_channel(const LiveStages& live) {
     std::size_t best = index_of(Receptor::pacinian);
@@ -194,7 +211,7 @@ void draw_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
                 const ShownStages& shown, Stage stage, const Rect& area, const StageSize& size) {
     switch (stage) {
         case Stage::spectrum:
-            return draw_spectrum_stage(ui, shown, area);
+            return draw_spectrum_stage(ui, physiology, shown, area, size.large);
         case Stage::receptors:
             return draw_receptor_stage(ui, timeline, physiology, shown, area, size);
         case Stage::spikes:
@@ -213,14 +230,14 @@ void draw_stage_difference(Ui& ui, const Workspace& work, Timeline& timeline,
     const auto& differences = physiology.view.difference.signals[index_of(stage)];
     if (signals.empty() || differences.size() != signals.size()) {
         const auto& known = physiology.view.difference.stages;
-        return draw_difference_text(ui, area, known[index_of(stage)]);
+        return draw_difference_text(ui, area, stage, known[index_of(stage)]);
     }
     const std::vector<Rect> rects = shared_out(area, signals, 0.0F);
     for (std::size_t k = 0; k < signals.size(); ++k) {
         TimeRow row = row_of(ui, a, signals[k], stage);
         row.id = signals[k].id + " difference";
         row.samples = differences[k];
-        row.colour = ui.theme.warning;
+        row.colour = difference_colour(ui.theme);
         row.signed_values = true;
         row.style = TraceStyle::filled;
         row.largest = 0.0;

@@ -31,6 +31,9 @@ void draw_stage_difference(Ui& ui, const Workspace& work, Timeline& timeline,
                            const Physiology& physiology, const ShownStages& a, const ShownStages& b,
                            Stage stage, const Rect& area, const StageSize& size);
 
+// Of what two patterns do not share: neither a receptor's colour nor a pattern's.
+ImU32 difference_colour(const Theme& theme);
+
 // The channel with the strongest activity at the centre: what the overview shows the networks of.
 Receptor strongest_channel(const LiveStages& live);
 

@@ -14,7 +14,8 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "its mean is taken away, as a constant push is no vibration.",
      "x(t) = A e(t) r(t) \u03a3 w sin(2\u03c0ft + \u03c6), Eq. 7 and section 3",
      "Static force, shear, temperature, the mechanics of the finger and of the actuator.",
-     "Removing the mean; e(t) = 1 where the modulation frequency is 0, as Eq. 7 would be silent."},
+     "Removing the mean; e(t) = 1 where the modulation frequency is 0, as Eq. 7 would be silent.",
+     "Lim & Park 2023, section 3."},
     {"spectrum", "Spectrum", "Spectrum", "displacement over the thresholds, 1\u2013500 Hz",
      "Each receptor type answers to its own range of frequencies, and only above a threshold "
      "that depends on frequency.",
@@ -25,7 +26,10 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "4.1",
      "Adaptation, plateaus of the rate, masking of one component by another.",
      "The conversion from g to \u00b5m; both tables, rebuilt from published rates; components "
-     "below threshold count nothing."},
+     "below threshold count nothing.",
+     "Four channels and their bands: Bolanowski, Gescheider, Verrillo & Checkosky 1988, J. Acoust. "
+     "Soc. Am. 84, 1680. Drawn dashed: beyond the band that the paper gives a type (section 4.1), "
+     "where the curve is our extrapolation."},
     {"filtered", "Filtered waveforms", "Filters", "what each receptor type follows, g",
      "The capsule around a nerve ending is a mechanical filter: a Pacinian corpuscle hardly "
      "notices slow bending, a Merkel cell hardly notices fast vibration.",
@@ -33,47 +37,66 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "Merkel, 15\u2013400 Hz Ruffini. The two fast-adapting types then perceive the change.",
      "band-pass or low-pass, then d/dt for FA1 and FA2, section 4.1",
      "Waves that travel through the skin with delays; the filters are the same at every depth.",
-     "Order 10 in total; forward in time only, so that onsets ring as they do here."},
+     "Order 10 in total; forward in time only: where a vibration begins or ends, a filter rings "
+     "on. "
+     "A type whose band has nothing else still follows that ringing, which no skin has.",
+     "The Pacinian capsule as a filter: Loewenstein & Skalak 1966, J. Physiol. 182, 346."},
     {"receptors", "Receptors in the skin", "Receptors", "mean rate, to scale",
      "A vibration spreads over the fingertip and fades with distance, so a strong one reaches "
      "more receptors than a weak one.",
      "Receptors stand on a square grid of their type's density; within 1.5 mm each fires as at "
      "the probe, beyond it the rate falls to zero at r_max.",
      "V(r) = v (1.5/r)\u00b2, r_max = 1.5 \u00b7 10^(f0 / 2A), Eqs. 1, 3, 4, section 4.1",
-     "The irregular mosaic of real skin, the edge of the finger, a second contact.",
+     "The irregular mosaic of real skin, a second contact, the edge of the finger: receptors of "
+     "the grid that lie beyond it are drawn grey, and the model counts them.",
      "One set of components counts for the whole grid; at least the centre receptor always "
-     "counts."},
+     "counts.",
+     "Fall with distance: Johnson 1974, as Lim & Park 2023 cite it. Size of the finger pad: "
+     "Greiner "
+     "1991, Hand Anthropometry of U.S. Army Personnel."},
     {"spikes", "Spikes", "Spikes", "all receptors, nearest on top",
      "A nerve fibre answers with impulses that are all alike: the vibration is in how many there "
      "are and when.",
      "A receptor fires each time it has gathered its threshold of energy, looked at every 10 ms; "
      "the population's impulses are shared out by rate.",
      "E_thr = energy / fires, count = floor(gathered / E_thr), section 4.2",
-     "Refractory time, noise, adaptation: the same vibration gives the same spikes.",
-     "Of the n spikes of a window the first half and one more fall into its first 5 ms."},
+     "Phase locking: below its limit a fibre fires once a cycle, in step with the vibration. The "
+     "model counts in windows of 10 ms, which forget the step. Also refractory time, noise and "
+     "adaptation: the same vibration gives the same spikes.",
+     "Of the n spikes of a window the first half and one more fall into its first 5 ms.",
+     "Impulses in step with the cycle: Talbot, Darian-Smith, Kornhuber & Mountcastle 1968, J. "
+     "Neurophysiol. 31, 301."},
     {"networks", "Relay networks", "Networks", "every layer at the playhead",
      "On their way to the cortex impulses pass relay stations, where neurons gather from "
      "neighbours and inhibit each other.",
      "Three excitatory layers add up a cross of five neighbours, one inhibitory layer sharpens; "
-     "no cell passes more than 50 impulses in 5 ms.",
+     "no cell passes more than 50 impulses in 5 ms. That cap is the model's, one in every "
+     "sample: 10,000 a second are more than any neuron fires. Most cells are at it or silent, "
+     "so that a network works as a gate, nearly on or off.",
      "layer = min(50, layer * E), then * I clipped to 0\u202650, Eqs. 5, 6, section 4.3",
      "Delays, memory from step to step, the anatomy of cuneate nucleus and thalamus.",
-     "The numbers of Eq. 6 are lost: I is a cross of \u22121 around 5."},
+     "The numbers of Eq. 6 are lost: I is a cross of \u22121 around 5.",
+     "Lim & Park 2023, section 4.3."},
     {"central", "Central signals", "Centre", "spikes of each network's centre, per 5 ms",
-     "Each population reports to the cortex through its own pathway.",
-     "The centre cell of the last layer speaks for its network: its count is spread evenly over "
-     "the 5 ms.",
+     "On the way to the cortex signals of all types converge: neurons of the somatosensory cortex "
+     "answer to more than one of them. A line of its own for each type is the older view.",
+     "The model keeps the types apart, one channel each: the centre cell of the last layer speaks "
+     "for its network, its count spread evenly over the 5 ms.",
      "unit spikes at start + floor(50 k / n), section 4.3",
-     "Everything that the other cells of the last layer know.",
-     "Where within the 5 ms the spikes fall."},
+     "Everything that the other cells of the last layer know; the convergence of types.",
+     "Where within the 5 ms the spikes fall.",
+     "Saal & Bensmaia 2014, Touch is a team effort, Trends in Neurosciences 37, 689."},
     {"brain", "Brain waveform", "Brain", "predicted, weighted sum of four channels",
      "Somatosensory cortex receives all four and makes one sensation of them.",
      "The four central signals are added with trained weights. Two patterns are as different as "
-     "the root of the mean squared difference of these waveforms: NC.",
+     "the root of the mean squared difference of these waveforms: NC. As the networks are nearly "
+     "on "
+     "or off, so is this.",
      "PBW = \u03a3 w s, w = 0.2 FA1, 0.7 FA2, 0 SA1, 0.5 SA2, section 4.3",
      "Attention, memory, what the vibration means.",
      "The weights were trained with the authors' own tables: with ours they are a starting "
-     "point."},
+     "point.",
+     "Saal & Bensmaia 2014, Trends in Neurosciences 37, 689."},
     {"envelope", "Rhythm envelope", "Rhythm", "mean of 10 ms, scaled to its peak",
      "Rhythm is felt beside strength and quality, and a pattern that is late is still the same "
      "pattern.",
@@ -81,7 +104,8 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "warping, which forgives shifts: OC.",
      "y[n] = mean of |x| over the last 10 ms, section 5", "Metre, accents, expectation.",
      "Scaled to its own maximum, so that OC is about rhythm and not about strength; the average "
-     "looks back, not ahead."},
+     "looks back, not ahead.",
+     "Lim & Park 2023, section 5."},
 }};
 
 }  // namespace

@@ -1,7 +1,8 @@
 // The stages of the model's way from the skin to the two signals that it compares, and what there
 // is to say about each.
 //
-// Source    Lim & Park 2023, sections 3-5; the sentences are ours.
+// Source    Lim & Park 2023, sections 3-5; of what is said of the body, `source`. The sentences are
+//           ours.
 #pragma once
 
 #include <array>
@@ -38,7 +39,8 @@ struct StageText {
     const char* in_model;    // what the model does
     const char* equation;    // and where it stands
     const char* left_out;
-    const char* ours;  // constants and choices that the paper does not give
+    const char* ours;    // constants and choices that the paper does not give
+    const char* source;  // of what is said of the body
 };
 
 const StageText& text_of(Stage stage);

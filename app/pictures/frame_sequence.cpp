@@ -21,7 +21,8 @@ int number_in(const std::string& name) {
     return static_cast<std::size_t>(read) == name.size() ? number : 0;
 }
 
-// Quoted where a shell would take it apart.
+}  // namespace
+
 std::string shell_word(const std::string& text) {
     constexpr std::string_view kPlain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-%+,";
@@ -30,8 +31,6 @@ std::string shell_word(const std::string& text) {
     for (const char sign : text) quoted += sign == '\'' ? "'\\''" : std::string(1, sign);
     return quoted + "'";
 }
-
-}  // namespace
 
 double time_of_frame_s(const FrameSequence& sequence, int k) {
     const double share = static_cast<double>(k) / static_cast<double>(sequence.frames);
@@ -44,8 +43,8 @@ fs::path path_of_frame(const FrameSequence& sequence, int k) {
     return sequence.folder / name;
 }
 
-std::string film_speed(const FrameSequence& sequence) {
-    const double film_s = static_cast<double>(sequence.frames) / kFilmFramesPerS;
+std::string film_speed(const FrameSequence& sequence, double frames_per_s) {
+    const double film_s = static_cast<double>(sequence.frames) / frames_per_s;
     const double slower = film_s / (sequence.to_s - sequence.from_s);
     if (std::abs(slower - 1.0) < 0.005) return "as fast as life";
     return slower > 1.0 ? significant(slower) + " times slower than life"

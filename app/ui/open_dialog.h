@@ -43,7 +43,10 @@ enum class ChooserPurpose {
     export_report,
     export_effects,
     export_stages,
-    export_animation
+    export_animation,
+    open_lesson,
+    save_lesson,
+    lesson_sheet
 };
 
 }  // namespace tact

@@ -59,6 +59,7 @@ struct Ui {
     bool fonts_outdated = false;
     bool motion = true;
     bool as_picture = false;     // panes without what is there to be pressed
+    bool presenting = false;     // for a class: without hints and links
     bool keyboard_mode = false;  // Tab moves between widgets, until the mouse is used again
     FileChooser chooser;
     ChooserPurpose chooser_purpose = ChooserPurpose::open_document;

@@ -18,6 +18,7 @@ WidgetRects widget_rects_wanted() {
 
 void note_rect(WidgetRects& rects, const std::string& name, ImVec2 min, ImVec2 max,
                const std::string& value) {
+    if (!rects.watched.empty() && name == rects.watched) rects.watched_at = Rect{min, max};
     if (rects.file.empty()) return;
     // A list that opens is measured, not shown, in its first frame, and somewhere else.
     if (ImGui::GetCurrentWindowRead()->Hidden) return;

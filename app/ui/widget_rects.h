@@ -1,4 +1,5 @@
-// Where things are on the screen: for Tab, and for a test that clicks on the real window.
+// Where things are on the screen: for Tab, for a lesson that points at one, and for a test that
+// clicks on the real window.
 //
 // Input     TACTSPACE_WIDGET_RECTS, the file that is rewritten after each frame that changed
 // Output    one line a thing: name, left, top, right, bottom in pixels, then its value
@@ -7,15 +8,19 @@
 #include <imgui.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "app/ui/tab_order.h"
+#include "viz/drawing/geometry.h"
 
 namespace tact {
 
 struct WidgetRects {
     std::filesystem::path file;  // empty: none is written
     TabOrder tab_order;
+    std::string watched;  // a name: where its widget is in this frame
+    std::optional<Rect> watched_at;
     std::string lines;
     std::string written;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 #include <utility>
 
 #include "viz/drawing/colour.h"
@@ -148,7 +149,7 @@ void draw_splitter(Ui& ui, const Splitter& splitter, float& share) {
 }
 
 void draw_hint(Ui& ui, const char* id, const char* text) {
-    if (ui.dismissed_hints.contains(id)) return;
+    if (ui.presenting || ui.dismissed_hints.contains(id)) return;
     ImGui::PushID(id);
     ImGui::PushStyleColor(ImGuiCol_Text, colour4(ui.theme.dim_text));
     const float button = ImGui::GetContentRegionMax().x - button_width("\u00d7");
@@ -189,6 +190,23 @@ void dim_text(const Ui& ui, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour4(ui.theme.dim_text));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
+}
+
+void wrapped_text(const std::string& text) {
+    const float room = ImGui::GetContentRegionAvail().x;
+    std::string lines;
+    std::string line;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const std::string longer = line.empty() ? word : line + " " + word;
+        if (line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= room) {
+            line = longer;
+            continue;
+        }
+        lines += line + "\n";
+        line = word;
+    }
+    ImGui::TextUnformatted((lines + line).c_str());
 }
 
 float chip_width(const Ui& ui, const char* text) {

@@ -92,6 +92,9 @@ float chip_width(const Ui& ui, const char* text);
 // Text in the theme's dim colour.
 void dim_text(const Ui& ui, const std::string& text);
 
+// Text with its lines broken at spaces alone, where ImGui breaks numbers at their points, too.
+void wrapped_text(const std::string& text);
+
 // Text in a colour, wrapped at the pane's edge.
 void coloured_text(ImU32 colour, const std::string& text);
 

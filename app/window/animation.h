@@ -16,6 +16,9 @@ namespace tact {
 void export_animation(App& app, const std::filesystem::path& folder);
 void cancel_animation(App& app);
 
+// One step of a lesson as SVG, as the program would open on it.
+std::string step_picture(const Lesson& lesson, std::size_t step);
+
 // Something waits to be drawn by continue_exports(), which draws one picture and belongs between
 // two frames.
 bool is_exporting(const App& app);

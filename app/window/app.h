@@ -9,6 +9,7 @@
 #include "app/document/workspace.h"
 #include "app/export/export_state.h"
 #include "app/generate/generate_state.h"
+#include "app/lesson/lesson.h"
 #include "app/map/map_state.h"
 #include "app/measured/import_state.h"
 #include "app/model_bench/model_state.h"
@@ -19,7 +20,6 @@
 #include "app/study/study_state.h"
 #include "app/subset/subset_state.h"
 #include "app/timeline/timeline.h"
-#include "app/tour/tour_state.h"
 #include "app/ui/layout.h"
 #include "app/ui/ui.h"
 
@@ -52,8 +52,13 @@ struct App {
     ImportState importing;
     StudyState studying;
     CalibrateState calibrating;
-    TourState tour;
+    LessonState lesson;
     PaletteState palette;
 };
+
+// What a lesson drives.
+inline LessonHands hands_of(App& app) {
+    return {app.ui, app.work, app.layout, app.timeline, app.shown_map, app.physiology};
+}
 
 }  // namespace tact

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/lesson/lesson_card.h"
+#include "app/physiology/physiology_panel.h"
 #include "app/ui/widgets.h"
 
 namespace tact {
@@ -106,6 +108,19 @@ void draw_columns(App& app, const Rect& area) {
     draw_pane_of(app, Pane::matrix, {{x2, y2 + bar}, area.max});
 
     draw_splitters(app, area, limits, layout);
+}
+
+void draw_presentation(App& app) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float gap = app.ui.theme.splitter_px;
+    const Rect all{{gap, gap}, {screen.x - gap, screen.y - gap}};
+    const LessonPlaces places = lesson_places(app.ui, app.lesson, all);
+    const LessonStep* step = step_of(app.lesson);
+    const bool map = step != nullptr && shows_map(*step);
+    draw_pane_of(app, map ? Pane::space : Pane::physiology, places.rest);
+    draw_lesson_card(hands_of(app), app.lesson, places);
+    draw_pointed(app.ui, places.rest);
+    draw_explain_window(app.ui, app.physiology, places.rest);
 }
 
 void draw_study_columns(App& app, const Rect& area) {

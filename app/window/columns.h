@@ -10,6 +10,9 @@ namespace tact {
 // All panes, or the one that fills the window.
 void draw_columns(App& app, const Rect& area);
 
+// A lesson on the whole screen: its card, and beside it nothing but what the step shows.
+void draw_presentation(App& app);
+
 // The view of studies in their place.
 void draw_study_columns(App& app, const Rect& area);
 

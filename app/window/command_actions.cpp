@@ -5,12 +5,13 @@
 #include "app/compare/compare_state.h"
 #include "app/document/editing.h"
 #include "app/export/exports.h"
+#include "app/lesson/lesson.h"
+#include "app/lesson/presenting.h"
 #include "app/patterns/set_panel.h"
 #include "app/play/listening.h"
 #include "app/study/study_follow.h"
 #include "app/subset/picked_list.h"
 #include "app/subset/subset_follow.h"
-#include "app/tour/tour.h"
 #include "app/wave_strip/wave_strip.h"
 #include "app/window/animation.h"
 
@@ -70,8 +71,8 @@ void escape(App& app) {
         app.palette.open = false;
     } else if (app.exports.animation) {
         cancel_animation(app);
-    } else if (app.tour.step) {
-        leave_tour(app.work, app.layout, app.timeline, app.physiology, app.tour);
+    } else if (app.lesson.step) {
+        leave_lesson(hands_of(app), app.lesson);
     } else if (app.maybes.put.asked) {
         stop_putting(app.maybes);
     } else if (!app.maybes.varied.empty()) {
@@ -126,9 +127,24 @@ void show_findings(App& app) {
     app.comparing.panel.view = CompareView::findings;
 }
 
+// Between the panels and the end of the frame: another set takes the document's place.
+void begin_tour(App& app) {
+    app.ui.waiting.emplace_back([&app] { start_tour(hands_of(app), app.lesson); });
+}
+
+void present(App& app) {
+    app.ui.waiting.emplace_back([&app] { toggle_presenting(hands_of(app), app.lesson); });
+}
+
+void leave_the_lesson(App& app) {
+    app.ui.waiting.emplace_back([&app] { leave_lesson(hands_of(app), app.lesson); });
+}
+
+bool has_lesson(const App& app) { return app.lesson.step.has_value(); }
+
 void tour_from_the_start(App& app) {
-    app.tour.left_at = 0;
-    start_tour(app.ui, app.work, app.layout, app.timeline, app.shown_map, app.physiology, app.tour);
+    app.lesson.left_at = 0;
+    begin_tour(app);
 }
 
 }  // namespace tact

@@ -24,6 +24,10 @@ void space_layout(App& app);
 void show_tab(App& app, BenchTab tab);
 void show_training(App& app);
 void show_findings(App& app);
+void begin_tour(App& app);
+void present(App& app);
+void leave_the_lesson(App& app);
+bool has_lesson(const App& app);
 void tour_from_the_start(App& app);
 
 }  // namespace tact

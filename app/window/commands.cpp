@@ -13,6 +13,9 @@
 #include "app/document/shown_side.h"
 #include "app/export/exports.h"
 #include "app/generate/generating.h"
+#include "app/lesson/lesson_card.h"
+#include "app/lesson/lesson_edit.h"
+#include "app/lesson/presenting.h"
 #include "app/measured/import_follow.h"
 #include "app/patterns/set_panel.h"
 #include "app/patterns/tapping.h"
@@ -23,7 +26,6 @@
 #include "app/subset/picked_list.h"
 #include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"
-#include "app/tour/tour.h"
 #include "app/wave_strip/wave_strip.h"
 #include "app/window/command_actions.h"
 #include "app/window/session_layout.h"
@@ -134,6 +136,8 @@ const auto kCommands = std::to_array<Command>({
     {"Edit", "Drop from subsets or not", ctrl('l', true), has_selection, [](App& app) { toggle_dropped(app.ui, app.work); }, nullptr,
      "exclude must not pick"},
     {"Edit", "Copy", ctrl('c'), has_selection, [](App& app) { copy_selected(app.ui, app.work); }},
+    {"Edit", "Copy picture", ctrl('c', true), always, [](App& app) { app.exports.copy_asked = true; }, nullptr,
+     "clipboard image view slides png"},
     {"Edit", "Paste", ctrl('v'), always, [](App& app) { paste(app.ui, app.work); }},
     {"Edit", "Select all", ctrl('a'), has_selection, [](App& app) { select_all(app.work); }},
     {"Edit", "Delete", special(key::kDelete), has_selection, remove_chosen_or_selected, nullptr, "remove"},
@@ -204,6 +208,8 @@ const auto kCommands = std::to_array<Command>({
      shows_side<Side::intended>, "IPS map patterns"},
     {"View", "Measured only", {}, always, show_the_side<Side::measured>,
      shows_side<Side::measured>, "MPS map recordings twins"},
+    {"View", "Present", special(key::kF1 + 4), always, present,
+     [](const App& app) { return is_presenting(app.lesson); }, "lecture projector full screen slides clicker tour lesson"},
     {"View", "Larger text", ctrl('+'), always, [](App& app) { step_text_scale(app.ui, 1.1F); },
      nullptr, "zoom scale"},
     {"View", "Smaller text", ctrl('-'), always, [](App& app) { step_text_scale(app.ui, 1.0F / 1.1F); },
@@ -276,8 +282,18 @@ const auto kCommands = std::to_array<Command>({
      "ratings table R Python save"},
     {"Study", "Folder for participants...", {}, always, [](App& app) { choose_study_folder(app.ui, app.work, app.studying); }, nullptr, "files"},
 
-    {"Help", "Guided tour", {}, has_selection, [](App& app) { start_tour(app.ui, app.work, app.layout, app.timeline, app.shown_map, app.physiology, app.tour); }, nullptr, "learn teach explain"},
-    {"Help", "Guided tour from the start", {}, has_selection,
+    {"Lesson", "Open lesson...", {}, always, [](App& app) { open_lesson_dialog(app.ui, app.work); }, nullptr, "teach load tactlesson"},
+    {"Lesson", "New lesson from this set", {}, has_selection, [](App& app) { new_lesson(hands_of(app), app.lesson); }, nullptr, "teach write steps"},
+    {"Lesson", "Edit the lesson", {}, has_lesson, [](App& app) { toggle_editing(hands_of(app), app.lesson); },
+     [](const App& app) { return app.lesson.editing; }, "teach write steps text"},
+    {"Lesson", "Add step from what is on screen", {}, has_lesson, [](App& app) { add_step(hands_of(app), app.lesson); }, nullptr, "teach write scene"},
+    {"Lesson", "Save lesson as...", {}, has_lesson, [](App& app) { save_lesson_dialog(app.ui, app.work, app.lesson); }, nullptr, "teach write tactlesson"},
+    {"Lesson", "Student sheet...", {}, has_lesson, [](App& app) { save_sheet_dialog(app.ui, app.work, app.lesson); }, nullptr, "teach print handout page html"},
+    {"Lesson", "Move the card", {}, has_lesson, [](App& app) { move_card(app.lesson); }, nullptr, "dock side"},
+    {"Lesson", "Leave the lesson", {}, has_lesson, leave_the_lesson, nullptr, "end tour"},
+
+    {"Help", "Guided tour", {}, always, begin_tour, nullptr, "learn teach explain"},
+    {"Help", "Guided tour from the start", {}, always,
      tour_from_the_start,
      nullptr, "learn teach explain"},
     {"Help", "Findings of the paper", {}, always,
@@ -332,11 +348,33 @@ std::vector<Command> with_examples(std::index_sequence<kPlaces...>) {
     return all;
 }
 
+template <std::size_t kPlace>
+void open_lesson_at(App& app) {
+    app.ui.waiting.emplace_back([&app] {
+        start_lesson(hands_of(app), app.lesson, bundled_lesson(kBundledLessons[kPlace].path), {});
+    });
+}
+
+// The lessons that come with the program stand in their menu behind what opens others.
+template <std::size_t... kPlaces>
+std::vector<Command> with_lessons(std::vector<Command> all, std::index_sequence<kPlaces...>) {
+    (all.push_back({"Lesson",
+                    kBundledLessons[kPlaces].name,
+                    {},
+                    always,
+                    open_lesson_at<kPlaces>,
+                    nullptr,
+                    "teach lecture class"}),
+     ...);
+    return all;
+}
+
 }  // namespace
 
 std::span<const Command> commands() {
     static const std::vector<Command> all =
-        with_examples(std::make_index_sequence<kExampleSets.size()>());
+        with_lessons(with_examples(std::make_index_sequence<kExampleSets.size()>()),
+                     std::make_index_sequence<kBundledLessons.size()>());
     return all;
 }
 

@@ -15,6 +15,7 @@
 #include "app/document/rating_files.h"
 #include "app/export/exports.h"
 #include "app/generate/generate_dialog.h"
+#include "app/lesson/lesson_edit.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/kept_models.h"
 #include "app/model_bench/training_follow.h"
@@ -28,6 +29,7 @@
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "app/window/animation.h"
+#include "model/io/lesson/lesson_file.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
@@ -60,6 +62,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"V", "eight neighbours of the pattern as rings in the map; V again, others"},
     {"T", "tap a rhythm; each press is a note as long as it is held"},
     {"Ctrl+C, Ctrl+V, Ctrl+A", "copy, paste, select all patterns"},
+    {"Ctrl+Shift+C", "copy a picture of the view, as it was exported last"},
     {"Space; comma, full stop", "play or stop; 5 ms back, on"},
     {"Esc", "silences everything, at once"},
     {"Double click on a point of the map", "play that pattern"},
@@ -76,6 +79,10 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Ctrl+1, Ctrl+2, Ctrl+3", "arrange the columns: design, physiology, space"},
     {"Ctrl+5", "studies: ask people, see what they said"},
     {"Double click on a pane's title", "maximise the pane; Esc puts it back"},
+    {"F5", "present the tour or the lesson on the whole screen"},
+    {"Page Up, Page Down in a lesson", "a step back, on; so do a clicker's keys"},
+    {"Arrows, Enter, Space; B; 1 to 9; M, presenting",
+     "steps; blank screen; count hands; move the card"},
     {"Ctrl+P", "command palette"},
     {"Drag, wheel, right drag in the space", "turn, zoom, move"},
     {"F; a click on D1, D2, D3", "fill the space with the selection; look along an axis"},
@@ -109,6 +116,7 @@ void draw_chooser(App& app) {
     if (!chosen) return;
     switch (app.ui.chooser_purpose) {
         case ChooserPurpose::open_document:
+            if (is_lesson_file(*chosen)) return open_lesson(hands_of(app), app.lesson, *chosen);
             return open_paths(app.ui, app.work, {*chosen});
         case ChooserPurpose::add_to_set:
             return add_paths(app.ui, app.work, {*chosen});
@@ -148,6 +156,13 @@ void draw_chooser(App& app) {
             return export_stages(app.ui, app.work, app.rendered, app.physiology, *chosen);
         case ChooserPurpose::export_animation:
             return export_animation(app, *chosen);
+        case ChooserPurpose::open_lesson:
+            return open_lesson(hands_of(app), app.lesson, *chosen);
+        case ChooserPurpose::save_lesson:
+            return save_lesson(app.ui, app.work, app.lesson, *chosen);
+        case ChooserPurpose::lesson_sheet:
+            app.lesson.sheet_to = *chosen;
+            return;
     }
 }
 
@@ -196,6 +211,8 @@ void drop_paths(App& app, const std::vector<std::filesystem::path>& paths) {
         return import_recordings(app.ui, app.work, app.importing, paths);
     }
     if (tables) return load_ratings(app.ui, app.work, app.layout, paths);
+    if (paths.size() == 1 && is_lesson_file(paths[0]))
+        return open_lesson(hands_of(app), app.lesson, paths[0]);
     open_paths(app.ui, app.work, paths);
 }
 

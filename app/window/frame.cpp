@@ -17,6 +17,8 @@
 #include "app/document/files.h"
 #include "app/document/pattern_looks.h"
 #include "app/export/exports.h"
+#include "app/lesson/lesson_card.h"
+#include "app/lesson/presenting.h"
 #include "app/map/map_follow.h"
 #include "app/measured/import_follow.h"
 #include "app/measured/import_state.h"
@@ -32,7 +34,6 @@
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_marks.h"
 #include "app/subset/subset_state.h"
-#include "app/tour/tour.h"
 #include "app/ui/widgets.h"
 #include "app/window/animation.h"
 #include "app/window/columns.h"
@@ -118,7 +119,7 @@ void follow_renaming(App& app, const Renaming& renaming) {
     const auto each = [&renaming](auto& names) {
         for (std::string& name : names) follow(renaming, name);
     };
-    follow(renaming, app.tour.before.pinned);
+    follow_renaming(app.lesson, renaming);
     follow(renaming, app.play.felt_on_hover);
     if (auto& sounding = app.play.sounding) {
         each(sounding->names);
@@ -198,6 +199,9 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_playhead(app);
     follow_input_mode(app, pressed);
     take_answers(app);
+    follow_document(hands_of(app), app.lesson);
+    watch_pointed(app.ui, app.lesson);
+    app.ui.presenting = is_presenting(app.lesson);
     follow_progress(app);
     app.work.selection.hovered_last = app.work.selection.hovered;
     app.work.selection.hovered.reset();
@@ -215,10 +219,15 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_training(app.ui, app.model_bench);
 }
 
-void draw_panes(App& app, std::span<const KeyPress> pressed) {
-    draw_menus(app);
+void draw_panes(App& app, std::span<const KeyPress> all_pressed) {
+    if (!is_presenting(app.lesson)) draw_menus(app);
+    const std::vector<KeyPress> pressed = take_lesson_keys(hands_of(app), app.lesson, all_pressed);
     run_shortcuts(app, pressed);
     follow_changes(app);
+    if (is_presenting(app.lesson)) {
+        draw_presentation(app);
+        return run_waiting(app);
+    }
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float gap = app.ui.theme.splitter_px;
     const float menu = ImGui::GetFrameHeight();
@@ -226,7 +235,9 @@ void draw_panes(App& app, std::span<const KeyPress> pressed) {
     const float foot = kStatusHeightPx * app.ui.theme.scale;
     draw_transport_bar(app.ui, app.work, app.timeline, app.shown_map, app.rendered, app.play,
                        {{gap, menu}, {screen.x - gap, top - gap}});
-    const Rect columns{{gap, top}, {screen.x - gap, screen.y - foot}};
+    const LessonPlaces places =
+        lesson_places(app.ui, app.lesson, {{gap, top}, {screen.x - gap, screen.y - foot}});
+    const Rect& columns = places.rest;
     if (app.studying.is_open) {
         draw_study_columns(app, columns);
     } else {
@@ -236,8 +247,9 @@ void draw_panes(App& app, std::span<const KeyPress> pressed) {
     run_waiting(app);
     draw_status(app, {{0.0F, screen.y - foot}, screen});
     draw_explain_window(app.ui, app.physiology, physiology_area(app, columns));
-    draw_tour(app.ui, app.work, app.layout, app.timeline, app.shown_map, app.physiology, app.tour,
-              columns);
+    draw_lesson_card(hands_of(app), app.lesson, places);
+    draw_pointed(app.ui, columns);
+    run_waiting(app);
 }
 
 }  // namespace
@@ -252,7 +264,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     begin_frame(app, pressed, time_s);
     if (is_study_running(app.studying)) {
         draw_study_pages(app.ui, app.work, app.play, app.studying, pressed);
-        autosave_if_due(app.ui, app.work);
+        if (!app.lesson.aside) autosave_if_due(app.ui, app.work);
         move_focus(app.ui);
         write_rects(app.ui.rects);
         return;
@@ -261,6 +273,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     draw_panes(app, pressed);
     draw_dialogs(app);
     draw_palette(app, pressed);
+    draw_over_presentation(app.ui, app.lesson);
     run_waiting(app);
     follow_changes(app);
     hear_edits(app.ui, app.work, app.timeline, app.play);
@@ -269,13 +282,15 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     note_map_places(app.work, app.shown_map);
     follow_map(app.work, app.shown_map, app.rendered);
     follow_current(app.work, app.rendered, app.physiology);
+    follow_pair(app.work, app.shown_map, app.physiology);
     follow_comparing(app.work, app.layout, app.shown_map, app.rendered, app.comparing);
     follow_subset(app.work, app.layout, app.shown_map, app.picking);
     check_applied(app.ui, app.work, app.shown_map, app.picking);
     follow_steps(app.ui, app.work, app.steps);
     follow_put(app.ui, app.work, app.shown_map, app.maybes);
     follow_maybes(app.ui, app.work, app.shown_map, app.maybes);
-    autosave_if_due(app.ui, app.work);
+    // The set of a lesson is not the person's.
+    if (!app.lesson.aside) autosave_if_due(app.ui, app.work);
     move_focus(app.ui);
     write_rects(app.ui.rects);
 }

@@ -2,6 +2,7 @@
 
 #include "app/ask/maybes_follow.h"
 #include "app/compare/compare_follow.h"
+#include "app/lesson/lesson.h"
 #include "app/map/map_follow.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/training_follow.h"
@@ -20,6 +21,7 @@ void make_jobs(App& app) {
     make_maybes_jobs(app.ui, app.maybes);
     make_effect_job(app.ui, app.exports.effects);
     make_training_job(app.ui, app.model_bench);
+    make_lesson_job(app.ui, app.lesson);
 }
 
 void stop_jobs(App& app) {
@@ -42,11 +44,13 @@ void stop_jobs(App& app) {
     app.shown_map.preview_job.reset();
     app.physiology.stages_job.reset();
     app.physiology.pinned_job.reset();
+    app.lesson.job.reset();
 }
 
 void take_answers(App& app) {
     take_maps(app.ui, app.shown_map);
     take_stages(app.physiology);
+    follow_lesson(app.lesson);
     take_compare_answers(app.rendered, app.comparing);
 }
 

@@ -1,8 +1,13 @@
 #include "app/window/main_window.h"
 
+#include <unistd.h>
+
+#include <iostream>
+
 #include "app/compare/compare_follow.h"
 #include "app/document/files.h"
 #include "app/export/exports.h"
+#include "app/lesson/presenting.h"
 #include "app/map/map_follow.h"
 #include "app/play/emergency_stop.h"
 #include "app/play/playing.h"
@@ -27,10 +32,19 @@ WindowOptions options_of(const App& app) {
     return options;
 }
 
+// Notes for who speaks, on the first line of the terminal where there is one, else a line each.
+void tell_speaker(const std::string& line, std::string& told) {
+    if (line == told) return;
+    told = line;
+    if (line.empty()) return;
+    const bool terminal = ::isatty(STDERR_FILENO) == 1;
+    std::cerr << (terminal ? "\033[H\033[2J" : "") << line << std::endl;
+}
+
 FrameRequest draw_window_frame(App& app, EmergencyStop& stop, const FrameContext& context) {
     app.play.halted |= stop.take();
     app.ui.content_scale = context.content_scale;
-    if (!is_study_running(app.studying)) {  // which fills the screen
+    if (!is_study_running(app.studying) && !is_presenting(app.lesson)) {  // those fill the screen
         app.work.session.window_width = context.width;
         app.work.session.window_height = context.height;
         app.work.session.window_maximised = context.maximised;
@@ -45,7 +59,8 @@ FrameRequest draw_window_frame(App& app, EmergencyStop& stop, const FrameContext
     request.wake_after_s = next_wake_s(app);
     request.rebuild_fonts = app.ui.fonts_outdated;
     request.close = app.ui.quit;
-    request.full_screen = is_study_running(app.studying);
+    request.full_screen = is_study_running(app.studying) || is_presenting(app.lesson);
+    tell_speaker(speaker_line(app.lesson), app.lesson.told);
     request.title = document_title(app.work) + " - tactspace";
     request.background = app.ui.theme.background;
     return request;

@@ -63,7 +63,7 @@ std::string item_text(const App& app, const Command& command) {
 
 void draw_menus(App& app) {
     if (!ImGui::BeginMainMenuBar()) return;
-    for (const char* menu : {"File", "Edit", "View", "Play", "Study", "Help"}) {
+    for (const char* menu : {"File", "Edit", "View", "Play", "Study", "Lesson", "Help"}) {
         const bool open = ImGui::BeginMenu(menu);
         note_item(app.ui.rects, std::string("menu:") + menu);
         if (!open) continue;

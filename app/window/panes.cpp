@@ -29,9 +29,9 @@
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_marks.h"
 #include "app/subset/subset_panel.h"
-#include "app/tour/tour.h"
 #include "app/ui/widgets.h"
 #include "app/window/columns.h"
+#include "app/window/command_actions.h"
 #include "app/window/frame.h"
 #include "model/map/mds.h"
 
@@ -284,9 +284,8 @@ void draw_content(App& app, Pane pane) {
             return draw_editor(app);
         case Pane::physiology:
             if (draw_physiology_panel(app.ui, app.work, app.timeline, app.physiology,
-                                      app.tour.left_at > 0))
-                start_tour(app.ui, app.work, app.layout, app.timeline, app.shown_map,
-                           app.physiology, app.tour);
+                                      app.lesson.left_at > 0))
+                begin_tour(app);
             return;
         case Pane::space:
             return draw_space(app);

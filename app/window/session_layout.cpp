@@ -6,9 +6,11 @@
 #include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/document/unsaved.h"
+#include "app/lesson/lesson.h"
 #include "app/play/playing.h"
 #include "app/session/autosave.h"
 #include "app/study/study_follow.h"
+#include "model/io/lesson/lesson_file.h"
 #include "model/text/atomic_file.h"
 
 namespace tact {
@@ -19,6 +21,14 @@ void leave_study(App& app) {
     using What = StudyEvent::What;
     for (const What what : {What::ask, What::leave})
         act(app.ui, app.work, app.play, app.studying, {what, 0, 0.0, {}, {}});
+}
+
+// The document is the person's own again; a tour is taken up where it was.
+void end_lesson(App& app) {
+    if (!app.lesson.step) return;
+    const std::size_t at = *app.lesson.step;
+    leave_lesson(hands_of(app), app.lesson);
+    if (app.lesson.is_tour) app.lesson.left_at = at;
 }
 
 void discard_and_quit(App& app) {
@@ -105,7 +115,11 @@ Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>&
     app.ui.text_scale = std::clamp(static_cast<float>(app.work.session.text_scale), 0.75F, 2.0F);
     restore_layout(app);
     restore_devices(app.work, app.play);
-    if (paths.empty()) {
+    if (paths.size() == 1 && is_lesson_file(paths[0])) {
+        take_up_session(app);
+        open_lesson(hands_of(app), app.lesson, paths[0]);
+        if (!app.lesson.step) return Error{app.ui.status.text};
+    } else if (paths.empty()) {
         take_up_session(app);
     } else if (const Expected<Done> opened = open_instead(app, paths); !opened) {
         return opened.error();
@@ -124,7 +138,11 @@ void keep_layout(App& app) {
     kept["pitch_rad"] = app.shown_map.camera.pitch_rad;
     kept["zoom"] = app.shown_map.camera.zoom;
     kept["dimensions"] = app.shown_map.dimensions;
-    kept["tour_step"] = static_cast<double>(app.tour.step.value_or(app.tour.left_at));
+    kept["tour_step"] = static_cast<double>(
+        app.lesson.is_tour ? app.lesson.step.value_or(app.lesson.left_at) : app.lesson.left_at);
+    kept["card_side"] = static_cast<double>(app.lesson.dock);
+    kept["card_share"] = static_cast<double>(app.lesson.card_share);
+    kept["present_scale"] = static_cast<double>(app.lesson.present_scale);
     kept["strip_height"] = static_cast<double>(app.pattern_panes.strip.height);
     kept["own_heights"] = app.work.own_heights ? 1.0 : 0.0;
     kept["motion"] = app.ui.motion ? 1.0 : 0.0;
@@ -148,7 +166,10 @@ void restore_layout(App& app) {
     app.shown_map.camera.pitch_rad = value("pitch_rad", -1.6, 1.6, app.shown_map.camera.pitch_rad);
     app.shown_map.camera.zoom = value("zoom", kLeastZoom, kMostZoom, app.shown_map.camera.zoom);
     app.shown_map.dimensions = value("dimensions", 2.0, 3.0, 3.0) < 2.5 ? 2 : 3;
-    app.tour.left_at = static_cast<std::size_t>(value("tour_step", 0.0, 10.0, 0.0));
+    app.lesson.left_at = static_cast<std::size_t>(value("tour_step", 0.0, 200.0, 0.0));
+    app.lesson.dock = static_cast<DockSide>(static_cast<int>(value("card_side", 0.0, 3.0, 0.0)));
+    share("card_share", 0.15F, 0.5F, app.lesson.card_share);
+    share("present_scale", 1.0F, 3.0F, app.lesson.present_scale);
     float& strip_height = app.pattern_panes.strip.height;
     strip_height = static_cast<float>(value("strip_height", kStripHeight.low, kStripHeight.high,
                                             static_cast<double>(strip_height)));
@@ -158,6 +179,7 @@ void restore_layout(App& app) {
 
 bool may_close(App& app) {
     if (is_study_running(app.studying)) leave_study(app);
+    end_lesson(app);
     wait_for_autosave(app.work);
     const Expected<Done> kept = autosave(app.work.session, app.work.document);
     if (kept) return true;
@@ -176,6 +198,7 @@ void quit(App& app) {
 }
 
 void end_session(App& app) {
+    end_lesson(app);
     app.work.session.theme = app.ui.dark ? "dark" : "light";
     app.work.session.dismissed_hints = app.ui.dismissed_hints;
     app.work.session.text_scale = static_cast<double>(app.ui.text_scale);

@@ -196,6 +196,7 @@ Picture view_picture(StillView& of, PictureView view, double at_s, const Picture
     still.ui.dark = size.dark;
     still.ui.as_picture = view != PictureView::window;
     still.timeline.playhead.at_s = at_s;
+    follow_reach(still.work.cache, still.work.document.set, still.work.revision);
     const double duration_s = shown_duration_s(still.work);
     still.timeline.range = followed(fitted(still.timeline.range, duration_s), at_s, duration_s);
     PictureOptions options;

@@ -9,6 +9,7 @@
 #include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
 #include "model/io/effects_out/write_effect.h"
+#include "model/io/lesson/lesson_file.h"
 #include "model/io/people/exclusions_file.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/people/study_file.h"
@@ -65,6 +66,20 @@ PatternSet drawn_set() {
 }
 
 Seeds set_seeds() { return {print_set(PatternSet{}), print_set(drawn_set())}; }
+
+bool lesson(std::string_view bytes) {
+    return round_trip([](std::string_view text) { return parse_lesson(text, "fuzz.json", "/"); },
+                      [](const Lesson& read) { return print_lesson(read, {}); }, bytes);
+}
+
+Seeds lesson_seeds() {
+    Lesson own;
+    own.set = drawn_set();
+    own.steps.resize(2);
+    own.steps[1].camera.emplace();
+    own.steps[1].question = LessonQuestion{.ask = "Which?", .options = {"this", "that"}};
+    return {print_lesson(own, {}), std::string(asset("lessons/twins.tactlesson.json"))};
+}
 
 bool model(std::string_view bytes) {
     return round_trip([](std::string_view text) { return parse_model(text, "fuzz.json"); },
@@ -274,6 +289,7 @@ Seeds tables_seeds() {
 std::span<const Reader> text_readers() {
     static const std::vector<Reader> all{
         {"set", set, set_seeds, {"\"patterns\"", "\"rhythm\"", "\"carriers\"", "\"ratings\""}},
+        {"lesson", lesson, lesson_seeds, {"\"steps\"", "\"question\"", "\"pairs\"", "{nc | "}},
         {"model", model, model_seeds, {"\"training\"", "\"sets\"", "\"weights\""}},
         {"exclusions", exclusions, exclusion_seeds, {"\"excluded\"", "\"because\""}},
         {"study", study, study_seeds, {"\"answer\"", "\"sorting\"", "\"groups\"", "\"pair\""}},

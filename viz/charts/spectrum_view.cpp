@@ -9,6 +9,7 @@
 #include <string>
 
 #include "model/common/units.h"
+#include "viz/charts/threshold_curves.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 
@@ -17,14 +18,11 @@ namespace {
 
 constexpr PlotLabels kLabels{.x_unit = "Hz", .y_unit = "dB re 1 µm"};
 
-double threshold_db(const Curve& threshold, double frequency_hz) {
-    return 20.0 * at(threshold, frequency_hz);
-}
-
 // Every threshold and every component that comes near one is in view.
 Axis level_axis(const SpectrumScene& scene) {
     Axis axis{.low = 1e9, .high = -1e9};
     for (const Curve& threshold : *scene.thresholds) {
+        if (threshold_db(threshold, kLowestComponentHz) >= kOutOfReachDb) continue;
         for (double f = kLowestComponentHz; f <= kHighestComponentHz; f *= 1.25) {
             axis.low = std::min(axis.low, threshold_db(threshold, f));
             axis.high = std::max(axis.high, threshold_db(threshold, f));
@@ -58,15 +56,6 @@ void draw_bar(ImDrawList& list, const Theme& theme, const Plot& plot, const Spec
     bar(1.5F * theme.scale, plot.y.low, silent_to, faded(theme.dim_text, hovered ? 0.9F : 0.4F));
     if (level <= felt_from) return;
     bar(2.5F * theme.scale, felt_from, level, hovered ? theme.accent : scene.colour);
-}
-
-void draw_threshold(ImDrawList& list, const Plot& plot, const Curve& threshold, ImU32 colour,
-                    float width_px) {
-    std::vector<ImVec2> points;
-    for (float x = plot.area.min.x; x < plot.area.max.x + 2.0F; x += 2.0F) {
-        points.push_back({x, to_pixel(plot.y, threshold_db(threshold, to_value(plot.x, x)))});
-    }
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, width_px);
 }
 
 // Marks where the strongest components cross a type's threshold: the types that hear them.
@@ -187,15 +176,18 @@ SpectrumAction draw_spectrum(const char* id, const Theme& theme, const Rect& are
         action.hovered = nearest(theme, plot, scene.components, mouse.x);
     }
 
+    take_curve(id, theme, plot, scene, action);
     const PerReceptor<bool> hears = reached(scene.components, *scene.thresholds);
     draw_axes(list, theme, plot, kLabels);
+    draw_tick_of_peak(list, theme, plot);
     list.PushClipRect(plot.area.min, plot.area.max, true);
     for (std::size_t i = 0; i < scene.components.size(); ++i) {
         draw_bar(list, theme, plot, scene, scene.components[i], action.hovered == i);
     }
+    draw_ghosts(list, theme, plot, scene);
     for (std::size_t i = 0; i < kReceptorCount; ++i) {
         const ImU32 colour = faded(theme.receptor[i], hears[i] ? 1.0F : 0.45F);
-        draw_threshold(list, plot, (*scene.thresholds)[i], colour, theme.trace_px);
+        draw_threshold(list, theme, plot, kReceptors[i], (*scene.thresholds)[i], colour);
     }
     draw_crossings(list, theme, plot, scene);
     list.PopClipRect();

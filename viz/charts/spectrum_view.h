@@ -4,6 +4,7 @@
 // Source    thresholds: the model's own tables, so that the picture and the prediction agree.
 // Input     an amplitude spectrum in g; 1-500 Hz of it are shown
 // Output    the component under the mouse
+//           A threshold is dashed beyond the band of its type (mechanoreceptor.h).
 // Left out  phase, components below 1e-9 g (the model ignores them too).
 #pragma once
 
@@ -20,12 +21,17 @@ namespace tact {
 struct SpectrumScene {
     std::span<const Component> components{};         // by ascending frequency
     const PerReceptor<Curve>* thresholds = nullptr;  // log10 um; never null
+    const PerReceptor<Curve>* ghosts = nullptr;      // as they were, where they differ; or null
     ImU32 colour = 0;                                // of components that are felt
     bool stale = false;
+    bool curves_move = false;  // thresholds can be taken by the mouse
 };
 
 struct SpectrumAction {
     std::optional<std::size_t> hovered{};  // index of a component
+    std::optional<Receptor> taken{};       // whose threshold is held by the mouse
+    double moved_db = 0.0;                 // of it, in this frame
+    bool released = false;                 // the mouse has let it go
 };
 
 SpectrumAction draw_spectrum(const char* id, const Theme& theme, const Rect& area,

@@ -113,7 +113,7 @@ std::string draw_svg(int width, int height, const PictureOptions& options,
     return text;
 }
 
-Expected<Done> write_png(const std::string& path, const Image& image) {
+Expected<std::string> png_bytes(const Image& image) {
     std::string bytes;
     const auto append = [](void* context, void* data, int size) {
         static_cast<std::string*>(context)->append(static_cast<const char*>(data),
@@ -121,8 +121,14 @@ Expected<Done> write_png(const std::string& path, const Image& image) {
     };
     const int done = stbi_write_png_to_func(append, &bytes, image.width, image.height, 4,
                                             image.rgba.data(), 4 * image.width);
-    if (done == 0) return Error{path + ": the picture could not be encoded as PNG"};
-    return write_atomically(path, bytes);
+    if (done == 0) return Error{"the picture could not be encoded as PNG"};
+    return bytes;
+}
+
+Expected<Done> write_png(const std::string& path, const Image& image) {
+    const Expected<std::string> bytes = png_bytes(image);
+    if (!bytes) return Error{path + ": " + bytes.error().message};
+    return write_atomically(path, *bytes);
 }
 
 }  // namespace tact

@@ -64,6 +64,8 @@ Image draw_picture(int width, int height, const PictureOptions& options,
 std::string draw_svg(int width, int height, const PictureOptions& options,
                      const std::function<void(const Theme&)>& draw);
 
+Expected<std::string> png_bytes(const Image& image);
+
 // Writes a PNG; a failed write leaves an existing file as it was.
 Expected<Done> write_png(const std::string& path, const Image& image);
 

@@ -11,10 +11,12 @@ namespace tact {
 namespace {
 
 // The round end of the finger points up; toward the joint its sides are straighter.
+double roundness(double y) { return y < 0.0 ? 2.1 : 2.9; }
+
 ImVec2 fingertip_at(const SkinView& view, double turn_rad, double size) {
     const double c = std::cos(turn_rad);
     const double s = std::sin(turn_rad);
-    const double power = 2.0 / (s < 0.0 ? 2.1 : 2.9);
+    const double power = 2.0 / roundness(s);
     const auto along = [&](double part) {
         return std::copysign(std::pow(std::abs(part), power), part);
     };
@@ -45,6 +47,13 @@ ImVec2 to_pixel(const SkinView& view, double x_mm, double y_mm, double raised) {
     const float s = std::sin(view.yaw_rad);
     return view.probe_px + ImVec2{x * c - y * s, (x * s + y * c) * view.foreshorten -
                                                      static_cast<float>(raised) * view.height_px};
+}
+
+bool is_on_fingertip(double x_mm, double y_mm) {
+    const double power = roundness(y_mm);
+    return std::pow(std::abs(2.0 * x_mm / kFingertipWidthMm), power) +
+               std::pow(std::abs(2.0 * y_mm / kFingertipLengthMm), power) <=
+           1.0;
 }
 
 ImU32 skin_colour(const Theme& theme) { return mixed(theme.pane, theme.field, 0.9F); }

@@ -29,6 +29,9 @@ SkinView skin_view(const Rect& square, double half_extent_mm, float tilted);
 // A place relative to the probe, raised by a value of 0..1.
 ImVec2 to_pixel(const SkinView& view, double x_mm, double y_mm, double raised = 0.0);
 
+// Within the outline that draw_fingertip() draws, from the probe.
+bool is_on_fingertip(double x_mm, double y_mm);
+
 ImU32 skin_colour(const Theme& theme);
 
 // A round shape with a soft edge; the tip points up.

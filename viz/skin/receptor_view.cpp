@@ -37,6 +37,7 @@ struct Mark {
     float foot_y;  // of its place on the skin
     double value;
     float flash;
+    bool beyond;  // the finger's edge
 };
 
 std::vector<Mark> marks_of(const Theme& theme, const ReceptorLayout& layout,
@@ -50,7 +51,9 @@ std::vector<Mark> marks_of(const Theme& theme, const ReceptorLayout& layout,
         const ImVec2 at =
             to_pixel(layout.skin, scene.grid->x_mm(receptor), scene.grid->y_mm(receptor), value);
         const float foot_y = at.y + static_cast<float>(value) * layout.skin.height_px;
-        marks.push_back({at, radius * (1.0F + 0.35F * flash), foot_y, value, flash});
+        const bool beyond =
+            !is_on_fingertip(scene.grid->x_mm(receptor), scene.grid->y_mm(receptor));
+        marks.push_back({at, radius * (1.0F + 0.35F * flash), foot_y, value, flash, beyond});
     }
     return marks;
 }
@@ -107,8 +110,11 @@ void draw_stems(ImDrawList& list, const Theme& theme, const ReceptorLayout& layo
 // A firing receptor takes the text's colour, which stands out most in either theme, with a touch of
 // its own.
 void draw_mark(ImDrawList& list, const Theme& theme, const ReceptorScene& scene, const Mark& mark) {
-    const ImU32 resting = value_colour(theme, scene.receptor, mark.value);
-    const ImU32 firing = mixed(hue_of(theme, scene), theme.text, theme.is_dark ? 0.9F : 0.75F);
+    const ImU32 grey = mixed(theme.pane, theme.dim_text, 0.45F);
+    const ImU32 resting = mark.beyond ? grey : value_colour(theme, scene.receptor, mark.value);
+    const ImU32 firing =
+        mark.beyond ? mixed(grey, theme.dim_text, 0.6F)
+                    : mixed(hue_of(theme, scene), theme.text, theme.is_dark ? 0.9F : 0.75F);
     draw_receptor_mark(list, theme, mark.at, mark.radius, scene.receptor,
                        mixed(resting, firing, mark.flash));
 }
@@ -144,7 +150,7 @@ void draw_marks(ImDrawList& list, const Theme& theme, const ReceptorScene& scene
     }
     const ImU32 glow = hue_of(theme, scene);
     for (const Mark& mark : marks) {
-        if (mark.flash <= 0.0F) continue;
+        if (mark.flash <= 0.0F || mark.beyond) continue;
         draw_disc(list, theme, mark.at, 1.8F * mark.radius, faded(glow, 0.32F * mark.flash));
     }
     for (const std::size_t i : order) {

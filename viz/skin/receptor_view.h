@@ -7,7 +7,7 @@
 // Valid     any number of receptors; each costs a few quads
 // Left out  easing (the caller moves `tilted` and lets flashes fade), what a read-out says (the
 //           caller draws it at `hovered_at`), the edge of the finger as a limit (the model has
-//           none).
+//           none): receptors beyond it are grey.
 #pragma once
 
 #include <cstddef>

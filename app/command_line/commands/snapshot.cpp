@@ -5,8 +5,10 @@
 #include "app/command_line/commands.h"
 #include "app/command_line/interrupt.h"
 #include "app/command_line/output.h"
+#include "app/pictures/film.h"
 #include "app/pictures/frame_sequence.h"
 #include "app/pictures/pictures.h"
+#include "app/session/folders.h"
 #include "app/window/view_pictures.h"
 #include "model/evaluation/metric.h"
 #include "model/io/recordings/recording.h"
@@ -26,6 +28,8 @@ bool shows_pattern(const SnapshotCommand& command) {
     return shows_time(command) || command.view == "wave" || command.view == "spectrum";
 }
 
+bool is_moving(const SnapshotCommand& command) { return command.frames > 0 || command.slower; }
+
 // What goes together; the numbers are looked at when the set's duration is known.
 Expected<Done> check_options(const SnapshotCommand& command) {
     const auto needs = [](const char* option, const char* what) {
@@ -40,9 +44,19 @@ Expected<Done> check_options(const SnapshotCommand& command) {
         if (!command.stage.empty()) return needs("--stage", kMoving);
         if (command.tilted) return needs("--tilted", kMoving);
         if (command.at_s) return needs("--at", kMoving);
-        if (command.frames > 0) return needs("--frames", "a view that moves: physiology or window");
+        if (is_moving(command)) {
+            return needs(command.slower ? "--slower" : "--frames",
+                         "a view that moves: physiology or window");
+        }
     }
-    if (command.frames == 0) {
+    if (command.figures && is_moving(command)) return Error{"--figures stand still; no --frames"};
+    if (command.frames > 0 && command.slower) {
+        return Error{"--slower says how many --frames there are; expected one of the two"};
+    }
+    if (!is_moving(command)) {
+        if (film_format(command.out)) {
+            return needs(extension_of(command.out).c_str(), "--slower or --frames");
+        }
         if (command.from_s) return needs("--from", "--frames");
         if (command.to_s) return needs("--to", "--frames");
         return Done{};
@@ -129,6 +143,17 @@ Expected<Picture> picture_of_view(const SnapshotCommand& command, const PatternS
     return view_picture(*view, choice->view, at_s, size);
 }
 
+double frames_per_s(const SnapshotCommand& command) {
+    return film_format(command.out) ? kFilmFileFramesPerS : kFilmFramesPerS;
+}
+
+FrameSequence with_frames(const SnapshotCommand& command, FrameSequence sequence) {
+    if (!command.slower) return sequence;
+    sequence.frames =
+        frames_of(sequence.to_s - sequence.from_s, *command.slower, frames_per_s(command));
+    return sequence;
+}
+
 Expected<FrameSequence> sequence_of(const SnapshotCommand& command, double whole_s) {
     const FrameSequence sequence{command.out, command.from_s.value_or(0.0),
                                  command.to_s.value_or(whole_s), command.frames};
@@ -138,9 +163,30 @@ Expected<FrameSequence> sequence_of(const SnapshotCommand& command, double whole
     if (const auto within = check_time("--to", sequence.to_s, whole_s); !within) {
         return within.error();
     }
-    if (sequence.from_s < sequence.to_s) return sequence;
+    if (sequence.from_s < sequence.to_s) return with_frames(command, sequence);
     return Error{"--to " + seconds_text(sequence.to_s) + ": expected a time after --from " +
                  seconds_text(sequence.from_s)};
+}
+
+// A file that is whole or not there.
+Expected<Done> draw_film(const SnapshotCommand& command, const PatternSet& set,
+                         const ViewChoice& choice, const FrameSequence& sequence,
+                         const PictureSize& size, const Interrupt& interrupt) {
+    const auto film = open_film(command.out, size.width, size.height);
+    if (!film) return film.error();
+    const auto view = opened_view(set, choice);
+    const auto progress = progress_line("drawing frames");
+    for (int k = 0; k < sequence.frames; ++k) {
+        if (interrupt.token().stop_requested()) return Error{"stopped; no film was written"};
+        const Picture picture =
+            view_picture(*view, choice.view, time_of_frame_s(sequence, k), size);
+        if (const auto added = add_frame(**film, std::get<Image>(picture)); !added) return added;
+        progress(static_cast<double>(k + 1) / static_cast<double>(sequence.frames));
+    }
+    if (const Expected<Done> done = finish(**film); !done) return done;
+    std::cerr << "tactspace: wrote " << sequence.frames << " frames, "
+              << film_speed(sequence, kFilmFileFramesPerS) << "\n";
+    return Done{};
 }
 
 Expected<Done> draw_sequence(const SnapshotCommand& command, const PictureSize& size) {
@@ -151,6 +197,9 @@ Expected<Done> draw_sequence(const SnapshotCommand& command, const PictureSize& 
     if (!choice) return choice.error();
     const Expected<FrameSequence> sequence = sequence_of(command, longest_s(*set));
     if (!sequence) return sequence.error();
+    if (film_format(command.out)) {
+        return draw_film(command, *set, *choice, *sequence, size, interrupt);
+    }
     if (const Expected<Done> open = open_sequence(*sequence); !open) return open;
     const auto view = opened_view(*set, *choice);
     const auto progress = progress_line("drawing frames");
@@ -171,6 +220,30 @@ Expected<Done> draw_sequence(const SnapshotCommand& command, const PictureSize& 
     return Done{};
 }
 
+// For a paper: one stage a file, by the key of the stage.
+Expected<Done> draw_figures(const SnapshotCommand& command, PictureSize size) {
+    if (command.view != "physiology") return Error{"--figures needs --view physiology"};
+    if (!command.stage.empty())
+        return Error{"--figures are of every --stage; expected one of the two"};
+    const Expected<PatternSet> set = load_as_meant(command.common);
+    if (!set) return set.error();
+    const double at_s = command.at_s.value_or(0.0);
+    if (const auto within = check_time("--at", at_s, longest_s(*set)); !within) return within;
+    Expected<ViewChoice> choice = view_choice(command, *set);
+    if (!choice) return choice.error();
+    if (const Expected<Done> made = make_folder(command.out); !made) return made;
+    size.format = PictureFormat::svg;
+    for (const Stage stage : kStages) {
+        choice->stage = stage;
+        const auto view = opened_view(*set, *choice);
+        const Picture picture = view_picture(*view, choice->view, at_s, size);
+        const auto path = command.out / (std::string(text_of(stage).key) + ".svg");
+        if (const auto written = write_picture(path, picture); !written) return written;
+        std::cerr << "tactspace: wrote " << path.string() << "\n";
+    }
+    return Done{};
+}
+
 }  // namespace
 
 Expected<Done> run(const SnapshotCommand& command) {
@@ -180,7 +253,8 @@ Expected<Done> run(const SnapshotCommand& command) {
     size.height = command.height;
     size.scale = static_cast<float>(command.scale);
     size.dark = command.theme == "dark";
-    if (command.frames > 0) return draw_sequence(command, size);
+    if (command.figures) return draw_figures(command, size);
+    if (is_moving(command)) return draw_sequence(command, size);
     const Expected<PictureFormat> format = picture_format(command.out);
     if (!format) return format.error();
     size.format = *format;

@@ -19,7 +19,7 @@ namespace {
 // Everything in the program that keeps "p2" by its name.
 std::vector<std::string> names_kept(App& app) {
     const SubsetState& subset = app.picking;
-    return {app.work.selection.partner,  app.work.selection.pinned, app.tour.before.pinned,
+    return {app.work.selection.partner,  app.work.selection.pinned, app.lesson.before.pinned,
             subset.reference_a,          subset.opened->first,      app.play.sounding->names.at(0),
             app.importing.patterns.at(0)};
 }
@@ -32,7 +32,7 @@ TEST_CASE("rename: a pattern stays in the study, in pairs, pinned, and among wha
     app.work.document.set.study.patterns = {"p1", "p2", "p4"};
     app.work.document.set.ratings = {{"P", {"p1", "p2", "p3", "p4"}, {1, 2, 3, 4, 5, 6}, {}}};
     commit_step(app.ui, app.work, "study");
-    app.work.selection.partner = app.work.selection.pinned = app.tour.before.pinned = "p2";
+    app.work.selection.partner = app.work.selection.pinned = app.lesson.before.pinned = "p2";
     app.picking.reference_a = "p2";
     app.picking.opened = {"p2", "p3"};
     app.play.sounding = Sounding{.names = {"p2", "p1"}};

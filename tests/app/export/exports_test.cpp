@@ -214,6 +214,7 @@ TEST_CASE("exports: an animation is drawn a frame at a time while the window goe
     program.app.exports.frame_size.width = 300;
     program.app.exports.frame_size.height = 400;
     program.settle();
+    program.click("export as:Pictures in a folder");
     program.click("button:choose");
     CHECK(program.app.ui.chooser.name == "p1 frames");
     exporting.answer("p1 frames");
@@ -235,6 +236,36 @@ TEST_CASE("exports: an animation is drawn a frame at a time while the window goe
     CHECK(names_in(out) == std::set<std::string>{"frame_0001.png", "frame_0002.png",
                                                  "frame_0003.png", "frame_0004.png"});
     CHECK(pictures.size() == 4);
+}
+
+TEST_CASE("exports: an animation is one file, as much slower as asked for, or none at all") {
+    Exporting exporting;
+    Program& program = exporting.program;
+    exporting.run("Export animation...");
+    program.click("export preset:720");
+    CHECK(program.app.exports.frame_size.width == 1280);
+    program.app.exports.frame_size.width = 200;
+    program.app.exports.frame_size.height = 120;
+    program.app.exports.frames = 5;  // of 0.1 s, at 25 a second
+    program.settle();
+    CHECK(program.at("export:slower").value == "2");
+    program.click("export as:APNG");
+    program.click("button:choose");
+    CHECK(program.app.ui.chooser.name == "p1.apng");
+    exporting.answer("p1.apng");
+    const fs::path out = exporting.folder.path / "p1.apng";
+    for (int k = 0; k < 5; ++k) {
+        CHECK_FALSE(fs::exists(out));
+        exporting.frame();
+    }
+    CHECK(contains(bytes_of(out), "acTL"));
+    CHECK(contains(exporting.status(), "2.00 times slower than life"));
+    export_animation(program.app, exporting.folder.path / "b.gif");
+    exporting.frame();
+    program.press_key(key::kEscape);
+    CHECK_FALSE(is_exporting(program.app));
+    CHECK(exporting.status() == "Export cancelled; no file was written.");
+    CHECK_FALSE(fs::exists(exporting.folder.path / "b.gif"));
 }
 
 TEST_CASE("exports: an animation is of the moment it began, whatever is edited meanwhile") {

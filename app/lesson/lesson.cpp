@@ -1,0 +1,239 @@
+#include "app/lesson/lesson.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
+#include "app/document/unsaved.h"
+#include "app/session/autosave.h"
+#include "assets/assets.h"
+#include "model/io/lesson/lesson_file.h"
+
+namespace tact {
+
+namespace {
+
+ViewBeforeLesson view_of(const LessonHands& hands) {
+    return {hands.layout,
+            hands.work.selection.current,
+            hands.work.selection.pinned,
+            hands.timeline.playhead,
+            hands.timeline.range,
+            hands.physiology.view.open,
+            hands.shown_map.camera,
+            hands.ui.text_scale};
+}
+
+// What was typed a moment ago is on the disk before the document goes aside, as nothing of it is
+// kept while the lesson shows its own set.
+void keep_on_disk(Workspace& work) {
+    wait_for_autosave(work);
+    const bool pending = work.autosave_pending || work.unsaved_revision != work.revision;
+    if (pending) (void)autosave(work.session, work.document);
+    work.autosave_pending = false;
+}
+
+// As opening does, but that nothing is told to the session.
+void show_in_place(Ui& ui, Workspace& work, Document document) {
+    work.document = std::move(document);
+    ++work.document_number;
+    work.changes = {};
+    ui.fonts_outdated = true;
+    document_changed(work);
+}
+
+void put_aside(const LessonHands& hands, LessonState& state, const PatternSet& set) {
+    Workspace& work = hands.work;
+    keep_on_disk(work);
+    state.aside = SetAside{work.document, work.history,   work.committed,
+                           work.effects,  work.selection, work.side};
+    PatternSet shown = set;
+    give_looks(shown);
+    work.effects = {};
+    work.selection = {};
+    work.side = Side::both;
+    work.history.clear();
+    work.committed = std::make_shared<const PatternSet>(shown);
+    show_in_place(hands.ui, work, {shown, {}, shown});
+    work.unsaved = false;
+    state.document_number = work.document_number;
+}
+
+void bring_back(const LessonHands& hands, LessonState& state) {
+    if (!state.aside) return;
+    SetAside aside = *std::exchange(state.aside, std::nullopt);
+    Workspace& work = hands.work;
+    show_in_place(hands.ui, work, std::move(aside.document));
+    work.history = std::move(aside.history);
+    work.committed = std::move(aside.committed);
+    work.effects = std::move(aside.effects);
+    work.selection = std::move(aside.selection);
+    work.side = aside.side;
+    work.unsaved_revision = 0;  // look again
+}
+
+// Room for the card and for what the step shows; a pane that filled the window still does.
+void arrange(const LessonHands& hands, const LessonState& state, const LessonStep& step) {
+    Layout& layout = hands.layout;
+    layout = state.before.layout;
+    const bool map = shows_map(step);
+    layout.left = 0.18F;
+    layout.right = map ? 0.5F : 0.26F;
+    if (map) layout.right_split = 0.72F;
+    if (layout.maximised) layout.maximised = map ? Pane::space : Pane::physiology;
+}
+
+}  // namespace
+
+std::shared_ptr<const Lesson> bundled_lesson(const char* path) {
+    auto lesson = parse_lesson(asset(path), path, {});
+    assert(lesson && "a lesson that comes with the program does not parse");
+    return std::make_shared<const Lesson>(*std::move(lesson));
+}
+
+std::optional<Stage> stage_of_view(const std::string& view) { return stage_named(view); }
+
+bool shows_map(const LessonStep& step) { return step.view == "map"; }
+
+const LessonStep* step_of(const LessonState& state) {
+    return state.step && state.lesson ? &state.lesson->steps[*state.step] : nullptr;
+}
+
+void go_to_step(const LessonHands& hands, LessonState& state, std::size_t to) {
+    if (!state.lesson || state.lesson->steps.empty()) return;
+    state.step = std::min(to, state.lesson->steps.size() - 1);
+    state.shows_source = false;
+    const LessonStep& step = *step_of(state);
+    Workspace& work = hands.work;
+    if (const auto place = place_named(work.document.set, step.pattern)) select_only(work, *place);
+    work.selection.pinned = step.partner;
+    if (!state.editing) arrange(hands, state, step);
+    hands.physiology.view.open = stage_of_view(step.view);
+    hands.physiology.view.explained.reset();
+    hands.timeline.range = {step.from_s, step.to_s};
+    const bool moves = step.speed > 0.0;
+    hands.timeline.playhead = {
+        .at_s = step.at_s, .speed = moves ? step.speed : 0.1, .playing = moves, .loop = true};
+    if (step.camera) {
+        hands.shown_map.camera.yaw_rad = step.camera->yaw_rad;
+        hands.shown_map.camera.pitch_rad = step.camera->pitch_rad;
+        hands.shown_map.camera.zoom = step.camera->zoom;
+    }
+}
+
+void start_lesson(const LessonHands& hands, LessonState& state,
+                  std::shared_ptr<const Lesson> lesson, const std::filesystem::path& path) {
+    leave_lesson(hands, state);
+    state.before = view_of(hands);
+    put_aside(hands, state, lesson->set);
+    state.lesson = std::move(lesson);
+    state.path = path;
+    state.is_tour = false;
+    state.editing = false;
+    state.tallies.assign(state.lesson->steps.size(), {});
+    if (state.job) state.job->submit({state.lesson});
+    go_to_step(hands, state, 0);
+}
+
+void start_tour(const LessonHands& hands, LessonState& state) {
+    const std::size_t from = state.left_at;
+    start_lesson(hands, state, bundled_lesson(kTourLesson), {});
+    state.is_tour = true;
+    if (from > 0) go_to_step(hands, state, from);
+}
+
+void open_lesson(const LessonHands& hands, LessonState& state, const std::filesystem::path& path) {
+    auto lesson = read_lesson_file(path);
+    if (!lesson) return complain(hands.ui, lesson.error().message);
+    start_lesson(hands, state, std::make_shared<const Lesson>(*std::move(lesson)),
+                 std::filesystem::absolute(path));
+    say(hands.ui, "Opened the lesson " + state.lesson->name + ".");
+}
+
+void leave_lesson(const LessonHands& hands, LessonState& state) {
+    if (!state.step) return;
+    const bool finished = *state.step + 1 == state.lesson->steps.size();
+    if (state.is_tour) state.left_at = finished ? 0 : *state.step;
+    if (state.presenting) state.present_scale = hands.ui.text_scale;
+    state.step.reset();
+    state.presenting = state.blank = state.editing = false;
+    bring_back(hands, state);
+    const ViewBeforeLesson& before = state.before;
+    hands.layout = before.layout;
+    if (before.current < hands.work.document.set.vibrations.size())
+        hands.work.selection.current = before.current;
+    hands.work.selection.pinned = before.pinned;
+    hands.timeline.playhead = before.playhead;
+    hands.timeline.range = before.time_range;
+    hands.physiology.view.open = before.open;
+    hands.shown_map.camera = before.camera;
+    if (hands.ui.text_scale != before.text_scale) set_text_scale(hands.ui, before.text_scale);
+}
+
+void follow_document(const LessonHands& hands, LessonState& state) {
+    if (!state.aside || hands.work.document_number == state.document_number) return;
+    Workspace& work = hands.work;
+    // Kept as if it had been replaced directly.
+    std::swap(work.document, state.aside->document);
+    const Expected<std::filesystem::path> kept = keep_unsaved(work);
+    std::swap(work.document, state.aside->document);
+    if (kept && !kept->empty()) {
+        say(hands.ui, "The lesson ended. Unsaved changes of the set before it are kept in " +
+                          kept->string() + ".");
+    } else if (!kept) {
+        complain(hands.ui, kept.error().message);
+    }
+    state.aside.reset();
+    state.before.current = 0;
+    state.before.pinned.clear();
+    leave_lesson(hands, state);
+}
+
+void follow_renaming(LessonState& state, const Renaming& renaming) {
+    follow(renaming, state.before.pinned);
+    if (!state.lesson || !state.step) return;
+    Lesson lesson = *state.lesson;
+    for (LessonStep& step : lesson.steps) {
+        follow(renaming, step.pattern);
+        follow(renaming, step.partner);
+    }
+    if (!(lesson == *state.lesson)) {
+        state.lesson = std::make_shared<const Lesson>(std::move(lesson));
+        if (state.job) state.job->submit({state.lesson});
+    }
+}
+
+void make_lesson_job(const Ui& ui, LessonState& state) {
+    state.job = std::make_unique<LessonJob>(
+        JobPolicy::supersede,
+        [](const LessonAsked& asked, std::stop_token stop,
+           std::atomic<float>& progress) -> std::optional<LessonAnswered> {
+            LessonAnswered answered{asked.lesson, asked.with_pairs,
+                                    lesson_answers(*asked.lesson, stop, asked.with_pairs)};
+            progress = 1.0F;
+            if (stop.stop_requested()) return std::nullopt;
+            return answered;
+        },
+        ui.wake);
+    if (state.step && state.lesson) state.job->submit({state.lesson});
+}
+
+void follow_lesson(LessonState& state) {
+    if (!state.job) return;
+    auto answered = state.job->latest();
+    if (!answered || answered == state.answered) return;
+    state.answered = std::move(answered);
+    if (!state.answered->with_pairs && state.answered->of == state.lesson) {
+        state.job->submit({state.lesson, true});
+    }
+}
+
+// Numbers of a lesson that is being edited stay until the new ones are there.
+const LessonAnswers* answers_of(const LessonState& state) {
+    if (!state.answered || (state.answered->of != state.lesson && !state.editing)) return nullptr;
+    return &state.answered->answers;
+}
+
+}  // namespace tact

@@ -1,0 +1,221 @@
+#include "app/lesson/lesson_card.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/lesson/lesson_edit.h"
+#include "app/lesson/lesson_question.h"
+#include "app/ui/widgets.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+constexpr Range kCardShare{0.15, 0.5};
+
+bool is_upright(DockSide side) { return side == DockSide::left || side == DockSide::right; }
+
+// Wide enough to read, and never more than half of the window.
+float card_px(const Ui& ui, const LessonState& state, const Rect& area) {
+    const bool upright = is_upright(state.dock);
+    const float all = upright ? area.width() : area.height();
+    const float least = (upright ? 250.0F : 130.0F) * ui.theme.scale;
+    return std::round(std::min(std::max(state.card_share * all, least),
+                               static_cast<float>(kCardShare.high) * all));
+}
+
+// A larger hand for those at the back.
+constexpr float kPresentedText = 1.25F;
+
+std::string text_in(const LessonState& state, const std::string& text) {
+    const LessonAnswers* answers = answers_of(state);
+    return filled(text, answers == nullptr ? LessonNumbers{} : answers->numbers);
+}
+
+void draw_head(Ui& ui, LessonState& state, const LessonStep& step, float width) {
+    char count[32];
+    std::snprintf(count, sizeof count, "%zu of %zu", *state.step + 1, state.lesson->steps.size());
+    ImGui::PushFont(ui.theme.fonts.small);
+    dim_text(ui, count);
+    const float move_px = ImGui::CalcTextSize("Move").x;
+    ImGui::SameLine(width - move_px);
+    if (link(ui, "move card", "Move")) move_card(state);
+    note_item(ui.rects, "lesson:move");
+    ImGui::PopFont();
+    draw_tooltip(ui, "To the next edge of the window; its inner edge can be dragged");
+    ImGui::PushFont(ui.theme.fonts.semibold);
+    wrapped_text(text_in(state, step.title));
+    ImGui::PopFont();
+    ImGui::Spacing();
+}
+
+void draw_source(Ui& ui, LessonState& state, const LessonStep& step) {
+    if (step.source.empty()) return;
+    ImGui::PushFont(ui.theme.fonts.small);
+    if (link(ui, "source", state.shows_source ? "Hide the source" : "Source")) {
+        state.shows_source = !state.shows_source;
+    }
+    note_item(ui.rects, "lesson:source", state.shows_source ? step.source : std::string());
+    if (state.shows_source) {
+        ImGui::PushTextWrapPos(0.0F);
+        dim_text(ui, step.source);
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::PopFont();
+}
+
+void draw_way(const LessonHands& hands, LessonState& state) {
+    Ui& ui = hands.ui;
+    ImGui::Spacing();
+    ImGui::BeginDisabled(*state.step == 0);
+    if (ImGui::Button("Back")) step_back(hands, state);
+    note_item(ui.rects, "tour:back");
+    ImGui::EndDisabled();
+    const bool last = *state.step + 1 == state.lesson->steps.size();
+    const char* on = hides_answer(state) ? "Reveal" : "Next";
+    if (!last || hides_answer(state)) {
+        flow_on(button_width(on), ui.theme.gap_px);
+        if (ImGui::Button(on)) step_on(hands, state);
+        note_item(ui.rects, "tour:next", on);
+    }
+    const char* leave = last ? "Finish" : state.is_tour ? "Leave the tour" : "Leave the lesson";
+    flow_on(button_width(leave), ui.theme.gap_px);
+    if (ImGui::Button(leave))
+        ui.waiting.emplace_back([hands, &state] { leave_lesson(hands, state); });
+    note_item(ui.rects, last ? "tour:finish" : "tour:leave");
+}
+
+// Its inner edge, dragged.
+void draw_edge(Ui& ui, LessonState& state, const Rect& card, const Rect& area) {
+    const float bar = ui.theme.splitter_px;
+    const bool upright = is_upright(state.dock);
+    const float total = upright ? area.width() : area.height();
+    const bool before = state.dock == DockSide::left || state.dock == DockSide::top;
+    const float card_size = upright ? card.width() : card.height();
+    float share = before ? card_size / total : 1.0F - card_size / total;
+    const float was = share;
+    Rect edge = card;
+    if (state.dock == DockSide::right)
+        edge = {{card.min.x - bar, card.min.y}, {card.min.x, card.max.y}};
+    if (state.dock == DockSide::left)
+        edge = {{card.max.x, card.min.y}, {card.max.x + bar, card.max.y}};
+    if (state.dock == DockSide::bottom)
+        edge = {{card.min.x, card.min.y - bar}, {card.max.x, card.min.y}};
+    if (state.dock == DockSide::top)
+        edge = {{card.min.x, card.max.y}, {card.max.x, card.max.y + bar}};
+    const Range range = before ? kCardShare : Range{1.0 - kCardShare.high, 1.0 - kCardShare.low};
+    draw_splitter(ui, {"card edge", edge, upright, total, range}, share);
+    if (share != was) state.card_share = before ? share : 1.0F - share;
+}
+
+}  // namespace
+
+LessonPlaces lesson_places(const Ui& ui, const LessonState& state, const Rect& area) {
+    if (!state.step) return {{}, area};
+    const float size = card_px(ui, state, area);
+    const float gap = ui.theme.splitter_px;
+    LessonPlaces places{area, area};
+    switch (state.dock) {
+        case DockSide::right:
+            places.card.min.x = area.max.x - size;
+            places.rest.max.x = places.card.min.x - gap;
+            break;
+        case DockSide::left:
+            places.card.max.x = area.min.x + size;
+            places.rest.min.x = places.card.max.x + gap;
+            break;
+        case DockSide::bottom:
+            places.card.min.y = area.max.y - size;
+            places.rest.max.y = places.card.min.y - gap;
+            break;
+        case DockSide::top:
+            places.card.max.y = area.min.y + size;
+            places.rest.min.y = places.card.max.y + gap;
+            break;
+    }
+    return places;
+}
+
+void draw_lesson_card(const LessonHands& hands, LessonState& state, const LessonPlaces& places) {
+    const Rect& card = places.card;
+    const LessonStep* shown = step_of(state);
+    if (shown == nullptr || card.empty()) return;
+    const LessonStep step = *shown;  // the frame may go on to another one
+    Ui& ui = hands.ui;
+    const Theme& theme = ui.theme;
+    ImGui::SetNextWindowPos(card.min);
+    ImGui::SetNextWindowSize(card.size());
+    ImGui::PushStyleColor(ImGuiCol_Border, theme.accent);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, theme.hairline_px * 1.5F);
+    if (ImGui::Begin("tour", nullptr,
+                     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
+        if (state.presenting) ImGui::SetWindowFontScale(kPresentedText);
+        const float width = ImGui::GetWindowContentRegionMax().x;
+        draw_head(ui, state, step, width);
+        if (state.editing) {
+            draw_step_editor(hands, state);
+        } else {
+            wrapped_text(text_in(state, step.text));
+            note_item(ui.rects, "lesson:text", text_in(state, step.text));
+        }
+        if (step.question) draw_lesson_question(ui, state, *step.question);
+        draw_source(ui, state, step);
+        draw_way(hands, state);
+        char count[32];
+        std::snprintf(count, sizeof count, "%zu of %zu", *state.step + 1,
+                      state.lesson->steps.size());
+        note_rect(ui.rects, "tour", card.min, card.max, count);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+    const Rect& rest = places.rest;
+    draw_edge(ui, state, card,
+              {{std::min(card.min.x, rest.min.x), std::min(card.min.y, rest.min.y)},
+               {std::max(card.max.x, rest.max.x), std::max(card.max.y, rest.max.y)}});
+}
+
+void watch_pointed(Ui& ui, const LessonState& state) {
+    const LessonStep* step = step_of(state);
+    ui.rects.watched = step == nullptr ? std::string() : step->point_at;
+    ui.rects.watched_at.reset();
+}
+
+void draw_pointed(const Ui& ui, const Rect& within) {
+    if (!ui.rects.watched_at || ImGui::GetIO().DisplaySize.x <= 0.0F) return;
+    const Rect& at = *ui.rects.watched_at;
+    const float grow = 3.0F * ui.theme.scale;
+    const ImVec2 low{std::max(at.min.x - grow, within.min.x),
+                     std::max(at.min.y - grow, within.min.y)};
+    const ImVec2 high{std::min(at.max.x + grow, within.max.x),
+                      std::min(at.max.y + grow, within.max.y)};
+    if (low.x >= high.x || low.y >= high.y) return;
+    ImGui::GetForegroundDrawList()->AddRect(low, high, ui.theme.accent, ui.theme.rounding_px, 0,
+                                            2.0F * ui.theme.scale);
+}
+
+void step_on(const LessonHands& hands, LessonState& state) {
+    if (!state.step) return;
+    if (hides_answer(state)) {
+        state.tallies[*state.step].revealed = true;
+        return;
+    }
+    go_to_step(hands, state, *state.step + 1);
+}
+
+void step_back(const LessonHands& hands, LessonState& state) {
+    if (state.step && *state.step > 0) go_to_step(hands, state, *state.step - 1);
+}
+
+void move_card(LessonState& state) {
+    constexpr std::array<DockSide, 4> kNext{DockSide::bottom, DockSide::left, DockSide::top,
+                                            DockSide::right};
+    state.dock = kNext[static_cast<std::size_t>(state.dock)];
+}
+
+}  // namespace tact

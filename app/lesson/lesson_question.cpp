@@ -1,0 +1,110 @@
+#include "app/lesson/lesson_question.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "app/ui/widgets.h"
+#include "viz/drawing/colour.h"
+
+namespace tact {
+
+namespace {
+
+// Options are there before the model is: a choice's own, else none yet.
+const QuestionAnswer* answer_at(const LessonState& state, std::size_t step) {
+    const LessonAnswers* answers = answers_of(state);
+    if (answers == nullptr || step >= answers->questions.size()) return nullptr;
+    return &answers->questions[step];
+}
+
+bool is_right(const QuestionAnswer& answer, std::size_t option) {
+    return std::ranges::find(answer.right, option) != answer.right.end();
+}
+
+void draw_option(Ui& ui, LessonState& state, const QuestionAnswer& answer, std::size_t k) {
+    const Tally& tally = state.tallies[*state.step];
+    const LessonAnswers* answers = answers_of(state);
+    std::string text = std::to_string(k + 1) + "  " + filled(answer.options[k], answers->numbers);
+    if (tally.votes[k] > 0) text += "   " + std::to_string(tally.votes[k]);
+    const bool right = tally.revealed && is_right(answer, k);
+    if (right) text += "   \u2713";
+    ImGui::PushID(static_cast<int>(k));
+    if (right) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.accent);
+    wrapped_text(text);
+    if (right) ImGui::PopStyleColor();
+    if (ImGui::IsItemClicked()) vote(state, k);
+    if (ImGui::IsItemHovered() && !tally.revealed) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    note_item(ui.rects, "option:" + std::to_string(k + 1),
+              std::to_string(tally.votes[k]) + (right ? " right" : ""));
+    ImGui::PopID();
+}
+
+void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& question,
+                 const QuestionAnswer& answer) {
+    const LessonAnswers* answers = answers_of(state);
+    std::string text = filled(question.reveal, answers->numbers);
+    for (const std::string& more : {answer.model, answer.people}) {
+        if (!more.empty()) text += (text.empty() ? "" : " ") + more;
+    }
+    const LessonScore score = score_of(state);
+    if (score.asked > 0) {
+        text += " Right so far: " + std::to_string(score.right) + " of " +
+                std::to_string(score.asked) + ".";
+    }
+    wrapped_text(text);
+    note_item(ui.rects, "lesson:answer", text);
+}
+
+}  // namespace
+
+bool hides_answer(const LessonState& state) {
+    const LessonStep* step = step_of(state);
+    return step != nullptr && step->question && !state.editing &&
+           *state.step < state.tallies.size() && !state.tallies[*state.step].revealed;
+}
+
+void draw_lesson_question(Ui& ui, LessonState& state, const LessonQuestion& question) {
+    const LessonAnswers* answers = answers_of(state);
+    const QuestionAnswer* answer = answer_at(state, *state.step);
+    ImGui::Spacing();
+    ImGui::PushFont(ui.theme.fonts.semibold);
+    const LessonNumbers none;
+    wrapped_text(filled(question.ask, answers == nullptr ? none : answers->numbers));
+    ImGui::PopFont();
+    if (answer == nullptr) return dim_text(ui, "The model is on its way.");
+    for (std::size_t k = 0; k < answer->options.size(); ++k) draw_option(ui, state, *answer, k);
+    if (state.tallies[*state.step].revealed || state.editing) {
+        draw_answer(ui, state, question, *answer);
+    } else {
+        ImGui::PushFont(ui.theme.fonts.small);
+        ImGui::PushTextWrapPos(0.0F);
+        dim_text(ui, "Number keys count hands; the next step forward reveals.");
+        ImGui::PopTextWrapPos();
+        ImGui::PopFont();
+    }
+}
+
+bool vote(LessonState& state, std::size_t option) {
+    if (!hides_answer(state)) return false;
+    const QuestionAnswer* answer = answer_at(state, *state.step);
+    if (answer == nullptr || option >= answer->options.size()) return false;
+    ++state.tallies[*state.step].votes[option];
+    return true;
+}
+
+LessonScore score_of(const LessonState& state) {
+    LessonScore score;
+    for (std::size_t k = 0; k < state.tallies.size(); ++k) {
+        const Tally& tally = state.tallies[k];
+        const QuestionAnswer* answer = answer_at(state, k);
+        const auto most = std::ranges::max_element(tally.votes);
+        if (!tally.revealed || answer == nullptr || *most == 0) continue;
+        ++score.asked;
+        const auto option = static_cast<std::size_t>(most - tally.votes.begin());
+        if (is_right(*answer, option)) ++score.right;
+    }
+    return score;
+}
+
+}  // namespace tact

@@ -1,0 +1,96 @@
+// Which lesson is open, where it is, and what it turns to its own ends.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/document/workspace.h"
+#include "app/jobs/latest_job.h"
+#include "app/physiology/stages.h"
+#include "app/timeline/playhead.h"
+#include "app/ui/layout.h"
+#include "model/lesson/lesson_numbers.h"
+#include "viz/space/space_camera.h"
+
+namespace tact {
+
+// What a lesson turns to its own ends, as it was.
+struct ViewBeforeLesson {
+    Layout layout;
+    std::size_t current = 0;
+    std::string pinned;
+    Playhead playhead;
+    TimeRange time_range;
+    std::optional<Stage> open;
+    SpaceCamera camera;
+    float text_scale = 1.0F;
+};
+
+// The person's own document while a lesson shows its set in the place of it.
+struct SetAside {
+    Document document;
+    History<PatternSet> history;
+    std::shared_ptr<const PatternSet> committed;
+    DocumentEffects effects;
+    Selection selection;
+    Side side = Side::both;
+};
+
+// What a class said to a step's question.
+struct Tally {
+    std::array<int, limits::kMaxOptions> votes{};
+    bool revealed = false;
+
+    bool operator==(const Tally&) const = default;
+};
+
+// Which edge of the window the card stands at.
+enum class DockSide { right, bottom, left, top };
+
+struct LessonAsked {
+    std::shared_ptr<const Lesson> lesson;
+    bool with_pairs = false;  // which take longer: they come second
+};
+
+struct LessonAnswered {
+    std::shared_ptr<const Lesson> of;
+    bool with_pairs = false;
+    LessonAnswers answers;
+};
+
+using LessonJob = LatestJob<LessonAsked, LessonAnswered>;
+
+inline constexpr float kPresentScale = 1.75F;  // of text
+
+struct LessonState {
+    std::shared_ptr<const Lesson> lesson;  // open; kept when it is left
+    std::filesystem::path path;            // of its file; empty: it has none
+    bool is_tour = false;
+    std::optional<std::size_t> step;  // under way
+    std::size_t left_at = 0;          // of the tour: where to take it up again
+    ViewBeforeLesson before;
+    std::optional<SetAside> aside;
+    std::uint64_t document_number = 0;  // of the lesson's own set, while it is open
+    std::vector<Tally> tallies;         // of each step
+    std::unique_ptr<LessonJob> job;
+    std::shared_ptr<const LessonAnswered> answered;
+
+    bool presenting = false;
+    bool blank = false;
+    bool editing = false;
+    bool shows_source = false;
+    DockSide dock = DockSide::right;
+    float card_share = 0.27F;                 // of the window's width, or of its height
+    float present_scale = kPresentScale;      // of text while presenting
+    std::filesystem::path sheet_to;           // a student sheet is wanted there ...
+    std::vector<std::string> sheet_pictures;  // ... and these of its steps are drawn
+    std::string told;                         // to who speaks, last
+};
+
+}  // namespace tact

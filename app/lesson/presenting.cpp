@@ -1,0 +1,141 @@
+#include "app/lesson/presenting.h"
+
+#include <algorithm>
+
+#include "app/document/editing.h"
+#include "app/lesson/lesson_card.h"
+#include "app/lesson/lesson_question.h"
+#include "viz/drawing/colour.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kPointerRestsS = 3.0;
+
+bool is_plain(const KeyPress& press) { return !press.ctrl && !press.alt && !press.super; }
+
+bool is_on(const KeyPress& press) {
+    return press.code == key::kPageDown || press.code == key::kRight || press.code == key::kDown ||
+           press.code == key::kEnter || press.code == key::kKeypadEnter ||
+           press.code == key::kSpace;
+}
+
+bool is_back(const KeyPress& press) {
+    return press.code == key::kPageUp || press.code == key::kLeft || press.code == key::kUp ||
+           press.code == key::kBackspace;
+}
+
+// While a class looks on, every key is the lesson's.
+bool take_presenting_key(const LessonHands& hands, LessonState& state, const KeyPress& press) {
+    if (state.blank && press.code != key::kEscape) {
+        state.blank = false;
+        return true;
+    }
+    if (is_on(press)) {
+        step_on(hands, state);
+    } else if (is_back(press)) {
+        step_back(hands, state);
+    } else if (press.code == key::kHome) {
+        go_to_step(hands, state, 0);
+    } else if (press.code == key::kEnd) {
+        go_to_step(hands, state, state.lesson->steps.size() - 1);
+    } else if (press.sign == 'b' || press.sign == '.') {
+        state.blank = true;
+    } else if (press.sign == 'm') {
+        move_card(state);
+    } else if (press.sign == 'p') {
+        hands.timeline.playhead.playing = !hands.timeline.playhead.playing;
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool take_vote(LessonState& state, const KeyPress& press) {
+    if (press.sign < '1' || press.sign > '9') return false;
+    return vote(state, static_cast<std::size_t>(press.sign - U'1'));
+}
+
+bool take_key(const LessonHands& hands, LessonState& state, const KeyPress& press) {
+    if (!state.step || !is_plain(press)) return false;
+    if (take_vote(state, press)) return true;
+    if (state.presenting) return take_presenting_key(hands, state, press);
+    if (press.code == key::kPageDown) {
+        step_on(hands, state);
+    } else if (press.code == key::kPageUp) {
+        step_back(hands, state);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool is_presenting(const LessonState& state) { return state.presenting && state.step; }
+
+void toggle_presenting(const LessonHands& hands, LessonState& state) {
+    if (is_presenting(state)) {
+        state.presenting = state.blank = false;
+        state.present_scale = hands.ui.text_scale;
+        set_text_scale(hands.ui, state.before.text_scale);
+        return;
+    }
+    if (!state.step) {
+        if (state.lesson && !state.is_tour) {
+            start_lesson(hands, state, state.lesson, state.path);
+        } else {
+            start_tour(hands, state);
+        }
+    }
+    state.presenting = true;
+    state.editing = false;
+    go_to_step(hands, state, *state.step);
+    set_text_scale(hands.ui, state.present_scale);
+}
+
+std::vector<KeyPress> take_lesson_keys(const LessonHands& hands, LessonState& state,
+                                       std::span<const KeyPress> pressed) {
+    std::vector<KeyPress> left;
+    const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+    const bool covered = hands.ui.dialog != Dialog::none || hands.ui.chooser.is_open ||
+                         hands.ui.question.has_value();
+    for (const KeyPress& press : pressed) {
+        if (typing || covered || !take_key(hands, state, press)) left.push_back(press);
+    }
+    return left;
+}
+
+void draw_over_presentation(Ui& ui, const LessonState& state) {
+    if (!is_presenting(state)) return;
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    if (state.blank) {
+        list.AddRectFilled({0.0F, 0.0F}, screen, IM_COL32_BLACK);
+        note_rect(ui.rects, "blank", {0.0F, 0.0F}, screen);
+        return;
+    }
+    if (ui.time_s - ui.hover_since_s > kPointerRestsS || !ImGui::IsMousePosValid()) return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    list.AddCircleFilled(mouse, 16.0F * ui.theme.scale, faded(ui.theme.accent, 0.25F), 32);
+    list.AddCircle(mouse, 16.0F * ui.theme.scale, ui.theme.accent, 32, 2.0F * ui.theme.scale);
+}
+
+std::string speaker_line(const LessonState& state) {
+    const LessonStep* step = step_of(state);
+    if (step == nullptr || !state.presenting) return {};
+    const LessonAnswers* answers = answers_of(state);
+    const LessonNumbers none;
+    const LessonNumbers& numbers = answers == nullptr ? none : answers->numbers;
+    const std::size_t at = *state.step;
+    std::string line = std::to_string(at + 1) + "/" + std::to_string(state.lesson->steps.size()) +
+                       "  " + filled(step->note.empty() ? step->title : step->note, numbers);
+    if (at + 1 < state.lesson->steps.size()) {
+        line += "  | next: " + filled(state.lesson->steps[at + 1].title, numbers);
+    }
+    std::ranges::replace(line, '\n', ' ');
+    return line;
+}
+
+}  // namespace tact

@@ -1,0 +1,34 @@
+// A lesson on a projector: the whole screen, large text, a clicker's keys, a blank screen, a
+// pointer that is seen, and notes for who speaks.
+//
+// Input     Page Up, Page Down, arrows, Enter, Space, Backspace, Home, End; B or full stop blanks;
+//           P plays or halts; M moves the card; number keys vote; Esc and F5 leave
+// Left out  a window of its own for notes on a second screen: they are on the terminal's first line
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/lesson/lesson.h"
+#include "app/screen/input_queue.h"
+
+namespace tact {
+
+// The lesson under way, else the one that was open last, else the tour, on the whole screen; or
+// back to the window.
+void toggle_presenting(const LessonHands& hands, LessonState& state);
+
+bool is_presenting(const LessonState& state);
+
+// Keys that mean something to a lesson do it; those for the rest of the program are left.
+std::vector<KeyPress> take_lesson_keys(const LessonHands& hands, LessonState& state,
+                                       std::span<const KeyPress> pressed);
+
+// Over everything: the screen black, and a ring around the mouse while it moves.
+void draw_over_presentation(Ui& ui, const LessonState& state);
+
+// What the person who speaks sees: the step's note, with its numbers, and what comes next.
+std::string speaker_line(const LessonState& state);
+
+}  // namespace tact

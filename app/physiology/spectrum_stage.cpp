@@ -1,0 +1,33 @@
+// Components over thresholds, which can be moved where the spectrum is large.
+
+#include <cstdio>
+
+#include "app/physiology/receptor_stage.h"
+#include "app/ui/widgets.h"
+#include "viz/charts/spectrum_view.h"
+
+namespace tact {
+
+void draw_spectrum_stage(Ui& ui, Physiology& physiology, const ShownStages& shown, const Rect& area,
+                         bool large) {
+    SpectrumScene scene;
+    scene.components = shown.live->neural.components;
+    scene.thresholds = &shown.live->request.model.coding.tables.threshold;
+    scene.ghosts = &default_tables().threshold;
+    scene.colour = ui.theme.text;
+    scene.stale = shown.stale;
+    scene.curves_move = large && !shown.pinned && !ui.as_picture;
+    const char* id = shown.pinned ? "spectrum pinned" : "spectrum";
+    const SpectrumAction action = draw_spectrum(id, ui.theme, area, scene);
+    note_rect(ui.rects, std::string("plot:") + id, area.min, area.max);
+    if (action.taken) {
+        physiology.view.threshold_move = {*action.taken, action.moved_db, action.released};
+    }
+    if (!action.hovered) return;
+    const Component& component = scene.components[*action.hovered];
+    char text[96];
+    std::snprintf(text, sizeof text, "%.17g %.17g", component.frequency_hz, component.skin_um);
+    note_rect(ui.rects, std::string("under the mouse:") + id, area.min, area.max, text);
+}
+
+}  // namespace tact

@@ -1,0 +1,93 @@
+#include "app/physiology/stage_pair.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <string>
+
+#include "app/physiology/stage_remarks.h"
+#include "app/physiology/stage_signals.h"
+#include "app/timeline/time_rows.h"
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+// Whose signals these are, at the right end of a row of plots.
+void draw_row_name(Ui& ui, const Rect& area, const std::string& name, const std::string& id,
+                   ImU32 colour, bool top = false) {
+    const ImFont* font = ui.theme.fonts.small;
+    const float pad = 3.0F * ui.theme.scale;
+    const std::string text = shortened(font, name, 0.5F * area.width());
+    const ImVec2 size = text_size(font, text);
+    if (area.height() < size.y) return;
+    // Clear of what stands at the top right of some plots.
+    const ImVec2 corner{area.max.x - size.x - pad, top ? area.min.y : area.max.y - size.y - pad};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(corner - ImVec2{pad, 0.0F}, corner + size + ImVec2{pad, 0.0F}, ui.theme.pane,
+                       ui.theme.rounding_px);
+    draw_text(list, font, corner, colour, text);
+    note_rect(ui.rects, id, corner, corner + size, name);
+}
+
+// The number that the paper makes of a pair at this stage, where it makes one.
+std::string difference_name(const Physiology& physiology, Stage stage) {
+    const std::string name = "difference";
+    if (stage == Stage::brain) return name + ", NC " + significant(physiology.view.difference.nc);
+    if (stage != Stage::envelope || !physiology.view.pair_oc) return name;
+    return name + ", OC " + significant(*physiology.view.pair_oc);
+}
+
+}  // namespace
+
+void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
+                   const std::vector<ShownStages>& patterns, Stage stage, const Rect& area,
+                   const StageSize& size) {
+    if (patterns.empty()) return;
+    if (patterns.size() < 2)
+        return draw_stage(ui, work, timeline, physiology, patterns[0], stage, area, size);
+    const bool has_signals = !signals_of(*patterns[0].live, stage).empty();
+    const float axis = size.time_axis ? time_axis_height(ui) : 0.0F;
+    const float text = font_or_current(ui.theme.fonts.small).FontSize;
+    const float middle = has_signals ? std::max(text, 0.24F * (area.height() - axis)) : text * 1.2F;
+    const float each = 0.5F * (area.height() - axis - middle);
+    const float y1 = area.min.y + each;
+    const float y2 = y1 + middle;
+    StageSize upper = size;
+    upper.time_axis = false;
+    draw_stage(ui, work, timeline, physiology, patterns[0], stage, {area.min, {area.max.x, y1}},
+               upper);
+    draw_stage_difference(ui, work, timeline, physiology, patterns[0], patterns[1], stage,
+                          {{area.min.x, y1}, {area.max.x, y2}}, upper);
+    draw_stage(ui, work, timeline, physiology, patterns[1], stage, {{area.min.x, y2}, area.max},
+               size);
+    const std::string key = text_of(stage).key;
+    const auto name_of = [&](std::size_t k) { return patterns[k].live->request.vibration.name; };
+    const bool top = stage == Stage::receptors;  // where no caption is
+    draw_row_name(ui, {area.min, {area.max.x, y1}}, name_of(0), "row a:" + key,
+                  patterns[0].look.colour, top);
+    draw_row_name(ui, {{area.min.x, y2}, {area.max.x, area.max.y - axis}}, name_of(1),
+                  "row b:" + key, patterns[1].look.colour, top);
+    if (!has_signals) return;
+    draw_row_name(ui, {{area.min.x, y1}, {area.max.x, y2}}, difference_name(physiology, stage),
+                  "row difference:" + key, difference_colour(ui.theme));
+}
+
+float draw_remark(Ui& ui, const std::vector<ShownStages>& patterns, Stage stage, const Rect& pane,
+                  float down_px) {
+    const std::string remark =
+        patterns.empty() ? std::string() : stage_remark(*patterns[0].live, stage);
+    if (remark.empty()) return 0.0F;
+    const ImFont& font = font_or_current(ui.theme.fonts.small);
+    const ImVec2 corner{pane.min.x, pane.min.y + down_px};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddText(&font, font.FontSize, corner, ui.theme.text, remark.c_str(), nullptr,
+                 pane.width());
+    const float height = font.CalcTextSizeA(font.FontSize, FLT_MAX, pane.width(), remark.c_str()).y;
+    note_rect(ui.rects, std::string("remark:") + text_of(stage).key, corner,
+              {pane.max.x, corner.y + height}, remark);
+    return height + ui.theme.gap_px;
+}
+
+}  // namespace tact

@@ -1,0 +1,104 @@
+#include "app/pictures/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "app/pictures/frame_sequence.h"
+#include "app/pictures/programs.h"
+#include "model/io/recordings/recording.h"
+#include "model/text/atomic_file.h"
+
+namespace tact {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path part_of(const fs::path& path) {
+    fs::path part = path;
+    part += ".part";
+    return part;
+}
+
+// Many players want sizes that two divides.
+std::string ffmpeg_line(const fs::path& path, int width, int height) {
+    const std::string size = std::to_string(width) + "x" + std::to_string(height);
+    const bool odd = width % 2 != 0 || height % 2 != 0;
+    return "exec ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s " + size +
+           " -framerate 25 -i - " + (odd ? "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' " : "") +
+           "-pix_fmt yuv420p -f mp4 " + shell_word(part_of(path).string());
+}
+
+}  // namespace
+
+std::optional<FilmFormat> film_format(const fs::path& path) {
+    const std::string ending = extension_of(path);
+    if (ending == ".gif") return FilmFormat::gif;
+    if (ending == ".apng") return FilmFormat::apng;
+    if (ending == ".mp4") return FilmFormat::mp4;
+    return std::nullopt;
+}
+
+const char* ending_of(FilmFormat format) {
+    return format == FilmFormat::gif ? ".gif" : format == FilmFormat::apng ? ".apng" : ".mp4";
+}
+
+int frames_of(double length_s, double slower, double frames_per_s) {
+    return std::clamp(static_cast<int>(std::lround(length_s * slower * frames_per_s)), 1,
+                      kMostFrames);
+}
+
+Film::~Film() {
+    if (ffmpeg == nullptr) return;
+    pclose(ffmpeg);
+    std::error_code none;
+    fs::remove(part_of(path), none);
+}
+
+Expected<std::shared_ptr<Film>> open_film(const fs::path& path, int width, int height) {
+    auto film = std::make_shared<Film>();
+    film->path = path;
+    film->format = film_format(path).value_or(FilmFormat::apng);
+    film->apng.frame_s = 1.0 / kFilmFileFramesPerS;
+    if (film->format != FilmFormat::mp4) return film;
+    if (!is_installed("ffmpeg")) {
+        return Error{
+            path.string() +
+            ": MP4 is made by ffmpeg, which is not installed; .gif and .apng need nothing"};
+    }
+    film->ffmpeg = popen(ffmpeg_line(path, width, height).c_str(), "w");
+    if (film->ffmpeg == nullptr) return Error{path.string() + ": ffmpeg could not be started"};
+    return film;
+}
+
+Expected<Done> add_frame(Film& film, const Image& image) {
+    if (film.format == FilmFormat::gif) return add_frame(film.gif, image);
+    if (film.format == FilmFormat::apng) {
+        add_frame(film.apng, image);
+        return Done{};
+    }
+    if (write_unharmed(film.ffmpeg, image.rgba.data(), image.rgba.size())) return Done{};
+    return Error{film.path.string() + ": ffmpeg stopped; what it said is on the terminal"};
+}
+
+Expected<Done> finish(Film& film) {
+    if (film.format == FilmFormat::apng) {
+        return write_atomically(film.path, finished(film.apng));
+    }
+    if (film.format == FilmFormat::gif) {
+        const Expected<std::string> bytes = finished(film.gif);
+        if (!bytes) return bytes.error();
+        return write_atomically(film.path, *bytes);
+    }
+    const int code = pclose(std::exchange(film.ffmpeg, nullptr));
+    std::error_code fault;
+    if (code == 0) fs::rename(part_of(film.path), film.path, fault);
+    if (code == 0 && !fault) return Done{};
+    fs::remove(part_of(film.path), fault);
+    return Error{film.path.string() + ": ffmpeg failed; what it said is on the terminal"};
+}
+
+}  // namespace tact

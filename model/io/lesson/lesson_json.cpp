@@ -1,0 +1,170 @@
+#include "model/io/lesson/lesson_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "model/lesson/lesson_numbers.h"
+
+namespace tact {
+
+namespace {
+
+// A text whose numbers the model can give.
+std::string text_with_numbers(JsonObject& object, std::string_view key, const PatternSet& set) {
+    const std::string text = text_field(object, key, "");
+    for (const std::string& placeholder : placeholders_in(text)) {
+        const std::string fault = placeholder_fault(placeholder, set);
+        if (fault.empty()) continue;
+        refuse(*object.reading, place_of(object, key),
+               "numbers that the model can give: {" + placeholder + "} cannot be (" + fault + ")",
+               Json(text));
+        break;
+    }
+    return text;
+}
+
+void need_pattern(JsonReading& reading, const std::string& place, const PatternSet& set,
+                  const std::string& name) {
+    if (name.empty() || place_named(set, name)) return;
+    refuse(reading, place, "the name of a pattern of the lesson's set", Json(name));
+}
+
+std::string pattern_field(JsonObject& object, std::string_view key, const PatternSet& set) {
+    std::string name = text_field(object, key, "");
+    need_pattern(*object.reading, place_of(object, key), set, name);
+    return name;
+}
+
+PatternPair pair_of(JsonReading& reading, const Json& value, const std::string& place,
+                    const PatternSet& set) {
+    const bool good = value.is_array() && value.size() == 2 && value[0].is_string() &&
+                      value[1].is_string() && value[0] != value[1];
+    if (!good) {
+        refuse(reading, place, "the names of two patterns", value);
+        return {};
+    }
+    PatternPair pair{value[0].get<std::string>(), value[1].get<std::string>()};
+    need_pattern(reading, place, set, pair.a);
+    need_pattern(reading, place, set, pair.b);
+    return pair;
+}
+
+void read_options(JsonObject& object, const PatternSet& set, LessonQuestion& question) {
+    for (const Json* option : array_field(object, "options", 2, limits::kMaxOptions)) {
+        if (!option->is_string()) {
+            refuse(*object.reading, place_of(object, "options"), "texts", *option);
+            return;
+        }
+        question.options.push_back(option->get<std::string>());
+        for (const std::string& placeholder : placeholders_in(question.options.back())) {
+            if (placeholder_fault(placeholder, set).empty()) continue;
+            refuse(*object.reading, place_of(object, "options"), "numbers that the model can give",
+                   *option);
+        }
+    }
+    const double last =
+        question.options.empty() ? 0.0 : static_cast<double>(question.options.size() - 1);
+    question.answer = static_cast<std::size_t>(whole_field(object, "answer", 0, {0.0, last}));
+}
+
+LessonQuestion question_of(JsonObject& object, const PatternSet& set, bool has_pattern) {
+    LessonQuestion question;
+    question.kind = static_cast<QuestionKind>(choice_field(object, "kind", 0, kQuestionKinds));
+    question.ask = text_with_numbers(object, "ask", set);
+    question.reveal = text_with_numbers(object, "reveal", set);
+    read_options(object, set, question);
+    for (const Json* pair : array_field(object, "pairs", 2, limits::kMaxOptions)) {
+        question.pairs.push_back(pair_of(*object.reading, *pair, place_of(object, "pairs"), set));
+    }
+    const bool of_pairs =
+        question.kind == QuestionKind::closest || question.kind == QuestionKind::farthest;
+    const auto needs = [&object](const char* what) {
+        refuse(*object.reading, object.place, what, *object.value);
+    };
+    if (question.kind == QuestionKind::choice && question.options.empty()) {
+        needs("\"options\" of a question of kind \"choice\"");
+    }
+    if (of_pairs && question.pairs.empty()) needs("\"pairs\" of patterns to choose from");
+    if (question.kind == QuestionKind::receptors && !has_pattern) {
+        needs("a \"pattern\" in the step of this question");
+    }
+    return question;
+}
+
+LessonCamera camera_of(JsonObject& object) {
+    const LessonCamera normal;
+    LessonCamera camera;
+    camera.yaw_rad = number_field(object, "yaw_rad", normal.yaw_rad, limits::kLessonAngleRad);
+    camera.pitch_rad = number_field(object, "pitch_rad", normal.pitch_rad, limits::kLessonAngleRad);
+    camera.zoom = number_field(object, "zoom", normal.zoom, limits::kLessonZoom);
+    return camera;
+}
+
+Json json_of(const LessonQuestion& question) {
+    Json fields = {{"kind", kQuestionKinds[static_cast<std::size_t>(question.kind)]},
+                   {"ask", question.ask}};
+    if (question.kind == QuestionKind::choice) {
+        fields["options"] = question.options;
+        fields["answer"] = question.answer;
+    }
+    for (const PatternPair& pair : question.pairs) {
+        fields["pairs"].push_back(Json::array({pair.a, pair.b}));
+    }
+    if (!question.reveal.empty()) fields["reveal"] = question.reveal;
+    return fields;
+}
+
+}  // namespace
+
+LessonStep step_of(JsonObject& object, const PatternSet& set) {
+    LessonStep step;
+    step.title = text_with_numbers(object, "title", set);
+    step.text = text_with_numbers(object, "text", set);
+    step.note = text_with_numbers(object, "note", set);
+    step.source = text_field(object, "source", "");
+    step.pattern = pattern_field(object, "pattern", set);
+    step.partner = pattern_field(object, "partner", set);
+    step.view = kLessonViews[choice_field(object, "view", 0, kLessonViews)];
+    step.point_at = text_field(object, "point_at", "");
+    step.at_s = number_field(object, "at_s", 0.0, limits::kLessonTimeS);
+    step.speed = number_field(object, "speed", 0.0, limits::kLessonSpeed);
+    step.from_s = number_field(object, "from_s", 0.0, limits::kLessonTimeS);
+    step.to_s = number_field(object, "to_s", 0.0, limits::kLessonTimeS);
+    if (object.value != nullptr && object.value->contains("camera")) {
+        JsonObject camera = object_field(object, "camera");
+        step.camera = camera_of(camera);
+    }
+    if (object.value != nullptr && object.value->contains("question")) {
+        JsonObject question = object_field(object, "question");
+        step.question = question_of(question, set, !step.pattern.empty());
+    }
+    return step;
+}
+
+Json json_of(const LessonStep& step) {
+    Json fields = {{"title", step.title}, {"text", step.text}};
+    const auto add_text = [&fields](const char* key, const std::string& text) {
+        if (!text.empty()) fields[key] = text;
+    };
+    const auto add_number = [&fields](const char* key, double value) {
+        if (value != 0.0) fields[key] = value;
+    };
+    add_text("note", step.note);
+    add_text("source", step.source);
+    add_text("pattern", step.pattern);
+    add_text("partner", step.partner);
+    if (step.view != kLessonViews[0]) fields["view"] = step.view;
+    add_text("point_at", step.point_at);
+    add_number("at_s", step.at_s);
+    add_number("speed", step.speed);
+    add_number("from_s", step.from_s);
+    add_number("to_s", step.to_s);
+    if (step.camera) {
+        fields["camera"] = {{"yaw_rad", step.camera->yaw_rad},
+                            {"pitch_rad", step.camera->pitch_rad},
+                            {"zoom", step.camera->zoom}};
+    }
+    if (step.question) fields["question"] = json_of(*step.question);
+    return fields;
+}
+
+}  // namespace tact

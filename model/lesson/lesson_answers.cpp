@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <cmath>
+
+#include "model/lesson/lesson_numbers.h"
+#include "model/lesson/lesson_pairs.h"
+#include "model/set/set_ratings.h"
+#include "model/study/ratings.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+bool asks_for_pairs(const Lesson& lesson) {
+    for (const LessonStep& step : lesson.steps) {
+        const auto& question = step.question;
+        if (question && !question->pairs.empty()) return true;
+        for (const std::string& text : texts_of(step)) {
+            for (const std::string& placeholder : placeholders_in(text)) {
+                if (placeholder.starts_with("nc") || placeholder.starts_with("oc") ||
+                    placeholder.starts_with("pm")) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+std::string pair_name(const PatternPair& pair) { return pair.a + " and " + pair.b; }
+
+// Places of the least, or of the most, of some numbers; several where they are equal.
+std::vector<std::size_t> extreme_places(const std::vector<double>& values, bool least) {
+    const double best =
+        least ? *std::ranges::min_element(values) : *std::ranges::max_element(values);
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (values[k] == best) places.push_back(k);
+    }
+    return places;
+}
+
+std::vector<double> of_pairs(const PatternSet& set, const std::vector<PatternPair>& pairs,
+                             const Dissimilarity& matrix) {
+    std::vector<double> values;
+    for (const PatternPair& pair : pairs) {
+        values.push_back(
+            matrix(place_named(set, pair.a).value(), place_named(set, pair.b).value()));
+    }
+    return values;
+}
+
+std::string chosen_text(const std::vector<std::string>& options,
+                        const std::vector<std::size_t>& places) {
+    std::string text;
+    for (const std::size_t place : places) text += (text.empty() ? "" : "; ") + options[place];
+    return text.empty() ? "none" : text;
+}
+
+// What people say of the same pairs, where the set has ratings of all of them.
+std::string people_text(const PatternSet& set, const LessonQuestion& question,
+                        const std::vector<std::string>& options) {
+    if (set.ratings.empty()) return {};
+    const auto study = study_of(set);
+    if (!study) return {};
+    const Dissimilarity mean = mean_ratings(*study);
+    if (mean.size != set.vibrations.size()) return {};
+    const std::vector<double> values = of_pairs(set, question.pairs, mean);
+    if (std::ranges::any_of(values, [](double v) { return !std::isfinite(v); })) return {};
+    const bool least = question.kind == QuestionKind::closest;
+    const bool nobody = std::ranges::any_of(set.ratings, is_synthetic);
+    return (nobody ? "Simulated people: " : "People: ") +
+           chosen_text(options, extreme_places(values, least)) + ".";
+}
+
+QuestionAnswer answer_of_pairs(const Lesson& lesson, const LessonQuestion& question,
+                               const LessonPairs& pairs) {
+    QuestionAnswer answer;
+    for (const PatternPair& pair : question.pairs) answer.options.push_back(pair_name(pair));
+    if (!pairs.prediction || question.pairs.empty()) return answer;
+    const std::vector<double> pm = of_pairs(lesson.set, question.pairs, pairs.prediction->pm);
+    answer.right = extreme_places(pm, question.kind == QuestionKind::closest);
+    for (std::size_t k = 0; k < pm.size(); ++k) {
+        answer.model +=
+            (k == 0 ? "PM: " : ", ") + answer.options[k] + " " + significant_digits(pm[k], 3);
+    }
+    answer.model += ".";
+    answer.people = people_text(lesson.set, question, answer.options);
+    return answer;
+}
+
+QuestionAnswer answer_of_receptors(const Lesson& lesson, const LessonStep& step,
+                                   const LessonPairs& pairs) {
+    QuestionAnswer answer;
+    for (const Receptor receptor : kReceptors) answer.options.emplace_back(traits(receptor).name);
+    for (const Receptor receptor : kReceptors) {
+        const std::string word = std::string("spikes | ") + traits(receptor).name + " | ";
+        const std::string count = value_of(word + step.pattern, lesson.set, pairs);
+        if (count != "0") answer.right.push_back(index_of(receptor));
+        answer.model += std::string(index_of(receptor) == 0 ? "Impulses under the probe: " : ", ") +
+                        traits(receptor).name + " " + count;
+    }
+    answer.model += ".";
+    return answer;
+}
+
+QuestionAnswer answer_of(const Lesson& lesson, const LessonStep& step, const LessonPairs& pairs) {
+    if (!step.question) return {};
+    const LessonQuestion& question = *step.question;
+    switch (question.kind) {
+        case QuestionKind::choice:
+            return {question.options, {question.answer}, {}, {}};
+        case QuestionKind::receptors:
+            return answer_of_receptors(lesson, step, pairs);
+        case QuestionKind::closest:
+        case QuestionKind::farthest:
+            break;
+    }
+    return answer_of_pairs(lesson, question, pairs);
+}
+
+}  // namespace
+
+LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop, bool with_pairs) {
+    LessonPairs pairs;
+    const std::vector<Waveform> waveforms = model_waveforms(lesson.set);
+    for (const Waveform& waveform : waveforms) {
+        if (stop.stop_requested()) return pairs;
+        pairs.coded.push_back({neural_coding_stages(waveform, lesson.set.model.coding,
+                                                    KeepLayers::none, {stop, {}})});
+    }
+    if (!with_pairs || !asks_for_pairs(lesson) || waveforms.size() < 2) return pairs;
+    PredictOptions options;
+    options.stop = stop;
+    pairs.prediction = predict(waveforms, lesson.set.model, options);
+    return pairs;
+}
+
+std::string pair_text(const std::string& word, const LessonPairs& pairs, std::size_t a,
+                      std::size_t b) {
+    if (!pairs.prediction) return "\u2026";
+    const Prediction& prediction = *pairs.prediction;
+    if (word == "nc") return significant_digits(prediction.nc(a, b), 3);
+    if (word == "oc") return significant_digits(prediction.oc(a, b), 3);
+    const double pm = prediction.pm(a, b);
+    if (word == "pm") return significant_digits(pm, 3);
+    const auto below =
+        std::ranges::count_if(prediction.pm.condensed, [pm](double other) { return other < pm; });
+    return std::to_string(below + 1) + " of " + std::to_string(prediction.pm.condensed.size());
+}
+
+LessonAnswers lesson_answers(const Lesson& lesson, std::stop_token stop, bool with_pairs) {
+    LessonAnswers answers;
+    const LessonPairs pairs = lesson_pairs(lesson, stop, with_pairs);
+    if (stop.stop_requested()) return answers;
+    for (const LessonStep& step : lesson.steps) {
+        for (const std::string& text : texts_of(step)) {
+            for (const std::string& placeholder : placeholders_in(text)) {
+                if (answers.numbers.contains(placeholder)) continue;
+                if (!placeholder_fault(placeholder, lesson.set).empty()) continue;
+                answers.numbers[placeholder] = value_of(placeholder, lesson.set, pairs);
+            }
+        }
+        answers.questions.push_back(answer_of(lesson, step, pairs));
+    }
+    return answers;
+}
+
+}  // namespace tact

@@ -1,0 +1,233 @@
+#include "model/lesson/lesson_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "model/common/units.h"
+#include "model/lesson/lesson_pairs.h"
+#include "model/text/numbers.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+enum class Arguments { pattern, type_and_pattern, pair };
+
+struct Word {
+    const char* name;
+    Arguments arguments;
+};
+
+constexpr auto kWords = std::to_array<Word>({{"frequency", Arguments::pattern},
+                                             {"amplitude", Arguments::pattern},
+                                             {"modulation", Arguments::pattern},
+                                             {"duration", Arguments::pattern},
+                                             {"displacement", Arguments::pattern},
+                                             {"felt", Arguments::pattern},
+                                             {"threshold", Arguments::type_and_pattern},
+                                             {"spikes", Arguments::type_and_pattern},
+                                             {"per cycle", Arguments::type_and_pattern},
+                                             {"rate", Arguments::type_and_pattern},
+                                             {"receptors", Arguments::type_and_pattern},
+                                             {"radius", Arguments::type_and_pattern},
+                                             {"on", Arguments::type_and_pattern},
+                                             {"at cap", Arguments::type_and_pattern},
+                                             {"nc", Arguments::pair},
+                                             {"oc", Arguments::pair},
+                                             {"pm", Arguments::pair},
+                                             {"pm rank", Arguments::pair}});
+
+std::vector<std::string> parts_of(std::string_view placeholder) {
+    std::vector<std::string> parts;
+    for (;;) {
+        const std::size_t bar = placeholder.find('|');
+        parts.emplace_back(trimmed(placeholder.substr(0, bar)));
+        if (bar == std::string_view::npos) return parts;
+        placeholder.remove_prefix(bar + 1);
+    }
+}
+
+std::optional<Receptor> receptor_named(const std::string& name) {
+    for (const Receptor receptor : kReceptors) {
+        if (name == traits(receptor).name) return receptor;
+    }
+    return std::nullopt;
+}
+
+std::string pattern_fault(const PatternSet& set, const std::string& name, bool parametric) {
+    const auto place = place_named(set, name);
+    if (!place) return "there is no pattern " + in_quotes(name) + " in the lesson's set";
+    if (parametric && !std::holds_alternative<Pattern>(set.vibrations[*place].source)) {
+        return in_quotes(name) + " is a recording, which has no carriers";
+    }
+    return {};
+}
+
+bool is_parametric(const std::string& word) {
+    constexpr std::array<const char*, 7> kOfParameters{"frequency", "amplitude",    "modulation",
+                                                       "duration",  "displacement", "threshold",
+                                                       "per cycle"};
+    return std::ranges::find(kOfParameters, word) != kOfParameters.end();
+}
+
+std::string list_of_words() {
+    std::string text;
+    for (const Word& word : kWords) text += (text.empty() ? "" : ", ") + std::string(word.name);
+    return text;
+}
+
+// ---- what a pattern's stages say ----
+
+// "120", not "1.2e+02".
+std::string digits(double value, int count) {
+    std::string text = significant_digits(value, count);
+    if (text.find("e+") == std::string::npos) return text;
+    char whole[64];
+    std::snprintf(whole, sizeof whole, "%.0f", finite_number_in(text).value_or(value));
+    return whole;
+}
+
+const ChannelStages& channel_of(const CodedPattern& coded, Receptor receptor) {
+    return coded.stages.channel[index_of(receptor)];
+}
+
+int centre_spikes(const CodedPattern& coded, Receptor receptor) {
+    const ChannelStages& channel = channel_of(coded, receptor);
+    const auto& all = channel.grid.receptors;
+    const auto centre = std::ranges::min_element(all, {}, &GridReceptor::distance_mm);
+    const auto k = static_cast<std::size_t>(centre - all.begin());
+    int sum = 0;
+    if (k < channel.spike_count.size()) {
+        for (const int count : channel.spike_count[k]) sum += count;
+    }
+    return sum;
+}
+
+std::string share_text(const CodedPattern& coded, Receptor receptor, int least) {
+    const auto& counts = coded.stages.code.central_count[index_of(receptor)];
+    if (counts.empty()) return "0 %";
+    const auto hits = std::ranges::count_if(counts, [least](int n) { return n >= least; });
+    const double share = static_cast<double>(hits) / static_cast<double>(counts.size());
+    return digits(100.0 * share, 3) + " %";
+}
+
+std::string felt_text(const CodedPattern& coded) {
+    std::vector<std::string> names;
+    for (const Receptor receptor : kReceptors) {
+        if (centre_spikes(coded, receptor) > 0) names.emplace_back(traits(receptor).name);
+    }
+    if (names.empty()) return "no type";
+    std::string text = names[0];
+    for (std::size_t k = 1; k < names.size(); ++k) {
+        text += (k + 1 == names.size() ? " and " : ", ") + names[k];
+    }
+    return text;
+}
+
+double displacement_of(const Pattern& pattern) {
+    const Carrier& first = pattern.carriers[0];
+    return displacement_um(pattern.amplitude_g * std::abs(first.weight), first.frequency_hz);
+}
+
+std::string value_of_pattern(const std::string& word, const CodedPattern& coded,
+                             const Vibration& vibration) {
+    if (word == "felt") return felt_text(coded);
+    const Pattern& pattern = std::get<Pattern>(vibration.source);
+    if (word == "frequency") return digits(pattern.carriers[0].frequency_hz, 4) + " Hz";
+    if (word == "amplitude") return digits(pattern.amplitude_g, 3) + " g";
+    if (word == "modulation") return digits(pattern.modulation.frequency_hz, 3) + " Hz";
+    if (word == "duration") return digits(pattern.duration_s, 3) + " s";
+    return digits(displacement_of(pattern), 2) + " \u00b5m";
+}
+
+std::string threshold_text(const PatternSet& set, Receptor receptor, const Vibration& vibration) {
+    const double frequency_hz = std::get<Pattern>(vibration.source).carriers[0].frequency_hz;
+    const Curve& curve = set.model.coding.tables.threshold[index_of(receptor)];
+    return digits(std::pow(10.0, at(curve, frequency_hz)), 2) + " \u00b5m";
+}
+
+std::string value_of_type(const std::string& word, Receptor receptor, const CodedPattern& coded,
+                          const PatternSet& set, const Vibration& vibration) {
+    const std::size_t c = index_of(receptor);
+    const Activation& activation = coded.stages.code.activation[c];
+    if (word == "threshold") return threshold_text(set, receptor, vibration);
+    if (word == "spikes") return std::to_string(centre_spikes(coded, receptor));
+    if (word == "rate") return digits(activation.rate_hz, 3) + " impulses/s";
+    if (word == "radius") return digits(activation.radius_mm, 2) + " mm";
+    if (word == "on") return share_text(coded, receptor, 1);
+    if (word == "at cap") return share_text(coded, receptor, set.model.coding.spike_cap);
+    if (word == "receptors") {
+        const bool answers = activation.radius_mm > 0.0;
+        return std::to_string(answers ? coded.stages.code.activated[c] : 0);
+    }
+    const Pattern& pattern = std::get<Pattern>(vibration.source);
+    const double cycles = pattern.carriers[0].frequency_hz * pattern.duration_s;
+    return digits(centre_spikes(coded, receptor) / cycles, 2);
+}
+
+}  // namespace
+
+std::vector<std::string> placeholders_in(std::string_view text) {
+    std::vector<std::string> found;
+    for (;;) {
+        const std::size_t open = text.find('{');
+        if (open == std::string_view::npos) return found;
+        const std::size_t close = text.find('}', open);
+        if (close == std::string_view::npos) return found;
+        found.emplace_back(text.substr(open + 1, close - open - 1));
+        text.remove_prefix(close + 1);
+    }
+}
+
+std::string placeholder_fault(const std::string& placeholder, const PatternSet& set) {
+    const std::vector<std::string> parts = parts_of(placeholder);
+    const auto word =
+        std::ranges::find(kWords, parts[0], [](const Word& w) { return std::string(w.name); });
+    if (word == kWords.end()) return "expected one of " + list_of_words();
+    const std::size_t wanted = word->arguments == Arguments::pattern ? 2 : 3;
+    if (parts.size() != wanted) {
+        return word->arguments == Arguments::pattern ? "expected a pattern behind it"
+               : word->arguments == Arguments::pair
+                   ? "expected two patterns behind it"
+                   : "expected a receptor type and a pattern behind it";
+    }
+    if (word->arguments == Arguments::type_and_pattern && !receptor_named(parts[1])) {
+        return "expected Meissner, Pacinian, Merkel or Ruffini, got " + in_quotes(parts[1]);
+    }
+    if (word->arguments == Arguments::pair) {
+        const std::string fault = pattern_fault(set, parts[1], false);
+        if (!fault.empty()) return fault;
+        if (parts[1] == parts[2]) return "expected two patterns that differ";
+    }
+    return pattern_fault(set, parts.back(), is_parametric(parts[0]));
+}
+
+std::string filled(std::string_view text, const LessonNumbers& numbers) {
+    std::string result;
+    for (;;) {
+        const std::size_t open = text.find('{');
+        const std::size_t close = open == std::string_view::npos ? open : text.find('}', open);
+        if (close == std::string_view::npos) return result + std::string(text);
+        result += text.substr(0, open);
+        const auto known = numbers.find(std::string(text.substr(open + 1, close - open - 1)));
+        result += known == numbers.end() ? "\u2026" : known->second;
+        text.remove_prefix(close + 1);
+    }
+}
+
+std::string value_of(const std::string& placeholder, const PatternSet& set,
+                     const LessonPairs& pairs) {
+    const std::vector<std::string> parts = parts_of(placeholder);
+    const std::size_t last = place_named(set, parts.back()).value();
+    const Vibration& vibration = set.vibrations[last];
+    if (parts.size() == 2) return value_of_pattern(parts[0], pairs.coded[last], vibration);
+    if (const auto receptor = receptor_named(parts[1])) {
+        return value_of_type(parts[0], *receptor, pairs.coded[last], set, vibration);
+    }
+    return pair_text(parts[0], pairs, place_named(set, parts[1]).value(), last);
+}
+
+}  // namespace tact

@@ -1,0 +1,64 @@
+// The numbers in a lesson's texts, made by the model: "{spikes | Pacinian | plain}" becomes "100".
+//
+//     {frequency | A}  {amplitude | A}  {modulation | A}  {duration | A}    what A was made with
+//     {displacement | A}           of the skin, peak, at A's first carrier
+//     {threshold | TYPE | A}       the least displacement that the type notices, there
+//     {felt | A}                   the types that fire: "Meissner and Pacinian"
+//     {spikes | TYPE | A}          impulses of the receptor under the probe, in all of A
+//     {per cycle | TYPE | A}       the same, for each cycle of A's first carrier
+//     {rate | TYPE | A}            its mean rate by Eq. 2
+//     {receptors | TYPE | A}  {radius | TYPE | A}       how many answer, and how far out
+//     {on | TYPE | A}  {at cap | TYPE | A}   share of the time in which the centre of its network
+//                                  sends anything; as much as it can
+//     {nc | A | B}  {oc | A | B}  {pm | A | B}  {pm rank | A | B}   how far two are apart; the rank
+//                                  of the pair, from the closest
+//
+// Source    the rooms of the model that are named with each
+// Input     names of patterns and of receptor types as the program shows them; spaces around | are
+//           nothing
+// Output    text with its unit
+// Exact     same input, same text.
+#pragma once
+
+#include <map>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/lesson/lesson.h"
+
+namespace tact {
+
+// What stands in braces in a text, in order, as it stands there.
+std::vector<std::string> placeholders_in(std::string_view text);
+
+// Why it cannot be evaluated; empty: it can.
+std::string placeholder_fault(const std::string& placeholder, const PatternSet& set);
+
+// By placeholder.
+using LessonNumbers = std::map<std::string, std::string>;
+
+// The text with its numbers; "…" where they are not there yet.
+std::string filled(std::string_view text, const LessonNumbers& numbers);
+
+// What a question is answered with.
+struct QuestionAnswer {
+    std::vector<std::string> options;
+    std::vector<std::size_t> right;  // places in options
+    std::string model;               // a sentence of what the model says
+    std::string people;              // the same of people; empty: nobody rated these
+};
+
+struct LessonAnswers {
+    LessonNumbers numbers;
+    std::vector<QuestionAnswer> questions;  // of each step; of one that asks nothing, empty
+};
+
+// Stopped: what was there until then. Without pairs only what patterns say by themselves, which
+// takes next to no time.
+LessonAnswers lesson_answers(const Lesson& lesson, std::stop_token stop = {},
+                             bool with_pairs = true);
+
+}  // namespace tact

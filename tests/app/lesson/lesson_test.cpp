@@ -1,0 +1,294 @@
+// The tour and lessons, in the program's real frames.
+#include "app/lesson/lesson.h"
+
+#include <doctest/doctest.h>
+
+#include "app/document/files.h"
+#include "app/lesson/lesson_card.h"
+#include "app/lesson/lesson_edit.h"
+#include "app/lesson/lesson_question.h"
+#include "app/lesson/presenting.h"
+#include "app/window/animation.h"
+#include "app/window/app.h"
+#include "model/io/lesson/lesson_file.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace lesson_test {
+
+using namespace tact;
+
+namespace {
+
+struct Class : ProgramWithStages {
+    Class() : ProgramWithStages(short_patterns(3)) {}
+
+    LessonState& lesson() { return app.lesson; }
+
+    void begin(const char* path) {
+        start_lesson(hands_of(app), app.lesson, bundled_lesson(path), {});
+        settle();
+    }
+
+    // Until the numbers of the lesson are there.
+    void wait_for_numbers() {
+        const auto until = end_of_patience();
+        while (answers_of(app.lesson) == nullptr || !app.lesson.answered->with_pairs) {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            frame();
+        }
+        settle();
+    }
+
+    // The first step that asks something.
+    void go_to_question() {
+        for (std::size_t k = 0; k < app.lesson.lesson->steps.size(); ++k) {
+            if (!app.lesson.lesson->steps[k].question) continue;
+            go_to_step(hands_of(app), app.lesson, k);
+            return settle();
+        }
+        FAIL("the lesson asks nothing");
+    }
+};
+
+bool meet(const Place& a, const Place& b) {
+    return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
+}
+
+}  // namespace
+
+TEST_CASE("tour: it goes from start to end, and leaves the document and the view as they were") {
+    Class program;
+    program.app.timeline.range = {0.0, 0.05};
+    program.app.physiology.view.open = Stage::envelope;
+    program.frame();
+    const auto document = program.app.work.document.set;
+    program.click("start tour");
+    CHECK(program.app.work.document.set.vibrations[0].name == "plain 100 Hz");
+    const std::size_t steps = program.lesson().lesson->steps.size();
+    for (std::size_t step = 0; step + 1 < steps; ++step) {
+        REQUIRE(program.lesson().step == step);
+        if (hides_answer(program.lesson())) program.click("tour:next");
+        program.click("tour:next");
+    }
+    program.click("tour:finish");
+    CHECK_FALSE(program.shows("tour"));
+    CHECK(program.app.physiology.view.open == Stage::envelope);
+    CHECK(program.app.timeline.range == TimeRange{0.0, 0.05});
+    CHECK(program.app.work.document.set == document);
+    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.lesson().left_at == 0);
+}
+
+TEST_CASE("tour: left half way, it is taken up there") {
+    Class program;
+    program.click("start tour");
+    for (int k = 0; k < 2; ++k) program.click("tour:next");
+    program.press_key(key::kEscape);
+    CHECK_FALSE(program.shows("tour"));
+    program.click("start tour");
+    CHECK(program.lesson().step == 2U);
+    CHECK(program.app.physiology.view.open == Stage::spectrum);
+}
+
+TEST_CASE("tour: it begins with a plain tone") {
+    const auto tour = bundled_lesson(kTourLesson);
+    const auto place = place_named(tour->set, tour->steps[0].pattern);
+    REQUIRE(place);
+    const Pattern& first = std::get<Pattern>(tour->set.vibrations[*place].source);
+    CHECK(first.carriers.size() == 1);
+    CHECK(first.carriers[0].frequency_hz == 100.0);
+    CHECK(first.modulation.frequency_hz == 0.0);
+}
+
+TEST_CASE("lesson: unsaved changes and undo steps of the document outlive it") {
+    Class program;
+    program.click("start tour");
+    program.press_key(key::kEscape);
+    remove_selected(program.app.ui, program.app.work);
+    program.settle();
+    const auto changed = program.app.work.document.set;
+    REQUIRE(program.app.work.history.undo_label() != nullptr);
+    const std::string label = *program.app.work.history.undo_label();
+    program.begin(kBundledLessons[0].path);
+    CHECK(program.app.work.history.undo_label() == nullptr);
+    leave_lesson(hands_of(program.app), program.lesson());
+    program.settle();
+    CHECK(program.app.work.document.set == changed);
+    REQUIRE(program.app.work.history.undo_label() != nullptr);
+    CHECK(*program.app.work.history.undo_label() == label);
+    CHECK(program.app.work.unsaved);
+}
+
+TEST_CASE("lesson: another document opened meanwhile ends it and stays") {
+    Class program;
+    program.begin(kBundledLessons[1].path);
+    open_example(program.app.ui, program.app.work);
+    program.settle();
+    CHECK_FALSE(program.shows("tour"));
+    CHECK_FALSE(program.lesson().aside);
+    CHECK(program.app.work.document.set.name == "PM 2023, twelve patterns");
+}
+
+TEST_CASE("presenting: a clicker's keys lead through the lesson, and Esc puts the view back") {
+    Class program;
+    const float scale = program.app.ui.text_scale;
+    program.press_key(key::kF1 + 4);
+    REQUIRE(is_presenting(program.lesson()));
+    CHECK(program.app.ui.text_scale == kPresentScale);
+    CHECK_FALSE(program.shows("menu:File"));
+    CHECK_FALSE(program.shows("pane:Patterns"));
+    CHECK(program.shows("pane:Physiology"));
+    CHECK(program.lesson().step == 0U);
+    for (const int code : {key::kPageDown, key::kRight}) program.press_key(code);
+    CHECK(program.lesson().step == 2U);
+    program.press_key(key::kSpace, false, false, U' ');  // reveals what step 3 asks ...
+    CHECK(program.lesson().step == 2U);
+    program.press_key(key::kEnter);  // ... and goes on
+    CHECK(program.lesson().step == 3U);
+    for (const int code : {key::kPageUp, key::kLeft, key::kUp}) program.press_key(code);
+    CHECK(program.lesson().step == 0U);
+    program.press('b');
+    CHECK(program.lesson().blank);
+    program.press_key(key::kPageDown);  // wakes it, and goes nowhere
+    CHECK_FALSE(program.lesson().blank);
+    CHECK(program.lesson().step == 0U);
+    program.press_key(key::kEscape);
+    CHECK_FALSE(program.lesson().step);
+    CHECK(program.app.ui.text_scale == scale);
+    CHECK(program.app.work.document.set == short_patterns(3));
+}
+
+TEST_CASE("presenting: in the window, Page Up and Page Down alone are the lesson's") {
+    Class program;
+    program.click("start tour");
+    program.press_key(key::kPageDown);
+    CHECK(program.lesson().step == 1U);
+    program.press_key(key::kRight);
+    CHECK(program.lesson().step == 1U);
+    program.press_key(key::kPageUp);
+    CHECK(program.lesson().step == 0U);
+}
+
+TEST_CASE("lesson: the card stands beside what it points at, whatever the size and the edge") {
+    struct Screen {
+        ImVec2 size;
+        float scale;
+    };
+    for (const char* path : {kTourLesson, kBundledLessons[4].path}) {
+        Class program;
+        program.begin(path);
+        toggle_presenting(hands_of(program.app), program.lesson());
+        for (const Screen& screen :
+             {Screen{{1920.0F, 1080.0F}, 1.5F}, {{1920.0F, 1080.0F}, 2.0F}}) {
+            program.resize(screen.size, screen.scale);
+            for (const DockSide side : {DockSide::right, DockSide::bottom}) {
+                program.lesson().dock = side;
+                for (std::size_t k = 0; k < program.lesson().lesson->steps.size(); ++k) {
+                    go_to_step(hands_of(program.app), program.lesson(), k);
+                    const LessonStep& step = program.lesson().lesson->steps[k];
+                    if (step.view == "map") continue;  // its map may be on its way
+                    program.wait_for_stages();
+                    CAPTURE(step.title);
+                    const Place card = program.at("tour");
+                    CHECK(card.max.x <= screen.size.x);
+                    CHECK(card.max.y <= screen.size.y);
+                    CHECK_FALSE(meet(card, program.at("pane:Physiology")));
+                    if (step.point_at.empty()) continue;
+                    CHECK_FALSE(meet(card, program.at(step.point_at)));
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("lesson: number keys count hands until the answer is seen, and the score counts it") {
+    Class program;
+    program.begin(kBundledLessons[0].path);
+    program.wait_for_numbers();
+    program.go_to_question();
+    const std::size_t at = *program.lesson().step;
+    const std::size_t right = answers_of(program.lesson())->questions[at].right.at(0);
+    const auto digit = static_cast<char32_t>(U'1' + right);
+    program.press(digit);
+    program.press(digit);
+    CHECK(program.lesson().tallies[at].votes[right] == 2);
+    CHECK_FALSE(program.shows("lesson:answer"));
+    program.press_key(key::kPageDown);
+    CHECK(program.lesson().step == at);
+    CHECK(program.at("lesson:answer").value.find("1 of 1") != std::string::npos);
+    CHECK(program.at("option:" + std::to_string(right + 1)).value == "2 right");
+    program.press(digit);
+    CHECK(program.lesson().tallies[at].votes[right] == 2);
+    program.press_key(key::kPageDown);
+    CHECK(program.lesson().step == at + 1);
+}
+
+TEST_CASE("lesson: one is made of what is on screen, saved, and opened again") {
+    const TemporaryFolder folder;
+    const auto file = folder.path / "mine.tactlesson.json";
+    Class program;
+    program.app.physiology.view.open = Stage::brain;
+    new_lesson(hands_of(program.app), program.lesson());
+    program.settle();
+    program.app.work.selection.current = 2;
+    program.app.physiology.view.open = Stage::spikes;
+    program.app.timeline.range = {0.01, 0.05};
+    program.settle();
+    program.click("lesson edit:add");
+    const auto steps = program.lesson().lesson->steps;
+    REQUIRE(steps.size() == 2);
+    CHECK(steps[0].view == "brain");
+    CHECK(steps[0].pattern == "p1");
+    CHECK(steps[1].view == "spikes");
+    CHECK(steps[1].pattern == "p3");
+    CHECK(steps[1].from_s == 0.01);
+    program.click("lesson edit:up");
+    CHECK(program.lesson().lesson->steps[0].view == "spikes");
+    CHECK(program.lesson().step == 0U);
+    save_lesson(program.app.ui, program.app.work, program.lesson(), file);
+    CHECK_FALSE(program.app.ui.status.is_error);
+    const auto again = read_lesson_file(file);
+    REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
+    CHECK(again->steps == program.lesson().lesson->steps);
+    CHECK(again->set == program.app.work.document.set);
+    leave_lesson(hands_of(program.app), program.lesson());
+    open_lesson(hands_of(program.app), program.lesson(), file);
+    program.settle();
+    CHECK(program.at("tour").value == "1 of 2");
+}
+
+TEST_CASE("lesson: the student sheet has every step, every question, the answers and the sources") {
+    const TemporaryFolder folder;
+    const auto file = folder.path / "sheet.html";
+    Class program;
+    program.begin(kBundledLessons[1].path);
+    program.wait_for_numbers();
+    program.lesson().sheet_to = file;
+    for (int k = 0; k < 40 && is_exporting(program.app); ++k) continue_exports(program.app);
+    const std::string page = bytes_of(file);
+    const Lesson& lesson = *program.lesson().lesson;
+    for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
+        CHECK(page.find(std::to_string(k + 1) + ". " + lesson.steps[k].title) != std::string::npos);
+    }
+    CHECK(page.find("<svg") != std::string::npos);
+    CHECK(page.find("Answers") != std::string::npos);
+    CHECK(page.find("Saal") != std::string::npos);
+    CHECK(page.find("{") < page.find("</style>"));
+    CHECK(page.find("\u2026") == std::string::npos);
+}
+
+TEST_CASE("lesson: what is told to who speaks has the note and what comes next") {
+    Class program;
+    program.press_key(key::kF1 + 4);
+    program.wait_for_numbers();
+    const std::string line = speaker_line(program.lesson());
+    CHECK(line.find("1/") == 0);
+    CHECK(line.find(program.lesson().lesson->steps[0].note) != std::string::npos);
+    CHECK(line.find("next: " + program.lesson().lesson->steps[1].title) != std::string::npos);
+    program.press_key(key::kEscape);
+    CHECK(speaker_line(program.lesson()).empty());
+}
+
+}  // namespace lesson_test

@@ -1,0 +1,284 @@
+// Numbers in the texts of lessons: each is recomputed here from the model, by another way than the
+// lessons take, and none is typed.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "assets/assets.h"
+#include "model/dtw/dtw.h"
+#include "model/io/lesson/lesson_file.h"
+#include "model/lesson/lesson_numbers.h"
+#include "model/perceptual_model/perceptual_model.h"
+#include "model/perceptual_model/rhythm_envelope.h"
+#include "model/physiology/neural_coding.h"
+#include "model/text/numbers.h"
+
+namespace lesson_numbers_test {
+
+using namespace tact;
+
+namespace {
+
+std::vector<Lesson> bundled() {
+    std::vector<Lesson> lessons;
+    for (const Asset& file : assets()) {
+        if (!file.path.starts_with("lessons/")) continue;
+        auto lesson = parse_lesson(file.text, std::string(file.path), {});
+        REQUIRE_MESSAGE(lesson, (lesson ? "" : lesson.error().message));
+        lessons.push_back(*std::move(lesson));
+    }
+    REQUIRE(lessons.size() == 7);
+    return lessons;
+}
+
+std::vector<std::string> words_of(const std::string& placeholder) {
+    std::vector<std::string> words;
+    std::size_t from = 0;
+    for (;;) {
+        const std::size_t bar = placeholder.find('|', from);
+        words.emplace_back(trimmed(placeholder.substr(from, bar - from)));
+        if (bar == std::string::npos) return words;
+        from = bar + 1;
+    }
+}
+
+std::size_t type_of(const std::string& name) {
+    const std::vector<std::string> names{"Meissner", "Pacinian", "Merkel", "Ruffini"};
+    const auto at = std::ranges::find(names, name);
+    REQUIRE(at != names.end());
+    return static_cast<std::size_t>(at - names.begin());
+}
+
+// Of numbers from 0.01 on.
+std::string two_digits(double value) {
+    return value < 100.0 ? significant_digits(value, 2)
+                         : std::to_string(10 * static_cast<int>(value / 10.0 + 0.5));
+}
+
+// The set taken apart from the front: waveforms, codes, pairs.
+struct Recomputed {
+    PatternSet set;
+    std::vector<Waveform> waveforms;
+    std::vector<NeuralCodingStages> stages;
+
+    explicit Recomputed(const PatternSet& of) : set(of), waveforms(model_waveforms(of)) {
+        for (const Waveform& waveform : waveforms) {
+            stages.push_back(neural_coding_stages(waveform, set.model.coding, KeepLayers::none));
+        }
+    }
+
+    std::size_t place(const std::string& name) const { return place_named(set, name).value(); }
+
+    const Pattern& pattern(const std::string& name) const {
+        return std::get<Pattern>(set.vibrations[place(name)].source);
+    }
+
+    double nc(std::size_t a, std::size_t b) const {
+        return nc_dissimilarity(stages[a].code, stages[b].code, set.model.channel_weight);
+    }
+
+    double oc(std::size_t a, std::size_t b) const {
+        return dtw(rhythm_envelope(waveforms[a].samples_g, set.model.envelope),
+                   rhythm_envelope(waveforms[b].samples_g, set.model.envelope));
+    }
+
+    int spikes(std::size_t type, const std::string& name) const {
+        const ChannelStages& channel = stages[place(name)].channel[type];
+        int sum = 0;
+        for (std::size_t k = 0; k < channel.grid.receptors.size(); ++k) {
+            const GridReceptor& receptor = channel.grid.receptors[k];
+            if (receptor.column != 0 || receptor.row != 0) continue;
+            for (const int count : channel.spike_count[k]) sum += count;
+        }
+        return sum;
+    }
+
+    // Steps of 5 ms in which the centre of a network sends at least so many, in percent.
+    std::string share(std::size_t type, const std::string& name, int least) const {
+        const std::vector<int>& counts = stages[place(name)].code.central_count[type];
+        double steps = 0.0;
+        for (const int count : counts) steps += count >= least ? 1.0 : 0.0;
+        return significant_digits(100.0 * steps / static_cast<double>(counts.size()), 3) + " %";
+    }
+
+    double moved_um(const std::string& name) const {
+        const Pattern& p = pattern(name);
+        const double omega = 2.0 * std::numbers::pi * p.carriers[0].frequency_hz;
+        return p.amplitude_g * p.carriers[0].weight * 9.80665e6 / (omega * omega);
+    }
+};
+
+std::string of_pattern(const Recomputed& model, const std::vector<std::string>& words) {
+    const std::string& name = words[1];
+    const Pattern& p = model.pattern(name);
+    if (words[0] == "frequency") return significant_digits(p.carriers[0].frequency_hz, 4) + " Hz";
+    if (words[0] == "amplitude") return significant_digits(p.amplitude_g, 3) + " g";
+    if (words[0] == "modulation") return significant_digits(p.modulation.frequency_hz, 3) + " Hz";
+    if (words[0] == "duration") return significant_digits(p.duration_s, 3) + " s";
+    if (words[0] == "displacement") return significant_digits(model.moved_um(name), 2) + " \u00b5m";
+    REQUIRE(words[0] == "felt");
+    std::vector<std::string> felt;
+    for (const char* type : {"Meissner", "Pacinian", "Merkel", "Ruffini"}) {
+        if (model.spikes(type_of(type), name) > 0) felt.emplace_back(type);
+    }
+    REQUIRE(felt.size() > 1);
+    std::string text = felt[0];
+    for (std::size_t k = 1; k + 1 < felt.size(); ++k) text += ", " + felt[k];
+    return text + " and " + felt.back();
+}
+
+std::string of_type(const Recomputed& model, const std::vector<std::string>& words) {
+    const std::size_t type = type_of(words[1]);
+    const std::string& name = words[2];
+    const Activation& activation = model.stages[model.place(name)].code.activation[type];
+    const Pattern& p = model.pattern(name);
+    const auto& code = model.stages[model.place(name)].code;
+    if (words[0] == "threshold") {
+        const Curve& curve = model.set.model.coding.tables.threshold[type];
+        return significant_digits(std::pow(10.0, at(curve, p.carriers[0].frequency_hz)), 2) +
+               " \u00b5m";
+    }
+    if (words[0] == "spikes") return std::to_string(model.spikes(type, name));
+    if (words[0] == "per cycle") {
+        return significant_digits(
+            model.spikes(type, name) / (p.duration_s * p.carriers[0].frequency_hz), 2);
+    }
+    if (words[0] == "rate") return significant_digits(activation.rate_hz, 3) + " impulses/s";
+    if (words[0] == "radius") return significant_digits(activation.radius_mm, 2) + " mm";
+    if (words[0] == "on") return model.share(type, name, 1);
+    if (words[0] == "at cap") return model.share(type, name, 50);
+    REQUIRE(words[0] == "receptors");
+    return std::to_string(activation.radius_mm > 0.0 ? code.activated[type] : 0);
+}
+
+std::string of_pair(const Recomputed& model, const Prediction& prediction,
+                    const std::vector<std::string>& words) {
+    const std::size_t a = model.place(words[1]);
+    const std::size_t b = model.place(words[2]);
+    if (words[0] == "nc") return significant_digits(model.nc(a, b), 3);
+    if (words[0] == "oc") return significant_digits(model.oc(a, b), 3);
+    if (words[0] == "pm") return significant_digits(prediction.pm(a, b), 3);
+    REQUIRE(words[0] == "pm rank");
+    int closer = 0;
+    int pairs = 0;
+    for (std::size_t i = 0; i < model.waveforms.size(); ++i) {
+        for (std::size_t j = i + 1; j < model.waveforms.size(); ++j) {
+            ++pairs;
+            if (prediction.pm(i, j) < prediction.pm(a, b)) ++closer;
+        }
+    }
+    return std::to_string(closer + 1) + " of " + std::to_string(pairs);
+}
+
+std::string recomputed(const Recomputed& model, const Prediction& prediction,
+                       const std::string& placeholder) {
+    const std::vector<std::string> words = words_of(placeholder);
+    if (words.size() == 2) return of_pattern(model, words);
+    const bool pair = words[0] == "nc" || words[0] == "oc" || words[0].starts_with("pm");
+    return pair ? of_pair(model, prediction, words) : of_type(model, words);
+}
+
+std::string without(std::string text, const std::string& part, const std::string& instead) {
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part)) {
+        text.replace(at, part.size(), instead);
+    }
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("lessons: every number in a text of a bundled lesson is the model's, recomputed") {
+    for (const Lesson& lesson : bundled()) {
+        CAPTURE(lesson.name);
+        const LessonAnswers answers = lesson_answers(lesson);
+        const Recomputed model(lesson.set);
+        const auto prediction = predict(model.waveforms, lesson.set.model);
+        REQUIRE(prediction);
+        std::size_t numbers = 0;
+        for (const LessonStep& step : lesson.steps) {
+            for (const std::string& text : texts_of(step)) {
+                for (const std::string& placeholder : placeholders_in(text)) {
+                    CAPTURE(placeholder);
+                    REQUIRE(answers.numbers.contains(placeholder));
+                    CHECK(answers.numbers.at(placeholder) ==
+                          recomputed(model, *prediction, placeholder));
+                    ++numbers;
+                }
+                CHECK(filled(text, answers.numbers).find('{') == std::string::npos);
+            }
+        }
+        CHECK(numbers > 5);
+    }
+}
+
+TEST_CASE("lessons: no number is typed that the model could give") {
+    for (const Lesson& lesson : bundled()) {
+        CAPTURE(lesson.name);
+        for (const LessonStep& step : lesson.steps) {
+            for (std::string text : texts_of(step)) {
+                for (const std::string& placeholder : placeholders_in(text)) {
+                    text = without(text, "{" + placeholder + "}", "");
+                }
+                for (const Vibration& vibration : lesson.set.vibrations) {
+                    text = without(text, vibration.name, "");
+                }
+                // The model's window, which is no parameter, and an equation's number.
+                text = without(without(text, "10 ms", ""), "Eq. 2", "");
+                CAPTURE(text);
+                CHECK(std::ranges::none_of(text, [](char c) { return c >= '0' && c <= '9'; }));
+            }
+        }
+    }
+}
+
+TEST_CASE("lessons: every step of a bundled lesson says where its facts are from") {
+    for (const Lesson& lesson : bundled()) {
+        for (const LessonStep& step : lesson.steps) {
+            CAPTURE(step.title);
+            CHECK_FALSE(step.source.empty());
+            CHECK_FALSE(step.text.empty());
+        }
+    }
+}
+
+TEST_CASE("lessons: what a question is answered with is what the model ranks") {
+    for (const Lesson& lesson : bundled()) {
+        const LessonAnswers answers = lesson_answers(lesson);
+        const auto prediction = predict(model_waveforms(lesson.set), lesson.set.model);
+        for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
+            const auto& question = lesson.steps[k].question;
+            if (!question || question->pairs.empty()) continue;
+            CAPTURE(question->ask);
+            REQUIRE_FALSE(answers.questions[k].right.empty());
+            const auto pm = [&](const PatternPair& pair) {
+                return prediction->pm(place_named(lesson.set, pair.a).value(),
+                                      place_named(lesson.set, pair.b).value());
+            };
+            const double right = pm(question->pairs[answers.questions[k].right[0]]);
+            for (const PatternPair& pair : question->pairs) {
+                const bool closest = question->kind == QuestionKind::closest;
+                CHECK((closest ? right <= pm(pair) : right >= pm(pair)));
+            }
+            // A question whose answers are all right asks nothing.
+            CHECK(answers.questions[k].right.size() < question->pairs.size());
+        }
+    }
+}
+
+TEST_CASE("lessons: a placeholder that cannot be evaluated is told, with what is missing") {
+    const PatternSet set = bundled()[0].set;
+    const std::string name = set.vibrations[0].name;
+    CHECK(placeholder_fault("nc | " + name + " | nobody", set).find("nobody") != std::string::npos);
+    CHECK(placeholder_fault("spikes | Krause | " + name, set).find("Meissner") !=
+          std::string::npos);
+    CHECK(placeholder_fault("loudness | " + name, set).find("expected one of") == 0);
+    CHECK(placeholder_fault("nc | " + name + " | " + name, set).find("differ") !=
+          std::string::npos);
+    CHECK(placeholder_fault("frequency | " + name, set).empty());
+    CHECK(filled("a {b} c {d", {{"b", "2"}}) == "a 2 c {d");
+    CHECK(filled("a {x}", {}) == "a \u2026");
+}
+
+}  // namespace lesson_numbers_test
