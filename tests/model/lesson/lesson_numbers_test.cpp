@@ -117,7 +117,7 @@ std::string of_pattern(const Recomputed& model, const std::vector<std::string>& 
     if (words[0] == "amplitude") return significant_digits(p.amplitude_g, 3) + " g";
     if (words[0] == "modulation") return significant_digits(p.modulation.frequency_hz, 3) + " Hz";
     if (words[0] == "duration") return significant_digits(p.duration_s, 3) + " s";
-    if (words[0] == "displacement") return significant_digits(model.moved_um(name), 2) + " \u00b5m";
+    if (words[0] == "displacement") return two_digits(model.moved_um(name)) + " \u00b5m";
     REQUIRE(words[0] == "felt");
     std::vector<std::string> felt;
     for (const char* type : {"Meissner", "Pacinian", "Merkel", "Ruffini"}) {
