@@ -123,10 +123,10 @@ std::string of_pattern(const Recomputed& model, const std::vector<std::string>& 
     for (const char* type : {"Meissner", "Pacinian", "Merkel", "Ruffini"}) {
         if (model.spikes(type_of(type), name) > 0) felt.emplace_back(type);
     }
-    REQUIRE(felt.size() > 1);
+    REQUIRE_FALSE(felt.empty());
     std::string text = felt[0];
     for (std::size_t k = 1; k + 1 < felt.size(); ++k) text += ", " + felt[k];
-    return text + " and " + felt.back();
+    return felt.size() == 1 ? text : text + " and " + felt.back();
 }
 
 std::string of_type(const Recomputed& model, const std::vector<std::string>& words) {
