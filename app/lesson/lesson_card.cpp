@@ -28,7 +28,7 @@ float card_px(const Ui& ui, const LessonState& state, const Rect& area) {
 }
 
 // A larger hand for those at the back.
-constexpr float kPresentedText = 1.25F;
+constexpr float kPresentedText = 1.15F;
 
 std::string text_in(const LessonState& state, const std::string& text) {
     const LessonAnswers* answers = answers_of(state);

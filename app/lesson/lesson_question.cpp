@@ -53,6 +53,11 @@ void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& questio
                 std::to_string(score.asked) + ".";
     }
     wrapped_text(text);
+    // Brought into view once, where the card is short.
+    int& seen = *ImGui::GetStateStorage()->GetIntRef(
+        ImGui::GetID("answer seen") + static_cast<ImGuiID>(*state.step), 0);
+    if (seen == 0) ImGui::SetScrollHereY(1.0F);
+    seen = 1;
     note_item(ui.rects, "lesson:answer", text);
 }
 

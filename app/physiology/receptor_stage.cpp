@@ -242,11 +242,11 @@ void draw_receptor_stage(Ui& ui, const Timeline& timeline, Physiology& physiolog
         draw_view_choice(ui, physiology, area);
         maps.min.y += chip_height(ui);
     }
-    // Two rows where that makes the maps larger.
+    // Two rows where the maps are then about as large: they fill the pane.
     const float caption = 4.0F * font_or_current(ui.theme.fonts.small).FontSize;
     const float in_one = std::min(maps.width() / 4.0F, maps.height() - caption);
     const float in_two = std::min(maps.width() / 2.0F, maps.height() / 2.0F - caption);
-    const bool square = size.large && in_two > in_one;
+    const bool square = size.large && in_two > 0.8F * in_one;
     const int columns = square ? 2 : 4;
     const int rows = 4 / columns;
     const float gap = ui.theme.gap_px;

@@ -77,7 +77,9 @@ Seeds lesson_seeds() {
     own.set = drawn_set();
     own.steps.resize(2);
     own.steps[1].camera.emplace();
-    own.steps[1].question = LessonQuestion{.ask = "Which?", .options = {"this", "that"}};
+    LessonQuestion& question = own.steps[1].question.emplace();
+    question.ask = "Which?";
+    question.options = {"this", "that"};
     return {print_lesson(own, {}), std::string(asset("lessons/twins.tactlesson.json"))};
 }
 

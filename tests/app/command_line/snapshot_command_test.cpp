@@ -159,24 +159,24 @@ TEST_CASE("--image: a picture beside the numbers, which stay the same") {
 
 TEST_CASE("snapshot --figures: every stage is an SVG of its own") {
     const ShortSet set;
-    const tact::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const fs::path out = folder.path / "figures";
-    const auto ran = tact::run_program({"snapshot", set.path, "--view", "physiology", "--figures",
-                                        "--theme", "light", "--out", out.string()});
+    const auto ran = run_program({"snapshot", set.path, "--view", "physiology", "--figures",
+                                  "--theme", "light", "--out", out.string()});
     REQUIRE_MESSAGE(ran.exit_code == 0, ran.err);
     for (const char* stage : {"vibration", "spectrum", "receptors", "brain", "envelope"}) {
-        CHECK(contains(tact::bytes_of(out / (std::string(stage) + ".svg")), "<svg"));
+        CHECK(contains(bytes_of(out / (std::string(stage) + ".svg")), "<svg"));
     }
 }
 
 TEST_CASE("snapshot: a film needs to know how slow it is, and one way of saying it") {
     const ShortSet set;
-    const tact::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string out = (folder.path / "a.gif").string();
     const auto refusal = [&](std::vector<std::string> more) {
         std::vector<std::string> all{"snapshot", set.path, "--view", "physiology", "--out", out};
         all.insert(all.end(), more.begin(), more.end());
-        const auto ran = tact::run_program(all);
+        const auto ran = run_program(all);
         CHECK(ran.exit_code == 1);
         CHECK_FALSE(fs::exists(out));
         return ran.err;

@@ -117,16 +117,16 @@ std::string of_pattern(const Recomputed& model, const std::vector<std::string>& 
     if (words[0] == "amplitude") return significant_digits(p.amplitude_g, 3) + " g";
     if (words[0] == "modulation") return significant_digits(p.modulation.frequency_hz, 3) + " Hz";
     if (words[0] == "duration") return significant_digits(p.duration_s, 3) + " s";
-    if (words[0] == "displacement") return significant_digits(model.moved_um(name), 2) + " \u00b5m";
+    if (words[0] == "displacement") return two_digits(model.moved_um(name)) + " \u00b5m";
     REQUIRE(words[0] == "felt");
     std::vector<std::string> felt;
     for (const char* type : {"Meissner", "Pacinian", "Merkel", "Ruffini"}) {
         if (model.spikes(type_of(type), name) > 0) felt.emplace_back(type);
     }
-    REQUIRE(felt.size() > 1);
+    REQUIRE_FALSE(felt.empty());
     std::string text = felt[0];
     for (std::size_t k = 1; k + 1 < felt.size(); ++k) text += ", " + felt[k];
-    return text + " and " + felt.back();
+    return felt.size() == 1 ? text : text + " and " + felt.back();
 }
 
 std::string of_type(const Recomputed& model, const std::vector<std::string>& words) {
