@@ -47,13 +47,14 @@ std::optional<MaybesRequest> vary_request(const Workspace& work, const ShownMap&
     question.model = work.document.set.model;
     question.free = free_of(state);
     request->vary = question;
-    return request;
+    return exactly(*std::move(request), question.count);
 }
 
 }  // namespace
 
 void make_maybes_jobs(const Ui& ui, MaybesState& state) {
     make_job(ui, state.track);
+    make_job(ui, state.exact_track);
     make_job(ui, state.suggestion);
     make_job(ui, state.variants);
     make_job(ui, state.put.cloud);
@@ -63,6 +64,7 @@ void make_maybes_jobs(const Ui& ui, MaybesState& state) {
 
 void stop_maybes_jobs(MaybesState& state) {
     state.track.job.reset();
+    state.exact_track.job.reset();
     state.suggestion.job.reset();
     state.variants.job.reset();
     state.put.cloud.job.reset();
@@ -74,28 +76,37 @@ void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_ma
     if (!state.track.job) return;
     follow_rested(ui, work, state);
     const auto& rested = state.rested;
-    ask(state.track,
-        rested ? request_for(work, shown_map, rested->name, rested->patterns) : std::nullopt);
+    const auto track =
+        rested ? request_for(work, shown_map, rested->name, rested->patterns) : std::nullopt;
+    ask(state.track, track);
+    const auto exact = track ? exactly(*track, track->patterns.size()) : MaybesRequest{};
+    ask(state.exact_track, exact.exact ? std::optional(exact) : std::nullopt);
     state.suggested = work.selection.suggested;
     const auto& suggested = state.suggested;
-    ask(state.suggestion, suggested
-                              ? request_for(work, shown_map, suggested->name, {suggested->changed})
-                              : std::nullopt);
+    auto ghost = suggested ? request_for(work, shown_map, suggested->name, {suggested->changed})
+                           : std::nullopt;
+    ask(state.suggestion, ghost ? std::optional(exactly(*std::move(ghost), 1)) : std::nullopt);
     ask(state.variants, state.varied.empty() ? std::nullopt : vary_request(work, shown_map, state));
 }
 
 bool is_asking(const MaybesState& state) {
     const auto busy = [](const AskedMaybes& asked) { return asked.job && asked.job->busy(); };
-    return busy(state.track) || busy(state.suggestion) || busy(state.variants) ||
-           busy(state.put.cloud) || (state.put.job && state.put.job->busy());
+    return busy(state.track) || busy(state.exact_track) || busy(state.suggestion) ||
+           busy(state.variants) || busy(state.put.cloud) ||
+           (state.put.job && state.put.job->busy());
 }
 
 MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state) {
     MapMaybes shown;
     const Eigen::Index columns = shown_map.transition.to.cols();
-    if (const auto track = answer_of(state.track); track && track->places.cols() == columns) {
+    const auto exact = answer_of(state.exact_track);
+    const auto track = exact ? exact : answer_of(state.track);
+    if (track && state.rested && track->places.cols() == columns) {
         shown.track = track->places;
-        shown.track_words = state.rested ? state.rested->words : std::vector<std::string>{};
+        shown.track_words = state.rested->words;
+        for (std::string& words : shown.track_words) {
+            if (!exact) words += " (preview)";
+        }
     }
     if (const auto all = answer_of(state.variants); all && all->places.cols() == columns) {
         shown.proposals = all->places;

@@ -85,7 +85,8 @@ void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
     flow_on(120.0F * ui.theme.scale, 1.5F * ui.theme.gap_px);
     const std::string failure = failure_of(state.variants.job);
     dim_text(ui, !failure.empty() ? failure
-                 : found          ? "a preview; click one to take it, hold to feel it"
+                 : found          ? found->request.exact ? "click one to take it, hold to feel it"
+                                                         : "a preview; click one to take it, hold to feel it"
                                   : "searching");
     note_item(ui.rects, "vary:found", found ? std::to_string(found->patterns.size()) : "");
 }
