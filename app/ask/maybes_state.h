@@ -74,7 +74,8 @@ struct MaybesState {
     AskedMaybes track;        // a preview, soon followed by ...
     AskedMaybes exact_track;  // ... where it really leads
     AskedMaybes suggestion;
-    AskedMaybes variants;
+    AskedMaybes variants;                      // a preview, soon followed by ...
+    AskedMaybes exact_variants;                // ... where they really are
     std::optional<RestedNumber> rested;        // whose track is shown
     double rested_until_s = 0.0;               // it goes then, unless the mouse is on it
     std::optional<SuggestedChange> suggested;  // in the last frame

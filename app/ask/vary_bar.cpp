@@ -56,7 +56,7 @@ void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
     if (state.varied.empty()) return;
     if (!place_named(work.document.set, state.varied)) return stop_varying(state);
     ImGui::AlignTextToFramePadding();
-    dim_text(ui, "Neighbours of " + state.varied + ": how far");
+    dim_text(ui, "Neighbours of " + state.varied);
     const float width = 170.0F * ui.theme.scale;
     flow_on(width, ui.theme.gap_px);
     draw_short_field(ui,
