@@ -7,6 +7,12 @@
 
 namespace tact {
 
+namespace {
+
+constexpr Eigen::Index kMostAnew = 60;  // points of a map that is made for each pattern
+
+}  // namespace
+
 std::optional<FoundMaybes> MaybesWork::operator()(const MaybesRequest& request,
                                                   std::stop_token stop,
                                                   std::atomic<float>& progress) {
@@ -23,7 +29,9 @@ std::optional<FoundMaybes> MaybesWork::operator()(const MaybesRequest& request,
     for (Eigen::Index k = 0; k < count; ++k) {
         Waveform waveform = render(found.patterns[static_cast<std::size_t>(k)]);
         if (by) waveform = rendering(*by, waveform).waveform;
-        const auto place = (*point_)(padded(std::move(waveform), point_->length()), stop);
+        waveform = padded(std::move(waveform), point_->length());
+        const bool anew = request.exact && request.points.rows() <= kMostAnew;
+        const auto place = anew ? point_->anew(waveform, stop) : (*point_)(waveform, stop);
         if (!place) return std::nullopt;
         found.places.row(k) = place->at;
         progress = static_cast<float>(k + 1) / static_cast<float>(count);

@@ -1,12 +1,12 @@
 // Where a point of a map would go if its vibration were another, without making the map: one row is
 // predicted, and the map goes on from how it lies.
 //
-// By an exact prediction that is where the map has the point afterwards, in nearly all cases; by
-// coarse envelopes it is a preview, off by some percent of the map.
+// By an exact prediction that is where the map has the point afterwards, unless another minimum is
+// lower then; by coarse envelopes it is a preview, off by some percent of the map.
 //
 // Output    a place in the frame of the given map: the others may move as they would, and all of it
 //           is turned back onto where they were
-// Left out  other minima: the map is not begun anew, as an exact one is
+// Left out  other minima, but for anew()
 // Exact     same input, same place, on any number of threads.
 #pragma once
 
@@ -45,13 +45,18 @@ class MovedPoint {
     std::optional<Place> operator()(const Waveform& changed, std::stop_token stop,
                                     int threads = 0) const;
 
+    // The same with the map made anew from all its starts, as an exact one is: where the point will
+    // be, other minima and all, but in a hundred times the work.
+    std::optional<Place> anew(const Waveform& changed, std::stop_token stop, int threads = 0) const;
+
     const Eigen::MatrixXd& points() const { return map_.points; }
     const Dissimilarity& pm() const { return map_.base->pm; }
     std::size_t length() const { return map_.waveforms.front().samples_g.size(); }
 
   private:
     MovedPoint(MapAsItIs map, std::size_t row) : map_(std::move(map)), row_(row) {}
-    std::optional<Place> raw(const Waveform& changed, std::stop_token stop, int threads) const;
+    std::optional<Place> raw(const Waveform& changed, std::stop_token stop, int threads,
+                             bool from_all_starts) const;
 
     MapAsItIs map_;
     std::size_t row_;

@@ -75,7 +75,6 @@ TEST_CASE("moved point: it is where the map has the point once the number is rea
     const auto base = std::make_shared<const Prediction>(predicted_of(set));
     RandomStream random{3};
     int near = 0;
-    double worst = 0.0;
     constexpr int kTries = 50;
     for (int tried = 0; tried < kTries; ++tried) {
         const std::size_t row = next_index(random, set.vibrations.size());
@@ -87,16 +86,18 @@ TEST_CASE("moved point: it is where the map has the point once the number is rea
         const double value = *value_of(pattern, parameter);
         pattern = with_value(pattern, parameter, std::max(1.0, value) * (1.0 + next_even(random)));
         auto moved = MovedPoint::of({model_waveforms(set), set.model, points, base}, row, 0, {});
-        const auto place = (*moved)(render(pattern), {});
+        const auto place = moved->anew(render(pattern), {});
+        const auto quick = (*moved)(render(pattern), {});
         const Eigen::MatrixXd after = procrustes(map_of(changed), points, false).aligned;
         const double off =
             (place->at - after.row(static_cast<Eigen::Index>(row))).norm() / diameter_of(after);
-        near += off <= 0.02;
-        worst = std::max(worst, off);
+        const double quickly =
+            (quick->at - after.row(static_cast<Eigen::Index>(row))).norm() / diameter_of(after);
+        CHECK(off <= 0.02);
+        near += quickly <= 0.02;
     }
-    MESSAGE("within 2 % of the diameter: " << near << " of " << kTries << ", worst " << worst);
-    // The rest: another minimum of the map is lower then, and the exact map jumps there.
-    CHECK(near >= 40);
+    // Going on from how it lies: for the rest another minimum of the map is lower then.
+    CHECK(near >= 25);
 }
 
 }  // namespace moved_point_test
