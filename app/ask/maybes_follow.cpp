@@ -50,12 +50,25 @@ std::optional<MaybesRequest> vary_request(const Workspace& work, const ShownMap&
     return request;
 }
 
+// The same neighbours by exact envelopes, once they are found.
+std::optional<MaybesRequest> exact_variants(const MaybesState& state) {
+    const auto found = answer_of(state.variants);
+    if (!found || found->patterns.empty()) return std::nullopt;
+    MaybesRequest request = found->request;
+    request.vary.reset();
+    request.patterns = found->patterns;
+    request = exactly(std::move(request), found->patterns.size());
+    return request.exact ? std::optional(request) : std::nullopt;
+}
+
 }  // namespace
 
 void make_maybes_jobs(const Ui& ui, MaybesState& state) {
     make_job(ui, state.track);
+    make_job(ui, state.exact_track);
     make_job(ui, state.suggestion);
     make_job(ui, state.variants);
+    make_job(ui, state.exact_variants);
     make_job(ui, state.put.cloud);
     using Job = LatestJob<ReachRequest, FoundReach>;
     state.put.job = std::make_unique<Job>(JobPolicy::supersede, MaybesWork{}, ui.wake);
@@ -63,8 +76,10 @@ void make_maybes_jobs(const Ui& ui, MaybesState& state) {
 
 void stop_maybes_jobs(MaybesState& state) {
     state.track.job.reset();
+    state.exact_track.job.reset();
     state.suggestion.job.reset();
     state.variants.job.reset();
+    state.exact_variants.job.reset();
     state.put.cloud.job.reset();
     state.put.job.reset();
 }
@@ -74,30 +89,40 @@ void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_ma
     if (!state.track.job) return;
     follow_rested(ui, work, state);
     const auto& rested = state.rested;
-    ask(state.track,
-        rested ? request_for(work, shown_map, rested->name, rested->patterns) : std::nullopt);
+    const auto track =
+        rested ? request_for(work, shown_map, rested->name, rested->patterns) : std::nullopt;
+    ask(state.track, track);
+    const auto exact = track ? exactly(*track, track->patterns.size()) : MaybesRequest{};
+    ask(state.exact_track, exact.exact ? std::optional(exact) : std::nullopt);
     state.suggested = work.selection.suggested;
     const auto& suggested = state.suggested;
-    ask(state.suggestion, suggested
-                              ? request_for(work, shown_map, suggested->name, {suggested->changed})
-                              : std::nullopt);
+    auto ghost = suggested ? request_for(work, shown_map, suggested->name, {suggested->changed})
+                           : std::nullopt;
+    ask(state.suggestion, ghost ? std::optional(exactly(*std::move(ghost), 1)) : std::nullopt);
     ask(state.variants, state.varied.empty() ? std::nullopt : vary_request(work, shown_map, state));
+    ask(state.exact_variants, exact_variants(state));
 }
 
 bool is_asking(const MaybesState& state) {
     const auto busy = [](const AskedMaybes& asked) { return asked.job && asked.job->busy(); };
-    return busy(state.track) || busy(state.suggestion) || busy(state.variants) ||
-           busy(state.put.cloud) || (state.put.job && state.put.job->busy());
+    return busy(state.track) || busy(state.exact_track) || busy(state.suggestion) ||
+           busy(state.variants) || busy(state.exact_variants) || busy(state.put.cloud) ||
+           (state.put.job && state.put.job->busy());
 }
 
 MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state) {
     MapMaybes shown;
     const Eigen::Index columns = shown_map.transition.to.cols();
-    if (const auto track = answer_of(state.track); track && track->places.cols() == columns) {
+    const auto exact = answer_of(state.exact_track);
+    const auto track = exact ? exact : answer_of(state.track);
+    if (track && state.rested && track->places.cols() == columns) {
         shown.track = track->places;
-        shown.track_words = state.rested ? state.rested->words : std::vector<std::string>{};
+        shown.track_words = state.rested->words;
+        for (std::string& words : shown.track_words) {
+            if (!exact) words += " (preview)";
+        }
     }
-    if (const auto all = answer_of(state.variants); all && all->places.cols() == columns) {
+    if (const auto all = found_variants(state); all && all->places.cols() == columns) {
         shown.proposals = all->places;
         for (Eigen::Index k = 0; k < all->places.rows(); ++k) {
             shown.proposal_names.push_back("neighbour " + std::to_string(k + 1));
@@ -130,7 +155,9 @@ void vary(Ui& ui, const Workspace& work, MaybesState& state) {
 void stop_varying(MaybesState& state) { state.varied.clear(); }
 
 std::shared_ptr<const FoundMaybes> found_variants(const MaybesState& state) {
-    return answer_of(state.variants);
+    const auto preview = answer_of(state.variants);
+    const auto exact = answer_of(state.exact_variants);
+    return exact && preview && exact->patterns == preview->patterns ? exact : preview;
 }
 
 void take_variant(Ui& ui, Workspace& work, MaybesState& state, std::size_t k) {

@@ -23,10 +23,11 @@ struct MaybesRequest {
     std::size_t row = 0;
     std::vector<Pattern> patterns{};
     std::optional<VaryQuestion> vary{};  // makes the patterns first
+    bool exact = false;                  // else by coarse envelopes: at once, and a preview
 
     bool operator==(const MaybesRequest& other) const {
         return map == other.map && row == other.row && patterns == other.patterns &&
-               vary == other.vary && points.rows() == other.points.rows() &&
+               vary == other.vary && exact == other.exact && points.rows() == other.points.rows() &&
                points.cols() == other.points.cols() && points == other.points;
     }
 };
@@ -70,9 +71,11 @@ struct PutThere {
 };
 
 struct MaybesState {
-    AskedMaybes track;
+    AskedMaybes track;        // a preview, soon followed by ...
+    AskedMaybes exact_track;  // ... where it really leads
     AskedMaybes suggestion;
-    AskedMaybes variants;
+    AskedMaybes variants;                      // a preview, soon followed by ...
+    AskedMaybes exact_variants;                // ... where they really are
     std::optional<RestedNumber> rested;        // whose track is shown
     double rested_until_s = 0.0;               // it goes then, unless the mouse is on it
     std::optional<SuggestedChange> suggested;  // in the last frame

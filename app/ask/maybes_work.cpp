@@ -7,6 +7,12 @@
 
 namespace tact {
 
+namespace {
+
+constexpr Eigen::Index kMostAnew = 60;  // points of a map that is made for each pattern
+
+}  // namespace
+
 std::optional<FoundMaybes> MaybesWork::operator()(const MaybesRequest& request,
                                                   std::stop_token stop,
                                                   std::atomic<float>& progress) {
@@ -23,7 +29,9 @@ std::optional<FoundMaybes> MaybesWork::operator()(const MaybesRequest& request,
     for (Eigen::Index k = 0; k < count; ++k) {
         Waveform waveform = render(found.patterns[static_cast<std::size_t>(k)]);
         if (by) waveform = rendering(*by, waveform).waveform;
-        const auto place = (*point_)(padded(std::move(waveform), point_->length()), stop);
+        waveform = padded(std::move(waveform), point_->length());
+        const bool anew = request.exact && request.points.rows() <= kMostAnew;
+        const auto place = anew ? point_->anew(waveform, stop) : (*point_)(waveform, stop);
         if (!place) return std::nullopt;
         found.places.row(k) = place->at;
         progress = static_cast<float>(k + 1) / static_cast<float>(count);
@@ -46,16 +54,29 @@ std::optional<FoundReach> MaybesWork::operator()(const ReachRequest& request, st
 }
 
 bool MaybesWork::prepare(const MaybesRequest& request, const std::stop_token& stop) {
-    const bool same_map = of_ == request.map && row_ == request.row &&
+    const bool same_map = of_ == request.map && row_ == request.row && exact_ == request.exact &&
                           points_.cols() == request.points.cols() && points_ == request.points;
     if (point_ && same_map) return true;
-    point_ = MovedPoint::of(
-        {model_waveforms(*request.map->played), request.map->request.set->model, request.points},
-        request.row, 0, stop);
+    std::shared_ptr<const Prediction> base;
+    const bool is_coarse = request.map->request.preview;
+    if (request.exact || is_coarse) base = {request.map, &request.map->prediction};
+    point_ = MovedPoint::of({model_waveforms(*request.map->played), request.map->request.set->model,
+                             request.points, std::move(base)},
+                            request.row, 0, stop);
     of_ = request.map;
     row_ = request.row;
     points_ = request.points;
+    exact_ = request.exact;
     return point_.has_value();
+}
+
+MaybesRequest exactly(MaybesRequest request, std::size_t patterns) {
+    const PatternSet& set = *request.map->played;
+    const double rows = static_cast<double>(patterns);
+    const double pairs = 0.5 * static_cast<double>(set.vibrations.size());
+    const double each_s = expected_map_s(set) / std::max(1.0, pairs);
+    request.exact = !request.map->request.preview && rows * each_s <= kLongestExactS;
+    return request;
 }
 
 // Of the map on screen; none where there is no map of the document as it is, or the pattern is not

@@ -28,7 +28,13 @@ class MaybesWork {
     std::shared_ptr<const LiveMap> of_;
     std::size_t row_ = 0;
     Eigen::MatrixXd points_;
+    bool exact_ = false;
 };
+
+// The same by exact envelopes, where the map is exact and that many patterns take no more than this
+// by estimate; else as it is.
+inline constexpr double kLongestExactS = 8.0;
+MaybesRequest exactly(MaybesRequest request, std::size_t patterns);
 
 // Of the map on screen; none where there is no map of the document as it is, or the pattern is not
 // in it. Patterns that are longer than all others are left out.

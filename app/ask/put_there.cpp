@@ -48,7 +48,7 @@ void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, Maybes
     question.free = free_of(state);
     question.steps = work.document.set.felt_steps;
     question.seed = kPutSeed;
-    put.asked = ReachRequest{*std::move(where), std::move(question)};
+    put.asked = ReachRequest{exactly(*std::move(where), kReachTries), std::move(question)};
     put.job->submit(*put.asked);
 }
 

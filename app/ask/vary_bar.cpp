@@ -56,7 +56,7 @@ void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
     if (state.varied.empty()) return;
     if (!place_named(work.document.set, state.varied)) return stop_varying(state);
     ImGui::AlignTextToFramePadding();
-    dim_text(ui, "Neighbours of " + state.varied + ": how far");
+    dim_text(ui, "Neighbours of " + state.varied);
     const float width = 170.0F * ui.theme.scale;
     flow_on(width, ui.theme.gap_px);
     draw_short_field(ui,
@@ -85,7 +85,8 @@ void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
     flow_on(120.0F * ui.theme.scale, 1.5F * ui.theme.gap_px);
     const std::string failure = failure_of(state.variants.job);
     dim_text(ui, !failure.empty() ? failure
-                 : found          ? "a preview; click one to take it, hold to feel it"
+                 : found          ? found->request.exact ? "click one to take it, hold to feel it"
+                                                         : "a preview; click one to take it, hold to feel it"
                                   : "searching");
     note_item(ui.rects, "vary:found", found ? std::to_string(found->patterns.size()) : "");
 }

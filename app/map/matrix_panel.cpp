@@ -90,13 +90,20 @@ void draw_choice(Ui& ui, ShownMap& shown_map) {
            "pattern more or less changes every number.");
     choose(MatrixQuantity::nc, "Neural coding: difference of the predicted brain waveforms.");
     choose(MatrixQuantity::oc, "Rhythm: dynamic time warping of the two envelopes.");
-    constexpr const char* kClustered = "Alike together";
-    flow_on(ImGui::GetFrameHeight() + ImGui::CalcTextSize(kClustered).x, 2.0F * gap);
-    ImGui::Checkbox(kClustered, &shown_map.clustered_matrix);
-    note_item(ui.rects, "check:clustered", shown_map.clustered_matrix ? "on" : "off");
-    draw_tooltip(ui,
-                 "Rows in the order of a tree of clusters (average linkage), instead of the "
-                 "list's.");
+}
+
+// At the right end of the foot: the order of the rows.
+void draw_order_choice(Ui& ui, ShownMap& shown_map, const Rect& foot) {
+    const char* words = shown_map.clustered_matrix ? "Rows as listed" : "Alike together";
+    const ImVec2 size = text_size(ui.theme.fonts.small, words);
+    if (foot.width() < 3.0F * size.x) return;
+    ImGui::PushFont(ui.theme.fonts.small);
+    ImGui::SetCursorScreenPos(
+        {foot.max.x - size.x, foot.min.y + ImGui::GetTextLineHeightWithSpacing()});
+    if (link(ui, "matrix order", words)) shown_map.clustered_matrix = !shown_map.clustered_matrix;
+    note_item(ui.rects, "link:matrix order", shown_map.clustered_matrix ? "clustered" : "list");
+    ImGui::PopFont();
+    draw_tooltip(ui, "The order of the rows: a tree of clusters (average linkage), or the list's.");
 }
 
 // The pair's numbers beneath the map: all three, so that PM explains itself.
@@ -205,6 +212,7 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
         }
     }
     if (!has_foot) return;
+    draw_order_choice(ui, shown_map, foot_area);
     std::optional<Pair> hovered = action.hovered;
     if (hovered) {
         hovered =

@@ -1,10 +1,12 @@
-// Where a point of a map would go if its vibration were another: by what the preview of a map goes
-// by, without making the map.
+// Where a point of a map would go if its vibration were another, without making the map: one row is
+// predicted, and the map goes on from how it lies.
 //
-// Output    a place in the frame of the given map: the others are let move as they would, and all
-// is
-//           turned back onto where they were
-// Left out  other minima: the map is not begun anew, as an exact one is
+// By an exact prediction that is where the map has the point afterwards, unless another minimum is
+// lower then; by coarse envelopes it is a preview, off by some percent of the map.
+//
+// Output    a place in the frame of the given map: the others may move as they would, and all of it
+//           is turned back onto where they were
+// Left out  other minima, but for anew()
 // Exact     same input, same place, on any number of threads.
 #pragma once
 
@@ -24,6 +26,8 @@ struct MapAsItIs {
     std::vector<Waveform> waveforms;  // as they are felt, of one length
     PerceptualModelParams model;
     Eigen::MatrixXd points;  // n x k, as they are shown
+    // Of these waveforms: by its envelopes places are exact, or a preview. Null: one is made.
+    std::shared_ptr<const Prediction> base{};
 };
 
 class MovedPoint {
@@ -35,24 +39,28 @@ class MovedPoint {
     // Of a waveform that is padded to the others' length.
     struct Place {
         Eigen::RowVectorXd at;
-        Dissimilarity pm;  // of the set with the change, by coarse envelopes
+        Dissimilarity pm;  // of the set with the change
     };
     // From any thread.
     std::optional<Place> operator()(const Waveform& changed, std::stop_token stop,
                                     int threads = 0) const;
 
+    // The same with the map made anew from all its starts, as an exact one is: where the point will
+    // be, other minima and all, but in a hundred times the work.
+    std::optional<Place> anew(const Waveform& changed, std::stop_token stop, int threads = 0) const;
+
     const Eigen::MatrixXd& points() const { return map_.points; }
-    const Dissimilarity& pm() const { return coarse_->pm; }
+    const Dissimilarity& pm() const { return map_.base->pm; }
     std::size_t length() const { return map_.waveforms.front().samples_g.size(); }
 
   private:
     MovedPoint(MapAsItIs map, std::size_t row) : map_(std::move(map)), row_(row) {}
-    std::optional<Place> raw(const Waveform& changed, std::stop_token stop, int threads) const;
+    std::optional<Place> raw(const Waveform& changed, std::stop_token stop, int threads,
+                             bool from_all_starts) const;
 
     MapAsItIs map_;
     std::size_t row_;
-    std::shared_ptr<const Prediction> coarse_;
-    Eigen::RowVectorXd shift_;  // from where it is by coarse envelopes to where it is shown
+    Eigen::RowVectorXd shift_;  // from where it goes unchanged to where it is shown
 };
 
 }  // namespace tact

@@ -47,6 +47,9 @@ struct Reached {
 inline constexpr double kReachedWithin = 0.05;
 bool is_reached(const Reached& reached);
 
+// How many patterns are tried.
+inline constexpr std::size_t kReachTries = 64 + 7 * 24;
+
 // None when stopped.
 std::optional<Reached> reach(const ReachQuestion& question, const MovedPoint& map,
                              const ReachOptions& options);

@@ -1,8 +1,9 @@
 // Even steps from one vibration to another: patterns on the way between them, placed so that each
 // is predicted to be as far from the next as the next is from the one after.
 //
-// The way is searched in 64 parts, then around each pattern in windows a quarter as wide each time
-// (bisection by fours), with coarse envelopes that are held against exact ones each time.
+// The way is bisected where it goes farthest, the most even places are searched among all that were
+// looked at, then in ever narrower windows around each, with coarse envelopes that are held against
+// exact ones each time.
 //
 // Evenness in PM itself cannot be asked for: PM is made of ranks, neighbours are the closest pairs
 // of such a set, and so their ranks are 1, 2, 3 ... whatever their distances are. What is made even

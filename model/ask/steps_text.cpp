@@ -44,8 +44,16 @@ std::string sentence_on(const StepsQuestion& question, const EvenSteps& steps) {
         (std::isfinite(steps.uneven) ? percent(steps.uneven) : std::string("any factor")) +
         " at best.";
     if (!steps.jump) return text;
-    text += " At " + percent(steps.jump->share) + " of the way the path jumps by " +
-            percent(steps.jump->distance / steps.ends_apart) + " of the distance of the two.";
+    const std::string far = percent(steps.jump->distance / steps.ends_apart);
+    const double smallest = *std::ranges::min_element(steps.apart);
+    if (steps.jump->distance >= 0.5 * smallest) {
+        text += " At " + percent(steps.jump->share) + " of the way the path jumps by " + far +
+                " of the distance of the two.";
+    } else {
+        text += " The path nowhere jumps by more than " + far + " of the distance of the two, at " +
+                percent(steps.jump->share) +
+                " of the way: it turns, so that neighbours lie no more evenly.";
+    }
     for (const std::string& what : morph_jumps(question.from, question.to)) {
         text += " At half of the way " + what + " changes at once.";
     }

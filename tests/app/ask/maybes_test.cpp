@@ -64,8 +64,8 @@ TEST_CASE("track: resting on a slider shows where it leads, with the numbers of 
     Mapped program;
     program.hover(program.at("slider:amplitude_g").middle());
     frames_until(program, [&] { return program.shows("track:13"); });
-    CHECK(program.at("track:1").value.find("0 g") != std::string::npos);
-    CHECK(program.at("track:13").value.find("4 g") != std::string::npos);
+    CHECK(program.at("track:1").value.starts_with("0 g"));
+    CHECK(program.at("track:13").value.starts_with("4 g"));
     CHECK(program.app.work.history.undo_label() == nullptr);
 }
 

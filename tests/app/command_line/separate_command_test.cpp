@@ -61,6 +61,13 @@ Json changes_of(const ShortSet& short_set, std::size_t place, double threshold,
     return changes;
 }
 
+// As the command goes by where no threshold is given: that of the set with the change.
+tact::SeparationOptions closest_five() {
+    tact::SeparationOptions options;
+    options.share = 0.05;
+    return options;
+}
+
 }  // namespace
 
 TEST_CASE("separate command: JSON is the model's answer, farther than the pair is now") {
@@ -72,7 +79,7 @@ TEST_CASE("separate command: JSON is the model's answer, farther than the pair i
     CHECK(json.at("threshold") ==
           std::max(apart, tact::threshold_at(short_set.prediction.pm, 0.05)));
     REQUIRE_FALSE(json.at("changes").empty());
-    CHECK(json.at("changes") == changes_of(short_set, 1, json.at("threshold")));
+    CHECK(json.at("changes") == changes_of(short_set, 1, json.at("threshold"), closest_five()));
 }
 
 TEST_CASE("separate command: either may change unless it is locked, the smallest step first") {
@@ -80,7 +87,8 @@ TEST_CASE("separate command: either may change unless it is locked, the smallest
     const Json both = short_set.separated({"--pair", "a,1,b"});
     const double threshold = both.at("threshold");
     CHECK(both.at("changes").size() ==
-          changes_of(short_set, 0, threshold).size() + changes_of(short_set, 1, threshold).size());
+          changes_of(short_set, 0, threshold, closest_five()).size() +
+              changes_of(short_set, 1, threshold, closest_five()).size());
     const Json others = short_set.separated({"--pair", "c,e"});
     for (const Json& change : others.at("changes")) {
         CHECK(change.at("pattern") == "c");

@@ -16,11 +16,11 @@ using namespace tact;
 
 namespace {
 
-PatternSet eight_short() {
+PatternSet ten_short() {
     PatternSet set;
-    for (int k = 0; k < 8; ++k) {
+    for (int k = 0; k < 10; ++k) {
         Pattern pattern;
-        pattern.duration_s = 0.3;
+        pattern.duration_s = 0.2;
         pattern.amplitude_g = 0.5 + 0.25 * (k % 3);
         pattern.carriers[0].frequency_hz = 50.0 + 30.0 * k;
         pattern.modulation.frequency_hz = 6.0 * (k % 4);
@@ -32,9 +32,11 @@ PatternSet eight_short() {
     return set;
 }
 
+Prediction predicted_of(const PatternSet& set) { return *predict(model_waveforms(set), set.model); }
+
 Eigen::MatrixXd map_of(const PatternSet& set) {
-    const auto prediction = predict(model_waveforms(set), set.model);
-    return nonmetric_mds(prediction->pm, standard_mds_params(set.vibrations.size(), 3)).points;
+    return nonmetric_mds(predicted_of(set).pm, standard_mds_params(set.vibrations.size(), 2))
+        .points;
 }
 
 double diameter_of(const Eigen::MatrixXd& points) {
@@ -50,8 +52,8 @@ double diameter_of(const Eigen::MatrixXd& points) {
 }  // namespace
 
 TEST_CASE("moved point: an unchanged pattern is where it is; the same bits on any threads") {
-    const PatternSet set = eight_short();
-    const MapAsItIs map{model_waveforms(set), set.model, map_of(set)};
+    const PatternSet set = ten_short();
+    const MapAsItIs map{model_waveforms(set), set.model, map_of(set), {}};
     auto one = MovedPoint::of(map, 2, 1, {});
     auto four = MovedPoint::of(map, 2, 4, {});
     REQUIRE(one);
@@ -68,11 +70,11 @@ TEST_CASE("moved point: an unchanged pattern is where it is; the same bits on an
 }
 
 TEST_CASE("moved point: it is where the map has the point once the number is really set") {
-    const PatternSet set = eight_short();
+    const PatternSet set = ten_short();
     const Eigen::MatrixXd points = map_of(set);
+    const auto base = std::make_shared<const Prediction>(predicted_of(set));
     RandomStream random{3};
     int near = 0;
-    double worst = 0.0;
     constexpr int kTries = 50;
     for (int tried = 0; tried < kTries; ++tried) {
         const std::size_t row = next_index(random, set.vibrations.size());
@@ -83,15 +85,18 @@ TEST_CASE("moved point: it is where the map has the point once the number is rea
         auto& pattern = std::get<Pattern>(changed.vibrations[row].source);
         const double value = *value_of(pattern, parameter);
         pattern = with_value(pattern, parameter, std::max(1.0, value) * (1.0 + next_even(random)));
-        auto moved = MovedPoint::of({model_waveforms(set), set.model, points}, row, 0, {});
-        const auto place = (*moved)(render(pattern), {});
+        auto moved = MovedPoint::of({model_waveforms(set), set.model, points, base}, row, 0, {});
+        const auto place = moved->anew(render(pattern), {});
+        const auto quick = (*moved)(render(pattern), {});
         const Eigen::MatrixXd after = procrustes(map_of(changed), points, false).aligned;
         const double off =
             (place->at - after.row(static_cast<Eigen::Index>(row))).norm() / diameter_of(after);
-        near += off <= 0.02;
-        worst = std::max(worst, off);
+        const double quickly =
+            (quick->at - after.row(static_cast<Eigen::Index>(row))).norm() / diameter_of(after);
+        CHECK(off <= 0.02);
+        near += quickly <= 0.02;
     }
-    MESSAGE("within 2 % of the diameter: " << near << " of " << kTries << ", worst " << worst);
+    // Going on from how it lies: for the rest another minimum of the map is lower then.
     CHECK(near >= 25);
 }
 

@@ -31,9 +31,11 @@ struct Bench {
     PatternSet set = six_short();
     Pattern own = std::get<Pattern>(set.vibrations[1].source);
     MovedPoint map = *MovedPoint::of(
-        {model_waveforms(set), set.model,
+        {model_waveforms(set),
+         set.model,
          nonmetric_mds(predict(model_waveforms(set), set.model)->pm, standard_mds_params(6, 3))
-             .points},
+             .points,
+         {}},
         1, 0, {});
 };
 

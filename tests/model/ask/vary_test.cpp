@@ -54,7 +54,8 @@ TEST_CASE("vary: the same by its seed on any threads, others by another; locked 
     question.seed = 2;
     CHECK_FALSE(varied(question, 0, {}) == first);
     question.free = {PatternParameter::carrier};
-    for (const Pattern& one : *varied(question, 0, {})) {
+    const auto of_carrier = varied(question, 0, {});
+    for (const Pattern& one : *of_carrier) {
         CHECK(one.amplitude_g == question.pattern.amplitude_g);
         CHECK(one.modulation == question.pattern.modulation);
     }
