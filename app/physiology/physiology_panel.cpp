@@ -114,7 +114,8 @@ void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     for (const float unit : kUnits) units += unit;
     const float free = ImGui::GetContentRegionAvail().y - gap * static_cast<float>(kStages.size());
     float lowest = patterns.size() > 1 ? kLowestPairUnitPx : kLowestUnitPx;
-    if (ui.as_picture || ui.presenting) lowest = 1.0F;  // nobody can, or will, scroll it
+    // Nobody can scroll a picture, and no clicker a single pattern; two would be too small.
+    if (ui.as_picture || (ui.presenting && patterns.size() < 2)) lowest = 1.0F;
     const float unit = std::max(free / units, lowest * theme.scale);
     const float height = unit * units + gap * static_cast<float>(kStages.size());
     const bool scrolls = height > ImGui::GetContentRegionAvail().y + 1.0F;

@@ -5,7 +5,6 @@
 #include "model/lesson/lesson_pairs.h"
 #include "model/set/set_ratings.h"
 #include "model/study/ratings.h"
-#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -81,8 +80,7 @@ QuestionAnswer answer_of_pairs(const Lesson& lesson, const LessonQuestion& quest
     const std::vector<double> pm = of_pairs(lesson.set, question.pairs, pairs.prediction->pm);
     answer.right = extreme_places(pm, question.kind == QuestionKind::closest);
     for (std::size_t k = 0; k < pm.size(); ++k) {
-        answer.model +=
-            (k == 0 ? "PM: " : ", ") + answer.options[k] + " " + significant_digits(pm[k], 3);
+        answer.model += (k == 0 ? "PM: " : ", ") + answer.options[k] + " " + plain_digits(pm[k], 3);
     }
     answer.model += ".";
     answer.people = people_text(lesson.set, question, answer.options);
@@ -140,10 +138,10 @@ std::string pair_text(const std::string& word, const LessonPairs& pairs, std::si
                       std::size_t b) {
     if (!pairs.prediction) return "\u2026";
     const Prediction& prediction = *pairs.prediction;
-    if (word == "nc") return significant_digits(prediction.nc(a, b), 3);
-    if (word == "oc") return significant_digits(prediction.oc(a, b), 3);
+    if (word == "nc") return plain_digits(prediction.nc(a, b), 3);
+    if (word == "oc") return plain_digits(prediction.oc(a, b), 3);
     const double pm = prediction.pm(a, b);
-    if (word == "pm") return significant_digits(pm, 3);
+    if (word == "pm") return plain_digits(pm, 3);
     const auto below =
         std::ranges::count_if(prediction.pm.condensed, [pm](double other) { return other < pm; });
     return std::to_string(below + 1) + " of " + std::to_string(prediction.pm.condensed.size());

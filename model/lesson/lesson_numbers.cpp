@@ -81,15 +81,6 @@ std::string list_of_words() {
 
 // ---- what a pattern's stages say ----
 
-// "120", not "1.2e+02".
-std::string digits(double value, int count) {
-    std::string text = significant_digits(value, count);
-    if (text.find("e+") == std::string::npos) return text;
-    char whole[64];
-    std::snprintf(whole, sizeof whole, "%.0f", finite_number_in(text).value_or(value));
-    return whole;
-}
-
 const ChannelStages& channel_of(const CodedPattern& coded, Receptor receptor) {
     return coded.stages.channel[index_of(receptor)];
 }
@@ -111,7 +102,7 @@ std::string share_text(const CodedPattern& coded, Receptor receptor, int least) 
     if (counts.empty()) return "0 %";
     const auto hits = std::ranges::count_if(counts, [least](int n) { return n >= least; });
     const double share = static_cast<double>(hits) / static_cast<double>(counts.size());
-    return digits(100.0 * share, 3) + " %";
+    return plain_digits(100.0 * share, 3) + " %";
 }
 
 std::string felt_text(const CodedPattern& coded) {
@@ -136,17 +127,17 @@ std::string value_of_pattern(const std::string& word, const CodedPattern& coded,
                              const Vibration& vibration) {
     if (word == "felt") return felt_text(coded);
     const Pattern& pattern = std::get<Pattern>(vibration.source);
-    if (word == "frequency") return digits(pattern.carriers[0].frequency_hz, 4) + " Hz";
-    if (word == "amplitude") return digits(pattern.amplitude_g, 3) + " g";
-    if (word == "modulation") return digits(pattern.modulation.frequency_hz, 3) + " Hz";
-    if (word == "duration") return digits(pattern.duration_s, 3) + " s";
-    return digits(displacement_of(pattern), 2) + " \u00b5m";
+    if (word == "frequency") return plain_digits(pattern.carriers[0].frequency_hz, 4) + " Hz";
+    if (word == "amplitude") return plain_digits(pattern.amplitude_g, 3) + " g";
+    if (word == "modulation") return plain_digits(pattern.modulation.frequency_hz, 3) + " Hz";
+    if (word == "duration") return plain_digits(pattern.duration_s, 3) + " s";
+    return plain_digits(displacement_of(pattern), 2) + " \u00b5m";
 }
 
 std::string threshold_text(const PatternSet& set, Receptor receptor, const Vibration& vibration) {
     const double frequency_hz = std::get<Pattern>(vibration.source).carriers[0].frequency_hz;
     const Curve& curve = set.model.coding.tables.threshold[index_of(receptor)];
-    return digits(std::pow(10.0, at(curve, frequency_hz)), 2) + " \u00b5m";
+    return plain_digits(std::pow(10.0, at(curve, frequency_hz)), 2) + " \u00b5m";
 }
 
 std::string value_of_type(const std::string& word, Receptor receptor, const CodedPattern& coded,
@@ -155,8 +146,8 @@ std::string value_of_type(const std::string& word, Receptor receptor, const Code
     const Activation& activation = coded.stages.code.activation[c];
     if (word == "threshold") return threshold_text(set, receptor, vibration);
     if (word == "spikes") return std::to_string(centre_spikes(coded, receptor));
-    if (word == "rate") return digits(activation.rate_hz, 3) + " impulses/s";
-    if (word == "radius") return digits(activation.radius_mm, 2) + " mm";
+    if (word == "rate") return plain_digits(activation.rate_hz, 3) + " impulses/s";
+    if (word == "radius") return plain_digits(activation.radius_mm, 2) + " mm";
     if (word == "on") return share_text(coded, receptor, 1);
     if (word == "at cap") return share_text(coded, receptor, set.model.coding.spike_cap);
     if (word == "receptors") {
@@ -165,10 +156,18 @@ std::string value_of_type(const std::string& word, Receptor receptor, const Code
     }
     const Pattern& pattern = std::get<Pattern>(vibration.source);
     const double cycles = pattern.carriers[0].frequency_hz * pattern.duration_s;
-    return digits(centre_spikes(coded, receptor) / cycles, 2);
+    return plain_digits(centre_spikes(coded, receptor) / cycles, 2);
 }
 
 }  // namespace
+
+std::string plain_digits(double value, int count) {
+    std::string text = significant_digits(value, count);
+    if (text.find("e+") == std::string::npos) return text;
+    char whole[64];
+    std::snprintf(whole, sizeof whole, "%.0f", finite_number_in(text).value_or(value));
+    return whole;
+}
 
 std::vector<std::string> placeholders_in(std::string_view text) {
     std::vector<std::string> found;

@@ -12,6 +12,9 @@
 
 namespace tact {
 
+// So many digits that count: "120", not "1.2e+02".
+std::string plain_digits(double value, int count);
+
 struct CodedPattern {
     NeuralCodingStages stages;  // without layers
 };

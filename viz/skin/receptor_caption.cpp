@@ -24,9 +24,9 @@ void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const Rec
     }
     // The count stays: where both have no room, the afferent's name stands for the type's.
     std::string name = traits(scene.receptor).name;
-    const float count_px = text_size(font, count).x;
-    if (text_size(font, name).x + count_px > room) name = traits(scene.receptor).afferent;
-    name = shortened(font, name, room - count_px);
+    if (text_size(font, name + count).x > room) name = traits(scene.receptor).afferent;
+    if (text_size(font, name + count).x > room) count.clear();
+    name = shortened(font, name, room);
     const float name_px = text_size(font, name).x;
     const float width = mark_px + name_px + text_size(font, count).x;
     const float left = line.centre().x - width / 2.0F;
@@ -117,7 +117,10 @@ void draw_scale_bar(ImDrawList& list, const Theme& theme, const Rect& map, float
         if (static_cast<float>(candidate_mm) * px_per_mm <= room) length_mm = candidate_mm;
     }
     const std::string text = tick_text(length_mm) + " mm";
-    if (length_mm <= 0.0 || text_size(theme.fonts.small, text).x > map.width()) return;
+    if (length_mm <= 0.0 ||
+        text_size(theme.fonts.small, text).x > map.width() - 4.0F * theme.scale) {
+        return;
+    }
     const ImVec2 left{map.min.x + 2.0F * theme.scale, map.max.y - 2.0F * theme.scale};
     const float length = static_cast<float>(length_mm) * px_per_mm;
     draw_level_line(list, left.y, left.x, left.x + length, 1.5F * theme.scale, theme.dim_text);

@@ -57,6 +57,11 @@ std::string two_digits(double value) {
                          : std::to_string(10 * static_cast<int>(value / 10.0 + 0.5));
 }
 
+std::string three_digits(double value) {
+    return value < 1000.0 ? significant_digits(value, 3)
+                          : std::to_string(10 * static_cast<int>(value / 10.0 + 0.5));
+}
+
 // The set taken apart from the front: waveforms, codes, pairs.
 struct Recomputed {
     PatternSet set;
@@ -158,7 +163,7 @@ std::string of_pair(const Recomputed& model, const Prediction& prediction,
     const std::size_t a = model.place(words[1]);
     const std::size_t b = model.place(words[2]);
     if (words[0] == "nc") return significant_digits(model.nc(a, b), 3);
-    if (words[0] == "oc") return significant_digits(model.oc(a, b), 3);
+    if (words[0] == "oc") return three_digits(model.oc(a, b));
     if (words[0] == "pm") return significant_digits(prediction.pm(a, b), 3);
     REQUIRE(words[0] == "pm rank");
     int closer = 0;
