@@ -103,7 +103,7 @@ std::optional<NeighbourAction> draw_neighbour_card(Ui& ui, Workspace& work,
                           bool first) {
         if (!first) flow_on(ImGui::CalcTextSize(words).x, 1.5F * ui.theme.gap_px);
         if (link(ui, id, words)) done = NeighbourAction{what, pair->place};
-        note_item(ui.rects, std::string("link:") + id);
+        note_item(ui.rects, std::string("neighbour:") + id);
         draw_tooltip(ui, help);
     };
     deed("play both", "Play both", NeighbourDeed::play_both, "This one, then the closest one.",

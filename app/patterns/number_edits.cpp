@@ -100,7 +100,9 @@ void note_rested(const Ui& ui, Workspace& work, const Field& field, const Patter
         const double share = static_cast<double>(k) / (kPlaces - 1);
         const double exact =
             field.logarithmic ? low * std::pow(high / low, share) : low + share * (high - low);
-        const double value = std::clamp(snapped_to(exact, field.snap), low, high);
+        // As the slider itself snaps: down to 0.
+        const double whole = field.snap > 0.0 ? field.snap * std::round(exact / field.snap) : exact;
+        const double value = std::clamp(whole, low, high);
         if (value == last) continue;
         last = value;
         Pattern changed = shown;

@@ -64,6 +64,7 @@ TEST_CASE("track: resting on a slider shows where it leads, with the numbers of 
     Mapped program;
     program.hover(program.at("slider:amplitude_g").middle());
     frames_until(program, [&] { return program.shows("track:13"); });
+    INFO(program.at("track:1").value);
     CHECK(program.at("track:1").value.starts_with("0 g"));
     CHECK(program.at("track:13").value.starts_with("4 g"));
     CHECK(program.app.work.history.undo_label() == nullptr);
@@ -79,10 +80,10 @@ TEST_CASE("neighbour card: it names the closest, and its words lead to it") {
     const std::string name = "p" + std::to_string(closest + 1);
     CHECK(program.at("neighbour:name").value == name);
     CHECK(program.shows("neighbour:verdict"));
-    program.click("link:why closest");
+    program.click("neighbour:why closest");
     CHECK(program.app.layout.bench == BenchTab::why);
     CHECK(program.app.work.selection.partner == name);
-    program.click("link:separate closest");
+    program.click("neighbour:separate closest");
     CHECK(program.app.layout.bench == BenchTab::subset);
     CHECK(program.app.picking.opened->first == "p1");
     CHECK(program.app.picking.opened->second == name);
