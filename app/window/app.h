@@ -7,6 +7,7 @@
 #include "app/document/workspace.h"
 #include "app/export/export_state.h"
 #include "app/generate/generate_state.h"
+#include "app/manual/manual_state.h"
 #include "app/map/map_state.h"
 #include "app/measured/import_state.h"
 #include "app/model_bench/model_state.h"
@@ -50,6 +51,7 @@ struct App {
     CalibrateState calibrating;
     TourState tour;
     PaletteState palette;
+    ManualState manual;
 };
 
 }  // namespace tact
