@@ -1,6 +1,9 @@
 #include "app/command_line/command_line.h"
 
 #include <iostream>
+#include <set>
+#include <sstream>
+#include <string_view>
 
 #include "app/command_line/interrupt.h"
 #include "app/command_line/options.h"
@@ -43,6 +46,43 @@ void add_commands(CLI::App& app, Commands& commands, Chosen& chosen) {
     add_measure_command(app, commands.measure, chosen);
     add_snapshot_command(app, commands.snapshot, chosen);
     add_lesson_command(app, commands.lesson, chosen);
+    add_manual_command(app, commands.manual, chosen);
+}
+
+namespace {
+
+// CLI11 lists what an option excludes by where it lies in memory, which is never the same twice.
+std::string with_exclusions_in_order(std::string text) {
+    constexpr std::string_view kExcludes = "Excludes: ";
+    for (std::size_t at = text.find(kExcludes); at != text.npos; at = text.find(kExcludes, at)) {
+        at += kExcludes.size();
+        std::istringstream words(text.substr(at, text.find('\n', at) - at));
+        std::set<std::string> names;
+        std::size_t length = 0;
+        for (std::string word; words >> word && word.starts_with("--");) {
+            length += word.size() + 1;
+            names.insert(word);
+        }
+        std::string in_order;
+        for (const std::string& name : names) in_order += name + " ";
+        if (length > 0) text.replace(at, length - 1, in_order, 0, length - 1);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<CommandHelp> command_help() {
+    CLI::App app;
+    Commands commands;
+    Chosen chosen;
+    add_commands(app, commands, chosen);
+    std::vector<CommandHelp> all;
+    for (const CLI::App* sub : app.get_subcommands(std::function<bool(CLI::App*)>{})) {
+        all.push_back({sub->get_name(), sub->get_description(),
+                       with_exclusions_in_order(sub->help("tactspace"))});
+    }
+    return all;
 }
 
 int run_command_line(int argc, const char* const* argv, RunWindow run_window) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "model/common/expected.h"
@@ -13,5 +14,13 @@ using RunWindow = Expected<Done> (*)(const std::vector<std::filesystem::path>& s
 
 // 0 done, 1 bad input (one sentence on standard error), 2 bad usage.
 int run_command_line(int argc, const char* const* argv, RunWindow run_window);
+
+// What --help says of each command.
+struct CommandHelp {
+    std::string name;
+    std::string summary;
+    std::string text;  // all of it, with the usage and the options
+};
+std::vector<CommandHelp> command_help();
 
 }  // namespace tact

@@ -119,6 +119,11 @@ struct SnapshotCommand {
 };
 Expected<Done> run(const SnapshotCommand& command);
 
+struct ManualCommand {
+    std::filesystem::path out;  // a page, .html
+};
+Expected<Done> run(const ManualCommand& command);
+
 struct CompareCommand {
     CommonOptions common;  // sets are not merged: each has its own ratings
     RatingFiles ratings;

@@ -67,6 +67,7 @@ void add_render_command(CLI::App& app, RenderCommand& command, Chosen& chosen);
 void add_export_command(CLI::App& app, ExportCommand& command, Chosen& chosen);
 void add_generate_command(CLI::App& app, GenerateCommand& command, Chosen& chosen);
 void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chosen);
+void add_manual_command(CLI::App& app, ManualCommand& command, Chosen& chosen);
 
 // actuator_options.cpp
 void add_devices_command(CLI::App& app, DevicesCommand& command, Chosen& chosen);
@@ -103,6 +104,7 @@ struct Commands {
     GenerateCommand generate;
     ImportCommand import;
     MeasureCommand measure;
+    ManualCommand manual;
 };
 void add_commands(CLI::App& app, Commands& commands, Chosen& chosen);
 

@@ -172,4 +172,11 @@ void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chose
         ->required();
 }
 
+void add_manual_command(CLI::App& app, ManualCommand& command, Chosen& chosen) {
+    CLI::App& manual = *app.add_subcommand(
+        "manual", "the manual as one page that needs no network, as F1 in the window opens it");
+    manual.add_option("--out", command.out, "file for the page, .html")->required();
+    manual.callback([&] { chosen = [&command] { return run(command); }; });
+}
+
 }  // namespace tact

@@ -134,6 +134,21 @@ std::string html_of(const HtmlTable& table) {
     return html + "</tbody></table></div>\n";
 }
 
+std::string html_of(const HtmlFigure& figure) {
+    std::string html = "<figure id=\"" + html_escaped(figure.id) + "\">\n";
+    const auto add = [&](const char* kind, const std::string& svg) {
+        // Without its size in pixels.
+        const std::size_t view = svg.find(" viewBox");
+        assert(view != std::string::npos && "an SVG document with a view box");
+        html += std::string("<div class=\"") + kind + "\"><svg role=\"img\" aria-label=\"" +
+                html_escaped(figure.alt) + "\"" + svg.substr(view) + "</div>\n";
+    };
+    add("light", figure.light);
+    add("dark", figure.dark);
+    if (!figure.caption.empty()) html += "<figcaption>" + figure.caption + "</figcaption>\n";
+    return html + "</figure>\n";
+}
+
 std::string html_section(const std::string& id, const std::string& heading,
                          const std::string& html) {
     return "<section id=\"" + html_escaped(id) + "\">\n<h2>" + html_escaped(heading) + "</h2>\n" +

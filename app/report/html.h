@@ -31,6 +31,16 @@ struct HtmlTable {
 // In a frame of its own, which scrolls where the table is wider than the page.
 std::string html_of(const HtmlTable& table);
 
+// Drawings of one thing on the grounds of both themes, as wide as there is room.
+struct HtmlFigure {
+    std::string id{};
+    std::string alt{};      // text: what is seen, for who does not see it
+    std::string caption{};  // html
+    std::string light{};    // SVG documents, which share no names
+    std::string dark{};
+};
+std::string html_of(const HtmlFigure& figure);
+
 // A part of a page under a heading; `id` is what links lead to.
 std::string html_section(const std::string& id, const std::string& heading,
                          const std::string& html);

@@ -10,6 +10,7 @@
 #include "app/export/export_state.h"
 #include "app/generate/generate_state.h"
 #include "app/lesson/lesson.h"
+#include "app/manual/manual_state.h"
 #include "app/map/map_state.h"
 #include "app/measured/import_state.h"
 #include "app/model_bench/model_state.h"
@@ -54,6 +55,7 @@ struct App {
     CalibrateState calibrating;
     LessonState lesson;
     PaletteState palette;
+    ManualState manual;
 };
 
 // What a lesson drives.

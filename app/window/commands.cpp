@@ -16,6 +16,7 @@
 #include "app/lesson/lesson_card.h"
 #include "app/lesson/lesson_edit.h"
 #include "app/lesson/presenting.h"
+#include "app/manual/open_manual.h"
 #include "app/measured/import_follow.h"
 #include "app/patterns/set_panel.h"
 #include "app/patterns/tapping.h"
@@ -299,6 +300,8 @@ const auto kCommands = std::to_array<Command>({
     {"Help", "Findings of the paper", {}, always,
      show_findings,
      nullptr, "publication checks holds fails"},
+    {"Help", "Manual", {}, always, [](App& app) { open_manual(app.ui, app.manual); }, nullptr,
+     "help how formats limits read documentation"},
     {"Help", "Keys and mouse", special(key::kF1), always,
      [](App& app) { app.ui.dialog = Dialog::keys; }, nullptr, "shortcuts help"},
     {"Help", "Command palette", ctrl('p'), always, [](App& app) { app.palette = {true, {}, 0}; }},

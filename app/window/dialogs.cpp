@@ -16,6 +16,7 @@
 #include "app/export/exports.h"
 #include "app/generate/generate_dialog.h"
 #include "app/lesson/lesson_edit.h"
+#include "app/manual/open_manual.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/kept_models.h"
 #include "app/model_bench/training_follow.h"
@@ -42,18 +43,13 @@ constexpr const char* kAboutText =
     "tactspace predicts which vibrations people will tell apart. It implements the physiology-"
     "based model PM of Lim & Park, \"Can a Computer Tell Differences between Vibrations?\" (CHI "
     "2023).\n\n"
-    "Where the paper leaves a choice open, one was made here; the model page in the README lists "
-    "them. The slopes and thresholds of the receptors are rebuilt from published rates, as the "
+    "Where the paper leaves a choice open, one was made here; the manual (F1) lists them. The "
+    "slopes and thresholds of the receptors are rebuilt from published rates, as the "
     "original figures were not available. The model knows one fingertip, a 0.5 mm probe, no "
     "adaptation, no noise and no differences between people; it was validated at 1 s.\n\n"
     "Source under the MIT licence. A binary linked with FFTW falls under the GPL.";
 
-struct Key {
-    const char* keys;
-    const char* what;
-};
-
-constexpr auto kKeys = std::to_array<Key>({
+constexpr auto kKeys = std::to_array<KeyRow>({
     {"Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y", "undo, redo"},
     {"Ctrl+O, Ctrl+S, Ctrl+Shift+S", "open, save, save as"},
     {"Ctrl+N, Ctrl+D, Del", "new pattern, duplicate, delete"},
@@ -79,6 +75,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"Ctrl+1, Ctrl+2, Ctrl+3", "arrange the columns: design, physiology, space"},
     {"Ctrl+5", "studies: ask people, see what they said"},
     {"Double click on a pane's title", "maximise the pane; Esc puts it back"},
+    {"F1; F1 again", "this list; the manual"},
     {"F5", "present the tour or the lesson on the whole screen"},
     {"Page Up, Page Down in a lesson", "a step back, on; so do a clicker's keys"},
     {"Arrows, Enter, Space; B; 1 to 9; M, presenting",
@@ -98,9 +95,29 @@ void draw_about(App& app) {
     end_dialog(app.ui);
 }
 
+// F1 has opened the list in this very frame, or opens the manual.
+void draw_manual_button(App& app) {
+    const auto pressed = [](int code) { return ImGui::IsKeyPressed(code, false); };
+    const bool again =
+        !ImGui::IsWindowAppearing() &&
+        (pressed(key::kF1) || (pressed(key::kEnter) && !app.ui.rects.tab_order.is_on_button));
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.ui.theme));
+    if (ImGui::Button("Open the manual") || again) {
+        open_manual(app.ui, app.manual);
+        app.ui.dialog = Dialog::none;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::PopStyleColor();
+    note_item(app.ui.rects, "button:manual");
+    ImGui::SameLine();
+    dim_text(app.ui, "F1 or Enter: every pane, format and limit, in the browser");
+    ImGui::Spacing();
+}
+
 void draw_keys(App& app) {
     if (!begin_dialog(app.ui, "Keys and mouse")) return;
-    for (const Key& line : kKeys) {
+    draw_manual_button(app);
+    for (const KeyRow& line : kKeys) {
         ImGui::TextUnformatted(line.keys);
         const float column = 290.0F * app.ui.theme.scale;
         if (ImGui::GetItemRectSize().x < column) ImGui::SameLine(column);
@@ -167,6 +184,8 @@ void draw_chooser(App& app) {
 }
 
 }  // namespace
+
+std::span<const KeyRow> keys_and_mouse() { return kKeys; }
 
 void draw_dialogs(App& app) {
     if (app.ui.question) return draw_question(app.ui);

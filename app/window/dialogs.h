@@ -2,12 +2,21 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <vector>
+
 #include "app/window/app.h"
 
 namespace tact {
 
 void draw_dialogs(App& app);
+
+// What F1 lists, and the manual.
+struct KeyRow {
+    const char* keys;
+    const char* what;
+};
+std::span<const KeyRow> keys_and_mouse();
 
 // What was dropped on the window: tables of ratings or of accelerations go to the open set, all
 // else is opened.

@@ -3,6 +3,7 @@
 #include "app/ask/maybes_follow.h"
 #include "app/compare/compare_follow.h"
 #include "app/lesson/lesson.h"
+#include "app/manual/open_manual.h"
 #include "app/map/map_follow.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/training_follow.h"
@@ -28,6 +29,7 @@ void stop_jobs(App& app) {
     stop_study(app.studying);
     app.work.cache.render_job.reset();
     app.generating.job.reset();
+    app.manual.job.reset();
     app.pattern_panes.recording.job.reset();
     stop_import(app.importing);
     stop_subset_jobs(app.picking);
@@ -51,6 +53,7 @@ void take_answers(App& app) {
     take_maps(app.ui, app.shown_map);
     take_stages(app.physiology);
     follow_lesson(app.lesson);
+    take_manual(app.ui, app.manual);
     take_compare_answers(app.rendered, app.comparing);
 }
 

@@ -8,6 +8,7 @@
 #include "app/document/files.h"
 #include "app/export/exports.h"
 #include "app/lesson/presenting.h"
+#include "app/manual/open_manual.h"
 #include "app/map/map_follow.h"
 #include "app/play/emergency_stop.h"
 #include "app/play/playing.h"
@@ -83,6 +84,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     App app = make_app();
     watch_for_crashes(crash_report_file());
     app.ui.wake = wake_window;
+    app.manual.program = running_program();
     const Expected<Done> started = start_session(app, sets);
     if (!started) return started.error();
     make_jobs(app);

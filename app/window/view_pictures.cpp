@@ -202,6 +202,7 @@ Picture view_picture(StillView& of, PictureView view, double at_s, const Picture
     PictureOptions options;
     options.dark = size.dark;
     options.scale = size.scale;
+    options.svg_ids = size.svg_ids;
     options.extra_text = drawn_text(still.work.document.set);
     options.has_panes = view == PictureView::window;
     return drawn(size, options, [&still, view](const Theme& theme) {

@@ -31,7 +31,8 @@ TEST_CASE("even path: on a straight line the steps are even parts") {
         0.01);
     REQUIRE(way.chosen.size() == 5);
     CHECK(way.ratio <= 1.01);
-    for (std::size_t k = 0; k < 5; ++k) CHECK(layers[k][way.chosen[k]] == k / 4.0);
+    for (std::size_t k = 0; k < 5; ++k)
+        CHECK(layers[k][way.chosen[k]] == static_cast<double>(k) / 4.0);
 }
 
 TEST_CASE("even path: where distances grow along the way, steps shrink") {

@@ -1,0 +1,148 @@
+// tactspace manual: the manual as one page.
+
+#include "app/manual/manual.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "app/command_line/commands.h"
+#include "app/command_line/output.h"
+#include "app/document/pattern_looks.h"
+#include "app/session/program_version.h"
+#include "app/subset/subset_follow.h"
+#include "app/window/commands.h"
+#include "app/window/dialogs.h"
+#include "app/window/view_pictures.h"
+#include "assets/assets.h"
+#include "model/io/set/set_file.h"
+#include "model/subset/set_subset.h"
+#include "model/text/atomic_file.h"
+
+namespace tact {
+
+namespace {
+
+constexpr const char* kTwelve = "sets/pm_2023_twelve.tactspace.json";
+constexpr const char* kLibrary = "library/library.tactspace.json";
+
+struct ManualView {
+    std::string_view name;
+    const char* set;
+    PictureView view;
+    const char* pattern;
+    const char* with;  // empty: no other
+    std::optional<Stage> stage;
+    double at_s;
+    int width;
+    int height;
+    void (*arrange)(StillView&) = nullptr;
+};
+
+void show_editor(StillView& still) { still.app.layout.maximised = Pane::editor; }
+
+// Its answer is computed beside the window, as always.
+void show_subset(StillView& still) {
+    still.app.layout.maximised = Pane::matrix;
+    still.app.layout.bench = BenchTab::subset;
+    still.app.picking.count = 4;
+    make_subset_jobs(still.app.ui, still.app.picking);
+}
+
+const auto kManualViews = std::to_array<ManualView>({
+    {"window", kTwelve, PictureView::window, "LH-4-full", "", {}, 0.2, 1280, 800},
+    {"editor", kLibrary, PictureView::window, "Take-off", "", {}, 0.0, 880, 560, show_editor},
+    {"stages", kTwelve, PictureView::physiology, "LH-4-full", "", {}, 0.2, 880, 900},
+    {"receptors", kTwelve, PictureView::physiology, "LH-4-full", "", Stage::receptors, 0.13, 880,
+     330},
+    {"pair", kTwelve, PictureView::physiology, "L-0-full", "H-0-full", Stage::brain, 0.2, 880, 480},
+    {"map", kTwelve, PictureView::space, "LH-4-full", "", {}, 0.0, 880, 560},
+    {"matrix", kTwelve, PictureView::matrix, "LH-4-full", "", {}, 0.0, 760, 540},
+    {"subset", kTwelve, PictureView::window, "LH-4-full", "", {}, 0.0, 880, 560, show_subset},
+});
+
+std::size_t place_in(const PatternSet& set, std::string_view name) {
+    const auto found = std::ranges::find(set.vibrations, name, &Vibration::name);
+    return static_cast<std::size_t>(found - set.vibrations.begin());
+}
+
+// Drawing takes what was answered, and asks on: until two drawings in a row ask for nothing.
+void bring_to_rest(SubsetState& picking, const std::function<void()>& draw) {
+    for (int quiet = 0; quiet < 2; ++quiet) {
+        draw();
+        while (is_subset_busy(picking)) {
+            quiet = -1;
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    }
+    stop_subset_jobs(picking);
+}
+
+Expected<ManualPicture> drawn_view(const ManualView& wanted) {
+    Expected<PatternSet> set = parse_set(asset(wanted.set), wanted.set, {});
+    if (!set) return set.error();
+    give_looks(*set);
+    if (wanted.arrange == show_editor) {  // the others would only be waited for
+        const std::size_t alone[] = {place_in(*set, wanted.pattern)};
+        *set = part_of(*set, alone);
+    }
+    ViewChoice choice;
+    choice.view = wanted.view;
+    choice.pattern = place_in(*set, wanted.pattern);
+    choice.stage = wanted.stage;
+    if (*wanted.with != '\0') choice.pinned = place_in(*set, wanted.with);
+    const auto view = opened_view(*set, choice);
+    if (wanted.arrange != nullptr) wanted.arrange(*view);
+    const auto svg = [&](bool dark) {
+        PictureSize size;
+        size.width = wanted.width;
+        size.height = wanted.height;
+        size.dark = dark;
+        size.format = PictureFormat::svg;
+        size.svg_ids = std::string(wanted.name) + (dark ? "-dark-" : "-light-");
+        return std::get<Svg>(view_picture(*view, wanted.view, wanted.at_s, size)).text;
+    };
+    if (view->app.picking.pick_job) bring_to_rest(view->app.picking, [&] { svg(false); });
+    return ManualPicture{svg(false), svg(true)};
+}
+
+Expected<ManualPicture> picture_for_manual(const std::string& name) {
+    std::string names;
+    for (const ManualView& view : kManualViews) {
+        if (view.name == name) return drawn_view(view);
+        names += (names.empty() ? "" : ", ") + std::string(view.name);
+    }
+    return Error{"expected one of the pictures " + names + ", got \"" + name + "\""};
+}
+
+ManualSource manual_source() {
+    ManualSource source;
+    for (const Command& command : commands()) {
+        const std::string_view menu = command.menu;
+        if (menu.empty() || menu == kExampleMenu) continue;  // a chapter lists the sets
+        source.commands.push_back({command.menu, command.name, shortcut_text(command.shortcut)});
+    }
+    for (const KeyRow& row : keys_and_mouse()) source.keys.push_back({row.keys, row.what});
+    source.picture = picture_for_manual;
+    source.program = kProgramVersion;
+    return source;
+}
+
+}  // namespace
+
+Expected<Done> run(const ManualCommand& command) {
+    if (const auto writable = writable_result(command.out); !writable) return writable.error();
+    const Expected<std::string> page = manual_page(manual_source());
+    if (!page) return page.error();
+    if (const auto written = write_atomically(command.out, *page); !written) return written;
+    std::cerr << "tactspace: wrote " << command.out.string() << "\n";
+    return Done{};
+}
+
+}  // namespace tact

@@ -1,0 +1,160 @@
+#include "app/manual/manual_tables.h"
+
+#include <array>
+
+#include "app/command_line/command_line.h"
+#include "app/document/example_sets.h"
+#include "app/physiology/stages.h"
+#include "app/report/html.h"
+#include "devices/rumble/actuator_kind.h"
+#include "model/evaluation/metric.h"
+#include "model/io/effects/actuator_map.h"
+#include "model/io/effects_out/write_effect.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+std::string code_html(std::string_view text) { return "<code>" + html_escaped(text) + "</code>"; }
+
+std::string stages_table() {
+    HtmlTable table{{{"stage"}, {"in the body"}, {"in the model"}}, {}, {}};
+    for (const Stage stage : kStages) {
+        const StageText& text = text_of(stage);
+        table.rows.push_back({"<b>" + html_escaped(text.name) + "</b>", html_escaped(text.in_body),
+                              html_escaped(text.in_model) + "<br><span class=\"dim\">" +
+                                  html_escaped(text.equation) + "</span>"});
+    }
+    return html_of(table);
+}
+
+std::string stages_left_out_table() {
+    HtmlTable table{{{"stage"}, {"left out"}, {"a choice of ours"}}, {}, {}};
+    for (const Stage stage : kStages) {
+        const StageText& text = text_of(stage);
+        table.rows.push_back({"<b>" + html_escaped(text.name) + "</b>", html_escaped(text.left_out),
+                              html_escaped(text.ours)});
+    }
+    return html_of(table);
+}
+
+std::string metrics_table() {
+    HtmlTable table{{{"key"}, {"metric"}, {"what it is"}, {"source"}}, {}, {}};
+    for (const Metric metric : kMetrics) {
+        const MetricTraits& of = traits(metric);
+        table.rows.push_back({code_html(of.key), html_escaped(of.name),
+                              html_escaped(of.description), html_escaped(of.source)});
+    }
+    return html_of(table);
+}
+
+std::string devices_table() {
+    HtmlTable table{
+        {{"key"}, {"device"}, {"what of a vibration it plays"}, {"told every"}}, {}, {}};
+    for (const ActuatorKind kind : kActuatorKinds) {
+        const ActuatorTraits& of = traits(kind);
+        const std::string period =
+            of.period_s > 0.0 ? significant_digits(1000.0 * of.period_s, 3) + " ms" : "sample";
+        table.rows.push_back(
+            {code_html(of.key), html_escaped(of.name), html_escaped(of.keeps), period});
+    }
+    return html_of(table);
+}
+
+std::string sets_table() {
+    std::string html = "<ul>\n";
+    for (const ExampleSet& set : kExampleSets) {
+        html += "<li>" + html_escaped(set.name) + "</li>\n";
+    }
+    return html + "</ul>\n";
+}
+
+std::string targets_table() {
+    HtmlTable table{{{"--format"}, {"is"}, {"files end in"}, {"actuator map"}}, {}, {}};
+    for (const TargetTraits& of : target_formats()) {
+        std::string endings = code_html(of.ending);
+        if (*of.beside != '\0') endings += " " + code_html(of.beside);
+        table.rows.push_back({code_html(of.key), html_escaped(of.title), endings,
+                              *of.map == '\0' ? "none: samples in g" : code_html(of.map)});
+    }
+    return html_of(table);
+}
+
+std::string maps_table() {
+    HtmlTable table{{{"map"}, {"from"}, {"Hz", true}}, {}, {}};
+    for (const ActuatorMap& map : bundled_actuators()) {
+        table.rows.push_back({code_html(map.name), html_escaped(map.source),
+                              significant_digits(map.frequency_hz.low, 4) + "\u2013" +
+                                  significant_digits(map.frequency_hz.high, 4)});
+    }
+    return html_of(table);
+}
+
+struct NamedTable {
+    std::string_view name;
+    std::string (*html)();
+};
+
+constexpr auto kTables = std::to_array<NamedTable>({{"stages", stages_table},
+                                                    {"stages_left_out", stages_left_out_table},
+                                                    {"metrics", metrics_table},
+                                                    {"devices", devices_table},
+                                                    {"sets", sets_table},
+                                                    {"targets", targets_table},
+                                                    {"maps", maps_table}});
+
+std::string key_html(const std::string& keys) {
+    return keys.empty() ? std::string() : "<kbd>" + html_escaped(keys) + "</kbd>";
+}
+
+}  // namespace
+
+Expected<std::string> table_html(std::string_view name) {
+    std::string names;
+    for (const NamedTable& table : kTables) {
+        if (table.name == name) return table.html();
+        names += (names.empty() ? "" : ", ") + std::string(table.name);
+    }
+    return Error{"expected one of the tables " + names + ", got \"" + std::string(name) + "\""};
+}
+
+std::string keys_html(const ManualSource& source) {
+    HtmlTable table{{{"keys and mouse"}, {"do"}}, {}, {}};
+    for (const ManualKeyRow& row : source.keys) {
+        table.rows.push_back({html_escaped(row.keys), html_escaped(row.what)});
+    }
+    return html_of(table);
+}
+
+std::string menus_html(const ManualSource& source) {
+    std::string html = "<div class=\"menus\">\n";
+    std::string menu;
+    HtmlTable table;
+    const auto add = [&] {
+        if (!table.rows.empty()) html += "<h4>" + html_escaped(menu) + "</h4>\n" + html_of(table);
+    };
+    for (const ManualCommandRow& row : source.commands) {
+        if (row.menu != menu) {
+            add();
+            menu = row.menu;
+            table = HtmlTable{{{"command"}, {"key", true}}, {}, "narrow"};
+        }
+        table.rows.push_back({html_escaped(row.name), key_html(row.keys)});
+    }
+    add();
+    return html + "</div>\n";
+}
+
+std::string commands_html() {
+    std::string html;
+    for (const CommandHelp& command : command_help()) {
+        html += "<details id=\"command-" + html_escaped(command.name) + "\"><summary>" +
+                code_html("tactspace " + command.name) + " \u2013 " +
+                html_escaped(command.summary) + "</summary>\n<pre class=\"help\">" +
+                html_escaped(command.text) + "</pre></details>\n";
+    }
+    return html;
+}
+
+}  // namespace tact

@@ -1,0 +1,31 @@
+// The manual from within the window: the page that was installed, else one that is made beside the
+// window and kept, in the reader's browser.
+//
+// Source    XDG Base Directory Specification 0.8; xdg-open of xdg-utils
+// Output    where the page is, in the status line, whether or not there is a browser
+// Left out  what a browser says of it.
+#pragma once
+
+#include <filesystem>
+
+#include "app/manual/manual_state.h"
+#include "app/ui/ui.h"
+
+namespace tact {
+
+// The file of the running program; empty where the system does not say.
+std::filesystem::path running_program();
+
+// Beside a program in bin/, as packages have it.
+std::filesystem::path installed_manual(const std::filesystem::path& program);
+
+// In the folder for what can be made anew, a page a version; empty without a home.
+std::filesystem::path kept_manual();
+
+// At once where there is a page, else as soon as it is made.
+void open_manual(Ui& ui, ManualState& manual);
+
+// Once a frame: opens what was made.
+void take_manual(Ui& ui, ManualState& manual);
+
+}  // namespace tact
