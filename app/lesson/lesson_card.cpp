@@ -144,6 +144,7 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
     const LessonStep* shown = step_of(state);
     if (shown == nullptr || card.empty()) return;
     const LessonStep step = *shown;  // the frame may go on to another one
+    const std::size_t at = *state.step;
     Ui& ui = hands.ui;
     const Theme& theme = ui.theme;
     ImGui::SetNextWindowPos(card.min);
@@ -167,8 +168,7 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
         draw_source(ui, state, step);
         draw_way(hands, state);
         char count[32];
-        std::snprintf(count, sizeof count, "%zu of %zu", *state.step + 1,
-                      state.lesson->steps.size());
+        std::snprintf(count, sizeof count, "%zu of %zu", at + 1, state.lesson->steps.size());
         note_rect(ui.rects, "tour", card.min, card.max, count);
     }
     ImGui::End();

@@ -112,7 +112,8 @@ std::string step_picture(const Lesson& lesson, std::size_t step_at) {
     still->app.timeline.range = {step.from_s, step.to_s};
     PictureSize size;
     size.width = 1200;
-    size.height = choice.stage || choice.view == PictureView::space ? 700 : 1300;
+    size.height = choice.stage || choice.view == PictureView::space ? 650 : 1500;
+    size.scale = 1.5F;  // as large as the page's text
     size.dark = false;
     size.format = PictureFormat::svg;
     size.svg_ids = "step" + std::to_string(step_at + 1) + "-";
