@@ -141,6 +141,15 @@ SpaceScene scene_of(const Ui& ui, const Workspace& work, const ShownMap& shown_m
     return scene;
 }
 
+std::vector<std::size_t> rows_selected_too(const Workspace& work,
+                                           const std::vector<std::optional<std::size_t>>& places) {
+    std::vector<std::size_t> rows;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (places[k] && work.selection.others.contains(*places[k])) rows.push_back(k);
+    }
+    return rows;
+}
+
 std::vector<Eigen::Vector3d> selected_points(const SpaceScene& scene,
                                              const Eigen::MatrixXd& points) {
     std::vector<Eigen::Vector3d> selected;
@@ -299,10 +308,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     const Eigen::MatrixXd points = eased_points(ui, shown_map);
     const MapDecor decor = map_decor(ui, shown_map, marks, looks);
     SpaceScene scene = scene_of(ui, work, shown_map, words, looks, points, places);
-    std::vector<std::size_t> selected_too;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        if (places[k] && work.selection.others.contains(*places[k])) selected_too.push_back(k);
-    }
+    const std::vector<std::size_t> selected_too = rows_selected_too(work, places);
     scene.selected_too = selected_too;
     decorate(decor, scene);
     const auto& people = marks.people;
