@@ -220,6 +220,15 @@ void note_points(Ui& ui, const ShownMap& shown_map, const Rect& area,
     if (is_moving(ui, shown_map)) note_rect(ui.rects, "points move", area.min, area.max);
 }
 
+// The two that the map joins by a line.
+void note_pair(Ui& ui, const Rect& area, const SpaceScene& scene, const SpaceAction& action,
+               const std::vector<std::string>& labels) {
+    const auto pointed = action.hovered ? action.hovered : scene.pointed;
+    if (!scene.selected || !pointed || *scene.selected == *pointed) return;
+    note_rect(ui.rects, "map pair", area.min, area.max,
+              labels[*scene.selected] + "|" + labels[*pointed]);
+}
+
 void note_maybes(Ui& ui, const ShownMap& shown_map, const Rect& area, const MapMaybes& maybes,
                  const Eigen::MatrixXd& points) {
     if (ui.rects.file.empty()) return;
@@ -322,11 +331,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     }
     const SpaceAction action = draw_space("space", ui.theme, area, scene, shown_map.camera);
     SpacePaneAction done = taken(work, action, places);
-    const auto pointed = action.hovered ? action.hovered : scene.pointed;
-    if (scene.selected && pointed && *scene.selected != *pointed) {
-        note_rect(ui.rects, "map pair", area.min, area.max,
-                  labels[*scene.selected] + "|" + labels[*pointed]);
-    }
+    note_pair(ui, area, scene, action, labels);
     if (!ui.as_picture) done.deed = draw_point_menu(ui, work, shown_map, action, places);
     draw_map_legend(ui, shown_map, area);
     note_points(ui, shown_map, area, labels, points);
