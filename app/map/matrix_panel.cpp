@@ -148,6 +148,26 @@ std::optional<Pair> pair_in_map(const Workspace& work, const PatternSet& mapped)
     return Pair{*a, *b};
 }
 
+// Clicks choose a pair or a row; what is pointed at is told to the other panes.
+void act_on(Workspace& work, const MatrixAction& action, const std::vector<std::string>& labels) {
+    const auto place = [&](std::size_t row) { return place_named(work.document.set, labels[row]); };
+    if (action.clicked) {
+        const auto a = place(action.clicked->first);
+        const auto b = place(action.clicked->second);
+        if (a && b) choose_pair(work, *a, *b);
+    }
+    if (action.clicked_row) {
+        if (const auto row = place(*action.clicked_row)) select_only(work, *row);
+    }
+    if (action.hovered) {
+        work.selection.hovered = place(action.hovered->second);
+        const auto first = place(action.hovered->first);
+        if (first && work.selection.hovered) {
+            work.selection.hovered_pair = {*first, *work.selection.hovered};
+        }
+    }
+}
+
 }  // namespace
 
 void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
@@ -182,7 +202,6 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     scene.labels = labels;
     scene.quantity = quantity_name(shown_map.quantity);
     scene.largest = shown_largest(shown_map);
-    const PatternSet& set = work.document.set;
     const Vibration* current = current_vibration(work);
     if (current != nullptr) scene.selected = place_named(mapped, current->name);
     if (scene.selected) scene.selected = drawn_row(shown_map, *scene.selected);
@@ -195,22 +214,7 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
         ui.rects, "view:Matrix", area.min, area.max,
         scene.pointed ? labels[scene.pointed->first] + "|" + labels[scene.pointed->second] : "");
     const MatrixAction action = draw_matrix("matrix", ui.theme, area, scene);
-    const auto place = [&](std::size_t row) { return place_named(set, labels[row]); };
-    if (action.clicked) {
-        const auto a = place(action.clicked->first);
-        const auto b = place(action.clicked->second);
-        if (a && b) choose_pair(work, *a, *b);
-    }
-    if (action.clicked_row) {
-        if (const auto row = place(*action.clicked_row)) select_only(work, *row);
-    }
-    if (action.hovered) {
-        work.selection.hovered = place(action.hovered->second);
-        const auto first = place(action.hovered->first);
-        if (first && work.selection.hovered) {
-            work.selection.hovered_pair = {*first, *work.selection.hovered};
-        }
-    }
+    act_on(work, action, labels);
     if (!has_foot) return;
     draw_order_choice(ui, shown_map, foot_area);
     std::optional<Pair> hovered = action.hovered;

@@ -141,6 +141,15 @@ SpaceScene scene_of(const Ui& ui, const Workspace& work, const ShownMap& shown_m
     return scene;
 }
 
+std::vector<std::size_t> rows_selected_too(const Workspace& work,
+                                           const std::vector<std::optional<std::size_t>>& places) {
+    std::vector<std::size_t> rows;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (places[k] && work.selection.others.contains(*places[k])) rows.push_back(k);
+    }
+    return rows;
+}
+
 std::vector<Eigen::Vector3d> selected_points(const SpaceScene& scene,
                                              const Eigen::MatrixXd& points) {
     std::vector<Eigen::Vector3d> selected;
@@ -209,6 +218,15 @@ void note_points(Ui& ui, const ShownMap& shown_map, const Rect& area,
         note_rect(ui.rects, "point:" + labels[k], at.at, at.at);
     }
     if (is_moving(ui, shown_map)) note_rect(ui.rects, "points move", area.min, area.max);
+}
+
+// The two that the map joins by a line.
+void note_pair(Ui& ui, const Rect& area, const SpaceScene& scene, const SpaceAction& action,
+               const std::vector<std::string>& labels) {
+    const auto pointed = action.hovered ? action.hovered : scene.pointed;
+    if (!scene.selected || !pointed || *scene.selected == *pointed) return;
+    note_rect(ui.rects, "map pair", area.min, area.max,
+              labels[*scene.selected] + "|" + labels[*pointed]);
 }
 
 void note_maybes(Ui& ui, const ShownMap& shown_map, const Rect& area, const MapMaybes& maybes,
@@ -299,10 +317,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     const Eigen::MatrixXd points = eased_points(ui, shown_map);
     const MapDecor decor = map_decor(ui, shown_map, marks, looks);
     SpaceScene scene = scene_of(ui, work, shown_map, words, looks, points, places);
-    std::vector<std::size_t> selected_too;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        if (places[k] && work.selection.others.contains(*places[k])) selected_too.push_back(k);
-    }
+    const std::vector<std::size_t> selected_too = rows_selected_too(work, places);
     scene.selected_too = selected_too;
     decorate(decor, scene);
     const auto& people = marks.people;
@@ -316,11 +331,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     }
     const SpaceAction action = draw_space("space", ui.theme, area, scene, shown_map.camera);
     SpacePaneAction done = taken(work, action, places);
-    const auto pointed = action.hovered ? action.hovered : scene.pointed;
-    if (scene.selected && pointed && *scene.selected != *pointed) {
-        note_rect(ui.rects, "map pair", area.min, area.max,
-                  labels[*scene.selected] + "|" + labels[*pointed]);
-    }
+    note_pair(ui, area, scene, action, labels);
     if (!ui.as_picture) done.deed = draw_point_menu(ui, work, shown_map, action, places);
     draw_map_legend(ui, shown_map, area);
     note_points(ui, shown_map, area, labels, points);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "model/ask/morph.h"
 #include "model/common/parallel.h"
 #include "model/dtw/dtw.h"
+#include "model/morph/morph.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 
 namespace tact {

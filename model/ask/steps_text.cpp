@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "model/ask/morph.h"
 #include "model/ask/steps.h"
+#include "model/morph/morph.h"
 
 namespace tact {
 

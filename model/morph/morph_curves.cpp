@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "model/ask/blend.h"
-#include "model/ask/morph_parts.h"
+#include "model/morph/blend.h"
+#include "model/morph/morph_parts.h"
 #include "model/pattern/drawn_curve.h"
 
 namespace tact {

@@ -1,4 +1,4 @@
-#include "model/ask/morph.h"
+#include "model/morph/morph.h"
 
 #include <doctest/doctest.h>
 

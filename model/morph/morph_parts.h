@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/ask/note_warp.h"
+#include "model/morph/note_warp.h"
 #include "model/pattern/pattern.h"
 
 namespace tact {

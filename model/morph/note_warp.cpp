@@ -1,4 +1,4 @@
-#include "model/ask/note_warp.h"
+#include "model/morph/note_warp.h"
 
 #include <algorithm>
 #include <cmath>

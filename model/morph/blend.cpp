@@ -1,4 +1,4 @@
-#include "model/ask/blend.h"
+#include "model/morph/blend.h"
 
 #include <algorithm>
 #include <cmath>

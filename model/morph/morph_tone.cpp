@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/ask/blend.h"
-#include "model/ask/morph_parts.h"
+#include "model/morph/blend.h"
+#include "model/morph/morph_parts.h"
 
 namespace tact {
 

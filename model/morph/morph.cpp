@@ -1,7 +1,7 @@
-#include "model/ask/morph.h"
+#include "model/morph/morph.h"
 
-#include "model/ask/blend.h"
-#include "model/ask/morph_parts.h"
+#include "model/morph/blend.h"
+#include "model/morph/morph_parts.h"
 
 namespace tact {
 
