@@ -21,6 +21,7 @@ constexpr auto kChapters = std::to_array<ManualChapter>({
     {"model", "What the model can and cannot say"},
     {"touch", "Actuators, to feel and to measure"},
     {"people", "Studies and training"},
+    {"teach", "Teaching"},
     {"formats", "Every format"},
     {"terminal", "In a terminal, in Python and R"},
     {"keys", "Keys, mouse and menus"},

@@ -3,25 +3,27 @@
 //     {
 //       "tactlesson": 1,                     the format
 //       "name": "Gaps", "about": "Five minutes, for beginners",
-//       "set": {..}                          as in a set file (model/io/set/set_file.h), or the
-//       name
-//                                            of one that comes with the program: "pm_2023_twelve"
+//       "set": {..}                     as in a set file (model/io/set/set_file.h), or the name of
+//                                       one that comes with the program: "pm_2023_twelve"
 //       "steps": [{
-//         "title": "..", "text": "..",       with numbers of the model in braces, as
-//                                            model/lesson/lesson_numbers.h lists them
-//         "note": "..",                      for who speaks; "source": of what is said of the body
-//         "pattern": "A", "partner": "B",    by their names in the set
-//         "view": "brain",                   all, vibration, spectrum, filtered, receptors, spikes,
-//                                            networks, central, brain, envelope or map
-//         "point_at": "grid FA2",            a widget, outlined
-//         "at_s": 0.1, "speed": 0.01,        of the playhead; speed 0: it stands still
-//         "from_s": 0.0, "to_s": 0.2,        of the time axes
+//         "title": "..", "text": "..",  with numbers of the model in braces, as
+//                                       model/lesson/lesson_numbers.h lists them
+//         "note": "..",                 for who speaks
+//         "source": "..",               of what is said of the body
+//         "pattern": "A",               by its name in the set, and
+//         "partner": "B",
+//         "view": "brain",              all, vibration, spectrum, filtered, receptors, spikes,
+//                                       networks, central, brain, envelope or map
+//         "point_at": "grid FA2",       a widget, outlined
+//         "at_s": 0.1, "speed": 0.01,   of the playhead; speed 0: it stands still
+//         "from_s": 0.0, "to_s": 0.2,   of the time axes
 //         "camera": {"yaw_rad": 0.5, "pitch_rad": 0.4, "zoom": 1.0},
 //         "question": {
-//           "kind": "choice",                or receptors, closest, farthest: those the model
-//           answers "ask": "..", "reveal": "..", "options": ["..", ".."], "answer": 0,      of a
-//           choice, counted from 0 "pairs": [["A", "B"], ["A", "C"]]          of closest and
-//           farthest
+//           "kind": "choice",           or what the model answers: receptors, closest, farthest
+//           "ask": "..", "reveal": "..",
+//           "options": ["..", ".."],    of a choice, and
+//           "answer": 0,                which, counted from 0
+//           "pairs": [["A", "B"]]       of closest and farthest
 //         }
 //       }]
 //     }
