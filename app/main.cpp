@@ -1,7 +1,7 @@
 #include <csignal>
 
 #include "app/command_line/command_line.h"
-#include "app/window/main_window.h"
+#include "app/window/frame.h"
 
 int main(int argc, char** argv) {
     // A file that may not grow further is an error of writing like any other, with its sentence.

@@ -100,13 +100,13 @@ Expected<Done> run(const ExportCommand& command);
 
 struct SnapshotCommand {
     CommonOptions common;
-    std::string view = "window";  // window, physiology, wave, spectrum, matrix, space
-    std::string pattern;          // but for matrix and space; empty: the first
-    std::string with;             // for window and physiology: compared with this one ...
-    std::string stage;            // ... at this stage, large; a key of app/physiology/stages.h
-    std::optional<double> at_s;   // ... with the playhead there
-    bool tilted = false;          // ... and the receptors
-    int frames = 0;               // of a film, or of a sequence in a folder; 0: a single picture
+    std::string view = "window";   // window, physiology, wave, spectrum, matrix, space
+    std::string pattern;           // but for matrix and space; empty: the first
+    std::string with;              // for window and physiology: compared with this one ...
+    std::string stage;             // ... at this stage, large; a key of app/physiology/stages.h
+    std::optional<double> at_s;    // ... with the playhead there
+    bool tilted = false;           // ... and the receptors
+    int frames = 0;                // of a film, or of a sequence in a folder; 0: a single picture
     std::optional<double> slower;  // the same by how much slower than life it goes
     bool figures = false;          // every stage as an SVG in the folder `out`
     std::optional<double> from_s;

@@ -5,8 +5,8 @@
 
 namespace tact {
 
-void draw_spectrum_stage(Ui& ui, Physiology& physiology, const ShownStages& shown,
-                         const Rect& area, bool large);
+void draw_spectrum_stage(Ui& ui, Physiology& physiology, const ShownStages& shown, const Rect& area,
+                         bool large);
 void draw_receptor_stage(Ui& ui, const Timeline& timeline, Physiology& physiology,
                          const ShownStages& shown, const Rect& area, const StageSize& size);
 void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,

@@ -5,6 +5,7 @@
 
 namespace tact {
 
+inline bool always(const App&) { return true; }
 bool has_selection(const App& app);
 bool has_effects(const App& app);
 bool has_answers(const App& app);

@@ -17,6 +17,12 @@ struct Shortcut {
     bool shift = false;
 };
 
+constexpr Shortcut ctrl(char32_t sign, bool shift = false) {
+    return {sign, key::kUnknown, true, shift};
+}
+constexpr Shortcut plain(char32_t sign) { return {sign, key::kUnknown, false, false}; }
+constexpr Shortcut special(int code) { return {0, code, false, false}; }
+
 struct Command {
     const char* menu;  // "Edit"
     const char* name;
@@ -30,6 +36,7 @@ struct Command {
 inline constexpr const char* kExampleMenu = "Example sets";  // within File
 
 std::span<const Command> commands();
+std::span<const Command> document_commands();  // the first of them: File, Edit, View
 
 // Runs it, and notes its name for what a crash would tell.
 void carry_out(App& app, const Command& command);

@@ -1,11 +1,14 @@
 // One frame of the program: input, answers of the jobs, menus, panes, dialogs.
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/screen/input_queue.h"
 #include "app/window/app.h"
+#include "model/common/expected.h"
 
 namespace tact {
 
@@ -35,5 +38,9 @@ App make_app();
 // Theme, fonts and style for the current ImGui context, at app.ui.content_scale x
 // app.ui.text_scale. The atlas must be empty.
 void make_theme(App& app);
+
+// The program with its window on the screen: opens it on the sets, or on the last session without
+// any; returns when it is closed.
+Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets);
 
 }  // namespace tact

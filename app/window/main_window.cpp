@@ -1,5 +1,3 @@
-#include "app/window/main_window.h"
-
 #include <unistd.h>
 
 #include <iostream>
