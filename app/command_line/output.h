@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/labels.h"
 #include "app/pictures/pictures.h"
+#include "app/rendering/labels.h"
 #include "devices/calibration/rendering.h"
 #include "model/set/pattern_set.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/labels.h"
+#include "app/rendering/labels.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/set/pattern_set.h"
 #include "model/study/who_counts.h"

@@ -101,7 +101,7 @@ Expected<std::string> part_of_manual(const ManualSource& source, KnownNumbers& n
     if (word == "table") return table_html(rest);
     if (word == "keys") return keys_html(source);
     if (word == "menus") return menus_html(source);
-    if (word == "commands") return commands_html();
+    if (word == "commands") return commands_html(source);
     if (word == "program") return html_escaped(source.program);
     return Error{
         "expected picture, number, example, effect, table, keys, menus, commands or "

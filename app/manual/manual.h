@@ -4,7 +4,7 @@
 // pictures, the model's numbers, tables, keys, options, files of every format. So none of it is
 // typed twice, and none can grow old.
 //
-// Input     what only the window knows: its commands, keys and pictures
+// Input     what only the window and the command line know: commands, keys, options, pictures
 // Output    HTML (app/report/html.h); an Error where a chapter asks for what there is not
 // Exact     same input, same bytes.
 #pragma once
@@ -30,6 +30,13 @@ struct ManualKeyRow {
     std::string what;
 };
 
+// A command of the command line, as its --help has it.
+struct ManualCommandHelp {
+    std::string name;
+    std::string summary;
+    std::string text;  // with the usage and the options
+};
+
 // A picture on the grounds of both themes: SVG documents, the names in which begin with `ids`.
 struct ManualPicture {
     std::string light;
@@ -39,6 +46,7 @@ struct ManualPicture {
 struct ManualSource {
     std::vector<ManualCommandRow> commands{};
     std::vector<ManualKeyRow> keys{};
+    std::vector<ManualCommandHelp> command_line{};
     std::function<Expected<ManualPicture>(const std::string& name)> picture{};
     std::string program{};  // "tactspace 0.1.0"
 };

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "app/command_line/command_line.h"
 #include "app/document/example_sets.h"
 #include "app/physiology/stages.h"
 #include "app/report/html.h"
@@ -146,9 +145,9 @@ std::string menus_html(const ManualSource& source) {
     return html + "</div>\n";
 }
 
-std::string commands_html() {
+std::string commands_html(const ManualSource& source) {
     std::string html;
-    for (const CommandHelp& command : command_help()) {
+    for (const ManualCommandHelp& command : source.command_line) {
         html += "<details id=\"command-" + html_escaped(command.name) + "\"><summary>" +
                 code_html("tactspace " + command.name) + " \u2013 " +
                 html_escaped(command.summary) + "</summary>\n<pre class=\"help\">" +

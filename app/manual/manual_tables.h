@@ -16,6 +16,6 @@ std::string keys_html(const ManualSource& source);
 std::string menus_html(const ManualSource& source);
 
 // Every command of the command line with its options; its section is called "command-NAME".
-std::string commands_html();
+std::string commands_html(const ManualSource& source);
 
 }  // namespace tact

@@ -3,10 +3,10 @@
 #include <array>
 #include <utility>
 
-#include "app/command_line/labels.h"
 #include "app/compare/people_text.h"
 #include "app/map/map_follow.h"
 #include "app/pictures/pictures.h"
+#include "app/rendering/labels.h"
 #include "app/report/report.h"
 #include "app/session/folders.h"
 #include "app/session/program_version.h"

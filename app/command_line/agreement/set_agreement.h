@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line/labels.h"
+#include "app/rendering/labels.h"
 #include "model/evaluation/metric_comparison.h"
 #include "model/study/agreement.h"
 #include "model/study/who_counts.h"

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <thread>
 
+#include "app/command_line/command_line.h"
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
 #include "app/document/pattern_looks.h"
@@ -123,6 +124,9 @@ Expected<ManualPicture> picture_for_manual(const std::string& name) {
 
 ManualSource manual_source() {
     ManualSource source;
+    for (const CommandHelp& command : command_help()) {
+        source.command_line.push_back({command.name, command.summary, command.text});
+    }
     for (const Command& command : commands()) {
         const std::string_view menu = command.menu;
         if (menu.empty() || menu == kExampleMenu) continue;  // a chapter lists the sets

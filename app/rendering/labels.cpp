@@ -1,4 +1,4 @@
-#include "app/command_line/labels.h"
+#include "app/rendering/labels.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
