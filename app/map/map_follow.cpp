@@ -54,8 +54,8 @@ struct SavedPlaces {
     Eigen::MatrixXd points;
 };
 
-SavedPlaces saved_places(const LiveMap& map) {
-    const auto& saved = map.request.set->map_places.at;
+SavedPlaces saved_places(const LiveMap& map, const MapPlaces& kept) {
+    const auto& saved = kept.at;
     const auto columns = static_cast<std::size_t>(map.space.points.cols());
     SavedPlaces places;
     std::vector<const std::vector<double>*> found;
@@ -94,7 +94,7 @@ Eigen::MatrixXd aligned_to_anchor(const MapTransition& map, const LiveMap& fresh
         const Common common = common_rows(fresh, *map.anchor);
         return turned_onto(points, common.here, picked(map.anchor_points, common.there));
     }
-    const SavedPlaces saved = saved_places(fresh);
+    const SavedPlaces saved = saved_places(fresh, fresh.request.set->map_places);
     if (tells_turn(saved.rows.size(), points.cols())) {
         return turned_onto(points, saved.rows, saved.points);
     }
@@ -115,6 +115,20 @@ bool is_news(const ShownMap& shown_map, const std::shared_ptr<const LiveMap>& ma
     const LiveMapRequest& shown = shown_map.transition.shown->request;
     if (map->request.revision != shown.revision) return map->request.revision > shown.revision;
     return shown.preview && !map->request.preview;
+}
+
+// Whether the map that is shown would be opened so from these places: then they say enough, and a
+// set that was only opened is saved as it was.
+bool lies_as_saved(const MapTransition& map, const MapPlaces& kept) {
+    constexpr double kSame = 0.01;  // of the map's size
+    const SavedPlaces saved = saved_places(*map.shown, kept);
+    const auto all = static_cast<std::size_t>(map.to.rows());
+    if (saved.rows.size() != all || kept.at.size() != all) return false;
+    if (!tells_turn(all, map.to.cols())) return false;
+    const Eigen::MatrixXd opened = turned_onto(map.to, saved.rows, saved.points);
+    const Eigen::MatrixXd centred = map.to.rowwise() - map.to.colwise().mean();
+    const Eigen::MatrixXd turned = opened.rowwise() - opened.colwise().mean();
+    return (turned - centred).norm() <= kSame * centred.norm();
 }
 
 }  // namespace
@@ -199,10 +213,12 @@ void note_map_places(Workspace& work, ShownMap& shown_map) {
     const MapTransition& map = shown_map.transition;
     if (map.shown->space.verdict == MdsVerdict::constant) return;
     if (std::exchange(shown_map.places_noted_of, map.shown) == map.shown) return;
+    if (lies_as_saved(map, work.document.set.map_places)) return;
     constexpr double kFine = 1e4;  // of a map's mean distance from its middle
     auto& at = work.document.set.map_places.at;
     at.clear();
     const auto& all = map.shown->request.set->vibrations;
+    if (!tells_turn(all.size(), map.to.cols())) return;
     for (std::size_t k = 0; k < all.size(); ++k) {
         auto& place = at[all[k].name];
         for (Eigen::Index d = 0; d < map.to.cols(); ++d) {

@@ -104,6 +104,8 @@ TEST_CASE("map: saved with the set, it is opened as it lay") {
     Eigen::MatrixXd mirrored = lay;
     mirrored.col(0) *= -1.0;
     CHECK((again.app.shown_map.transition.to - mirrored).norm() < 1e-3 * lay.norm());
+    // What was only opened is saved as it was, to the last digit.
+    CHECK(again.app.work.document.set.map_places.at == turned.map_places.at);
     stop_jobs(again.app);
 }
 
