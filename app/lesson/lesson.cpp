@@ -15,17 +15,6 @@ namespace tact {
 
 namespace {
 
-ViewBeforeLesson view_of(const LessonHands& hands) {
-    return {hands.layout,
-            hands.work.selection.current,
-            hands.work.selection.pinned,
-            hands.timeline.playhead,
-            hands.timeline.range,
-            hands.physiology.view.open,
-            hands.shown_map.camera,
-            hands.ui.text_scale};
-}
-
 // What was typed a moment ago is on the disk before the document goes aside, as nothing of it is
 // kept while the lesson shows its own set.
 void keep_on_disk(Workspace& work) {
@@ -86,6 +75,17 @@ void arrange(const LessonHands& hands, const LessonState& state, const LessonSte
 }
 
 }  // namespace
+
+ViewBeforeLesson view_of(const LessonHands& hands) {
+    return {hands.layout,
+            hands.work.selection.current,
+            hands.work.selection.pinned,
+            hands.timeline.playhead,
+            hands.timeline.range,
+            hands.physiology.view.open,
+            hands.shown_map.camera,
+            hands.ui.text_scale};
+}
 
 std::shared_ptr<const Lesson> bundled_lesson(const char* path) {
     auto lesson = parse_lesson(asset(path), path, {});

@@ -47,6 +47,9 @@ inline constexpr std::array<BundledLesson, 6> kBundledLessons{{
 // One that comes with the program.
 std::shared_ptr<const Lesson> bundled_lesson(const char* path);
 
+// What is on screen, to be put back when the lesson is left.
+ViewBeforeLesson view_of(const LessonHands& hands);
+
 // Shows the lesson's set in the place of the document, which is kept, and the first step.
 void start_lesson(const LessonHands& hands, LessonState& state,
                   std::shared_ptr<const Lesson> lesson, const std::filesystem::path& path);

@@ -108,14 +108,7 @@ void new_lesson(const LessonHands& hands, LessonState& state) {
     lesson.name = hands.work.document.set.name + ", a lesson";
     lesson.set = hands.work.document.set;
     lesson.steps = {step_from_screen(hands)};
-    state.before = {hands.layout,
-                    hands.work.selection.current,
-                    hands.work.selection.pinned,
-                    hands.timeline.playhead,
-                    hands.timeline.range,
-                    hands.physiology.view.open,
-                    hands.shown_map.camera,
-                    hands.ui.text_scale};
+    state.before = view_of(hands);
     state.path.clear();
     state.is_tour = false;
     state.editing = true;

@@ -1,12 +1,11 @@
 #include "app/report/weights_html.h"
 
-#include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <span>
 
 #include "app/report/html.h"
 #include "model/text/numbers.h"
+#include "viz/charts/star_view.h"
 
 namespace tact {
 
@@ -21,22 +20,14 @@ std::string decimal(double value, int decimals) {
     return text;
 }
 
-// The first ray points up, the others follow clockwise; of two the second points right.
-std::string point_on(std::size_t ray, std::size_t rays, double weight) {
-    const double turn = rays == 2 ? 0.25 : 1.0 / static_cast<double>(rays);
-    const double angle =
-        2.0 * std::numbers::pi * (static_cast<double>(ray) * turn) - std::numbers::pi / 2.0;
-    return decimal(kHalf + kRadius * weight * std::cos(angle), 1) + "," +
-           decimal(kHalf + kRadius * weight * std::sin(angle), 1);
+std::string at(ImVec2 place) {
+    return decimal(kHalf + kRadius * place.x, 1) + "," + decimal(kHalf + kRadius * place.y, 1);
 }
 
 std::string outline(std::span<const double> weights, const char* kind) {
     std::string points;
-    for (std::size_t r = 0; r < weights.size(); ++r) {
-        points += (r == 0 ? "" : " ") + point_on(r, weights.size(), weights[r]);
-    }
-    // One ray is a line, two are a triangle with the middle.
-    if (weights.size() < 3) points += " " + decimal(kHalf, 1) + "," + decimal(kHalf, 1);
+    for (const ImVec2 place : star_outline(weights))
+        points += (points.empty() ? "" : " ") + at(place);
     return std::string("<polygon class=\"") + kind + "\" points=\"" + points + "\"/>";
 }
 
@@ -46,7 +37,7 @@ std::string star(const PersonWeights& person, std::span<const double> mean) {
     for (std::size_t r = 0; r < person.weights.size(); ++r) {
         const std::string middle = decimal(kHalf, 1);
         rays += "<path class=\"ray\" d=\"M" + middle + "," + middle + "L" +
-                point_on(r, person.weights.size(), 1.0) + "\"/>";
+                at(star_ray(r, person.weights.size())) + "\"/>";
         said += " " + decimal(person.weights[r], 2);
     }
     const std::string side = decimal(2.0 * kHalf, 0);
@@ -75,14 +66,13 @@ HtmlTable table_of(const IndividualWeights& weights) {
 
 std::string weights_section(const IndividualWeights& weights) {
     if (weights.people.empty()) return {};
-    const std::vector<double> mean = mean_weights(weights);
     std::string html = "<div class=\"stars\">\n";
-    for (const PersonWeights& person : weights.people) html += star(person, mean);
+    for (const PersonWeights& person : weights.people) html += star(person, weights.mean);
     html +=
         "</div>\n<p>A ray a dimension of one common map, the first upwards, the others "
         "clockwise; as long as the weight, the whole ray is 1. Dashed: the mean of "
         "all.</p>\n<ul>\n";
-    for (std::size_t r = 0; r < mean.size(); ++r) {
+    for (std::size_t r = 0; r < weights.mean.size(); ++r) {
         const DimensionEnds ends = ends_of(weights, r);
         html += "<li>Dimension " + std::to_string(r + 1) + " leads from <b>" +
                 html_escaped(ends.low) + "</b> to <b>" + html_escaped(ends.high) + "</b>.</li>\n";

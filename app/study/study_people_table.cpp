@@ -80,11 +80,11 @@ void draw_star_cell(Ui& ui, const StudyAnswers& answers, const std::string& code
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({side, side});
     draw_star(*ImGui::GetWindowDrawList(), ui.theme, {corner, corner + ImVec2(side, side)},
-              person->weights, mean_weights(answers.weights));
+              person->weights, answers.weights.mean);
     std::string noted;
     for (const double weight : person->weights) noted += digits(weight, 2) + " ";
     note_item(ui.rects, "star:" + code, noted);
-    draw_tooltip(ui, weights_text(answers, *person).c_str());
+    if (ImGui::IsItemHovered()) draw_tooltip(ui, weights_text(answers, *person).c_str());
 }
 
 void draw_cells(Ui& ui, const StudyAnswers& answers, const ParticipantSummary& person) {

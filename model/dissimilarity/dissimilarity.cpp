@@ -26,6 +26,16 @@ double Dissimilarity::operator()(std::size_t i, std::size_t j) const {
     return condensed[pair_index(size, std::min(i, j), std::max(i, j))];
 }
 
+Dissimilarity among(const Dissimilarity& dissimilarity, std::span<const std::size_t> objects) {
+    Dissimilarity result{objects.size(), {}};
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        for (std::size_t j = i + 1; j < objects.size(); ++j) {
+            result.condensed.push_back(dissimilarity(objects[i], objects[j]));
+        }
+    }
+    return result;
+}
+
 std::pair<std::size_t, std::size_t> pair_at(std::size_t n, std::size_t index) {
     assert(index < pair_count(n) && "pair outside the matrix");
     // Row i starts at i (2n - i - 1) / 2; solve for i, then correct the rounding.

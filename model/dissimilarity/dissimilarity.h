@@ -19,6 +19,9 @@ struct Dissimilarity {
     bool operator==(const Dissimilarity&) const = default;
 };
 
+// Those of some of the objects alone (ascending), in their order.
+Dissimilarity among(const Dissimilarity& dissimilarity, std::span<const std::size_t> objects);
+
 constexpr std::size_t pair_count(std::size_t objects) {
     return objects == 0 ? 0 : objects * (objects - 1) / 2;
 }

@@ -104,16 +104,6 @@ std::vector<std::size_t> places_rated(const Dissimilarity& ratings) {
     return places;
 }
 
-Dissimilarity among(const Dissimilarity& all, const std::vector<std::size_t>& places) {
-    Dissimilarity part{places.size(), {}};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        for (std::size_t j = i + 1; j < places.size(); ++j) {
-            part.condensed.push_back(all(places[i], places[j]));
-        }
-    }
-    return part;
-}
-
 std::string remark_of_failure(const PerceptualSpace& space) {
     if (space.verdict == MdsVerdict::colocated) {
         return "no K: different patterns fell onto one point of the map";

@@ -191,26 +191,29 @@ void order_dimensions(Fit& fit) {
 }
 
 RatingStudy without_unrated(const RatingStudy& study) {
-    std::vector<std::string> names = study.labels;
     const std::vector<std::string> unrated = unrated_patterns(study);
-    std::erase_if(names, [&unrated](const std::string& name) {
-        return std::ranges::find(unrated, name) != unrated.end();
-    });
-    if (names.size() == study.labels.size()) return study;
+    if (unrated.empty()) return study;
     RatingStudy part = study;
-    part.labels = names;
+    part.labels.clear();
+    std::vector<std::size_t> rated;
+    for (std::size_t k = 0; k < study.labels.size(); ++k) {
+        if (std::ranges::find(unrated, study.labels[k]) != unrated.end()) continue;
+        rated.push_back(k);
+        part.labels.push_back(study.labels[k]);
+    }
     for (Judgement& one : part.judgements) {
-        const Dissimilarity whole{study.labels.size(), one.condensed};
-        one.condensed.clear();
-        for (std::size_t i = 0; i < whole.size; ++i) {
-            for (std::size_t j = i + 1; j < whole.size; ++j) {
-                const bool is_rated = std::ranges::find(names, study.labels[i]) != names.end() &&
-                                      std::ranges::find(names, study.labels[j]) != names.end();
-                if (is_rated) one.condensed.push_back(whole(i, j));
-            }
-        }
+        one.condensed = among({study.labels.size(), std::move(one.condensed)}, rated).condensed;
     }
     return part;
+}
+
+std::vector<double> mean_weights(const std::vector<PersonWeights>& people) {
+    std::vector<double> mean(people.front().weights.size(), 0.0);
+    for (const PersonWeights& person : people) {
+        for (std::size_t r = 0; r < mean.size(); ++r) mean[r] += person.weights[r];
+    }
+    for (double& one : mean) one /= static_cast<double>(people.size());
+    return mean;
 }
 
 }  // namespace
@@ -253,6 +256,7 @@ IndividualWeights individual_weights(const RatingStudy& study, int dimensions, i
         result.people[s].explained =
             weights.dot(2.0 * shares_in(people[s], best) - overlap * weights);
     }
+    result.mean = mean_weights(result.people);
     result.group = best.left;
     result.explained = best.explained;
     return result;
@@ -266,15 +270,6 @@ DimensionEnds ends_of(const IndividualWeights& weights, std::size_t dimension) {
     places.maxCoeff(&high);
     return {weights.labels[static_cast<std::size_t>(low)],
             weights.labels[static_cast<std::size_t>(high)]};
-}
-
-std::vector<double> mean_weights(const IndividualWeights& weights) {
-    std::vector<double> mean(static_cast<std::size_t>(weights.group.cols()), 0.0);
-    for (const PersonWeights& person : weights.people) {
-        for (std::size_t r = 0; r < mean.size(); ++r) mean[r] += person.weights[r];
-    }
-    for (double& one : mean) one /= static_cast<double>(weights.people.size());
-    return mean;
 }
 
 int shown_weight_dimensions(std::size_t patterns) {

@@ -34,6 +34,7 @@ struct IndividualWeights {
     std::vector<std::string> labels;
     Eigen::MatrixXd group;
     std::vector<PersonWeights> people;  // in the order in which they came
+    std::vector<double> mean;           // of their weights
     std::vector<std::string> left_out;  // who did not rate every pair, or all alike
     double explained = 0.0;             // mean over people
 };
@@ -48,9 +49,6 @@ struct DimensionEnds {
     std::string high;
 };
 DimensionEnds ends_of(const IndividualWeights& weights, std::size_t dimension);
-
-// Over people; none of nobody.
-std::vector<double> mean_weights(const IndividualWeights& weights);
 
 // What the program shows: three, as of other maps, fewer of few patterns; none of fewer than three.
 int shown_weight_dimensions(std::size_t patterns);

@@ -41,16 +41,6 @@ double threshold_at(const Dissimilarity& dissimilarity, double share) {
     return quantile(sorted_values(dissimilarity), share);
 }
 
-Dissimilarity among(const Dissimilarity& dissimilarity, std::span<const std::size_t> objects) {
-    Dissimilarity result{objects.size(), {}};
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        for (std::size_t j = i + 1; j < objects.size(); ++j) {
-            result.condensed.push_back(dissimilarity(objects[i], objects[j]));
-        }
-    }
-    return result;
-}
-
 bool within_a_step(const PatternSet& set, std::size_t a, std::size_t b) {
     const auto& first = set.vibrations[a].source;
     const auto& second = set.vibrations[b].source;

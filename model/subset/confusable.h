@@ -29,9 +29,6 @@ double threshold_at(const Dissimilarity& dissimilarity, double share);
 // What quantiles are taken of: dissimilarities that are known, ascending.
 std::vector<double> sorted_values(const Dissimilarity& dissimilarity);
 
-// Those of some of the objects alone (ascending), in their order.
-Dissimilarity among(const Dissimilarity& dissimilarity, std::span<const std::size_t> objects);
-
 // The pairs of which no number differs by a felt step of the set (model/pattern/felt_steps.h), the
 // closest first; recordings only where they are the same to the sample. Empty for most sets.
 std::vector<ConfusablePair> pairs_within_a_step(const PatternSet& set,

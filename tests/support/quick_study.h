@@ -18,4 +18,20 @@ inline bool answers_are_read(const StudyState& studying) {
     return studying.answers && studying.answers->question == studying.asked;
 }
 
+// The program with a study in view.
+struct StudyWindow : Program {
+    using Program::Program;
+
+    // Frames until this is on screen, of the files as they are.
+    void wait_for(const std::string& name) {
+        const auto until = end_of_patience();
+        while (!shows(name) || !answers_are_read(app.studying)) {
+            REQUIRE_MESSAGE(std::chrono::steady_clock::now() < until, name);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            frame();
+        }
+        settle();
+    }
+};
+
 }  // namespace tact

@@ -4,15 +4,23 @@
 
 #include <imgui.h>
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "viz/drawing/geometry.h"
 #include "viz/drawing/theme.h"
 
 namespace tact {
 
+// The end of a ray of length 1, from the middle.
+ImVec2 star_ray(std::size_t ray, std::size_t rays);
+
+// Corners of the area, in rays: of one number it is a line, of two a triangle with the middle.
+std::vector<ImVec2> star_outline(std::span<const double> numbers);
+
 // Of numbers from 0 to 1, and those they are compared with as a thin line; in the largest square
-// in the middle of `area`. Of one number it is a line, of two a triangle with the middle.
+// in the middle of `area`.
 void draw_star(ImDrawList& canvas, const Theme& theme, const Rect& area,
                std::span<const double> numbers, std::span<const double> compared_with);
 

@@ -100,7 +100,7 @@ std::string text_of(const IndividualWeights& weights) {
         rows.push_back(row);
     }
     std::string text = aligned(rows);
-    for (std::size_t r = 0; r < mean_weights(weights).size(); ++r) text += ends_text(weights, r);
+    for (std::size_t r = 0; r < weights.mean.size(); ++r) text += ends_text(weights, r);
     for (const std::string& one : weights.left_out) {
         text += one + " did not rate every pair, or all alike, and has no weights\n";
     }

@@ -55,18 +55,6 @@ Expected<std::vector<StudyRecord>> records_for(const StudyCommand& command, cons
     return records;
 }
 
-// The rated part of a matrix of the whole set, or all of it.
-Dissimilarity rated_part_of(const Dissimilarity& whole, const RatedSet& rated) {
-    if (!rated.part) return whole;
-    Dissimilarity part{rated.rated.size(), {}};
-    for (std::size_t i = 0; i < part.size; ++i) {
-        for (std::size_t j = i + 1; j < part.size; ++j) {
-            part.condensed.push_back(whole(rated.rated[i], rated.rated[j]));
-        }
-    }
-    return part;
-}
-
 PatternSet rated_patterns_of(const PatternSet& set, const RatedSet& rated) {
     if (!rated.part) return set;
     PatternSet part = set;
@@ -102,7 +90,7 @@ Expected<StudyTables> tables_of(const StudyCommand& command, const PatternSet& s
     for (std::size_t k = 0; k < kMetrics.size(); ++k) {
         MetricOfStudy metric;
         metric.key = traits(kMetrics[k]).key;
-        metric.matrix = rated_part_of(matrices[k], people->rated);
+        metric.matrix = among_rated(matrices[k], people->rated);
         metric.evaluation = evaluate(matrices[k], people->rated, params);
         MdsParams map = standard_mds_params(metric.matrix.size, params.dimensions);
         map.threads = params.threads;

@@ -25,11 +25,11 @@ PatternSet four_patterns() {
 }
 
 // A study felt by a device that plays until it is told that it has come to the end.
-struct Felt : Program {
+struct Felt : StudyWindow {
     TemporaryFolder folder;
     std::shared_ptr<MemoryDevice> device = std::make_shared<MemoryDevice>(true);
 
-    explicit Felt(const PatternSet& set = four_patterns()) : Program(set) {
+    explicit Felt(const PatternSet& set = four_patterns()) : StudyWindow(set) {
         set_study_folder(app.work, app.studying, folder.path / "people");
         app.studying.device = device;
         open_study(app.layout, app.studying);
@@ -73,15 +73,6 @@ struct Felt : Program {
         press_key(key::kEscape);
         press('q');
         REQUIRE_FALSE(is_study_running(app.studying));
-    }
-    void wait_for(const std::string& name) {
-        const auto until = end_of_patience();
-        while (!shows(name) || !answers_are_read(app.studying)) {
-            REQUIRE_MESSAGE(std::chrono::steady_clock::now() < until, name);
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-            frame();
-        }
-        settle();
     }
 };
 

@@ -22,10 +22,10 @@ PatternSet study_set() {
     return set;
 }
 
-struct StudyProgram : Program {
+struct StudyProgram : StudyWindow {
     TemporaryFolder folder;
 
-    explicit StudyProgram(const PatternSet& set = study_set()) : Program(set) {
+    explicit StudyProgram(const PatternSet& set = study_set()) : StudyWindow(set) {
         set_study_folder(app.work, app.studying, folder.path / "people");
         app.studying.device = std::make_shared<MemoryDevice>(true);  // else it is a rehearsal
     }
@@ -36,15 +36,6 @@ struct StudyProgram : Program {
         for (double t = 0.0; t < 0.5 * seconds; t += window.frame_s) frame();
         if (auto* device = dynamic_cast<MemoryDevice*>(app.studying.device.get())) device->end();
         for (double t = 0.0; t < 0.5 * seconds; t += window.frame_s) frame();
-    }
-    void wait_for(const std::string& name) {
-        const auto until = end_of_patience();
-        while (!shows(name) || !answers_are_read(app.studying)) {
-            REQUIRE_MESSAGE(std::chrono::steady_clock::now() < until, name);
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-            frame();
-        }
-        settle();
     }
     std::string page() const { return at("study page").value; }
     void key(int code) { press_key(code); }

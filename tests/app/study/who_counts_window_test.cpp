@@ -19,10 +19,10 @@ PatternSet twice_asked() {
 }
 
 // Three simulated participants, on screen.
-struct StudyOfThree : Program {
+struct StudyOfThree : StudyWindow {
     TemporaryFolder folder;
 
-    StudyOfThree() : Program(twice_asked()) {
+    StudyOfThree() : StudyWindow(twice_asked()) {
         set_study_folder(app.work, app.studying, folder.path / "people");
         compute_map();
         press('5', true);
@@ -33,15 +33,6 @@ struct StudyOfThree : Program {
     }
     ~StudyOfThree() { stop_jobs(app); }
 
-    void wait_for(const std::string& name) {
-        const auto until = end_of_patience();
-        while (!shows(name) || !answers_are_read(app.studying)) {
-            REQUIRE_MESSAGE(std::chrono::steady_clock::now() < until, name);
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-            frame();
-        }
-        settle();
-    }
     std::string state_of(int person) const {
         return at("participant:synthetic P" + std::to_string(person)).value;
     }
