@@ -65,7 +65,8 @@ void draw_names(Ui& ui, Workspace& work, Layout& layout, const ChosenPair& pair)
     const bool pinned = work.selection.pinned == b;
     if (link(ui, "both", pinned ? "Both pipelines are shown" : "Show both pipelines")) {
         work.selection.pinned = b;
-        if (layout.maximised) layout.maximised.reset();
+        layout.maximised.reset();
+        layout.physiology = Fold::open;
     }
     note_item(ui.rects, "link:both pipelines");
     draw_tooltip(ui, "Pins the second pattern: every stage of both appears in the middle.");

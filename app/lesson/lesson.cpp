@@ -68,6 +68,7 @@ void arrange(const LessonHands& hands, const LessonState& state, const LessonSte
     Layout& layout = hands.layout;
     layout = state.before.layout;
     const bool map = shows_map(step);
+    layout.physiology = Fold::open;
     layout.left = 0.18F;
     layout.right = map ? 0.5F : 0.26F;
     if (map) layout.right_split = 0.72F;

@@ -165,6 +165,24 @@ void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
                   size);
 }
 
+constexpr std::array kRowStages{Stage::vibration, Stage::spikes, Stage::central, Stage::brain};
+
+void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
+              const std::vector<ShownStages>& patterns, const Rect& area) {
+    const float gap = 1.5F * ui.theme.gap_px;
+    const float count = static_cast<float>(kRowStages.size());
+    const float width = (area.width() - gap * (count - 1.0F)) / count;
+    const float label = text_size(ui.theme.fonts.small, "X").y + 0.5F * ui.theme.gap_px;
+    float left = area.min.x;
+    for (const Stage stage : kRowStages) {
+        const Rect cell{{left, area.min.y}, {left + width, area.max.y}};
+        draw_stage_label(ui, physiology, stage, {cell.min, {cell.max.x, cell.min.y + label}});
+        draw_patterns(ui, work, timeline, physiology, patterns, stage,
+                      {{cell.min.x, cell.min.y + label}, cell.max}, {});
+        left += width + gap;
+    }
+}
+
 // What was moved in the spectrum is a change of the set's model.
 void move_threshold(Ui& ui, Workspace& work, Physiology& physiology) {
     const auto move = std::exchange(physiology.view.threshold_move, std::nullopt);
@@ -182,42 +200,87 @@ void move_threshold(Ui& ui, Workspace& work, Physiology& physiology) {
     }
 }
 
+void fit_time(const Workspace& work, Timeline& timeline) {
+    const double duration_s = shown_duration_s(work);
+    timeline.range = fitted(timeline.range, duration_s);
+    timeline.playhead.at_s = std::clamp(timeline.playhead.at_s, 0.0, duration_s);
+}
+
 }  // namespace
 
-bool draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline, Physiology& physiology,
-                           bool tour_begun) {
+void begin_pointing(Timeline& timeline, Physiology& physiology) {
     timeline.crosshair_last_s = timeline.crosshair_s;
     timeline.crosshair_s.reset();
     physiology.view.hovered_last = physiology.view.hovered;
     physiology.view.hovered.reset();
+}
+
+PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
+                                   Physiology& physiology) {
+    const Vibration* vibration = current_vibration(work);
+    if (vibration == nullptr) {
+        dim_text(ui, "No vibration to show: press New on the left, or open a set.");
+        return PhysiologyDeed::none;
+    }
+    fit_time(work, timeline);
+    const float links = button_width("All stages");
+    const Rect rest = rest_of_pane();
+    ImGui::SetCursorScreenPos({rest.max.x - links, rest.min.y});
+    ImGui::BeginGroup();
+    PhysiologyDeed deed = PhysiologyDeed::none;
+    if (link(ui, "unfold", "All stages")) deed = PhysiologyDeed::unfold;
+    note_item(ui.rects, "stages:unfold");
+    if (link(ui, "close stages", "Close")) deed = PhysiologyDeed::close;
+    note_item(ui.rects, "stages:close");
+    draw_tooltip(ui, "They come back by Stages in one row, in the View menu");
+    ImGui::EndGroup();
+    const std::vector<ShownStages> patterns = shown_patterns(ui, work, physiology);
+    const Rect row{rest.min, {rest.max.x - links - ui.theme.gap_px, rest.max.y}};
+    if (draw_failure(ui, "physiology", failure_of(physiology.stages_job))) return deed;
+    if (patterns.empty()) {
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, row, "Computing",
+                   "The receptors and nerves of " + vibration->name + " are on their way.");
+        return deed;
+    }
+    physiology.view.open.reset();
+    draw_row(ui, work, timeline, physiology, {patterns.front()}, row);
+    return physiology.view.open ? PhysiologyDeed::unfold : deed;
+}
+
+PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline,
+                                     Physiology& physiology, bool tour_begun) {
     const Vibration* vibration = current_vibration(work);
     if (vibration == nullptr) {
         draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "No vibration to show",
                    "Press New on the left to make one, or open a set.");
-        return false;
+        return PhysiologyDeed::none;
     }
-    const double duration_s = shown_duration_s(work);
-    timeline.range = fitted(timeline.range, duration_s);
-    timeline.playhead.at_s = std::clamp(timeline.playhead.at_s, 0.0, duration_s);
+    fit_time(work, timeline);
     const std::vector<ShownStages> patterns = shown_patterns(ui, work, physiology);
     follow_difference(physiology, patterns);
-    bool tour_asked = false;
+    PhysiologyDeed deed = PhysiologyDeed::none;
     if (!ui.as_picture) {
         draw_hint(ui, "physiology",
                   "Space plays silently, in slow motion; drag in any plot to move through time; a "
                   "stage's name opens it large.");
         draw_strip(ui, physiology);
-        if (!ui.presenting) tour_asked = draw_pin_choice(ui, work, tour_begun);
+        if (!ui.presenting && draw_pin_choice(ui, work, tour_begun)) deed = PhysiologyDeed::tour;
+        if (!ui.presenting) {
+            ImGui::SameLine(0.0F, 2.0F * ui.theme.padding_px);
+            if (link(ui, "fold", "Fold")) deed = PhysiologyDeed::fold;
+            note_item(ui.rects, "stages:fold");
+            draw_tooltip(ui, "The stages in one row, and room for the map");
+        }
     }
     // The links above may have turned to another range.
-    timeline.range = fitted(timeline.range, duration_s);
+    fit_time(work, timeline);
     const bool failed = draw_failure(ui, "physiology", failure_of(physiology.stages_job)) ||
                         draw_failure(ui, "physiology", failure_of(physiology.pinned_job));
-    if (patterns.empty() && failed) return tour_asked;
+    if (patterns.empty() && failed) return deed;
     if (patterns.empty()) {
         draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "Computing",
                    "The receptors and nerves of " + vibration->name + " are on their way.");
-        return tour_asked;
+        return deed;
     }
     if (physiology.view.open) {
         draw_large(ui, work, timeline, physiology, patterns, *physiology.view.open);
@@ -225,7 +288,7 @@ bool draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline, Physiolo
     } else {
         draw_overview(ui, work, timeline, physiology, patterns);
     }
-    return tour_asked;
+    return deed;
 }
 
 }  // namespace tact

@@ -9,9 +9,18 @@
 
 namespace tact {
 
-// True where the tour was asked for; `tour_begun`: it can be taken up again.
-bool draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline, Physiology& physiology,
-                           bool tour_begun);
+enum class PhysiologyDeed { none, tour, fold, unfold, close };
+
+// Before a frame: what is pointed at is told anew, wherever it is.
+void begin_pointing(Timeline& timeline, Physiology& physiology);
+
+// What was asked for; `tour_begun`: the tour can be taken up again.
+PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline,
+                                     Physiology& physiology, bool tour_begun);
+
+// A few stages side by side; one that is pressed unfolds them all.
+PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
+                                   Physiology& physiology);
 void draw_explain_window(Ui& ui, Physiology& physiology, const Rect& beside);
 
 }  // namespace tact

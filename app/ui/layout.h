@@ -19,6 +19,12 @@ enum class Pane {
     study_answers
 };
 
+// What the window is arranged for.
+enum class Arrangement { design, select, physiology };
+
+// The stages: in the middle column, in one row below the map, or away. Folded, the map leads.
+enum class Fold { open, row, closed };
+
 struct Layout {
     float left = 0.21F;  // share of the window's width
     float right = 0.34F;
@@ -26,6 +32,10 @@ struct Layout {
     float right_split = 0.58F;
     std::optional<Pane> maximised;
     BenchTab bench = BenchTab::matrix;
+    Arrangement arrangement = Arrangement::design;
+    Fold physiology = Fold::open;
+
+    bool operator==(const Layout&) const = default;
 };
 
 }  // namespace tact

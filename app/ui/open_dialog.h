@@ -19,6 +19,7 @@ enum class Dialog {
     steps,
     tap_rhythm,
     leave_out,
+    save_workspace,
     conduct_rules
 };
 

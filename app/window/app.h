@@ -23,6 +23,7 @@
 #include "app/timeline/timeline.h"
 #include "app/ui/layout.h"
 #include "app/ui/ui.h"
+#include "app/workspaces/workspaces.h"
 
 namespace tact {
 
@@ -37,6 +38,7 @@ struct App {
     Ui ui;
     Workspace work;
     Layout layout;
+    Workspaces workspaces;
     Timeline timeline;
     ShownMap shown_map;
     RenderingState rendered;

@@ -17,6 +17,13 @@ double least_share(const App& app, float wanted_px, float total_px, float most) 
     return static_cast<double>(std::min(wanted_px * app.ui.theme.scale / total_px, most));
 }
 
+constexpr float kRowPx = 168.0F;  // of stages
+
+// Who selects looks at many patterns; the editor comes with the design.
+bool has_editor(const App& app) { return app.layout.arrangement != Arrangement::select; }
+
+bool is_folded(const App& app) { return app.layout.physiology != Fold::open; }
+
 struct LayoutLimits {
     Range left{0.14, 0.40};
     Range right{0.18, 0.58};
@@ -28,6 +35,8 @@ LayoutLimits layout_limits(const App& app, const Rect& area) {
     LayoutLimits limits;
     limits.left.low = std::max(0.14, least_share(app, 276.0F, area.width(), 0.28F));
     limits.right.low = std::max(0.18, least_share(app, 300.0F, area.width(), 0.34F));
+    // Between them the map leads; it needs no more than to be seen.
+    if (is_folded(app)) limits.right.high = std::min(0.58, 0.75 - limits.left.low);
     limits.left_split.low = std::max(0.15, least_share(app, 150.0F, area.height(), 0.40F));
     limits.right_split.high = 1.0 - std::max(0.15, least_share(app, 240.0F, area.height(), 0.46F));
     return limits;
@@ -64,9 +73,12 @@ void draw_splitters(App& app, const Rect& area, const LayoutLimits& limits, cons
     move_splitter(app,
                   {"left", {{x1, area.min.y}, {x1 + bar, area.max.y}}, true, width, limits.left},
                   shown.left, layout.left);
-    move_splitter(
-        app, {"left split", {{area.min.x, y1}, {x1, y1 + bar}}, false, height, limits.left_split},
-        shown.left_split, layout.left_split);
+    if (has_editor(app)) {
+        move_splitter(
+            app,
+            {"left split", {{area.min.x, y1}, {x1, y1 + bar}}, false, height, limits.left_split},
+            shown.left_split, layout.left_split);
+    }
     // The right share grows when its bar moves left.
     float from_left = 1.0F - layout.right;
     move_splitter(app,
@@ -77,9 +89,29 @@ void draw_splitters(App& app, const Rect& area, const LayoutLimits& limits, cons
                    {1.0 - limits.right.high, 1.0 - limits.right.low}},
                   1.0F - shown.right, from_left);
     if (from_left != 1.0F - layout.right) layout.right = 1.0F - from_left;
+    if (is_folded(app)) return;
     move_splitter(
         app, {"right split", {{x2, y2}, {area.max.x, y2 + bar}}, false, height, limits.right_split},
         shown.right_split, layout.right_split);
+}
+
+void draw_left_column(App& app, const Rect& column, float split) {
+    if (!has_editor(app)) return draw_pane_of(app, Pane::patterns, column);
+    const float y = column.min.y + std::round(split * column.height());
+    draw_pane_of(app, Pane::patterns, {column.min, {column.max.x, y}});
+    draw_pane_of(app, Pane::editor, {{column.min.x, y + app.ui.theme.splitter_px}, column.max});
+}
+
+// The map above the stages in a row, or by itself.
+void draw_map_column(App& app, const Rect& column) {
+    const float bar = app.ui.theme.splitter_px;
+    const float row =
+        app.layout.physiology == Fold::row
+            ? std::round(std::min(kRowPx * app.ui.theme.scale, 0.3F * column.height()))
+            : -bar;
+    draw_pane_of(app, Pane::space, {column.min, {column.max.x, column.max.y - row - bar}});
+    if (row <= 0.0F) return;
+    draw_pane_of(app, Pane::physiology, {{column.min.x, column.max.y - row}, column.max});
 }
 
 }  // namespace
@@ -98,15 +130,18 @@ void draw_columns(App& app, const Rect& area) {
     const Layout layout = within(limits, app.layout);
     const float x1 = area.min.x + std::round(layout.left * area.width());
     const float x2 = area.max.x - std::round(layout.right * area.width());
-    const float y1 = area.min.y + std::round(layout.left_split * area.height());
     const float y2 = area.min.y + std::round(layout.right_split * area.height());
+    const Rect middle{{x1 + bar, area.min.y}, {x2 - bar, area.max.y}};
 
-    draw_pane_of(app, Pane::patterns, {area.min, {x1, y1}});
-    draw_pane_of(app, Pane::editor, {{area.min.x, y1 + bar}, {x1, area.max.y}});
-    draw_pane_of(app, Pane::physiology, {{x1 + bar, area.min.y}, {x2 - bar, area.max.y}});
-    draw_pane_of(app, Pane::space, {{x2, area.min.y}, {area.max.x, y2}});
-    draw_pane_of(app, Pane::matrix, {{x2, y2 + bar}, area.max});
-
+    draw_left_column(app, {area.min, {x1, area.max.y}}, layout.left_split);
+    if (is_folded(app)) {
+        draw_map_column(app, middle);
+        draw_pane_of(app, Pane::matrix, {{x2, area.min.y}, area.max});
+    } else {
+        draw_pane_of(app, Pane::physiology, middle);
+        draw_pane_of(app, Pane::space, {{x2, area.min.y}, {area.max.x, y2}});
+        draw_pane_of(app, Pane::matrix, {{x2, y2 + bar}, area.max});
+    }
     draw_splitters(app, area, limits, layout);
 }
 

@@ -93,28 +93,32 @@ void escape(App& app) {
     }
 }
 
-void design_layout(App& app) {
+void show_workspace(App& app, Arrangement arrangement) {
     close_study(app.studying);
-    app.layout = Layout{};
+    show_arrangement(arrangement, app.layout, app.workspaces);
 }
 
-void physiology_layout(App& app) {
-    close_study(app.studying);
-    app.layout = Layout{};
-    app.layout.left = 0.18F;
-    app.layout.right = 0.24F;
+bool is_workspace(const App& app, Arrangement arrangement) {
+    return !app.studying.is_open && app.workspaces.shown.empty() &&
+           app.layout.arrangement == arrangement;
 }
 
-void space_layout(App& app) {
+void reset_workspace(App& app) {
     close_study(app.studying);
-    app.layout = Layout{};
-    app.layout.right = 0.52F;
-    app.layout.right_split = 0.72F;
+    app.workspaces.shown.clear();
+    app.layout = first_layout(app.layout.arrangement);
 }
 
 void show_tab(App& app, BenchTab tab) {
     close_study(app.studying);
+    if (app.layout.maximised != Pane::matrix) app.layout.maximised.reset();
     app.layout.bench = tab;
+}
+
+void fold_physiology(App& app, Fold fold) {
+    close_study(app.studying);
+    app.layout.physiology = fold;
+    app.layout.maximised.reset();
 }
 
 void show_training(App& app) {

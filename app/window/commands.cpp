@@ -122,9 +122,6 @@ constexpr auto kOtherCommands = std::to_array<Command>({
      nullptr,
      "synthetic measured actuator resonance"},
 
-    {"Study", "Design and participants", ctrl('5'), always,
-     [](App& app) { open_study(app.layout, app.studying); },
-     [](const App& app) { return app.studying.is_open; }, "ratings people experiment"},
     {"Study",
      "Run a participant...",
      {},

@@ -72,8 +72,7 @@ constexpr auto kKeys = std::to_array<KeyRow>({
     {"Enter, Tab, Esc in a number", "take it, take it and go to the next, leave it as it was"},
     {"F2, double click on a row", "rename a pattern"},
     {"Tab, Enter", "go through the widgets by keyboard"},
-    {"Ctrl+1, Ctrl+2, Ctrl+3", "arrange the columns: design, physiology, space"},
-    {"Ctrl+5", "studies: ask people, see what they said"},
+    {"Ctrl+1, Ctrl+2, Ctrl+3, Ctrl+4", "workspaces: design, select, physiology, study"},
     {"Double click on a pane's title", "maximise the pane; Esc puts it back"},
     {"F1; F1 again", "this list; the manual"},
     {"F5", "present the tour or the lesson on the whole screen"},
@@ -202,6 +201,8 @@ void draw_dialogs(App& app) {
     if (app.ui.dialog == Dialog::tap_rhythm)
         draw_tapping_dialog(app.ui, app.work, app.pattern_panes.tapping);
     if (app.ui.dialog == Dialog::leave_out) draw_leave_out_dialog(app.ui, app.work, app.studying);
+    if (app.ui.dialog == Dialog::save_workspace)
+        draw_workspace_dialog(app.ui, app.layout, app.workspaces);
     if (app.ui.dialog == Dialog::conduct_rules) draw_conduct_dialog(app.ui, app.studying);
     if (app.ui.dialog == Dialog::devices)
         draw_devices(app.ui, app.work, app.timeline, app.rendered, app.play);

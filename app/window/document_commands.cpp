@@ -48,6 +48,26 @@ void show_bench(App& app) {
     show_tab(app, kTab);
 }
 
+template <Arrangement kArrangement>
+void show_the_workspace(App& app) {
+    show_workspace(app, kArrangement);
+}
+
+template <Arrangement kArrangement>
+bool shows_workspace(const App& app) {
+    return is_workspace(app, kArrangement);
+}
+
+template <Fold kFold>
+void fold_to(App& app) {
+    fold_physiology(app, kFold);
+}
+
+template <Fold kFold>
+bool is_folded_to(const App& app) {
+    return app.layout.physiology == kFold;
+}
+
 constexpr auto kDocumentCommands = std::to_array<Command>({
     {"File", "New set", {}, always, [](App& app) { new_document(app.ui, app.work); }},
     {"File", "Open...", ctrl('o'), always, [](App& app) { open_dialog(app.ui, app.work); }, nullptr,
@@ -190,9 +210,47 @@ constexpr auto kDocumentCommands = std::to_array<Command>({
     {"Edit", "Delete", special(key::kDelete), has_selection, remove_chosen_or_selected, nullptr,
      "remove"},
 
-    {"View", "Design", ctrl('1'), always, design_layout, nullptr, "layout columns"},
-    {"View", "Physiology", ctrl('2'), always, physiology_layout, nullptr, "layout waveform"},
-    {"View", "Space", ctrl('3'), always, space_layout, nullptr, "layout map"},
+    {"View", "Design", ctrl('1'), always, show_the_workspace<Arrangement::design>,
+     shows_workspace<Arrangement::design>, "workspace layout columns map"},
+    {"View", "Select", ctrl('2'), always, show_the_workspace<Arrangement::select>,
+     shows_workspace<Arrangement::select>, "workspace layout candidates subset map"},
+    {"View", "Physiology", ctrl('3'), always, show_the_workspace<Arrangement::physiology>,
+     shows_workspace<Arrangement::physiology>, "workspace layout stages"},
+    {"View", "Study", ctrl('4'), always, [](App& app) { open_study(app.layout, app.studying); },
+     [](const App& app) { return app.studying.is_open; },
+     "workspace ratings people experiment design participants"},
+    {"View", "Present", special(key::kF1 + 4), always, present,
+     [](const App& app) { return is_presenting(app.lesson); },
+     "lecture projector full screen slides clicker tour lesson"},
+    {"View",
+     "Save workspace as...",
+     {},
+     always,
+     [](App& app) { open_workspace_dialog(app.ui, app.workspaces); },
+     nullptr,
+     "layout panes name keep"},
+    {"View", "Reset the workspace", {}, always, reset_workspace, nullptr, "layout columns"},
+    {"View",
+     "Stages in the middle",
+     {},
+     always,
+     fold_to<Fold::open>,
+     is_folded_to<Fold::open>,
+     "physiology unfold"},
+    {"View",
+     "Stages in one row",
+     {},
+     always,
+     fold_to<Fold::row>,
+     is_folded_to<Fold::row>,
+     "physiology fold"},
+    {"View",
+     "No stages",
+     {},
+     always,
+     fold_to<Fold::closed>,
+     is_folded_to<Fold::closed>,
+     "physiology close hide"},
     {"View",
      "Reset view of the space",
      {},
@@ -228,7 +286,7 @@ constexpr auto kDocumentCommands = std::to_array<Command>({
      "Subset",
      {},
      always,
-     [](App& app) { app.layout.bench = BenchTab::subset; },
+     show_bench<BenchTab::subset>,
      nullptr,
      "pick most distinct confusable separate stable"},
     {"View",
@@ -270,7 +328,7 @@ constexpr auto kDocumentCommands = std::to_array<Command>({
      "What a device makes of it",
      {},
      always,
-     [](App& app) { app.layout.bench = BenchTab::device; },
+     show_bench<BenchTab::device>,
      nullptr,
      "rendering actuator controller joy-con energy lost"},
     {"View",
@@ -294,9 +352,6 @@ constexpr auto kDocumentCommands = std::to_array<Command>({
      show_the_side<Side::measured>,
      shows_side<Side::measured>,
      "MPS map recordings twins"},
-    {"View", "Present", special(key::kF1 + 4), always, present,
-     [](const App& app) { return is_presenting(app.lesson); },
-     "lecture projector full screen slides clicker tour lesson"},
     {"View", "Larger text", ctrl('+'), always, [](App& app) { step_text_scale(app.ui, 1.1F); },
      nullptr, "zoom scale"},
     {"View", "Smaller text", ctrl('-'), always,

@@ -203,6 +203,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     watch_pointed(app.ui, app.lesson);
     app.ui.presenting = is_presenting(app.lesson);
     follow_progress(app);
+    begin_pointing(app.timeline, app.physiology);
     app.work.selection.hovered_last = app.work.selection.hovered;
     app.work.selection.hovered.reset();
     app.work.selection.rested.reset();

@@ -276,6 +276,28 @@ void draw_editor(App& app) {
     }
 }
 
+void draw_physiology(App& app) {
+    const bool in_row =
+        app.layout.physiology == Fold::row && !app.layout.maximised && !is_presenting(app.lesson);
+    const PhysiologyDeed deed =
+        in_row ? draw_physiology_row(app.ui, app.work, app.timeline, app.physiology)
+               : draw_physiology_panel(app.ui, app.work, app.timeline, app.physiology,
+                                       app.lesson.left_at > 0);
+    switch (deed) {
+        case PhysiologyDeed::none:
+            return;
+        case PhysiologyDeed::tour:
+            return begin_tour(app);
+        case PhysiologyDeed::fold:
+            return fold_physiology(app, Fold::row);
+        case PhysiologyDeed::unfold:
+            return fold_physiology(app, Fold::open);
+        case PhysiologyDeed::close:
+            say(app.ui, "The stages are away. View > Stages in one row brings them back.");
+            return fold_physiology(app, Fold::closed);
+    }
+}
+
 void draw_content(App& app, Pane pane) {
     switch (pane) {
         case Pane::patterns:
@@ -283,10 +305,7 @@ void draw_content(App& app, Pane pane) {
         case Pane::editor:
             return draw_editor(app);
         case Pane::physiology:
-            if (draw_physiology_panel(app.ui, app.work, app.timeline, app.physiology,
-                                      app.lesson.left_at > 0))
-                begin_tour(app);
-            return;
+            return draw_physiology(app);
         case Pane::space:
             return draw_space(app);
         case Pane::matrix:

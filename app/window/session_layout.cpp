@@ -130,10 +130,7 @@ Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>&
 
 void keep_layout(App& app) {
     auto& kept = app.work.session.layout;
-    kept["left"] = static_cast<double>(app.layout.left);
-    kept["right"] = static_cast<double>(app.layout.right);
-    kept["left_split"] = static_cast<double>(app.layout.left_split);
-    kept["right_split"] = static_cast<double>(app.layout.right_split);
+    keep_workspaces(app.layout, app.workspaces, kept);
     kept["yaw_rad"] = app.shown_map.camera.yaw_rad;
     kept["pitch_rad"] = app.shown_map.camera.pitch_rad;
     kept["zoom"] = app.shown_map.camera.zoom;
@@ -158,10 +155,7 @@ void restore_layout(App& app) {
         target = static_cast<float>(value(name, static_cast<double>(low), static_cast<double>(high),
                                           static_cast<double>(target)));
     };
-    share("left", 0.14F, 0.40F, app.layout.left);
-    share("right", 0.18F, 0.58F, app.layout.right);
-    share("left_split", 0.15F, 0.80F, app.layout.left_split);
-    share("right_split", 0.20F, 0.85F, app.layout.right_split);
+    restore_workspaces(kept, app.layout, app.workspaces);
     app.shown_map.camera.yaw_rad = value("yaw_rad", -10.0, 10.0, app.shown_map.camera.yaw_rad);
     app.shown_map.camera.pitch_rad = value("pitch_rad", -1.6, 1.6, app.shown_map.camera.pitch_rad);
     app.shown_map.camera.zoom = value("zoom", kLeastZoom, kMostZoom, app.shown_map.camera.zoom);

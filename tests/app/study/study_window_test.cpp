@@ -70,7 +70,7 @@ struct StudyProgram : StudyWindow {
 
 TEST_CASE("study window: a whole study by keyboard becomes the ratings of the set") {
     StudyProgram program;
-    program.press('5', true);
+    program.press('4', true);
     CHECK(program.shows("pane:Study"));
     CHECK(program.at("study:prediction").value.starts_with("7 trials"));
     program.begin();
@@ -93,7 +93,7 @@ TEST_CASE("study window: a whole study by keyboard becomes the ratings of the se
 
 TEST_CASE("study window: nothing is rated until the slider is put somewhere, by keys as by mouse") {
     StudyProgram program;
-    program.press('5', true);
+    program.press('4', true);
     program.begin();
     program.press('a');
     program.wait(0.3);
@@ -120,7 +120,7 @@ TEST_CASE("study window: nothing is rated until the slider is put somewhere, by 
 TEST_CASE("study window: the design says how many blind answers pass its identical pairs") {
     StudyProgram program;
     program.app.work.document.set.study.attention = {};
-    program.press('5', true);
+    program.press('4', true);
     program.settle();
     CHECK(program.at("study:chance").value.starts_with("20 % of those who answer blindly"));
     program.app.work.document.set.study.attention_pairs = 3;
@@ -131,7 +131,7 @@ TEST_CASE("study window: the design says how many blind answers pass its identic
 
 TEST_CASE("study window: every answer is in the file before the next trial is on the screen") {
     StudyProgram program;
-    program.press('5', true);
+    program.press('4', true);
     program.begin();
     const auto file = program.folder.path / "people" / "P1.jsonl";
     for (std::size_t k = 0; k < 3; ++k) {
@@ -154,7 +154,7 @@ TEST_CASE("study window: every answer is in the file before the next trial is on
 
 TEST_CASE("study window: buttons and slider by mouse, only when it is their turn") {
     StudyProgram program;
-    program.press('5', true);
+    program.press('4', true);
     program.begin();
     const auto& run = *program.app.studying.run;
     program.click("study:slider");
@@ -174,7 +174,7 @@ TEST_CASE("study window: buttons and slider by mouse, only when it is their turn
 
 TEST_CASE("study window: the design is part of the document, a change one undo step") {
     StudyProgram program;
-    program.press('5', true);
+    program.press('4', true);
     const ImVec2 at = program.at("slider:study_repetitions").middle();
     program.drag(at, at + ImVec2{60.0F, 0.0F}, 6);
     CHECK(program.app.work.document.set.study.repetitions > 1);
@@ -194,7 +194,7 @@ TEST_CASE("study window: sorting by keyboard and by mouse") {
     PatternSet set = study_set();
     set.study.groups = {2};
     StudyProgram program(set);
-    program.press('5', true);
+    program.press('4', true);
     program.click("study kind:Sort into groups");
     program.click("button:run participant");
     program.key(key::kEnter);
@@ -217,7 +217,7 @@ TEST_CASE("study window: sorting by keyboard and by mouse") {
 
 TEST_CASE("study window: everything keeps within its pane, in small windows with large text") {
     StudyProgram program;
-    program.press('5', true);
+    program.press('4', true);
     const auto check_inside = [&](const char* pane, std::initializer_list<const char*> things) {
         const Place& around = program.at(pane);
         for (const char* thing : things) {
@@ -250,7 +250,7 @@ TEST_CASE("study window: everything keeps within its pane, in small windows with
 
 TEST_CASE("study window: a trial fits into any window, at any size of text") {
     StudyProgram program;
-    program.press('5', true);
+    program.press('4', true);
     program.begin();
     for (const float scale : {0.75F, 1.0F, 2.0F}) {
         for (const ImVec2 size : {ImVec2{1600, 1000}, ImVec2{1000, 640}}) {
@@ -268,7 +268,7 @@ TEST_CASE("study window: a trial fits into any window, at any size of text") {
 TEST_CASE("study window: a simulated participant says everywhere that it is none") {
     StudyProgram program;
     program.compute_map();
-    program.press('5', true);
+    program.press('4', true);
     program.click("button:simulate");
     program.wait_for("participant:synthetic P1");
     CHECK(program.at("participant:synthetic P1").value == "7 of 7, synthetic");

@@ -25,7 +25,7 @@ struct StudyOfThree : StudyWindow {
     StudyOfThree() : StudyWindow(twice_asked()) {
         set_study_folder(app.work, app.studying, folder.path / "people");
         compute_map();
-        press('5', true);
+        press('4', true);
         for (int k = 1; k <= 3; ++k) {
             click("button:simulate");
             wait_for("participant:synthetic P" + std::to_string(k));

@@ -18,6 +18,7 @@ TEST_CASE("session: the window begins as it was left") {
     {
         Program left(short_patterns(3));
         REQUIRE(start_session(left.app, {}));
+        left.app.layout = Layout{};
         left.settle();
         REQUIRE(left.shows("hint:editor"));
         left.click("hint:editor");

@@ -1,0 +1,169 @@
+#include "app/workspaces/workspaces.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "app/ui/dialog.h"
+#include "app/ui/widgets.h"
+
+namespace tact {
+
+namespace {
+
+constexpr std::array kArrangements{
+    std::pair{Arrangement::design, std::string_view("design")},
+    std::pair{Arrangement::select, std::string_view("select")},
+    std::pair{Arrangement::physiology, std::string_view("physiology")}};
+constexpr std::string_view kOwn = "own ";
+
+struct Share {
+    const char* name;
+    float Layout::*share;
+    float least, most;
+};
+constexpr std::array kShares{Share{"left", &Layout::left, 0.14F, 0.40F},
+                             Share{"right", &Layout::right, 0.18F, 0.58F},
+                             Share{"left_split", &Layout::left_split, 0.15F, 0.80F},
+                             Share{"right_split", &Layout::right_split, 0.20F, 0.85F}};
+
+void keep(const Layout& layout, const std::string& name, std::map<std::string, double>& kept) {
+    for (const Share& share : kShares) {
+        kept[name + "/" + share.name] = static_cast<double>(layout.*share.share);
+    }
+    kept[name + "/bench"] = static_cast<double>(layout.bench);
+    kept[name + "/physiology"] = static_cast<double>(layout.physiology);
+    kept[name + "/arrangement"] = static_cast<double>(layout.arrangement);
+}
+
+// What was written by hand, or by a later version, is not trusted.
+template <class Choice>
+Choice choice(double number, Choice last) {
+    const double most = static_cast<double>(last);
+    return std::isfinite(number) ? static_cast<Choice>(std::lround(std::clamp(number, 0.0, most)))
+                                 : Choice{};
+}
+
+void take(std::string_view what, double number, Layout& layout) {
+    for (const Share& share : kShares) {
+        if (what == share.name && std::isfinite(number)) {
+            layout.*share.share = std::clamp(static_cast<float>(number), share.least, share.most);
+        }
+    }
+    if (what == "bench") layout.bench = choice(number, BenchTab::device);
+    if (what == "physiology") layout.physiology = choice(number, Fold::closed);
+    if (what == "arrangement") layout.arrangement = choice(number, Arrangement::physiology);
+}
+
+}  // namespace
+
+Layout first_layout(Arrangement arrangement) {
+    Layout layout;
+    layout.arrangement = arrangement;
+    switch (arrangement) {
+        case Arrangement::design:
+            layout.left = 0.265F;
+            layout.right = 0.28F;
+            layout.left_split = 0.34F;
+            layout.physiology = Fold::row;
+            break;
+        case Arrangement::select:
+            layout.left = 0.34F;
+            layout.right = 0.27F;
+            layout.bench = BenchTab::subset;
+            layout.physiology = Fold::closed;
+            break;
+        case Arrangement::physiology:
+            layout.left = 0.18F;
+            layout.right = 0.24F;
+            layout.maximised = Pane::physiology;
+            break;
+    }
+    return layout;
+}
+
+void show_arrangement(Arrangement arrangement, Layout& layout, Workspaces& workspaces) {
+    if (workspaces.shown.empty() && layout.arrangement != arrangement) {
+        workspaces.left[layout.arrangement] = layout;
+    }
+    if (!workspaces.shown.empty() || layout.arrangement != arrangement) {
+        const auto kept = workspaces.left.find(arrangement);
+        layout = kept == workspaces.left.end() ? first_layout(arrangement) : kept->second;
+    }
+    workspaces.shown.clear();
+    layout.maximised = first_layout(arrangement).maximised;
+}
+
+void show_own(const std::string& name, Layout& layout, Workspaces& workspaces) {
+    const auto found = workspaces.own.find(name);
+    if (found == workspaces.own.end()) return;
+    if (workspaces.shown.empty()) workspaces.left[layout.arrangement] = layout;
+    layout = found->second;
+    workspaces.shown = name;
+}
+
+void keep_workspaces(const Layout& layout, const Workspaces& workspaces,
+                     std::map<std::string, double>& kept) {
+    std::erase_if(kept, [](const auto& one) { return one.first.find('/') != std::string::npos; });
+    for (const auto& [arrangement, name] : kArrangements) {
+        const auto left = workspaces.left.find(arrangement);
+        if (left != workspaces.left.end()) keep(left->second, std::string(name), kept);
+    }
+    for (const auto& [name, own] : workspaces.own) keep(own, std::string(kOwn) + name, kept);
+    keep(layout, "shown", kept);
+}
+
+void restore_workspaces(const std::map<std::string, double>& kept, Layout& layout,
+                        Workspaces& workspaces) {
+    layout = first_layout(Arrangement::design);
+    for (const auto& [key, number] : kept) {
+        const std::size_t slash = key.rfind('/');
+        if (slash == std::string::npos) continue;
+        const std::string_view name = std::string_view(key).substr(0, slash);
+        const std::string_view what = std::string_view(key).substr(slash + 1);
+        if (name == "shown") take(what, number, layout);
+        if (name.starts_with(kOwn)) {
+            take(what, number, workspaces.own[std::string(name.substr(kOwn.size()))]);
+        }
+        for (const auto& [arrangement, word] : kArrangements) {
+            if (name == word) take(what, number, workspaces.left[arrangement]);
+        }
+    }
+    for (auto& [arrangement, left] : workspaces.left) left.arrangement = arrangement;
+    if (layout.arrangement == Arrangement::physiology) layout.maximised = Pane::physiology;
+}
+
+void open_workspace_dialog(Ui& ui, Workspaces& workspaces) {
+    workspaces.typed = workspaces.shown;
+    ui.dialog = Dialog::save_workspace;
+}
+
+void draw_workspace_dialog(Ui& ui, const Layout& layout, Workspaces& workspaces) {
+    if (!begin_dialog(ui, "Save workspace as", 420.0F)) return;
+    constexpr std::size_t kLongestName = 40;
+    draw_label(ui, "Name");
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1.0F);
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
+    ImGui::InputTextWithHint("##workspace", "such as: large map, no stages", &workspaces.typed);
+    ImGui::PopStyleColor();
+    note_item(ui.rects, "workspace:name", workspaces.typed);
+    const bool replaces = workspaces.own.contains(workspaces.typed);
+    const bool odd =
+        workspaces.typed.size() > kLongestName || workspaces.typed.find('/') != std::string::npos;
+    dim_text(ui, odd        ? "A name has no / and at most 40 letters."
+                 : replaces ? "There is one of this name; it is replaced."
+                            : "Panes, their sizes and what they show, in the View menu.");
+    if (!draw_ends(ui, "Save", !workspaces.typed.empty() && !odd)) return;
+    workspaces.own[workspaces.typed] = layout;
+    workspaces.own[workspaces.typed].maximised.reset();
+    workspaces.shown = workspaces.typed;
+    say(ui, "Saved the workspace " + workspaces.typed + ".");
+}
+
+}  // namespace tact

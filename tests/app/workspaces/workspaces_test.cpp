@@ -1,0 +1,146 @@
+#include "app/workspaces/workspaces.h"
+
+#include "tests/support/program.h"
+
+namespace workspaces_test {
+
+using namespace tact;
+
+TEST_CASE("workspaces: each comes back as it was left, and can be begun anew") {
+    Layout layout = first_layout(Arrangement::design);
+    Workspaces workspaces;
+    layout.left = 0.31F;
+    layout.bench = BenchTab::why;
+    show_arrangement(Arrangement::select, layout, workspaces);
+    CHECK(layout == first_layout(Arrangement::select));
+    layout.right = 0.44F;
+    show_arrangement(Arrangement::design, layout, workspaces);
+    CHECK(layout.left == 0.31F);
+    CHECK(layout.bench == BenchTab::why);
+    CHECK(layout.arrangement == Arrangement::design);
+    show_arrangement(Arrangement::select, layout, workspaces);
+    CHECK(layout.right == 0.44F);
+}
+
+TEST_CASE("workspaces: the stages fill the window whenever theirs is asked for") {
+    Layout layout;
+    Workspaces workspaces;
+    show_arrangement(Arrangement::physiology, layout, workspaces);
+    CHECK(layout.maximised == Pane::physiology);
+    layout.maximised.reset();
+    show_arrangement(Arrangement::physiology, layout, workspaces);
+    CHECK(layout.maximised == Pane::physiology);
+    show_arrangement(Arrangement::design, layout, workspaces);
+    CHECK_FALSE(layout.maximised);
+}
+
+TEST_CASE("workspaces: one's own do not touch those that come with the program") {
+    Layout layout = first_layout(Arrangement::design);
+    Workspaces workspaces;
+    Layout own = layout;
+    own.left = 0.2F;
+    own.physiology = Fold::closed;
+    workspaces.own["large map"] = own;
+    layout.left = 0.31F;
+    show_own("large map", layout, workspaces);
+    CHECK(layout == own);
+    layout.left = 0.39F;
+    show_arrangement(Arrangement::design, layout, workspaces);
+    CHECK(layout.left == 0.31F);
+    show_own("no such name", layout, workspaces);
+    CHECK(layout.left == 0.31F);
+}
+
+TEST_CASE("workspaces: the next start has them all, and heeds nothing odd") {
+    Layout layout = first_layout(Arrangement::select);
+    Workspaces workspaces;
+    layout.right = 0.41F;
+    workspaces.left[Arrangement::design] = first_layout(Arrangement::design);
+    workspaces.left[Arrangement::design].left_split = 0.66F;
+    workspaces.own["a/b 0.5"] = first_layout(Arrangement::physiology);
+    std::map<std::string, double> kept{{"zoom", 1.5}, {"own gone/left", 0.2}};
+    keep_workspaces(layout, workspaces, kept);
+    CHECK(kept.at("zoom") == 1.5);
+    CHECK_FALSE(kept.contains("own gone/left"));
+
+    Layout begun;
+    Workspaces known;
+    restore_workspaces(kept, begun, known);
+    CHECK(begun == layout);
+    CHECK(known.left == workspaces.left);
+    CHECK(known.own.size() == 1);
+    CHECK(known.own.contains("a/b 0.5"));
+
+    kept["shown/left"] = 1e9;
+    kept["shown/bench"] = -7.0;
+    kept["shown/physiology"] = 99.0;
+    kept["shown/right"] = std::numeric_limits<double>::quiet_NaN();
+    restore_workspaces(kept, begun, known);
+    CHECK(begun.left == 0.40F);
+    CHECK(begun.bench == BenchTab::matrix);
+    CHECK(begun.physiology == Fold::closed);
+    CHECK(begun.right == first_layout(Arrangement::design).right);
+
+    restore_workspaces({}, begun, known);
+    CHECK(begun == first_layout(Arrangement::design));
+}
+
+TEST_CASE("workspaces: tabs over the panes choose what is shown") {
+    Program program(short_patterns(4));
+    program.compute_map();
+    program.click("workspace:Select");
+    CHECK(program.at("workspace:Select").value == "on");
+    CHECK(program.at("workspace:Design").value == "off");
+    CHECK_FALSE(program.shows("pane:Editor"));
+    CHECK(program.shows("pane:Subset"));
+    program.click("workspace:Study");
+    CHECK(program.shows("pane:Study"));
+    CHECK(program.at("workspace:Study").value == "on");
+    CHECK(program.at("workspace:Select").value == "off");
+    program.click("workspace:Physiology");
+    CHECK(program.shows("pane:Physiology"));
+    CHECK_FALSE(program.shows("pane:Perceptual space"));
+    program.click("workspace:Design");
+    CHECK(program.shows("pane:Editor"));
+}
+
+TEST_CASE("workspaces: the stages fold to a row, from which each opens, and go away") {
+    Program program(short_patterns(4));
+    program.compute_map();
+    program.wait_for_stages();
+    const auto width = [&] {
+        const Place map = program.at("pane:Perceptual space");
+        return (map.max.x - map.min.x) * (map.max.y - map.min.y);
+    };
+    const float before = width();
+    program.click("stages:fold");
+    CHECK(program.app.layout.physiology == Fold::row);
+    CHECK(width() > 1.4F * before);
+    program.click("label:spikes");
+    CHECK(program.app.layout.physiology == Fold::open);
+    CHECK(program.app.physiology.view.open == Stage::spikes);
+    program.app.layout.physiology = Fold::row;
+    program.settle();
+    program.click("stages:close");
+    CHECK_FALSE(program.shows("pane:Physiology"));
+    CHECK(program.app.ui.status.text.find("View") != std::string::npos);
+}
+
+TEST_CASE("workspaces: one that is saved by name stands in the menu until it is forgotten") {
+    Program program(short_patterns(3));
+    program.app.layout.left = 0.33F;
+    open_workspace_dialog(program.app.ui, program.app.workspaces);
+    program.settle();
+    program.type("wide list");
+    program.press_key(key::kEnter);
+    REQUIRE(program.app.workspaces.own.contains("wide list"));
+    CHECK(program.app.ui.dialog == Dialog::none);
+    program.press('2', true);
+    CHECK(program.app.layout.left != 0.33F);
+    show_own("wide list", program.app.layout, program.app.workspaces);
+    program.settle();
+    CHECK(program.app.layout.left == 0.33F);
+    CHECK(program.at("workspace:Design").value == "off");
+}
+
+}  // namespace workspaces_test
