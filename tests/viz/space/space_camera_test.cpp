@@ -40,6 +40,34 @@ TEST_CASE("space: at zoom 1 no point leaves the pane, however it is turned") {
     }
 }
 
+TEST_CASE("space: as it is first seen, points and their feet fill the pane") {
+    for (const int dimensions : {2, 3}) {
+        for (const int n : {3, 12, 300}) {
+            for (unsigned seed = 0; seed < 6; ++seed) {
+                const auto points = random_points(n, dimensions, seed);
+                const SpaceFit f = fit(points);
+                ImVec2 low{1e6F, 1e6F};
+                ImVec2 high{-1e6F, -1e6F};
+                const auto see = [&](const Eigen::Vector3d& p) {
+                    const ImVec2 at = project({}, f, kPane, p).at;
+                    CHECK(kPane.contains(at));
+                    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+                    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+                };
+                for (int i = 0; i < n; ++i) {
+                    const Eigen::Vector3d p = point_of(points, i);
+                    see(p);
+                    const double foot = f.floor - kFloorBelow * f.radius;
+                    if (dimensions == 3) see({p.x(), p.y(), foot});
+                }
+                const float wide = (high.x - low.x) / kPane.width();
+                const float tall = (high.y - low.y) / kPane.height();
+                CHECK(std::max(wide, tall) > 0.85F);
+            }
+        }
+    }
+}
+
 TEST_CASE("space: tilting by a little moves every point by a little") {
     const auto points = random_points(20, 3, 8);
     const SpaceFit f = fit(points);
