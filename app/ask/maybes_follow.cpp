@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/ask/gap_follow.h"
 #include "app/ask/maybes_work.h"
 #include "app/ask/put_there.h"
 #include "app/document/editing.h"
@@ -82,6 +83,7 @@ void stop_maybes_jobs(MaybesState& state) {
     state.exact_variants.job.reset();
     state.put.cloud.job.reset();
     state.put.job.reset();
+    state.gap.job.reset();
 }
 
 void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
@@ -106,8 +108,8 @@ void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_ma
 bool is_asking(const MaybesState& state) {
     const auto busy = [](const AskedMaybes& asked) { return asked.job && asked.job->busy(); };
     return busy(state.track) || busy(state.exact_track) || busy(state.suggestion) ||
-           busy(state.variants) || busy(state.exact_variants) || busy(state.put.cloud) ||
-           (state.put.job && state.put.job->busy());
+           busy(state.variants) || busy(state.exact_variants) || is_filling(state) ||
+           busy(state.put.cloud) || (state.put.job && state.put.job->busy());
 }
 
 MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/ask/gap_follow.h"
 #include "app/ask/maybes_follow.h"
 #include "app/ask/put_there.h"
 #include "app/ui/failure.h"
@@ -49,10 +50,24 @@ void draw_put_bar(Ui& ui, MaybesState& state) {
     note_item(ui.rects, "link:cancel put");
 }
 
+void draw_gap_bar(Ui& ui, MaybesState& state) {
+    if (!is_filling(state)) return;
+    char text[64];
+    std::snprintf(text, sizeof text, "Searching what is farthest, %d %%",
+                  static_cast<int>(100.0F * state.gap.job->progress()));
+    ImGui::AlignTextToFramePadding();
+    dim_text(ui, text);
+    note_item(ui.rects, "gap:progress", text);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    if (link(ui, "cancel gap", "Cancel")) stop_filling(state);
+    note_item(ui.rects, "link:cancel gap");
+}
+
 }  // namespace
 
 void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
     draw_put_bar(ui, state);
+    draw_gap_bar(ui, state);
     if (state.varied.empty()) return;
     if (!place_named(work.document.set, state.varied)) return stop_varying(state);
     ImGui::AlignTextToFramePadding();

@@ -5,7 +5,7 @@
 
 #include "app/document/pattern_looks.h"
 #include "app/document/renaming.h"
-#include "app/ui/widgets.h"
+#include "model/set/vibration_search.h"
 
 namespace tact {
 
@@ -75,7 +75,8 @@ const Vibration* current_vibration(const Workspace& work) {
 std::vector<std::size_t> selected_indices(const Workspace& work) {
     if (work.document.set.vibrations.empty()) return {};
     std::set<std::size_t> all = work.selection.others;
-    if (!all.empty() && !work.selection.search.empty()) {
+    const bool hides = !work.selection.search.empty() || is_narrowed_to_picked(work.selection);
+    if (!all.empty() && hides) {
         const std::vector<std::size_t> listed = listed_indices(work);
         std::erase_if(all, [&](std::size_t k) { return !std::ranges::binary_search(listed, k); });
     }
@@ -85,10 +86,12 @@ std::vector<std::size_t> selected_indices(const Workspace& work) {
 
 std::vector<std::size_t> listed_indices(const Workspace& work) {
     const auto& all = work.document.set.vibrations;
-    const std::string wanted = lower_case(work.selection.search);
+    const VibrationSearch search(work.selection.search);
+    const bool only_picked = is_narrowed_to_picked(work.selection);
     std::vector<std::size_t> indices;
     for (std::size_t k = 0; k < all.size(); ++k) {
-        if (lower_case(all[k].name).find(wanted) != std::string::npos) indices.push_back(k);
+        if (only_picked && !work.selection.picked.contains(all[k].name)) continue;
+        if (search.finds(all[k])) indices.push_back(k);
     }
     return indices;
 }

@@ -18,7 +18,7 @@ const Vibration* current_vibration(const Workspace& work);
 // is changed with what is seen.
 std::vector<std::size_t> selected_indices(const Workspace& work);
 
-// What the list shows: those with the search's text in their names, ascending.
+// What the list shows: those that the search finds, or of them the picked ones alone; ascending.
 std::vector<std::size_t> listed_indices(const Workspace& work);
 
 void select_only(Workspace& work, std::size_t index);

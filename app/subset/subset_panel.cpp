@@ -118,10 +118,13 @@ void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         text = "The best found in time; none is above " + grouped(answer.bound) + ".";
         colour = ui.theme.warning;
     }
+    if (is_of_preview(pick.request)) {
+        text = "A preview, by coarse envelopes; picked anew once the map is exact.";
+        colour = ui.theme.warning;
+    }
     if (is_pick_stale(work, shown_map, picking)) {
-        text = map_state(work, shown_map) == MapState::exact
-                   ? "Of the question before."
-                   : "From before the last change; picked anew once the map is exact.";
+        text = map_state(work, shown_map) == MapState::stale ? "From before the last change."
+                                                             : "Of the question before.";
         colour = ui.theme.warning;
     }
     // Beside the headline, or where it has no room there below it.
@@ -260,7 +263,7 @@ bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
     } else {
         draw_empty(list, ui.theme, area, "Nothing picked yet",
                    has_fault ? picking.pick->fault
-                             : "The subset is picked once the space above is exact.");
+                             : "The subset is picked as soon as there is a space above.");
     }
     return false;
 }
