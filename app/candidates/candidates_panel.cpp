@@ -347,6 +347,8 @@ void follow_current_row(const Workspace& work, const std::vector<CandidateRow>& 
 void draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
                            CandidatesState& state) {
     const std::vector<CandidateRow>& rows = candidate_rows(work, shown_map, state);
+    work.selection.table_order.clear();
+    for (const CandidateRow& row : rows) work.selection.table_order.push_back(row.place);
     if (!ui.as_picture) draw_table_tools(ui, work, rows.size());
     const float scroll_px = ImGui::GetStyle().ScrollbarSize;
     const std::vector<ColumnSpan> places =

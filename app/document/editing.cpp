@@ -114,6 +114,14 @@ void select_through(Workspace& work, std::size_t index) {
 }
 
 void select_next(Workspace& work, int step) {
+    const std::vector<std::size_t>& table = work.selection.table_order;
+    if (const auto at = std::ranges::find(table, work.selection.current); at != table.end()) {
+        const auto last = static_cast<int>(table.size()) - 1;
+        const int next = std::clamp(static_cast<int>(at - table.begin()) + step, 0, last);
+        select_only(work, table[static_cast<std::size_t>(next)]);
+        work.selection.scroll_to_current = true;
+        return;
+    }
     const std::vector<std::size_t> listed = listed_indices(work);
     if (listed.empty()) return;
     const auto last = static_cast<int>(listed.size()) - 1;

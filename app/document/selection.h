@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "model/set/pattern_set.h"
 
@@ -44,6 +45,7 @@ struct Selection {
     std::set<std::string> picked{};           // names of the subset that is picked
     bool is_pick_preview = false;             // by a preview of the map, or an earlier one
     bool only_picked = false;                 // the list is narrowed to them, where there are any
+    std::vector<std::size_t> table_order{};   // as a table shows them; empty: there is none
     std::set<std::string> unfelt{};           // names of those that no receptor answers to
     std::optional<std::size_t> hovered_last;  // in the last frame, by any panel
     // Two at once, as a cell of the matrix has them: in this frame, and in the last.

@@ -276,6 +276,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     }
 
     draw_panes(app, pressed);
+    if (app.layout.bench != BenchTab::candidates) app.work.selection.table_order.clear();
     draw_dialogs(app);
     draw_palette(app, pressed);
     draw_over_presentation(app.ui, app.lesson);

@@ -32,17 +32,17 @@ HalfPane filled_half(const Rect& pane) {
 // Whatever the yaw.
 Framing framed_for_all_yaws(const SpaceCamera& camera, const SpaceFit& fit, const HalfPane& half) {
     const double r = fit.cylinder_radius;
-    const double h = fit.cylinder_half_height;
+    const double h = std::max(std::abs(fit.cylinder_low), std::abs(fit.cylinder_high));
     constexpr double e = kEyeDistance;
     if (fit.flat) return {std::min(half.width, half.height) / r};
-    const double ball = e / std::sqrt(e * e - 1.0);
+    const double ball = fit.farthest * e / std::sqrt(e * e - fit.farthest * fit.farthest);
     const double c = std::cos(camera.pitch_rad);
     const double s = std::sin(camera.pitch_rad);
     const double under_root = std::pow(e - h * std::abs(s), 2) - std::pow(r * c, 2);
     const double widest = std::min(ball, r * e / std::sqrt(under_root));
     double lowest = 0.0;
     double highest = 0.0;
-    for (const double z : {-h, h}) {
+    for (const double z : {fit.cylinder_low, fit.cylinder_high}) {
         for (const double away : {-r, r}) {
             const double y = (c * z + s * away) * e / (e - (s * z - c * away));
             lowest = std::max(-ball, std::min(lowest, y));
@@ -127,6 +127,24 @@ void enclose(const Eigen::MatrixXd& points, SpaceFit& result) {
     }
 }
 
+// The cylinder around the points and their feet on the floor.
+void enclose_upright(const Eigen::MatrixXd& points, SpaceFit& result) {
+    result.cylinder_radius = 0.0;
+    result.cylinder_high = 0.0;
+    result.farthest = 0.0;
+    result.cylinder_low = (result.floor - result.centre.z()) / result.radius - kFloorBelow;
+    if (result.flat) result.cylinder_low = 0.0;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        const Eigen::Vector3d q = (point_of(points, i) - result.centre) / result.radius;
+        if (!finite(q)) continue;
+        const double aside = q.head<2>().norm();
+        result.cylinder_radius = std::max(result.cylinder_radius, aside);
+        result.cylinder_high = std::max(result.cylinder_high, q.z());
+        result.farthest =
+            std::max({result.farthest, q.norm(), std::hypot(aside, result.cylinder_low)});
+    }
+}
+
 // Directions all around, evenly spread: a spiral of golden angles.
 Eigen::Vector3d direction(int k, int count) {
     const double up = 1.0 - (2.0 * k + 1.0) / count;
@@ -181,14 +199,7 @@ SpaceFit fit(const Eigen::MatrixXd& points) {
         result.radius = 1.0;
         return result;
     }
-    result.cylinder_radius = 0.0;
-    result.cylinder_half_height = 0.0;
-    for (Eigen::Index i = 0; i < points.rows(); ++i) {
-        const Eigen::Vector3d q = (point_of(points, i) - result.centre) / result.radius;
-        if (!finite(q)) continue;
-        result.cylinder_radius = std::max(result.cylinder_radius, q.head<2>().norm());
-        result.cylinder_half_height = std::max(result.cylinder_half_height, std::abs(q.z()));
-    }
+    enclose_upright(points, result);
     keep_outer(points, result);
     // A map that is one upright line would otherwise fill the pane's height and more.
     result.cylinder_radius = std::max(result.cylinder_radius, 0.1);

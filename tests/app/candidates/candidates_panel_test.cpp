@@ -33,9 +33,10 @@ struct Tabled : Program {
         settle();
     }
 
-    void wait_for_pick() {
+    void wait_for_pick(std::size_t count) {
         const auto until = end_of_patience();
-        while (app.work.selection.picked.empty() || app.work.selection.is_pick_preview) {
+        const Selection& selection = app.work.selection;
+        while (selection.picked.size() != count || selection.is_pick_preview) {
             REQUIRE(std::chrono::steady_clock::now() < until);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
             frame();
@@ -113,10 +114,26 @@ TEST_CASE("candidates: rows between two, as they are sorted, are locked in one s
     CHECK(program.app.work.document.set == before);
 }
 
+TEST_CASE("candidates: arrows go through the rows as they are sorted") {
+    Tabled program;
+    program.click("candidates:by mod Hz");  // 0, 3, 1, 4, 2
+    program.click("candidate:p1");
+    program.press_key(key::kDown);
+    CHECK(program.app.work.selection.current == 3);
+    program.press_key(key::kDown);
+    CHECK(program.app.work.selection.current == 1);
+    program.press_key(key::kUp);
+    CHECK(program.app.work.selection.current == 3);
+    program.app.layout.bench = BenchTab::matrix;
+    program.settle();
+    program.press_key(key::kDown);
+    CHECK(program.app.work.selection.current == 4);
+}
+
 TEST_CASE("candidates: who is picked is marked in table and list, and can be all that is shown") {
     Tabled program;
     program.app.picking.count = 3;
-    program.wait_for_pick();
+    program.wait_for_pick(3);
     const std::set<std::string> picked = program.app.work.selection.picked;
     REQUIRE(picked.size() == 3);
     for (const std::string& name : names_of(program.app.work.document.set)) {

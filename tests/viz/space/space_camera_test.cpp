@@ -23,7 +23,7 @@ const Rect kPane{{100, 50}, {740, 450}};
 
 }  // namespace
 
-TEST_CASE("space: at zoom 1 no point leaves the pane, however it is turned") {
+TEST_CASE("space: at zoom 1 no point nor its foot leaves the pane, however it is turned") {
     for (const int dimensions : {2, 3}) {
         for (unsigned seed = 0; seed < 10; ++seed) {
             const auto points = random_points(20, dimensions, seed);
@@ -32,7 +32,10 @@ TEST_CASE("space: at zoom 1 no point leaves the pane, however it is turned") {
                 for (double pitch = -0.2; pitch < 1.58; pitch += 0.3) {
                     const SpaceCamera camera{.yaw_rad = yaw, .pitch_rad = pitch};
                     for (int i = 0; i < 20; ++i) {
-                        CHECK(kPane.contains(project(camera, f, kPane, point_of(points, i)).at));
+                        Eigen::Vector3d p = point_of(points, i);
+                        CHECK(kPane.contains(project(camera, f, kPane, p).at));
+                        p.z() = f.floor - kFloorBelow * f.radius;
+                        if (dimensions == 3) CHECK(kPane.contains(project(camera, f, kPane, p).at));
                     }
                 }
             }
