@@ -15,8 +15,7 @@ namespace tact {
 
 namespace {
 
-constexpr double kLongestExactGapS = 20.0;  // by estimate; else by coarse envelopes
-constexpr double kGapLimitS = 20.0;         // of the proof
+constexpr double kGapLimitS = 20.0;  // of the proof
 constexpr std::uint64_t kGapSeed = 1;
 
 std::optional<FoundGap> find_gap(const GapRequest& request, std::stop_token stop,
@@ -27,7 +26,7 @@ std::optional<FoundGap> find_gap(const GapRequest& request, std::stop_token stop
     GapQuestion question{{}, source.patterns, request.missing, set.model};
     for (const std::size_t place : request.picked) question.picked.push_back(set.vibrations[place]);
     const std::size_t compared = question.picked.size() + question.candidates.size();
-    question.coarse = expected_map_s(compared, longest_s(set)) > kLongestExactGapS;
+    question.coarse = expected_map_s(compared, longest_s(set)) > kLongestExactS;
     GapOptions options;
     options.stop = stop;
     options.time_limit_s = kGapLimitS;

@@ -94,7 +94,9 @@ void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_ma
     const auto track =
         rested ? request_for(work, shown_map, rested->name, rested->patterns) : std::nullopt;
     ask(state.track, track);
-    const auto exact = track ? exactly(*track, track->patterns.size()) : MaybesRequest{};
+    // Once the preview is there, which it would keep waiting.
+    const bool is_previewed = track && answer_of(state.track) != nullptr;
+    const auto exact = is_previewed ? exactly(*track, track->patterns.size()) : MaybesRequest{};
     ask(state.exact_track, exact.exact ? std::optional(exact) : std::nullopt);
     state.suggested = work.selection.suggested;
     const auto& suggested = state.suggested;

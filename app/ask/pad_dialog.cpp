@@ -111,11 +111,14 @@ void draw_square(Ui& ui, const Workspace& work, const PadState& pad, const Rect&
 }
 
 std::string pad_words(const PadState& pad) {
+    constexpr std::size_t kMostNamed = 3;
     std::string words = significant(pad.mix.amplitude_g) + " g";
-    for (const Carrier& carrier : pad.mix.carriers) {
-        words += ", " + significant(carrier.frequency_hz) + " Hz";
+    const std::vector<Carrier>& carriers = pad.mix.carriers;
+    for (std::size_t k = 0; k < std::min(kMostNamed, carriers.size()); ++k) {
+        words += ", " + significant(carriers[k].frequency_hz) + " Hz";
     }
-    return words;
+    if (carriers.size() <= kMostNamed) return words;
+    return words + " and " + std::to_string(carriers.size() - kMostNamed) + " more";
 }
 
 void add_mix(Ui& ui, Workspace& work, const PadState& pad) {

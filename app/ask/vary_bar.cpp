@@ -37,6 +37,16 @@ void draw_free_numbers(Ui& ui, MaybesState& state) {
     ImGui::EndPopup();
 }
 
+// Beside a text that stands as low as the text of buttons does.
+bool cancel_link(Ui& ui, const char* id) {
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
+    const bool pressed = link(ui, id, "Cancel");
+    note_item(ui.rects, std::string("link:") + id);
+    return pressed;
+}
+
 void draw_put_bar(Ui& ui, MaybesState& state) {
     if (!state.put.asked) return;
     char text[48];
@@ -45,9 +55,7 @@ void draw_put_bar(Ui& ui, MaybesState& state) {
     ImGui::AlignTextToFramePadding();
     dim_text(ui, "Put " + state.put.name + " there" + text);
     note_item(ui.rects, "put:progress", text);
-    ImGui::SameLine(0.0F, ui.theme.gap_px);
-    if (link(ui, "cancel put", "Cancel")) stop_putting(state);
-    note_item(ui.rects, "link:cancel put");
+    if (cancel_link(ui, "cancel put")) stop_putting(state);
 }
 
 void draw_gap_bar(Ui& ui, MaybesState& state) {
@@ -58,9 +66,7 @@ void draw_gap_bar(Ui& ui, MaybesState& state) {
     ImGui::AlignTextToFramePadding();
     dim_text(ui, text);
     note_item(ui.rects, "gap:progress", text);
-    ImGui::SameLine(0.0F, ui.theme.gap_px);
-    if (link(ui, "cancel gap", "Cancel")) stop_filling(state);
-    note_item(ui.rects, "link:cancel gap");
+    if (cancel_link(ui, "cancel gap")) stop_filling(state);
 }
 
 }  // namespace
