@@ -45,10 +45,14 @@ std::vector<ColumnSpan> column_places(float width_px, float scale) {
     const float least = sum(&ColumnWidth::least_px);
     const float spread = sum(&ColumnWidth::most_px) - least;
     const float share = std::clamp((width_px / scale - least) / std::max(spread, 1.0F), 0.0F, 1.0F);
+    const float most = scale * sum(&ColumnWidth::most_px);
     std::vector<ColumnSpan> places;
     float at = 0.0F;
     for (const ColumnWidth& column : shown) {
-        const float width = scale * (column.least_px + share * (column.most_px - column.least_px));
+        const bool is_picture = column.column == CandidateColumn::picture;
+        const float left_over = is_picture ? std::max(0.0F, width_px - most) : 0.0F;
+        const float width =
+            left_over + scale * (column.least_px + share * (column.most_px - column.least_px));
         places.push_back({column.column, at, at + width});
         at += width;
     }

@@ -5,18 +5,16 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <functional>
 #include <string>
 
+#include "app/candidates/candidate_parts.h"
 #include "app/candidates/candidate_rows.h"
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
 #include "app/document/pressing.h"
-#include "app/patterns/rhythm_list.h"
+#include "app/map/similar.h"
 #include "app/ui/widgets.h"
 #include "model/design_space/candidates.h"
-#include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -26,51 +24,6 @@ namespace tact {
 namespace {
 
 constexpr float kTableRowPx = 24.0F;
-
-const char* heading(CandidateColumn column) {
-    switch (column) {
-        case CandidateColumn::picture:
-            return "set";
-        case CandidateColumn::name:
-            return "name";
-        case CandidateColumn::amplitude:
-            return "g";
-        case CandidateColumn::carrier:
-            return "Hz";
-        case CandidateColumn::modulation:
-            return "mod Hz";
-        case CandidateColumn::rhythm:
-            return "rhythm";
-        case CandidateColumn::duration:
-            return "s";
-        case CandidateColumn::nearest:
-            return "nearest";
-        case CandidateColumn::picked:
-            return "picked";
-    }
-    return "";
-}
-
-const char* heading_help(CandidateColumn column) {
-    switch (column) {
-        case CandidateColumn::picture:
-            return "In the order of the set.";
-        case CandidateColumn::carrier:
-            return "The first carrier.";
-        case CandidateColumn::nearest:
-            return "PM to the closest other pattern of the set, which a row's tooltip names.";
-        case CandidateColumn::picked:
-            return "In the most distinct subset: see Subset. A hollow mark is of a preview.";
-        default:
-            return "Sort by it; again: the other way round.";
-    }
-}
-
-bool is_right_aligned(CandidateColumn column) {
-    return column == CandidateColumn::amplitude || column == CandidateColumn::carrier ||
-           column == CandidateColumn::modulation || column == CandidateColumn::duration ||
-           column == CandidateColumn::nearest;
-}
 
 void draw_table_tools(Ui& ui, Workspace& work, std::size_t listed) {
     Selection& selection = work.selection;
@@ -112,56 +65,6 @@ void draw_table_tools(Ui& ui, Workspace& work, std::size_t listed) {
     note_item(ui.rects, "candidates:count", told);
 }
 
-// The arrow of the column that is sorted by.
-void draw_sort_arrow(const Ui& ui, ImVec2 centre, bool descending) {
-    const float r = 3.0F * ui.theme.scale;
-    const float d = descending ? r : -r;
-    ImGui::GetWindowDrawList()->AddTriangleFilled({centre.x - r, centre.y - 0.6F * d},
-                                                  {centre.x + r, centre.y - 0.6F * d},
-                                                  {centre.x, centre.y + 0.8F * d}, ui.theme.text);
-}
-
-void draw_heading(Ui& ui, CandidatesState& state, const ColumnSpan& place, const Rect& line) {
-    const Theme& theme = ui.theme;
-    const Rect cell{{line.min.x + place.begin_px, line.min.y},
-                    {line.min.x + place.end_px, line.max.y}};
-    ImGui::SetCursorScreenPos(cell.min);
-    ImGui::PushID(static_cast<int>(place.column));
-    if (ImGui::InvisibleButton("heading", cell.size())) sort_by(state, place.column);
-    note_item(ui.rects, std::string("candidates:by ") + heading(place.column),
-              state.by != place.column ? ""
-              : state.descending       ? "down"
-                                       : "up");
-    const bool lit = ImGui::IsItemHovered();
-    draw_tooltip(ui, heading_help(place.column));
-    ImGui::PopID();
-    const ImFont* font = theme.fonts.small;
-    const std::string words = heading(place.column);
-    const ImVec2 size = text_size(font, words);
-    const float pad = 6.0F * theme.scale;
-    const float y = cell.centre().y - size.y / 2.0F;
-    const bool right = is_right_aligned(place.column);
-    const float x = right ? cell.max.x - pad - size.x : cell.min.x + pad;
-    const bool sorted = state.by == place.column;
-    draw_text(*ImGui::GetWindowDrawList(), font, {x, y},
-              sorted || lit ? theme.text : theme.dim_text, words);
-    if (!sorted) return;
-    const float beside = 7.0F * theme.scale;
-    draw_sort_arrow(ui, {right ? x - beside : x + size.x + beside, cell.centre().y},
-                    state.descending);
-}
-
-void draw_headings(Ui& ui, CandidatesState& state, const std::vector<ColumnSpan>& places) {
-    const Theme& theme = ui.theme;
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
-    const Rect line = rect_at(corner, {width, 20.0F * theme.scale});
-    for (const ColumnSpan& place : places) draw_heading(ui, state, place, line);
-    ImGui::GetWindowDrawList()->AddLine({line.min.x, line.max.y}, line.max, theme.line,
-                                        theme.hairline_px);
-    ImGui::SetCursorScreenPos({corner.x, line.max.y + theme.scale});
-}
-
 // In the order of the table; the list's would take others.
 void select_rows_through(Workspace& work, const std::vector<CandidateRow>& rows,
                          std::size_t place) {
@@ -185,100 +88,6 @@ void take_click(Ui& ui, Workspace& work, CandidatesState& state, std::size_t pla
         ctrl ? toggle_selected(work, place) : select_only(work, place);
         work.selection.scroll_to_current = true;
     });
-}
-
-// A tick; hollow where it is of a preview.
-void draw_picked_mark(const Theme& theme, ImVec2 centre, bool preview) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float r = 5.0F * theme.scale;
-    if (preview) return list.AddCircle(centre, r, theme.text, 0, 1.5F * theme.hairline_px);
-    list.AddCircleFilled(centre, r, theme.text);
-}
-
-std::string cell_words(const CandidateRow& row, CandidateColumn column) {
-    const auto number = [](const std::optional<double>& value) {
-        return value ? significant_digits(*value, 3) : std::string();
-    };
-    switch (column) {
-        case CandidateColumn::amplitude:
-            return number(row.amplitude_g);
-        case CandidateColumn::carrier:
-            return number(row.carrier_hz);
-        case CandidateColumn::modulation:
-            return number(row.modulation_hz);
-        case CandidateColumn::duration:
-            return number(row.duration_s);
-        case CandidateColumn::nearest:
-            return row.nearest_pm ? grouped(*row.nearest_pm) : std::string();
-        default:
-            return {};
-    }
-}
-
-void draw_rhythm_cell(const Theme& theme, const CandidateRow& row, const Rect& cell) {
-    if (!row.rhythm) return;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImFont* font = theme.fonts.small;
-    const float y = cell.centre().y - text_size(font, "x").y / 2.0F;
-    if (row.rhythm->empty())
-        return draw_text(list, font, {cell.min.x, y}, theme.dim_text, "steady");
-    const float each =
-        std::min(8.0F * theme.scale, cell.width() / static_cast<float>(row.rhythm->size()));
-    if (each < 2.0F * theme.scale) {
-        const auto notes = static_cast<std::size_t>(std::ranges::count(*row.rhythm, 'x'));
-        return draw_text(list, font, {cell.min.x, y}, theme.dim_text,
-                         std::to_string(notes) + " notes");
-    }
-    const float half = 5.0F * theme.scale;
-    draw_rhythm_cells(
-        theme,
-        {{cell.min.x, cell.centre().y - half},
-         {cell.min.x + each * static_cast<float>(row.rhythm->size()), cell.centre().y + half}},
-        *row.rhythm);
-}
-
-void draw_name_cell(const Theme& theme, const Vibration& vibration, const PatternLook& look,
-                    const Rect& cell) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float s = theme.scale;
-    draw_pattern_mark(list, theme, {cell.min.x + 5.0F * s, cell.centre().y}, 4.5F * s, look,
-                      theme.pane);
-    const float begin = cell.min.x + 15.0F * s;
-    const std::string state = vibration.locked ? "  locked" : vibration.dropped ? "  dropped" : "";
-    const float state_px = text_size(theme.fonts.small, state).x;
-    const std::string name = shortened(theme.fonts.regular, vibration.name,
-                                       std::max(0.0F, cell.max.x - begin - state_px));
-    const ImVec2 size = text_size(theme.fonts.regular, name);
-    const float y = cell.centre().y - size.y / 2.0F;
-    draw_text(list, theme.fonts.regular, {begin, y},
-              vibration.dropped ? theme.dim_text : theme.text, name);
-    if (state.empty()) return;
-    const float lower = size.y - text_size(theme.fonts.small, state).y;
-    draw_text(list, theme.fonts.small, {begin + size.x, y + 0.8F * lower}, theme.dim_text, state);
-}
-
-void draw_cell(Ui& ui, Workspace& work, const CandidateRow& row, CandidateColumn column,
-               const Rect& cell) {
-    const Theme& theme = ui.theme;
-    const Vibration& vibration = work.document.set.vibrations[row.place];
-    switch (column) {
-        case CandidateColumn::picture:
-            return draw_thumbnail(ui, work, cell, vibration, look_of(ui, work, row.place).colour,
-                                  shown_reach_g(work));
-        case CandidateColumn::name:
-            return draw_name_cell(theme, vibration, look_of(ui, work, row.place), cell);
-        case CandidateColumn::rhythm:
-            return draw_rhythm_cell(theme, row, cell);
-        case CandidateColumn::picked:
-            if (!row.picked) return;
-            return draw_picked_mark(theme, cell.centre(), work.selection.is_pick_preview);
-        default:
-            break;
-    }
-    const std::string words = cell_words(row, column);
-    const ImVec2 size = text_size(theme.fonts.regular, words);
-    draw_text(*ImGui::GetWindowDrawList(), theme.fonts.regular,
-              {cell.max.x - size.x, cell.centre().y - size.y / 2.0F}, theme.text, words);
 }
 
 // What a short name stands for, and who is closest.
@@ -307,8 +116,29 @@ void draw_row_ground(const Ui& ui, const Workspace& work, std::size_t place, con
     }
 }
 
-void draw_table_row(Ui& ui, Workspace& work, CandidatesState& state, const CandidateRow& row,
-                    const std::vector<ColumnSpan>& places) {
+void draw_table_menu(Ui& ui, Workspace& work, const ShownMap& shown_map, std::size_t place) {
+    if (!ImGui::BeginPopupContextItem("table menu")) return;
+    const bool is_selected =
+        place == work.selection.current || work.selection.others.contains(place);
+    if (!is_selected) select_only(work, place);
+    const Vibration& vibration = work.document.set.vibrations[place];
+    // Once all rows are drawn: there may be others then.
+    const auto item = [&ui](const char* words, std::function<void()> act) {
+        if (ImGui::MenuItem(words)) ui.waiting.push_back(std::move(act));
+        note_item(ui.rects, std::string("table menu:") + words);
+    };
+    item(vibration.locked ? "Unlock" : "Lock: always pick it", [&] { toggle_locked(ui, work); });
+    item(vibration.dropped ? "Take back" : "Drop: never pick it",
+         [&] { toggle_dropped(ui, work); });
+    item("Duplicate", [&] { duplicate_selected(ui, work); });
+    item("Find similar",
+         [&ui, &work, &shown_map, place] { select_similar(ui, work, shown_map, place); });
+    item("Delete", [&] { remove_selected(ui, work); });
+    ImGui::EndPopup();
+}
+
+void draw_table_row(Ui& ui, Workspace& work, const ShownMap& shown_map, CandidatesState& state,
+                    const CandidateRow& row, const std::vector<ColumnSpan>& places) {
     const float s = ui.theme.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
@@ -321,6 +151,7 @@ void draw_table_row(Ui& ui, Workspace& work, CandidatesState& state, const Candi
     if (ImGui::IsItemHovered()) work.selection.hovered = row.place;
     note_item(ui.rects, "candidate:" + vibration.name, row.picked ? "picked" : "");
     draw_tooltip(ui, row_words(work, row).c_str());
+    draw_table_menu(ui, work, shown_map, row.place);
     ImGui::PopID();
     draw_row_ground(ui, work, row.place, line);
     for (const ColumnSpan& place : places) {
@@ -361,7 +192,8 @@ void draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
         clipper.Begin(static_cast<int>(rows.size()));
         while (clipper.Step()) {
             for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
-                draw_table_row(ui, work, state, rows[static_cast<std::size_t>(k)], places);
+                draw_table_row(ui, work, shown_map, state, rows[static_cast<std::size_t>(k)],
+                               places);
             }
         }
         if (rows.empty()) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/ask/gap_follow.h"
 #include "app/ask/maybes_follow.h"
 #include "app/ask/put_there.h"
 #include "app/ask/steps_follow.h"
@@ -202,8 +203,12 @@ void draw_bench(App& app) {
         case BenchTab::candidates:
             return draw_candidates_panel(app.ui, app.work, app.shown_map, app.candidates);
         case BenchTab::subset:
-            return draw_subset_panel(app.ui, app.work, app.timeline, app.shown_map, app.play,
-                                     app.picking);
+            draw_subset_panel(app.ui, app.work, app.timeline, app.shown_map, app.play, app.picking);
+            if (std::exchange(app.picking.grow_asked, false)) {
+                grow_to(app.ui, app.work, app.shown_map, app.maybes,
+                        static_cast<std::size_t>(app.picking.count));
+            }
+            return;
         case BenchTab::compare:
             return draw_compare_panel(app.ui, app.work, app.layout, app.shown_map, app.comparing);
         case BenchTab::shepard:

@@ -77,6 +77,20 @@ TEST_CASE("grow: as many come as are missing, in one step; where none is, it say
     CHECK(program.app.work.document.set == before);
 }
 
+TEST_CASE("grow: the Subset tab offers it where fewer are there than are to be picked") {
+    Asked program(designed());
+    program.compute_map();
+    program.app.layout.bench = BenchTab::subset;
+    program.app.picking.count = 2;
+    program.settle();
+    CHECK_FALSE(program.shows("link:grow"));
+    program.app.picking.count = 4;
+    program.settle();
+    program.click("link:grow");
+    program.until_found();
+    CHECK(program.app.work.document.set.vibrations.size() == 4);
+}
+
 TEST_CASE("fill the gap: Esc and an edit end the search, and nothing is added") {
     Asked program(short_patterns(3));
     fill_the_gap(program.app.ui, program.app.work, program.app.shown_map, program.app.maybes);

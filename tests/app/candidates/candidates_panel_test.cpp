@@ -130,6 +130,29 @@ TEST_CASE("candidates: arrows go through the rows as they are sorted") {
     CHECK(program.app.work.selection.current == 4);
 }
 
+TEST_CASE(
+    "candidates: the menu of a row is for all that are selected, of others for the row alone") {
+    Tabled program;
+    program.click("candidate:p2");
+    const auto open_menu = [&program](const std::string& row) {
+        program.window.move(program.at(row).middle());
+        program.window.button(true, 1);
+        program.settle();
+        program.window.button(false, 1);
+        program.settle();
+    };
+    program.app.work.selection.others = {3};
+    open_menu("candidate:p4");
+    program.click("table menu:Drop: never pick it");
+    const auto& all = program.app.work.document.set.vibrations;
+    CHECK(all[1].dropped);
+    CHECK(all[3].dropped);
+    open_menu("candidate:p1");
+    program.click("table menu:Lock: always pick it");
+    CHECK(all[0].locked);
+    CHECK_FALSE(all[1].locked);
+}
+
 TEST_CASE("candidates: who is picked is marked in table and list, and can be all that is shown") {
     Tabled program;
     program.app.picking.count = 3;
@@ -159,6 +182,7 @@ TEST_CASE("candidates: a narrow table keeps name, numbers and who is picked") {
         CHECK(has(places, CandidateColumn::nearest));
         CHECK(has(places, CandidateColumn::picked));
         CHECK(places.back().end_px <= width + 25.0F);
+        if (width > 499.0F) CHECK(places.back().end_px > width - 1.0F);
         CHECK(has(places, CandidateColumn::picture) == (width > 499.0F));
     }
 }
