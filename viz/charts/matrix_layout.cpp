@@ -93,8 +93,11 @@ MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixSce
         const float width = area.width() - left - (with_scale ? right : 0.0F);
         MatrixLayout layout;
         layout.cell_px = cell_size(theme, {width, area.height() - top}, n);
-        layout.column_labels = layout.cell_px.x >= text_px * 1.1F;
-        if (!layout.column_labels) layout.cell_px = cell_size(theme, {width, area.height()}, n);
+        const ImVec2 bare = cell_size(theme, {width, area.height()}, n);
+        // In a low pane every row's name is worth more than names of columns, which are the same.
+        const bool names_rows = layout.cell_px.y < text_px * 1.1F && bare.y >= text_px * 1.1F;
+        layout.column_labels = layout.cell_px.x >= text_px * 1.1F && !names_rows;
+        if (!layout.column_labels) layout.cell_px = bare;
         layout.has_values =
             value_px.x > 0.0F && layout.cell_px.x >= value_px.x && layout.cell_px.y >= value_px.y;
         return layout;
