@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/ask/gap_follow.h"
 #include "app/ask/maybes_work.h"
 #include "app/ask/put_there.h"
 #include "app/document/editing.h"
@@ -82,6 +83,7 @@ void stop_maybes_jobs(MaybesState& state) {
     state.exact_variants.job.reset();
     state.put.cloud.job.reset();
     state.put.job.reset();
+    state.gap.job.reset();
 }
 
 void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
@@ -92,7 +94,9 @@ void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_ma
     const auto track =
         rested ? request_for(work, shown_map, rested->name, rested->patterns) : std::nullopt;
     ask(state.track, track);
-    const auto exact = track ? exactly(*track, track->patterns.size()) : MaybesRequest{};
+    // Once the preview is there, which it would keep waiting.
+    const bool is_previewed = track && answer_of(state.track) != nullptr;
+    const auto exact = is_previewed ? exactly(*track, track->patterns.size()) : MaybesRequest{};
     ask(state.exact_track, exact.exact ? std::optional(exact) : std::nullopt);
     state.suggested = work.selection.suggested;
     const auto& suggested = state.suggested;
@@ -106,8 +110,8 @@ void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_ma
 bool is_asking(const MaybesState& state) {
     const auto busy = [](const AskedMaybes& asked) { return asked.job && asked.job->busy(); };
     return busy(state.track) || busy(state.exact_track) || busy(state.suggestion) ||
-           busy(state.variants) || busy(state.exact_variants) || busy(state.put.cloud) ||
-           (state.put.job && state.put.job->busy());
+           busy(state.variants) || busy(state.exact_variants) || is_filling(state) ||
+           busy(state.put.cloud) || (state.put.job && state.put.job->busy());
 }
 
 MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state) {

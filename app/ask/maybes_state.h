@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/ask/gap_state.h"
 #include "app/document/selection.h"
 #include "app/jobs/latest_job.h"
 #include "app/map/live_map.h"
@@ -61,12 +62,21 @@ struct FoundReach {
     Reached reached;
 };
 
+// Patterns all around one, kept while they are of the same.
+struct KeptSurroundings {
+    std::optional<Pattern> of;
+    std::vector<PatternParameter> free;
+    FeltSteps steps;
+    std::vector<Pattern> patterns;
+};
+
 struct PutThere {
     std::string name;                          // of the pattern; empty: none is moved
     std::optional<Eigen::RowVectorXd> wanted;  // place of the map
     bool is_dragged = false;                   // in this frame
     std::optional<ReachRequest> asked;         // let go there: under way
-    AskedMaybes cloud;                         // what can be reached
+    KeptSurroundings around;
+    AskedMaybes cloud;  // what can be reached
     std::unique_ptr<LatestJob<ReachRequest, FoundReach>> job;
 };
 
@@ -84,6 +94,7 @@ struct MaybesState {
     std::uint64_t vary_seed = 1;
     std::vector<PatternParameter> held;  // numbers that neither varying nor moving may change
     PutThere put;
+    GapState gap;
 };
 
 }  // namespace tact

@@ -4,6 +4,7 @@
 
 #include "app/map/map_follow.h"
 #include "devices/calibration/rendering.h"
+#include "model/common/parallel.h"
 
 namespace tact {
 
@@ -26,16 +27,19 @@ std::optional<FoundMaybes> MaybesWork::operator()(const MaybesRequest& request,
     const auto count = static_cast<Eigen::Index>(found.patterns.size());
     found.places.resize(count, request.points.cols());
     const auto& by = request.map->request.rendered_by;
-    for (Eigen::Index k = 0; k < count; ++k) {
-        Waveform waveform = render(found.patterns[static_cast<std::size_t>(k)]);
+    const bool anew = request.exact && request.points.rows() <= kMostAnew;
+    // A map that is made anew takes all cores itself; of quick places each has one to itself.
+    std::atomic<Eigen::Index> done = 0;
+    const auto place_one = [&](std::size_t k) {
+        Waveform waveform = render(found.patterns[k]);
         if (by) waveform = rendering(*by, waveform).waveform;
         waveform = padded(std::move(waveform), point_->length());
-        const bool anew = request.exact && request.points.rows() <= kMostAnew;
-        const auto place = anew ? point_->anew(waveform, stop) : (*point_)(waveform, stop);
-        if (!place) return std::nullopt;
-        found.places.row(k) = place->at;
-        progress = static_cast<float>(k + 1) / static_cast<float>(count);
-    }
+        const auto place = anew ? point_->anew(waveform, stop) : (*point_)(waveform, stop, 1);
+        if (place) found.places.row(static_cast<Eigen::Index>(k)) = place->at;
+        progress = static_cast<float>(++done) / static_cast<float>(count);
+    };
+    const bool all = parallel_for(found.patterns.size(), anew ? 1 : 0, stop, place_one);
+    if (!all || stop.stop_requested()) return std::nullopt;
     return found;
 }
 

@@ -19,6 +19,20 @@ const Pattern* pattern_to_put(const Workspace& work, const std::string& name) {
     return place ? editable_pattern(work.document.set.vibrations[*place]) : nullptr;
 }
 
+// Made anew where they are of another pattern, or other numbers may change.
+const std::vector<Pattern>& kept_surroundings(KeptSurroundings& kept, const Pattern& pattern,
+                                              const MaybesState& state, const FeltSteps& steps) {
+    std::vector<PatternParameter> free = free_of(state);
+    const bool is_same = kept.of == pattern && kept.free == free && kept.steps == steps;
+    if (!is_same) {
+        kept.patterns = surroundings(pattern, free, steps, kCloud, kPutSeed);
+        kept.of = pattern;
+        kept.free = std::move(free);
+        kept.steps = steps;
+    }
+    return kept.patterns;
+}
+
 }  // namespace
 
 std::string sentence_on(const Reached& reached) {
@@ -59,11 +73,10 @@ void follow_put(Ui& ui, Workspace& work, const ShownMap& shown_map, MaybesState&
     if (pattern == nullptr && !put.name.empty()) stop_putting(state);
     const bool is_shown = pattern != nullptr && (put.is_dragged || put.asked);
     if (!is_shown && !put.name.empty()) stop_putting(state);
-    ask(put.cloud, is_shown
-                       ? request_for(work, shown_map, put.name,
-                                     surroundings(*pattern, free_of(state),
-                                                  work.document.set.felt_steps, kCloud, kPutSeed))
-                       : std::nullopt);
+    ask(put.cloud, is_shown ? request_for(work, shown_map, put.name,
+                                          kept_surroundings(put.around, *pattern, state,
+                                                            work.document.set.felt_steps))
+                            : std::nullopt);
     put.is_dragged = false;
     if (!put.asked) return;
     const auto found = put.job->latest();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/ask/gap_follow.h"
 #include "app/ask/maybes_follow.h"
 #include "app/ask/put_there.h"
 #include "app/ui/failure.h"
@@ -36,6 +37,16 @@ void draw_free_numbers(Ui& ui, MaybesState& state) {
     ImGui::EndPopup();
 }
 
+// Beside a text that stands as low as the text of buttons does.
+bool cancel_link(Ui& ui, const char* id) {
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
+    const bool pressed = link(ui, id, "Cancel");
+    note_item(ui.rects, std::string("link:") + id);
+    return pressed;
+}
+
 void draw_put_bar(Ui& ui, MaybesState& state) {
     if (!state.put.asked) return;
     char text[48];
@@ -44,15 +55,25 @@ void draw_put_bar(Ui& ui, MaybesState& state) {
     ImGui::AlignTextToFramePadding();
     dim_text(ui, "Put " + state.put.name + " there" + text);
     note_item(ui.rects, "put:progress", text);
-    ImGui::SameLine(0.0F, ui.theme.gap_px);
-    if (link(ui, "cancel put", "Cancel")) stop_putting(state);
-    note_item(ui.rects, "link:cancel put");
+    if (cancel_link(ui, "cancel put")) stop_putting(state);
+}
+
+void draw_gap_bar(Ui& ui, MaybesState& state) {
+    if (!is_filling(state)) return;
+    char text[64];
+    std::snprintf(text, sizeof text, "Searching what is farthest, %d %%",
+                  static_cast<int>(100.0F * state.gap.job->progress()));
+    ImGui::AlignTextToFramePadding();
+    dim_text(ui, text);
+    note_item(ui.rects, "gap:progress", text);
+    if (cancel_link(ui, "cancel gap")) stop_filling(state);
 }
 
 }  // namespace
 
 void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
     draw_put_bar(ui, state);
+    draw_gap_bar(ui, state);
     if (state.varied.empty()) return;
     if (!place_named(work.document.set, state.varied)) return stop_varying(state);
     ImGui::AlignTextToFramePadding();

@@ -5,7 +5,7 @@
 
 #include "app/document/pattern_looks.h"
 #include "app/document/renaming.h"
-#include "app/ui/widgets.h"
+#include "model/set/vibration_search.h"
 
 namespace tact {
 
@@ -75,7 +75,8 @@ const Vibration* current_vibration(const Workspace& work) {
 std::vector<std::size_t> selected_indices(const Workspace& work) {
     if (work.document.set.vibrations.empty()) return {};
     std::set<std::size_t> all = work.selection.others;
-    if (!all.empty() && !work.selection.search.empty()) {
+    const bool hides = !work.selection.search.empty() || is_narrowed_to_picked(work.selection);
+    if (!all.empty() && hides) {
         const std::vector<std::size_t> listed = listed_indices(work);
         std::erase_if(all, [&](std::size_t k) { return !std::ranges::binary_search(listed, k); });
     }
@@ -85,10 +86,12 @@ std::vector<std::size_t> selected_indices(const Workspace& work) {
 
 std::vector<std::size_t> listed_indices(const Workspace& work) {
     const auto& all = work.document.set.vibrations;
-    const std::string wanted = lower_case(work.selection.search);
+    const VibrationSearch search(work.selection.search);
+    const bool only_picked = is_narrowed_to_picked(work.selection);
     std::vector<std::size_t> indices;
     for (std::size_t k = 0; k < all.size(); ++k) {
-        if (lower_case(all[k].name).find(wanted) != std::string::npos) indices.push_back(k);
+        if (only_picked && !work.selection.picked.contains(all[k].name)) continue;
+        if (search.finds(all[k])) indices.push_back(k);
     }
     return indices;
 }
@@ -111,6 +114,14 @@ void select_through(Workspace& work, std::size_t index) {
 }
 
 void select_next(Workspace& work, int step) {
+    const std::vector<std::size_t>& table = work.selection.table_order;
+    if (const auto at = std::ranges::find(table, work.selection.current); at != table.end()) {
+        const auto last = static_cast<int>(table.size()) - 1;
+        const int next = std::clamp(static_cast<int>(at - table.begin()) + step, 0, last);
+        select_only(work, table[static_cast<std::size_t>(next)]);
+        work.selection.scroll_to_current = true;
+        return;
+    }
     const std::vector<std::size_t> listed = listed_indices(work);
     if (listed.empty()) return;
     const auto last = static_cast<int>(listed.size()) - 1;

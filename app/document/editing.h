@@ -18,14 +18,15 @@ const Vibration* current_vibration(const Workspace& work);
 // is changed with what is seen.
 std::vector<std::size_t> selected_indices(const Workspace& work);
 
-// What the list shows: those with the search's text in their names, ascending.
+// What the list shows: those that the search finds, or of them the picked ones alone; ascending.
 std::vector<std::size_t> listed_indices(const Workspace& work);
 
 void select_only(Workspace& work, std::size_t index);
 void toggle_selected(Workspace& work, std::size_t index);
 void select_through(Workspace& work, std::size_t index);  // everything listed from current to index
 void select_all(Workspace& work);
-// `step` further down the list, or up; at its ends as far as there is.
+// `step` further down the list, or up, through the order of a table that is shown; at its ends as
+// far as there is.
 void select_next(Workspace& work, int step);
 // Makes the first pattern current and the second its partner.
 void choose_pair(Workspace& work, std::size_t current, std::size_t partner);

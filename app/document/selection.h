@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "model/set/pattern_set.h"
 
@@ -41,6 +42,10 @@ struct Selection {
     std::string search;                       // what the list is narrowed to
     bool scroll_to_current = false;           // in the list, in the next frame
     std::set<std::string> too_close{};        // names in pairs that are marked as too close
+    std::set<std::string> picked{};           // names of the subset that is picked
+    bool is_pick_preview = false;             // by a preview of the map, or an earlier one
+    bool only_picked = false;                 // the list is narrowed to them, where there are any
+    std::vector<std::size_t> table_order{};   // as a table shows them; empty: there is none
     std::set<std::string> unfelt{};           // names of those that no receptor answers to
     std::optional<std::size_t> hovered_last;  // in the last frame, by any panel
     // Two at once, as a cell of the matrix has them: in this frame, and in the last.
@@ -52,5 +57,9 @@ struct Selection {
     std::optional<SuggestedChange> suggested{};  // in this frame
     bool on_track = false;                       // in this frame the mouse is on the rested one's
 };
+
+inline bool is_narrowed_to_picked(const Selection& selection) {
+    return selection.only_picked && !selection.picked.empty();
+}
 
 }  // namespace tact

@@ -309,6 +309,7 @@ PointDeed draw_point_menu(Ui& ui, Workspace& work, ShownMap& shown_map, const Sp
         const bool drops = ImGui::MenuItem(vibration.dropped ? "Take back" : "Drop: never pick it");
         note_item(ui.rects, "menu:drop");
         item("duplicate point", "Duplicate", PointDeed::duplicate, true);
+        item("similar point", "Find similar", PointDeed::similar, true);
         item("vary point", "Vary", PointDeed::vary, editable);
         item("steps point", "Steps to...", PointDeed::steps, has_numbers);
         if (locks || drops || deed != PointDeed::none) select_only(work, place);

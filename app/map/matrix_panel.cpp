@@ -92,18 +92,19 @@ void draw_choice(Ui& ui, ShownMap& shown_map) {
     choose(MatrixQuantity::oc, "Rhythm: dynamic time warping of the two envelopes.");
 }
 
-// At the right end of the foot: the order of the rows.
-void draw_order_choice(Ui& ui, ShownMap& shown_map, const Rect& foot) {
+// At the right end of the foot: the order of the rows. Returns what is left of the foot.
+Rect draw_order_choice(Ui& ui, ShownMap& shown_map, Rect foot) {
     const char* words = shown_map.clustered_matrix ? "Rows as listed" : "Alike together";
     const ImVec2 size = text_size(ui.theme.fonts.small, words);
-    if (foot.width() < 3.0F * size.x) return;
+    if (foot.width() < 3.0F * size.x) return foot;
     ImGui::PushFont(ui.theme.fonts.small);
-    ImGui::SetCursorScreenPos(
-        {foot.max.x - size.x, foot.min.y + ImGui::GetTextLineHeightWithSpacing()});
+    ImGui::SetCursorScreenPos({foot.max.x - size.x, foot.min.y});
     if (link(ui, "matrix order", words)) shown_map.clustered_matrix = !shown_map.clustered_matrix;
     note_item(ui.rects, "link:matrix order", shown_map.clustered_matrix ? "clustered" : "list");
     ImGui::PopFont();
     draw_tooltip(ui, "The order of the rows: a tree of clusters (average linkage), or the list's.");
+    foot.max.x -= size.x + ui.theme.gap_px;
+    return foot;
 }
 
 // The pair's numbers beneath the map: all three, so that PM explains itself.
@@ -122,17 +123,19 @@ void draw_pair(Ui& ui, const ShownMap& shown_map, const Rect& area, std::optiona
     const std::size_t m = prediction.pm.condensed.size();
     const std::size_t k = pair_index(prediction.pm.size, std::min(i, j), std::max(i, j));
     const std::string names = labels[i] + "   " + labels[j];
-    draw_text(list, theme.fonts.semibold, area.min, theme.text,
-              shortened(theme.fonts.semibold, names, area.width()));
+    const std::string shown_names = shortened(theme.fonts.semibold, names, 0.5F * area.width());
+    draw_text(list, theme.fonts.semibold, area.min, theme.text, shown_names);
+    const ImVec2 taken = text_size(theme.fonts.semibold, shown_names);
     char numbers[160];
     std::snprintf(numbers, sizeof numbers, "PM %s of %s    NC %.3g, rank %s    OC %.4g, rank %s",
                   grouped(prediction.pm.condensed[k], 4).c_str(),
                   grouped(static_cast<double>(m), 4).c_str(), prediction.nc.condensed[k],
                   grouped(prediction.nc_rank[k], 4).c_str(), prediction.oc.condensed[k],
                   grouped(prediction.oc_rank[k], 4).c_str());
-    draw_text(list, theme.fonts.small,
-              {area.min.x, area.min.y + ImGui::GetTextLineHeightWithSpacing()}, theme.dim_text,
-              shortened(theme.fonts.small, numbers, area.width()));
+    const float left = area.min.x + taken.x + 1.5F * theme.gap_px;
+    const float lower = 0.8F * (taken.y - text_size(theme.fonts.small, numbers).y);
+    draw_text(list, theme.fonts.small, {left, area.min.y + lower}, theme.dim_text,
+              shortened(theme.fonts.small, numbers, std::max(0.0F, area.max.x - left)));
     note_rect(ui.rects, "pair", area.min, area.max, names + "\t" + numbers);
 }
 
@@ -192,7 +195,7 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     // Low panes need it for the map; the pair under the mouse is told there, too.
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const bool has_foot = !ui.as_picture && area.height() > 9.0F * line;
-    const float foot = has_foot ? 2.2F * line : 0.0F;
+    const float foot = has_foot ? 1.1F * line : 0.0F;
     Rect foot_area = area;
     foot_area.min.y = area.max.y - foot;
     area.max.y = foot_area.min.y - ui.theme.gap_px * 0.5F;
@@ -216,13 +219,13 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     const MatrixAction action = draw_matrix("matrix", ui.theme, area, scene);
     act_on(work, action, labels);
     if (!has_foot) return;
-    draw_order_choice(ui, shown_map, foot_area);
+    const Rect rest = draw_order_choice(ui, shown_map, foot_area);
     std::optional<Pair> hovered = action.hovered;
     if (hovered) {
         hovered =
             Pair{row_of_map(shown_map, hovered->first), row_of_map(shown_map, hovered->second)};
     }
-    draw_pair(ui, shown_map, foot_area, hovered, names_of(mapped));
+    draw_pair(ui, shown_map, rest, hovered, names_of(mapped));
 }
 
 }  // namespace tact

@@ -52,6 +52,24 @@ void draw_overlay_choice(Ui& ui, const Workspace& work, ShownMap& shown_map) {
                  "fit it best: rings, with a line from each to its prediction.");
 }
 
+void draw_move_tool(Ui& ui, ShownMap& shown_map) {
+    const bool beside = flow_on(chip_width(ui, "Move"), 1.5F * ui.theme.gap_px);
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (beside) corner.y -= ImGui::GetStyle().FramePadding.y;  // the link before stands lower
+    const float chip_px = text_size(ui.theme.fonts.small, "Move").y + 6.0F * ui.theme.scale;
+    ImGui::SetCursorScreenPos({corner.x, corner.y + 0.5F * (ImGui::GetFrameHeight() - chip_px)});
+    if (draw_chip(ui, "move tool", "Move", shown_map.move_tool)) {
+        shown_map.move_tool = !shown_map.move_tool;
+    }
+    note_item(ui.rects, "tool:move", shown_map.move_tool ? "on" : "off");
+    draw_tooltip(ui,
+                 "A point that is dragged is put there: its pattern is searched. Without the tool "
+                 "Alt and a drag do the same.");
+    ImGui::SameLine(0.0F, 0.0F);
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y});
+    ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
+}
+
 void draw_controls(Ui& ui, Workspace& work, ShownMap& shown_map) {
     const auto choose = [&](const char* label, int dimensions) {
         if (draw_radio(ui, label, shown_map.dimensions == dimensions) &&
@@ -67,6 +85,7 @@ void draw_controls(Ui& ui, Workspace& work, ShownMap& shown_map) {
     choose("2-D", 2);
     draw_overlay_choice(ui, work, shown_map);
     draw_map_look(ui, shown_map);
+    draw_move_tool(ui, shown_map);
     // Every map begins unturned: the way back is of use only after that.
     if (shown_map.camera == SpaceCamera{}) return;
     const float width = ImGui::CalcTextSize(kReset).x;
@@ -136,7 +155,8 @@ SpaceScene scene_of(const Ui& ui, const Workspace& work, const ShownMap& shown_m
     const Dissimilarity& pm = shown_map.transition.shown->prediction.pm;
     scene.dissimilarity = [&pm](std::size_t i, std::size_t j) { return pm(i, j); };
     scene.quantity = "PM";
-    scene.point_hint = kHoldHelp;
+    scene.point_hint = shown_map.move_tool ? "drag it to where it should be" : kHoldHelp;
+    scene.moves = shown_map.move_tool;
     scene.stale = false;  // a drag would flicker; the title says what state the map is in
     return scene;
 }

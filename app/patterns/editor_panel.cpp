@@ -217,13 +217,14 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
 std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
                                                  PatternPanes& pattern_panes,
                                                  const ShownMap& shown_map) {
-    const float card_px = ui.as_picture ? 0.0F : neighbour_card_px(ui, work, shown_map);
+    const auto neighbour = ui.as_picture ? std::nullopt : neighbour_of(work, shown_map);
+    const float card_px = neighbour ? neighbour_card_px(ui) : 0.0F;
     const ImVec2 room = ImGui::GetContentRegionAvail();
     ImGui::BeginChild("editor", {room.x, std::max(1.0F, room.y - card_px)});
     draw_fields(ui, work, pattern_panes, shown_map);
     ImGui::EndChild();
-    if (card_px == 0.0F) return std::nullopt;
-    return draw_neighbour_card(ui, work, shown_map);
+    if (!neighbour) return std::nullopt;
+    return draw_neighbour_card(ui, work, shown_map, *neighbour);
 }
 
 }  // namespace tact

@@ -16,21 +16,6 @@ namespace tact {
 
 namespace {
 
-// Rows of the map on screen.
-struct Neighbour {
-    std::size_t own = 0;
-    std::size_t closest = 0;
-    std::size_t place = 0;  // in the document
-};
-
-std::optional<Neighbour> neighbour_of(const Workspace& work, const ShownMap& shown_map) {
-    const auto pair = closest_pair(work, shown_map);
-    if (!pair || !shown_map.transition.shown) return std::nullopt;
-    const auto rows = rows_in_map(work, shown_map, *pair);
-    if (!rows) return std::nullopt;
-    return Neighbour{rows->first, rows->second, pair->partner};
-}
-
 double largest_of(const LiveMap& map) { return map.sorted_pm.empty() ? 0.0 : map.sorted_pm.back(); }
 
 std::string pm_words(const Workspace& work, const ShownMap& shown_map, const Neighbour& pair) {
@@ -81,28 +66,34 @@ void draw_words(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighb
 
 }  // namespace
 
-float neighbour_card_px(const Ui& ui, const Workspace& work, const ShownMap& shown_map) {
-    if (!neighbour_of(work, shown_map)) return 0.0F;
+std::optional<Neighbour> neighbour_of(const Workspace& work, const ShownMap& shown_map) {
+    const auto pair = closest_pair(work, shown_map);
+    if (!pair || !shown_map.transition.shown) return std::nullopt;
+    const auto rows = rows_in_map(work, shown_map, *pair);
+    if (!rows) return std::nullopt;
+    return Neighbour{rows->first, rows->second, pair->partner};
+}
+
+float neighbour_card_px(const Ui& ui) {
     const float small =
         ui.theme.fonts.small != nullptr ? ui.theme.fonts.small->FontSize : ImGui::GetFontSize();
     return 2.0F * ImGui::GetTextLineHeightWithSpacing() + small + 2.0F * ui.theme.gap_px;
 }
 
 std::optional<NeighbourAction> draw_neighbour_card(Ui& ui, Workspace& work,
-                                                   const ShownMap& shown_map) {
-    const auto pair = neighbour_of(work, shown_map);
-    if (!pair) return std::nullopt;
+                                                   const ShownMap& shown_map,
+                                                   const Neighbour& pair) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float right = corner.x + ImGui::GetContentRegionAvail().x;
     ImGui::GetWindowDrawList()->AddLine(corner, {right, corner.y}, ui.theme.line,
                                         ui.theme.hairline_px);
     ImGui::SetCursorScreenPos({corner.x, corner.y + 0.5F * ui.theme.gap_px});
-    draw_words(ui, work, shown_map, *pair);
+    draw_words(ui, work, shown_map, pair);
     std::optional<NeighbourAction> done;
     const auto deed = [&](const char* id, const char* words, NeighbourDeed what, const char* help,
                           bool first) {
         if (!first) flow_on(ImGui::CalcTextSize(words).x, 1.5F * ui.theme.gap_px);
-        if (link(ui, id, words)) done = NeighbourAction{what, pair->place};
+        if (link(ui, id, words)) done = NeighbourAction{what, pair.place};
         note_item(ui.rects, std::string("neighbour:") + id);
         draw_tooltip(ui, help);
     };

@@ -17,10 +17,19 @@ struct NeighbourAction {
     std::size_t neighbour = 0;
 };
 
-// What it takes of the pane; 0: there is none to show.
-float neighbour_card_px(const Ui& ui, const Workspace& work, const ShownMap& shown_map);
+// Rows of the map on screen, and the closest one's place in the document. Found once a frame.
+struct Neighbour {
+    std::size_t own = 0;
+    std::size_t closest = 0;
+    std::size_t place = 0;
+};
+std::optional<Neighbour> neighbour_of(const Workspace& work, const ShownMap& shown_map);
+
+// What the card takes of the pane.
+float neighbour_card_px(const Ui& ui);
 
 std::optional<NeighbourAction> draw_neighbour_card(Ui& ui, Workspace& work,
-                                                   const ShownMap& shown_map);
+                                                   const ShownMap& shown_map,
+                                                   const Neighbour& pair);
 
 }  // namespace tact

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "app/patterns/rhythm_choice.h"
 #include "app/ui/ui.h"
 
 namespace tact {

@@ -92,6 +92,20 @@ void draw_toolbar(Ui& ui, Workspace& work) {
     draw_tooltip(ui, "Copy the selected patterns (Ctrl+D)");
     ImGui::EndDisabled();
     draw_scale_switch(ui, work);
+    if (!work.selection.picked.empty()) {
+        flow_on(chip_width(ui, "picked"), ui.theme.gap_px);
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        const float chip_px = text_size(ui.theme.fonts.small, "picked").y + 6.0F * ui.theme.scale;
+        ImGui::SetCursorScreenPos(
+            {corner.x, corner.y + 0.5F * (ImGui::GetFrameHeight() - chip_px)});
+        bool& only = work.selection.only_picked;
+        if (draw_chip(ui, "only picked", "picked", only)) only = !only;
+        note_item(ui.rects, "button:only picked", only ? "on" : "off");
+        draw_tooltip(ui, "Only those of the most distinct subset, which have a bar at their left.");
+        ImGui::SameLine(0.0F, 0.0F);
+        ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y});
+        ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
+    }
     flow_on(72.0F * ui.theme.scale, ui.theme.gap_px);
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::InputTextWithHint("##search", "Search", &work.selection.search);
@@ -194,6 +208,19 @@ void draw_unfelt(Ui& ui, const Workspace& work, const Vibration& vibration, cons
     note_rect(ui.rects, "not felt:" + vibration.name, pill.min, pill.max);
 }
 
+// Who is picked, at the left edge; fainter where that is of a preview.
+void draw_picked_edge(Ui& ui, const Workspace& work, const Vibration& vibration, const Rect& row) {
+    if (!work.selection.picked.contains(vibration.name)) return;
+    const bool preview = work.selection.is_pick_preview;
+    const float s = ui.theme.scale;
+    const Rect edge{{row.min.x, row.min.y + 3.0F * s},
+                    {row.min.x + 3.0F * s, row.max.y - 3.0F * s}};
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        edge.min, edge.max, faded(ui.theme.text, preview ? 0.4F : 0.85F), 1.5F * s);
+    note_rect(ui.rects, "picked:" + vibration.name, edge.min, edge.max,
+              preview ? "preview" : "exact");
+}
+
 // Strength and thumbnail at the right end; where they begin.
 float draw_row_end(Ui& ui, Workspace& work, const Vibration& vibration, const PatternLook& look,
                    const Rect& row, const RowParts& parts) {
@@ -229,6 +256,7 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
     } else if (work.selection.hovered_last == index) {
         list.AddRectFilled(row.min, row.max, theme.hover, theme.rounding_px);
     }
+    draw_picked_edge(ui, work, vibration, row);
     const float middle = row.centre().y;
     const float text_y = middle - ImGui::GetTextLineHeight() / 2.0F;
     const PatternLook look = look_of(ui, work, index);
@@ -319,7 +347,7 @@ void draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
         if (rows.empty()) {
             const bool none = work.document.set.vibrations.empty();
             draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(),
-                       none ? "No patterns yet" : "No pattern has this in its name",
+                       none ? "No patterns yet" : "No pattern is as the search says",
                        none ? "Press New, or drop a folder of .txt or .wav files here."
                             : "Clear the search to see all of them.");
         }

@@ -23,7 +23,8 @@ std::string percent(double share) {
 void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
     const bool busy = picking.stability_job && picking.stability_job->busy();
     const Pick* pick = shown_pick(shown_map, picking);
-    const bool possible = pick != nullptr && !pick->request.by_ratings &&
+    const bool is_preview = pick != nullptr && is_of_preview(pick->request);
+    const bool possible = pick != nullptr && !pick->request.by_ratings && !is_preview &&
                           pick->request.metric == Metric::pm && picking.stability_job;
     ImGui::BeginDisabled(busy || !possible);
     if (ImGui::Button("Draw 100 models")) picking.stability_job->submit({picking.pick, 100});
@@ -46,8 +47,9 @@ void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
     } else if (draw_failure(ui, "stability", failure_of(picking.stability_job))) {
         return;
     } else if (!possible) {
-        const std::string why = pick == nullptr
-                                    ? "Nothing is picked yet: see Pick."
+        const std::string why = pick == nullptr ? "Nothing is picked yet: see Pick."
+                                : is_preview
+                                    ? "The subset is of a preview: ask once the map is exact."
                                     : "Only a subset picked by PM hangs on the model's numbers.";
         coloured_note(ui.theme.dim_text, why);
         note_item(ui.rects, "stability obstacle", why);

@@ -133,8 +133,9 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
 // False: it has to wait for a subset of the set as it is.
 bool is_ready_for_report(const Workspace& work, const ShownMap& shown_map,
                          const SubsetState& picking) {
-    return shown_pick(shown_map, picking) != nullptr && !is_pick_stale(work, shown_map, picking) &&
-           !is_picking(picking);
+    const Pick* pick = shown_pick(shown_map, picking);
+    return pick != nullptr && !is_pick_stale(work, shown_map, picking) && !is_picking(picking) &&
+           !is_of_preview(pick->request);
 }
 
 void write_report(Ui& ui, const fs::path& file, const Report& report) {
@@ -151,7 +152,9 @@ void continue_subset_export(Ui& ui, const Workspace& work, const ShownMap& shown
     const Pick* pick = shown_pick(shown_map, picking);
     const Subset* shown = shown_subset(shown_map, picking);
     const fs::path folder = std::exchange(picking.export_to, {});
-    if (!folder.empty() && pick != nullptr) {
+    if (!folder.empty() && pick != nullptr && is_of_preview(pick->request)) {
+        complain(ui, "Not exported: this subset is of a preview; export it once it is exact.");
+    } else if (!folder.empty() && pick != nullptr) {
         const auto written = write_subset(folder, report_of(*pick, *shown, picking));
         written ? say(ui, "Exported the subset to " + folder.string())
                 : complain(ui, "Not exported: " + written.error().message);

@@ -13,6 +13,7 @@ namespace tact {
 namespace {
 
 constexpr double kPickLimitS = 20.0;
+constexpr double kPreviewLimitS = 2.0;  // the exact map soon asks again
 constexpr double kCurveLimitS = 20.0;
 constexpr std::size_t kAlternatives = 6;
 constexpr std::size_t kMostOfCurve = 30;
@@ -50,7 +51,7 @@ std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop
     }
     pick.dissimilarity = std::make_shared<const Dissimilarity>(*std::move(matrix));
     SubsetOptions options;
-    options.time_limit_s = kPickLimitS;
+    options.time_limit_s = is_of_preview(request) ? kPreviewLimitS : kPickLimitS;
     options.alternatives = kAlternatives;
     options.stop = stop;
     options.progress = [&progress](double share) { progress = static_cast<float>(share); };
@@ -187,9 +188,12 @@ void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& 
     take(picking.curve_job, picking.curve);
     take(picking.separation_job, picking.separations);
     take(picking.stability_job, picking.stability);
-    const bool has_pairs = map_state(work, shown_map) == MapState::exact &&
-                           shown_map.transition.shown->prediction.pm.size > 1;
-    const bool is_wanted = layout.bench == BenchTab::subset || !picking.report_to.empty();
+    const MapState state = map_state(work, shown_map);
+    const bool is_current = state == MapState::exact || state == MapState::preview;
+    const bool has_pairs = is_current && shown_map.transition.shown->prediction.pm.size > 1;
+    const bool is_wanted = layout.bench == BenchTab::subset ||
+                           layout.bench == BenchTab::candidates || work.selection.only_picked ||
+                           !picking.report_to.empty();
     if (!is_wanted || !has_pairs) return;
     PickRequest request = request_of(work, shown_map, picking);
     if (request == picking.asked) return;
@@ -197,6 +201,7 @@ void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& 
     picking.cancelled = false;
     picking.alternative.reset();
     picking.pick_job->submit(request);
+    if (state == MapState::preview) return;
     request = curve_request(std::move(request));
     if (request == picking.curve_asked) return;
     picking.curve_asked = request;
@@ -213,8 +218,20 @@ const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking) {
     return is_of_shown ? pick : nullptr;
 }
 
+bool is_of_preview(const PickRequest& request) { return request.map->request.preview; }
+
+std::set<std::string> picked_names(const ShownMap& shown_map, const SubsetState& picking) {
+    const Subset* subset = shown_subset(shown_map, picking);
+    if (subset == nullptr) return {};
+    const auto& all = shown_map.transition.shown->request.set->vibrations;
+    std::set<std::string> names;
+    for (const std::size_t member : subset->members) names.insert(all[member].name);
+    return names;
+}
+
 bool is_pick_stale(const Workspace& work, const ShownMap& shown_map, const SubsetState& picking) {
-    if (map_state(work, shown_map) != MapState::exact || !picking.pick) return true;
+    const MapState state = map_state(work, shown_map);
+    if (!picking.pick || (state != MapState::exact && state != MapState::preview)) return true;
     // A map that has just come is asked about at the end of its frame.
     return picking.pick->request != picking.asked ||
            picking.pick->request.map != shown_map.transition.shown;

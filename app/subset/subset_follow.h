@@ -1,6 +1,9 @@
 // Keeping the picked subset, and what is asked about it, in step with the document.
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "app/document/workspace.h"
 #include "app/map/map_state.h"
 #include "app/subset/subset_state.h"
@@ -23,6 +26,10 @@ void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& 
 const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking);
 // ... and then is not that of the document as it is.
 bool is_pick_stale(const Workspace& work, const ShownMap& shown_map, const SubsetState& picking);
+// By coarse envelopes: shown at once, and asked for anew when the map is exact.
+bool is_of_preview(const PickRequest& request);
+// Names of the members of the subset on screen.
+std::set<std::string> picked_names(const ShownMap& shown_map, const SubsetState& picking);
 // The best one, or the alternative that is looked at.
 const Subset* shown_subset(const ShownMap& shown_map, const SubsetState& picking);
 bool is_picking(const SubsetState& picking);

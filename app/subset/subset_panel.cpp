@@ -43,6 +43,25 @@ void draw_views(Ui& ui, const Workspace& work, const ShownMap& shown_map, Subset
     draw_tooltip(ui, "The picked patterns as a set, with a page of tables and the map.");
 }
 
+// Where there are fewer than are to be picked.
+void draw_grow(Ui& ui, const Workspace& work, SubsetState& picking) {
+    const auto& all = work.document.set.vibrations;
+    const auto there = std::ranges::count_if(all, [](const Vibration& v) { return !v.dropped; });
+    if (there == 0 || there >= picking.count) return;
+    const std::string words = "Grow to " + std::to_string(picking.count);
+    flow_on(ImGui::CalcTextSize(words.c_str()).x, ui.theme.gap_px);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
+    picking.grow_asked = link(ui, "grow", words);
+    note_item(ui.rects, "link:grow");
+    draw_tooltip(ui,
+                 "Adds as many as are missing, each as far from all others as can be: of the set's "
+                 "design space, else of patterns drawn around these.");
+    ImGui::SameLine(0.0F, 0.0F);
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y});
+    ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
+}
+
 void draw_count(Ui& ui, SubsetState& picking) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Pick");
@@ -118,10 +137,13 @@ void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         text = "The best found in time; none is above " + grouped(answer.bound) + ".";
         colour = ui.theme.warning;
     }
+    if (is_of_preview(pick.request)) {
+        text = "A preview, by coarse envelopes; picked anew once the map is exact.";
+        colour = ui.theme.warning;
+    }
     if (is_pick_stale(work, shown_map, picking)) {
-        text = map_state(work, shown_map) == MapState::exact
-                   ? "Of the question before."
-                   : "From before the last change; picked anew once the map is exact.";
+        text = map_state(work, shown_map) == MapState::stale ? "From before the last change."
+                                                             : "Of the question before.";
         colour = ui.theme.warning;
     }
     // Beside the headline, or where it has no room there below it.
@@ -260,7 +282,7 @@ bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
     } else {
         draw_empty(list, ui.theme, area, "Nothing picked yet",
                    has_fault ? picking.pick->fault
-                             : "The subset is picked once the space above is exact.");
+                             : "The subset is picked as soon as there is a space above.");
     }
     return false;
 }
@@ -286,6 +308,7 @@ void coloured_note(ImU32 colour, const std::string& text) {
 void draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
                     PlayState& play, SubsetState& picking) {
     draw_count(ui, picking);
+    draw_grow(ui, work, picking);
     draw_objective(ui, picking);
     draw_source(ui, work, picking);
     if (!draw_pick_state(ui, work, shown_map, picking)) return;

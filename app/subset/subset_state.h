@@ -106,6 +106,7 @@ struct SubsetState {
     SubsetObjective objective = SubsetObjective::max_min;
     bool by_ratings = false;
     Metric metric = Metric::pm;
+    bool grow_asked = false;                 // in this frame: as many patterns as are to be picked
     std::optional<std::size_t> alternative;  // looked at in the map instead of the best
 
     TooClose too_close = TooClose::felt;

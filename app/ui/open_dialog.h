@@ -18,6 +18,7 @@ enum class Dialog {
     simulate_measurement,
     steps,
     tap_rhythm,
+    pad,
     leave_out,
     save_workspace,
     conduct_rules

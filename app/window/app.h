@@ -3,8 +3,10 @@
 #pragma once
 
 #include "app/ask/maybes_state.h"
+#include "app/ask/pad_state.h"
 #include "app/ask/steps_state.h"
 #include "app/calibrate/calibrate_state.h"
+#include "app/candidates/candidates_state.h"
 #include "app/compare/compare_state.h"
 #include "app/document/workspace.h"
 #include "app/export/export_state.h"
@@ -48,7 +50,9 @@ struct App {
     ModelBench model_bench;
     PlayState play;
     SubsetState picking;
+    CandidatesState candidates;
     StepsState steps;
+    PadState pad;
     MaybesState maybes;
     ExportState exports;
     GenerateState generating;

@@ -1,5 +1,6 @@
 #include "app/window/command_actions.h"
 
+#include "app/ask/gap_follow.h"
 #include "app/ask/maybes_follow.h"
 #include "app/ask/put_there.h"
 #include "app/compare/compare_state.h"
@@ -73,6 +74,8 @@ void escape(App& app) {
         cancel_animation(app);
     } else if (app.lesson.step) {
         leave_lesson(hands_of(app), app.lesson);
+    } else if (is_filling(app.maybes)) {
+        stop_filling(app.maybes);
     } else if (app.maybes.put.asked) {
         stop_putting(app.maybes);
     } else if (!app.maybes.varied.empty()) {

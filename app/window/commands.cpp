@@ -272,6 +272,7 @@ void open_example_at(App& app) {
 template <std::size_t... kPlaces>
 std::vector<Command> with_examples(std::index_sequence<kPlaces...>) {
     std::vector<Command> all(document_commands().begin(), document_commands().end());
+    all.insert(all.end(), view_commands().begin(), view_commands().end());
     all.insert(all.end(), kOtherCommands.begin(), kOtherCommands.end());
     (all.push_back({kExampleMenu,
                     kExampleSets[kPlaces].name,

@@ -36,7 +36,8 @@ struct Command {
 inline constexpr const char* kExampleMenu = "Example sets";  // within File
 
 std::span<const Command> commands();
-std::span<const Command> document_commands();  // the first of them: File, Edit, View
+std::span<const Command> document_commands();  // the first of them: File, Edit ...
+std::span<const Command> view_commands();      // ... and View
 
 // Runs it, and notes its name for what a crash would tell.
 void carry_out(App& app, const Command& command);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/ask/pad_dialog.h"
 #include "app/ask/steps_dialog.h"
 #include "app/calibrate/calibrate_dialog.h"
 #include "app/calibrate/measuring_response.h"
@@ -84,7 +85,7 @@ constexpr auto kKeys = std::to_array<KeyRow>({
     {"F; a click on D1, D2, D3", "fill the space with the selection; look along an axis"},
     {"Shift+drag, Ctrl+Shift+drag in the space; Ctrl+click",
      "select by a box, by a lasso; add one"},
-    {"Alt+drag of a point of the map", "put it there: its pattern is searched"},
+    {"Alt+drag of a point of the map, or the Move tool", "put it there: its pattern is searched"},
     {"Ctrl+drag from a point of the map to another", "even steps between the two"},
     {"Drop files or a folder on the window", "open them"},
 });
@@ -197,6 +198,7 @@ void draw_dialogs(App& app) {
     if (app.ui.dialog == Dialog::about) draw_about(app);
     if (app.ui.dialog == Dialog::keys) draw_keys(app);
     if (app.ui.dialog == Dialog::generate) draw_generate_dialog(app.ui, app.work, app.generating);
+    if (app.ui.dialog == Dialog::pad) draw_pad_dialog(app.ui, app.work, app.pad);
     if (app.ui.dialog == Dialog::steps) draw_steps_dialog(app.ui, app.work, app.steps);
     if (app.ui.dialog == Dialog::tap_rhythm)
         draw_tapping_dialog(app.ui, app.work, app.pattern_panes.tapping);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/ask/gap_follow.h"
 #include "app/ask/maybes_follow.h"
 #include "app/ask/put_there.h"
 #include "app/ask/steps_follow.h"
@@ -130,6 +131,7 @@ void follow_renaming(App& app, const Renaming& renaming) {
     follow(renaming, app.picking.reference_b);
     follow(renaming, app.steps.from);
     follow(renaming, app.steps.to);
+    each(app.pad.corners);
     follow(renaming, app.maybes.varied);
     follow(renaming, app.maybes.put.name);
     if (auto& opened = app.picking.opened) {
@@ -210,6 +212,9 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.work.selection.suggested.reset();
     app.work.selection.on_track = false;
     app.work.selection.too_close = too_close_names(app.layout, app.picking);
+    app.work.selection.picked = picked_names(app.shown_map, app.picking);
+    app.work.selection.is_pick_preview =
+        app.picking.pick && is_of_preview(app.picking.pick->request);
     follow_unfelt(app.work, app.shown_map);
     follow_reach(app.work.cache, app.work.document.set, app.work.revision);
     app.work.selection.hovered_pair_last =
@@ -272,6 +277,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     }
 
     draw_panes(app, pressed);
+    if (app.layout.bench != BenchTab::candidates) app.work.selection.table_order.clear();
     draw_dialogs(app);
     draw_palette(app, pressed);
     draw_over_presentation(app.ui, app.lesson);
@@ -288,6 +294,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_subset(app.work, app.layout, app.shown_map, app.picking);
     check_applied(app.ui, app.work, app.shown_map, app.picking);
     follow_steps(app.ui, app.work, app.steps);
+    follow_gap(app.ui, app.work, app.maybes);
     follow_put(app.ui, app.work, app.shown_map, app.maybes);
     follow_maybes(app.ui, app.work, app.shown_map, app.maybes);
     // The set of a lesson is not the person's.

@@ -5,10 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "app/ask/gap_follow.h"
 #include "app/ask/maybes_follow.h"
 #include "app/ask/put_there.h"
 #include "app/ask/steps_follow.h"
 #include "app/ask/vary_bar.h"
+#include "app/candidates/candidates_panel.h"
 #include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
 #include "app/document/editing.h"
@@ -16,6 +18,7 @@
 #include "app/document/shown_side.h"
 #include "app/map/map_follow.h"
 #include "app/map/matrix_panel.h"
+#include "app/map/similar.h"
 #include "app/map/space_panel.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/model_panel.h"
@@ -110,6 +113,8 @@ PaneTitle bench_title(const App& app) {
                     shown_side(app.work) == Side::both ? "dissimilarity of every pair"
                                                        : side_detail(app),
                     map_state_forms(app)};
+        case BenchTab::candidates:
+            return {"Table", "candidates side by side", {shown_patterns_text(app.work)}};
         case BenchTab::subset:
             return {"Subset", "the most distinct patterns", map_state_forms(app)};
         case BenchTab::compare:
@@ -162,7 +167,8 @@ PaneTitle title_of(const App& app, Pane pane) {
         case Pane::space:
             return with_origin(app, {"Perceptual space", side_detail(app), space_title_right(app)});
         case Pane::matrix:
-            return app.layout.bench == BenchTab::model || app.layout.bench == BenchTab::device
+            return app.layout.bench == BenchTab::model || app.layout.bench == BenchTab::device ||
+                           app.layout.bench == BenchTab::candidates
                        ? bench_title(app)
                        : with_origin(app, bench_title(app));
         case Pane::study_design:
@@ -181,7 +187,8 @@ void draw_bench(App& app) {
         note_item(app.ui.rects, std::string("tab:") + name);
     };
     tab(BenchTab::matrix, "Matrix");
-    for (const auto& [which, name] : {std::pair{BenchTab::subset, "Subset"},
+    for (const auto& [which, name] : {std::pair{BenchTab::candidates, "Table"},
+                                      {BenchTab::subset, "Subset"},
                                       {BenchTab::compare, "Compare"},
                                       {BenchTab::shepard, "Shepard"},
                                       {BenchTab::why, "Why"},
@@ -193,9 +200,15 @@ void draw_bench(App& app) {
     switch (app.layout.bench) {
         case BenchTab::matrix:
             return draw_matrix_panel(app.ui, app.work, app.shown_map);
+        case BenchTab::candidates:
+            return draw_candidates_panel(app.ui, app.work, app.shown_map, app.candidates);
         case BenchTab::subset:
-            return draw_subset_panel(app.ui, app.work, app.timeline, app.shown_map, app.play,
-                                     app.picking);
+            draw_subset_panel(app.ui, app.work, app.timeline, app.shown_map, app.play, app.picking);
+            if (std::exchange(app.picking.grow_asked, false)) {
+                grow_to(app.ui, app.work, app.shown_map, app.maybes,
+                        static_cast<std::size_t>(app.picking.count));
+            }
+            return;
         case BenchTab::compare:
             return draw_compare_panel(app.ui, app.work, app.layout, app.shown_map, app.comparing);
         case BenchTab::shepard:
@@ -231,6 +244,8 @@ void do_with_point(App& app, PointDeed deed) {
             return play_once(app.ui, app.work, app.timeline, app.play, app.work.selection.current);
         case PointDeed::duplicate:
             return duplicate_selected(app.ui, app.work);
+        case PointDeed::similar:
+            return select_similar(app.ui, app.work, app.shown_map, app.work.selection.current);
         case PointDeed::vary:
             return vary(app.ui, app.work, app.maybes);
         case PointDeed::steps:

@@ -158,6 +158,15 @@ std::size_t total(const Rejections& rejected) {
     return rejected.band + rejected.displacement + rejected.detectability;
 }
 
+std::string level_words(const DesignSpace& space, const Pattern& pattern) {
+    std::vector<Factor> varied;
+    for (const Factor factor : factors(space)) {
+        const bool has_it = factor.parameter == Parameter::mix ? pattern.carriers.size() > 1 : true;
+        if (level_count(space, factor) > 1 && has_it) varied.push_back(factor);
+    }
+    return name_of(pattern, varied);
+}
+
 Expected<Candidates> candidates(const DesignSpace& space, const PhysiologyTables& tables,
                                 std::stop_token stop) {
     if (std::string fault = design_fault(space); !fault.empty()) return Error{fault};

@@ -38,6 +38,10 @@ struct Candidates {
 
 std::size_t total(const Rejections& rejected);
 
+// The levels in words, as a candidate of this space is called: "0.5g 150Hz mod4Hz x=--". Where
+// nothing varies: "candidate".
+std::string level_words(const DesignSpace& space, const Pattern& pattern);
+
 // An Error is the design's fault, as a sentence. Few when stopped: nobody waits for them.
 Expected<Candidates> candidates(const DesignSpace& space, const PhysiologyTables& tables,
                                 std::stop_token stop = {});

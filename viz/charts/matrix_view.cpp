@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/dissimilarity/dissimilarity.h"
+#include "viz/charts/matrix_parts.h"
 #include "viz/drawing/colormap.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -19,22 +20,6 @@ namespace {
 double value_of(const MatrixScene& scene, std::size_t i, std::size_t j) {
     if (i == j) return std::numeric_limits<double>::quiet_NaN();
     return scene.condensed[pair_index(scene.labels.size(), std::min(i, j), std::max(i, j))];
-}
-
-double largest_of(const MatrixScene& scene) {
-    if (scene.largest > 0.0) return scene.largest;
-    double largest = 0.0;
-    for (const double value : scene.condensed) {
-        if (value > largest) largest = value;
-    }
-    return largest > 0.0 ? largest : 1.0;
-}
-
-// A value as people read it: what is next to nothing beside the largest is rounding, and as a
-// number of fourteen zeros wider than its cell.
-std::string value_text(double value, double largest) {
-    constexpr double kRounding = 1e-9;
-    return std::abs(value) < kRounding * largest ? "0" : grouped(value);
 }
 
 // Objects [first, last) that one drawn row stands for.
@@ -61,13 +46,6 @@ double block_mean(const MatrixScene& scene, std::pair<std::size_t, std::size_t> 
     return known > 0 ? sum / known : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Ranks that are all the same say nothing about any pair; a value of zero does.
-bool is_flat(const MatrixScene& scene) {
-    const auto& all = scene.condensed;
-    return all.size() > 1 && all[0] > 0.0 &&
-           std::all_of(all.begin(), all.end(), [&](double value) { return value == all[0]; });
-}
-
 // Bright or dark by value; the same quiet tone where all are equal.
 struct Shades {
     const Theme& theme;
@@ -84,17 +62,17 @@ struct Shades {
 void draw_cells(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
                 const MatrixScene& scene, const Shades& shades) {
     const std::size_t n = scene.labels.size();
-    const float side = layout.cells.width() / static_cast<float>(layout.shown);
-    const auto edge = [&](float from, std::size_t row) {
-        return std::round(from + static_cast<float>(row) * side);
+    const ImVec2 side = layout.cells.size() * (1.0F / static_cast<float>(layout.shown));
+    const auto x = [&](std::size_t k) {
+        return std::round(layout.cells.min.x + static_cast<float>(k) * side.x);
     };
-    const float seam = side >= 12.0F * theme.scale ? theme.hairline_px : 0.0F;
+    const auto y = [&](std::size_t k) {
+        return std::round(layout.cells.min.y + static_cast<float>(k) * side.y);
+    };
+    const float seam = std::min(side.x, side.y) >= 12.0F * theme.scale ? theme.hairline_px : 0.0F;
     const auto cell = [&](std::size_t row, std::size_t column, ImU32 colour) {
         list.PrimReserve(6, 4);
-        list.PrimRect(
-            {edge(layout.cells.min.x, column), edge(layout.cells.min.y, row)},
-            {edge(layout.cells.min.x, column + 1) - seam, edge(layout.cells.min.y, row + 1) - seam},
-            colour);
+        list.PrimRect({x(column), y(row)}, {x(column + 1) - seam, y(row + 1) - seam}, colour);
     };
     for (std::size_t row = 0; row < layout.shown; ++row) {
         for (std::size_t column = row; column < layout.shown; ++column) {
@@ -109,10 +87,8 @@ void draw_cells(ImDrawList& list, const Theme& theme, const MatrixLayout& layout
 
 void draw_values(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
                  const MatrixScene& scene, const Shades& shades) {
+    if (!layout.has_values) return;
     const ImFont* font = theme.fonts.small;
-    const float room = layout.cell_px - theme.gap_px;
-    if (text_size(font, grouped(shades.largest)).x > room) return;
-    if (font_or_current(font).FontSize > room) return;
     const std::size_t n = scene.labels.size();
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j < n; ++j) {
@@ -121,8 +97,8 @@ void draw_values(ImDrawList& list, const Theme& theme, const MatrixLayout& layou
             const std::string text = value_text(value, shades.largest);
             const ImVec2 size = text_size(font, text);
             const ImVec2 middle{
-                layout.cells.min.x + (static_cast<float>(j) + 0.5F) * layout.cell_px,
-                layout.cells.min.y + (static_cast<float>(i) + 0.5F) * layout.cell_px};
+                layout.cells.min.x + (static_cast<float>(j) + 0.5F) * layout.cell_px.x,
+                layout.cells.min.y + (static_cast<float>(i) + 0.5F) * layout.cell_px.y};
             draw_text(list, font, middle - size * 0.5F, readable_on(shades(value)), text);
         }
     }
@@ -147,7 +123,7 @@ void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const Ma
         if (room < 2.0F * text_px && text_size(font, whole).x > room) return;
         const std::string name = shortened(font, whole, room);
         const ImVec2 size = text_size(font, name);
-        const float middle = layout.cells.min.y + (static_cast<float>(i) + 0.5F) * layout.cell_px;
+        const float middle = layout.cells.min.y + (static_cast<float>(i) + 0.5F) * layout.cell_px.y;
         const ImVec2 corner{layout.cells.min.x - theme.gap_px - size.x, middle - text_px * 0.55F};
         draw_text(list, font, corner, label_colour(theme, scene, pointed, i), name);
     };
@@ -159,7 +135,7 @@ void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const Ma
     const auto collides = [&](std::size_t i) {
         return std::any_of(standing.begin(), standing.end(), [&](std::size_t other) {
             const std::size_t rows = std::max(i, other) - std::min(i, other);
-            return static_cast<float>(rows) * layout.cell_px < 1.1F * text_px;
+            return static_cast<float>(rows) * layout.cell_px.y < 1.1F * text_px;
         });
     };
     for (std::size_t i = 0; layout.label_step > 0 && i < scene.labels.size();
@@ -171,9 +147,9 @@ void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const Ma
     const float height = layout.cells.min.y - area.min.y - theme.gap_px + 1.0F;
     for (std::size_t i = 0; i < scene.labels.size(); ++i) {
         const std::string name = shortened(font, scene.labels[i], height);
-        const float middle = layout.cells.min.x + (static_cast<float>(i) + 0.5F) * layout.cell_px;
+        const float middle = layout.cells.min.x + (static_cast<float>(i) + 0.5F) * layout.cell_px.x;
         const ImU32 colour = label_colour(theme, scene, pointed, i);
-        if (text_size(font, name).x <= layout.cell_px - theme.gap_px) {
+        if (text_size(font, name).x <= layout.cell_px.x - 0.5F * theme.gap_px) {
             const float left = middle - text_size(font, name).x / 2.0F;
             draw_text(list, font, {left, layout.cells.min.y - text_px - theme.gap_px / 2}, colour,
                       name);
@@ -216,22 +192,23 @@ void draw_scale(ImDrawList& list, const Theme& theme, const MatrixLayout& layout
 // A thin frame around the row and the column of one object.
 void draw_band(ImDrawList& list, const Theme& theme, const MatrixLayout& layout, std::size_t i,
                ImU32 colour) {
-    const float low = static_cast<float>(i) * layout.cell_px;
-    const float high = low + std::max(layout.cell_px, 2.0F);
     const Rect& c = layout.cells;
-    list.AddRect({c.min.x, c.min.y + low}, {c.max.x, c.min.y + high}, colour, 0.0F, 0,
+    const ImVec2 low = layout.cell_px * static_cast<float>(i);
+    const ImVec2 high =
+        low + ImVec2{std::max(layout.cell_px.x, 2.0F), std::max(layout.cell_px.y, 2.0F)};
+    list.AddRect({c.min.x, c.min.y + low.y}, {c.max.x, c.min.y + high.y}, colour, 0.0F, 0,
                  theme.hairline_px);
-    list.AddRect({c.min.x + low, c.min.y}, {c.min.x + high, c.max.y}, colour, 0.0F, 0,
+    list.AddRect({c.min.x + low.x, c.min.y}, {c.min.x + high.x, c.max.y}, colour, 0.0F, 0,
                  theme.hairline_px);
 }
 
 void draw_cell_frame(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
                      const Pair& pair) {
     for (const auto& [i, j] : {pair, Pair{pair.second, pair.first}}) {
-        const ImVec2 corner{layout.cells.min.x + static_cast<float>(j) * layout.cell_px,
-                            layout.cells.min.y + static_cast<float>(i) * layout.cell_px};
-        const float side = std::max(layout.cell_px, 4.0F);
-        const Rect frame = rect_at(corner, {side, side});
+        const ImVec2 corner{layout.cells.min.x + static_cast<float>(j) * layout.cell_px.x,
+                            layout.cells.min.y + static_cast<float>(i) * layout.cell_px.y};
+        const Rect frame =
+            rect_at(corner, {std::max(layout.cell_px.x, 4.0F), std::max(layout.cell_px.y, 4.0F)});
         list.AddRect(frame.min, frame.max, theme.pane, 0, 0, 4.0F * theme.scale);
         list.AddRect(frame.min, frame.max, theme.text, 0, 0, 2.0F * theme.scale);
     }
@@ -245,7 +222,7 @@ MatrixAction read_mouse(const char* id, const Rect& area, const MatrixLayout& la
     if (!ImGui::IsItemHovered()) return {};
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const auto row = row_at(layout, n, mouse.y - layout.cells.min.y);
-    const auto column = row_at(layout, n, mouse.x - layout.cells.min.x);
+    const auto column = column_at(layout, n, mouse.x - layout.cells.min.x);
     MatrixAction action;
     if (row && column && *row != *column) {
         action.hovered = Pair{*row, *column};
@@ -258,53 +235,6 @@ MatrixAction read_mouse(const char* id, const Rect& area, const MatrixLayout& la
 }
 
 }  // namespace
-
-MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixScene& scene) {
-    const std::size_t n = scene.labels.size();
-    const float text_px = font_or_current(theme.fonts.small).FontSize;
-    float widest = 0.0F;
-    for (std::size_t i = 0; i < std::min<std::size_t>(n, 500); ++i) {
-        widest = std::max(widest, text_size(theme.fonts.small, scene.labels[i]).x);
-    }
-    const float left = std::min(widest, area.width() * 0.3F) + theme.gap_px;
-    const float right =
-        std::max(text_size(theme.fonts.small, "0000 " + std::string{scene.quantity}).x,
-                 is_flat(scene) ? text_size(theme.fonts.small, "all pairs equal").x : 0.0F) +
-        5.0F * theme.gap_px;
-    const bool with_scale = area.width() > left + right + area.height() * 0.4F;
-
-    const auto objects = static_cast<float>(std::max<std::size_t>(n, 1));
-    const auto fit = [&](float top) {
-        const float width = area.width() - left - (with_scale ? right : 0.0F);
-        const float side = std::min(width, area.height() - top) / objects;
-        const float most = 64.0F * theme.scale;  // two objects need no poster
-        return std::max(0.0F, side >= 4.0F ? std::min(std::floor(side), most) : side);
-    };
-    MatrixLayout layout;
-    const float top = std::min(widest, area.height() * 0.25F) + theme.gap_px;
-    layout.column_labels = fit(top) >= text_px * 1.1F;
-    const float top_used = layout.column_labels ? top : 0.0F;
-    layout.cell_px = fit(top_used);
-    const float side = layout.cell_px * objects;
-    layout.cells =
-        rect_at({std::floor(area.min.x + left), std::floor(area.min.y + top_used)}, {side, side});
-    layout.shown = std::min({n, kMostCells, static_cast<std::size_t>(std::max(side, 1.0F))});
-    layout.label_step = layout.cell_px > 0.0F
-                            ? static_cast<std::size_t>(std::ceil(text_px * 1.1F / layout.cell_px))
-                            : 0;
-    if (with_scale) {
-        layout.scale = rect_at({layout.cells.max.x + 2.0F * theme.gap_px, layout.cells.min.y},
-                               {theme.gap_px, std::min(side, 160.0F * theme.scale)});
-    }
-    return layout;
-}
-
-std::optional<std::size_t> row_at(const MatrixLayout& layout, std::size_t n, float offset_px) {
-    if (offset_px < 0.0F || layout.cell_px <= 0.0F) return std::nullopt;
-    const auto row = static_cast<std::size_t>(offset_px / layout.cell_px);
-    if (row >= n) return std::nullopt;
-    return row;
-}
 
 MatrixAction draw_matrix(const char* id, const Theme& theme, const Rect& area,
                          const MatrixScene& scene) {

@@ -43,12 +43,14 @@ struct MatrixAction {
 MatrixAction draw_matrix(const char* id, const Theme& theme, const Rect& area,
                          const MatrixScene& scene);
 
-// Where the parts go: the cells' square, room for names left of and above it, the scale to the
-// right. Pure, for tests.
+// Where the parts go: the cells, room for names left of and above them, the scale to the right.
+// Cells are as large as the pane has room for, wider than high where numbers then fit in them; for
+// those the scale goes. Pure, for tests.
 struct MatrixLayout {
     Rect cells;
     Rect scale;                  // empty where there is no room
-    float cell_px = 0.0F;        // side of one object's row
+    ImVec2 cell_px{0.0F, 0.0F};  // of one pair, where each has its own cell
+    bool has_values = false;     // as numbers in the cells
     std::size_t shown = 0;       // rows drawn: n, or fewer where several objects share one
     std::size_t label_step = 1;  // every how many-th object is named; 0: none
     bool column_labels = false;
@@ -56,7 +58,8 @@ struct MatrixLayout {
 
 MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixScene& scene);
 
-// The object whose row is at an offset of pixels from the first.
+// The object whose row, or column, is at an offset of pixels from the first.
 std::optional<std::size_t> row_at(const MatrixLayout& layout, std::size_t n, float offset_px);
+std::optional<std::size_t> column_at(const MatrixLayout& layout, std::size_t n, float offset_px);
 
 }  // namespace tact

@@ -82,6 +82,15 @@ std::array<Rect, 8> places(const Disc& disc, ImVec2 size, float gap_px) {
 
 }  // namespace
 
+std::optional<Leader> leader(const Disc& disc, const Rect& name, float gap_px) {
+    const ImVec2 to{std::clamp(disc.centre.x, name.min.x, name.max.x),
+                    std::clamp(disc.centre.y, name.min.y, name.max.y)};
+    const ImVec2 along = to - disc.centre;
+    const float length = std::hypot(along.x, along.y);
+    if (length <= disc.radius + 2.0F * gap_px) return std::nullopt;
+    return Leader{disc.centre + along * ((disc.radius + 1.0F) / length), to};
+}
+
 std::vector<std::optional<Rect>> place_labels(std::span<const LabelRequest> requests,
                                               const LabelField& field) {
     const CellGrid grid = sorted_into_cells(field);
@@ -91,15 +100,19 @@ std::vector<std::optional<Rect>> place_labels(std::span<const LabelRequest> requ
     std::vector<std::optional<Rect>> result(requests.size());
     for (std::size_t i = 0; i < requests.size(); ++i) {
         const LabelRequest& request = requests[i];
-        for (const Rect& name : places(field.discs[request.disc], request.size, field.gap_px)) {
-            if (!field.pane.contains(name)) continue;
+        const auto is_free = [&](const Rect& name) {
             const auto meets = [&](const Rect& other) { return other.intersects(name); };
-            if (std::any_of(taken.begin(), taken.end(), meets)) continue;
-            if (covers_a_point(grid, field, name, widest_radius)) continue;
-            taken.push_back(name);
-            result[i] = name;
-            break;
+            return field.pane.contains(name) && std::none_of(taken.begin(), taken.end(), meets) &&
+                   !covers_a_point(grid, field, name, widest_radius);
+        };
+        for (const float off : {0.0F, field.far_px, 2.0F * field.far_px}) {
+            if (result[i]) break;
+            const auto all = places(field.discs[request.disc], request.size, field.gap_px + off);
+            const auto free = std::find_if(all.begin(), all.end(), is_free);
+            if (free != all.end()) result[i] = *free;
+            if (field.far_px <= 0.0F) break;
         }
+        if (result[i]) taken.push_back(*result[i]);
     }
     return result;
 }

@@ -6,7 +6,7 @@
 //
 // Source    candidate places: Imhof 1975; greedy point-feature labelling: Christensen, Marks &
 //           Shieber 1995.
-// Left out  leader lines.
+// Left out  drawing the lines that lead from far names to their points: leader() says where.
 #pragma once
 
 #include <cstddef>
@@ -29,10 +29,19 @@ struct LabelField {
     std::span<const Rect> occupied{};  // other things that no name may cover
     Rect pane;                         // names stay inside
     float gap_px = 3.0F;               // between a point and its name
+    // Where none of the eight is free: as far off, and then twice as far; 0: only beside the point.
+    float far_px = 0.0F;
 };
 
 // For each request, most important first: where its name goes, or nothing if it fits nowhere.
 // Cost is bounded: places that are looked at times the points near them.
+// From the edge of a point to a name that stands off it; none where it stands beside it.
+struct Leader {
+    ImVec2 from{0, 0};
+    ImVec2 to{0, 0};
+};
+std::optional<Leader> leader(const Disc& disc, const Rect& name, float gap_px);
+
 std::vector<std::optional<Rect>> place_labels(std::span<const LabelRequest> requests,
                                               const LabelField& field);
 

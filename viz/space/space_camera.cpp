@@ -4,43 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "viz/space/space_framing.h"
+
 namespace tact {
 namespace {
 
 double half_side_px(const Rect& pane) {
     return std::max(1.0, static_cast<double>(std::min(pane.width(), pane.height())) / 2.0);
-}
-
-// Pixels of one radius at zoom 1, and what of Y is in the middle of the pane.
-struct Framing {
-    double radius_px;
-    double middle;
-};
-
-Framing framed(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane) {
-    constexpr double kFilled = 0.92;  // the rest is for the sizes of points
-    const double half_width = kFilled * std::max(1.0, static_cast<double>(pane.width()) / 2.0);
-    const double half_height = kFilled * std::max(1.0, static_cast<double>(pane.height()) / 2.0);
-    const double r = fit.cylinder_radius;
-    const double h = fit.cylinder_half_height;
-    constexpr double e = kEyeDistance;
-    if (fit.flat) return {std::min(half_width, half_height) / r, 0.0};
-    const double ball = e / std::sqrt(e * e - 1.0);
-    const double c = std::cos(camera.pitch_rad);
-    const double s = std::sin(camera.pitch_rad);
-    const double under_root = std::pow(e - h * std::abs(s), 2) - std::pow(r * c, 2);
-    const double widest = std::min(ball, r * e / std::sqrt(under_root));
-    double lowest = 0.0;
-    double highest = 0.0;
-    for (const double z : {-h, h}) {
-        for (const double away : {-r, r}) {
-            const double y = (c * z + s * away) * e / (e - (s * z - c * away));
-            lowest = std::max(-ball, std::min(lowest, y));
-            highest = std::min(ball, std::max(highest, y));
-        }
-    }
-    return {std::min(half_width / widest, 2.0 * half_height / (highest - lowest)),
-            (highest + lowest) / 2.0};
 }
 
 bool finite(const Eigen::Vector3d& p) { return p.allFinite(); }
@@ -61,6 +31,52 @@ void enclose(const Eigen::MatrixXd& points, SpaceFit& result) {
         result.radius = distance;
         if (step < 60) result.centre += (farthest - result.centre) / (step + 2.0);
     }
+}
+
+// The cylinder around the points and their feet on the floor.
+void enclose_upright(const Eigen::MatrixXd& points, SpaceFit& result) {
+    result.cylinder_radius = 0.0;
+    result.cylinder_high = 0.0;
+    result.farthest = 0.0;
+    result.cylinder_low = (result.floor - result.centre.z()) / result.radius - kFloorBelow;
+    if (result.flat) result.cylinder_low = 0.0;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        const Eigen::Vector3d q = (point_of(points, i) - result.centre) / result.radius;
+        if (!finite(q)) continue;
+        const double aside = q.head<2>().norm();
+        result.cylinder_radius = std::max(result.cylinder_radius, aside);
+        result.cylinder_high = std::max(result.cylinder_high, q.z());
+        result.farthest =
+            std::max({result.farthest, q.norm(), std::hypot(aside, result.cylinder_low)});
+    }
+}
+
+// Directions all around, evenly spread: a spiral of golden angles.
+Eigen::Vector3d direction(int k, int count) {
+    const double up = 1.0 - (2.0 * k + 1.0) / count;
+    const double angle = k * std::numbers::pi * (3.0 - std::sqrt(5.0));
+    const double wide = std::sqrt(1.0 - up * up);
+    return {wide * std::cos(angle), wide * std::sin(angle), up};
+}
+
+void keep_outer(const Eigen::MatrixXd& points, SpaceFit& result) {
+    constexpr int kDirections = 60;
+    const double foot = (result.floor - result.centre.z()) / result.radius - kFloorBelow;
+    for (int k = 0; k < kDirections; ++k) {
+        const Eigen::Vector3d toward = direction(k, kDirections);
+        double farthest = -HUGE_VAL;
+        Eigen::Vector3d outer = Eigen::Vector3d::Zero();
+        for (Eigen::Index i = 0; i < points.rows(); ++i) {
+            Eigen::Vector3d q = (point_of(points, i) - result.centre) / result.radius;
+            if (!finite(q)) continue;
+            if (!result.flat && toward.z() < 0.0) q.z() = foot;
+            if (q.dot(toward) <= farthest) continue;
+            farthest = q.dot(toward);
+            outer = q;
+        }
+        result.outer.push_back(outer);
+    }
+    result.at_first = seen_extent({}, result);
 }
 
 }  // namespace
@@ -89,14 +105,8 @@ SpaceFit fit(const Eigen::MatrixXd& points) {
         result.radius = 1.0;
         return result;
     }
-    result.cylinder_radius = 0.0;
-    result.cylinder_half_height = 0.0;
-    for (Eigen::Index i = 0; i < points.rows(); ++i) {
-        const Eigen::Vector3d q = (point_of(points, i) - result.centre) / result.radius;
-        if (!finite(q)) continue;
-        result.cylinder_radius = std::max(result.cylinder_radius, q.head<2>().norm());
-        result.cylinder_half_height = std::max(result.cylinder_half_height, std::abs(q.z()));
-    }
+    enclose_upright(points, result);
+    keep_outer(points, result);
     // A map that is one upright line would otherwise fill the pane's height and more.
     result.cylinder_radius = std::max(result.cylinder_radius, 0.1);
     return result;
@@ -121,11 +131,12 @@ Projected project(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pa
     const double px = camera.zoom * framing.radius_px;
     const ImVec2 middle = pane.centre();
     const double half = half_side_px(pane);
-    return {{middle.x + static_cast<float>(camera.pan_x * half + px * q.x() * scale),
-             middle.y +
-                 static_cast<float>(camera.pan_y * half - px * (q.y() * scale - framing.middle))},
-            q.z(),
-            scale};
+    return {
+        {middle.x + static_cast<float>(camera.pan_x * half + px * (q.x() * scale - framing.across)),
+         middle.y +
+             static_cast<float>(camera.pan_y * half - px * (q.y() * scale - framing.middle))},
+        q.z(),
+        scale};
 }
 
 Eigen::Vector3d unprojected(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,

@@ -5,11 +5,14 @@
 //     (X, Y) = (x, y) E / (E - depth)            E = distance of the eye
 //     screen = middle + pan + zoom fit (X, -(Y - mid))
 //
-// fit and mid are the largest scale and the shift at which no point leaves the pane at zoom 1,
-// whatever the yaw, so that the map does not breathe while it is turned. Two bounds hold at once,
-// both found by maximising over the yaw:
-//     ball       |X|, |Y| <= E / sqrt(E^2 - 1)
-//     cylinder   of radius r and half height h: |X| <= r E / sqrt((E - h sin p)^2 - (r cos p)^2),
+// fit and mid are a scale and a shift at which no point leaves the pane at zoom 1. As the camera
+// stands at first, and in a flat map, points and the feet of their drop lines fill the pane: the
+// largest there is. Turned away from that it shrinks to what holds whatever the yaw, so that the
+// map does not breathe while it is turned. Two bounds hold at once there, both found by maximising
+// over the yaw:
+//     ball       of radius R: |X|, |Y| <= R E / sqrt(E^2 - R^2)
+//     cylinder   of radius r and a height h at most on either side of the centre:
+//                |X| <= r E / sqrt((E - h sin p)^2 - (r cos p)^2),
 //                Y between its values at the front's lower and the back's upper edge
 //
 // Left out  roll, a moving centre of rotation.
@@ -58,15 +61,30 @@ struct SpaceCamera {
     bool operator==(const SpaceCamera&) const = default;
 };
 
+// What is seen of a map, in ball radii from its centre.
+struct SeenExtent {
+    double left = 0.0, right = 0.0, low = 0.0, high = 0.0;
+};
+
 // Where a map lies: maps of 2 and of 3 dimensions alike, points that are not finite left out.
 struct SpaceFit {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double radius = 1.0;  // of the ball around all points; 1 for fewer than two different ones
-    double cylinder_radius = 1.0;  // of the upright cylinder around them, in ball radii
-    double cylinder_half_height = 1.0;
+    // Of the upright cylinder around them and their feet on the floor, from the centre, in ball
+    // radii; and the farthest of all that.
+    double cylinder_radius = 1.0;
+    double cylinder_low = -1.0;
+    double cylinder_high = 1.0;
+    double farthest = 1.0;
     double floor = 0.0;  // lowest D3
     bool flat = false;   // 2-D: seen from above, without perspective; the camera's turn is ignored
+    // Those farthest out in directions all around, and feet on the floor, in ball radii from the
+    // centre; and what is seen of them by the camera as it is at first.
+    std::vector<Eigen::Vector3d> outer{};
+    SeenExtent at_first{};
 };
+
+inline constexpr double kFloorBelow = 0.12;  // the lowest point, in ball radii
 
 SpaceFit fit(const Eigen::MatrixXd& points);
 

@@ -16,10 +16,10 @@ bool is_dragged(ImGuiMouseButton button, const Theme& theme) {
            std::pow(kClickSlackPx * theme.scale, 2);
 }
 
-SpaceGesture gesture_begun(const SpaceAction& action, bool locked) {
+SpaceGesture gesture_begun(const SpaceAction& action, bool locked, bool moves) {
     const ImGuiIO& io = ImGui::GetIO();
     if (!io.MouseDown[ImGuiMouseButton_Left]) return SpaceGesture::none;
-    if (action.hovered && io.KeyAlt) return SpaceGesture::move;
+    if (action.hovered && (io.KeyAlt || (moves && !io.KeyCtrl))) return SpaceGesture::move;
     if (action.hovered) return io.KeyCtrl ? SpaceGesture::between : SpaceGesture::none;
     if (action.proposal) return SpaceGesture::none;
     if (io.KeyShift) return io.KeyCtrl ? SpaceGesture::lasso : SpaceGesture::box;
@@ -165,7 +165,7 @@ SpaceAction read_mouse(const char* id, const Theme& theme, const Rect& pane, Spa
     }
     if (hovered && camera.drag.gesture != SpaceGesture::orbit) read_maybes(stage, action);
     if (ImGui::IsItemActivated()) {
-        camera.drag = {gesture_begun(action, camera.locked), action.hovered, {}};
+        camera.drag = {gesture_begun(action, camera.locked, stage.scene.moves), action.hovered, {}};
     }
     if (active) follow_line(camera.drag);
     action.with_ctrl = io.KeyCtrl;

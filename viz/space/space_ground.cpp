@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -8,23 +9,72 @@
 
 namespace tact {
 
+namespace {
+
+// The floor under what the map has on it: its middle and half its sides, in ball radii.
+struct Floor {
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    Eigen::Vector2d half = Eigen::Vector2d::Constant(1.0);
+};
+
+Floor floor_of(const SpaceFit& fit) {
+    if (fit.outer.empty()) return {};
+    Eigen::Vector2d low = fit.outer.front().head<2>();
+    Eigen::Vector2d high = low;
+    for (const Eigen::Vector3d& outer : fit.outer) {
+        low = low.cwiseMin(outer.head<2>());
+        high = high.cwiseMax(outer.head<2>());
+    }
+    constexpr double kLeastHalf = 0.35;  // a row of points stands on more than a line
+    return {(low + high) / 2.0, ((high - low) / 2.0).cwiseMax(kLeastHalf)};
+}
+
+// x and y in halves of the floor's sides.
+ImVec2 on_floor(const SpaceStage& stage, const SpaceCamera& camera, const Floor& floor, double x,
+                double y) {
+    const Eigen::Vector2d q = floor.middle + floor.half.cwiseProduct(Eigen::Vector2d{x, y});
+    const Eigen::Vector3d p =
+        stage.fit.centre + stage.fit.radius * Eigen::Vector3d{q.x(), q.y(), 0.0};
+    const double z = stage.fit.floor - (stage.fit.flat ? 0.0 : kFloorBelow * stage.fit.radius);
+    return project(camera, stage.fit, stage.pane, {p.x(), p.y(), z}).at;
+}
+
+// How far the floor reaches beyond what is on it: within the pane as long as the map is neither
+// zoomed nor moved.
+double floor_reach(const SpaceStage& stage, const SpaceCamera& camera, const Floor& floor) {
+    constexpr int kAround = 16;
+    SpaceCamera whole = camera;
+    whole.zoom = 1.0;
+    whole.pan_x = whole.pan_y = 0.0;
+    double reach = 1.5;
+    for (; reach > 1.0; reach -= 0.05) {
+        bool is_inside = true;
+        for (int k = 0; k < kAround && is_inside; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / kAround;
+            is_inside = stage.pane.contains(
+                on_floor(stage, whole, floor, reach * std::cos(angle), reach * std::sin(angle)));
+        }
+        if (is_inside) break;
+    }
+    return reach;
+}
+
+}  // namespace
+
 // A grid under the map that fades toward its rim.
 void draw_floor(const SpaceStage& stage, const SpaceCamera& camera) {
     constexpr int kLines = 5;  // on each side of the middle
     constexpr int kPieces = 20;
-    constexpr double kReach = 1.3;
-    const auto at = [&](double x, double y) {
-        const Eigen::Vector3d p = stage.fit.centre + stage.fit.radius * Eigen::Vector3d{x, y, 0.0};
-        const double z = stage.fit.floor - (stage.fit.flat ? 0.0 : 0.12 * stage.fit.radius);
-        return project(camera, stage.fit, stage.pane, {p.x(), p.y(), z}).at;
-    };
+    const Floor floor = floor_of(stage.fit);
+    const double reach = floor_reach(stage, camera, floor);
+    const auto at = [&](double x, double y) { return on_floor(stage, camera, floor, x, y); };
     const ImU32 colour = mixed(stage.theme.line, stage.theme.dim_text, 0.15F);
     for (int line = -kLines; line <= kLines; ++line) {
-        const double across = kReach * line / kLines;
+        const double across = reach * line / kLines;
         for (int piece = 0; piece < kPieces; ++piece) {
-            const double from = kReach * (2.0 * piece / kPieces - 1.0);
-            const double to = kReach * (2.0 * (piece + 1) / kPieces - 1.0);
-            const double rim = std::hypot(across, (from + to) / 2.0) / kReach;
+            const double from = reach * (2.0 * piece / kPieces - 1.0);
+            const double to = reach * (2.0 * (piece + 1) / kPieces - 1.0);
+            const double rim = std::hypot(across, (from + to) / 2.0) / (1.12 * reach);
             if (rim >= 1.0) continue;
             const ImU32 ink = faded(colour, static_cast<float>(1.0 - rim * rim));
             stage.list.AddLine(at(across, from), at(across, to), ink, stage.theme.hairline_px);
@@ -36,7 +86,7 @@ void draw_floor(const SpaceStage& stage, const SpaceCamera& camera) {
 // From each point down to the floor: what makes height readable.
 void draw_drop_lines(const SpaceStage& stage, const SpaceCamera& camera) {
     if (stage.fit.flat || (stage.scene.chosen.empty() && stage.front_to_back.size() > 150)) return;
-    const double floor = stage.fit.floor - 0.12 * stage.fit.radius;
+    const double floor = stage.fit.floor - kFloorBelow * stage.fit.radius;
     for (const std::size_t i : stage.front_to_back) {
         if (is_cloud(stage, i) && stage.scene.selected != i) continue;
         Eigen::Vector3d p = point_of(*stage.scene.points, static_cast<Eigen::Index>(i));

@@ -67,6 +67,22 @@ std::vector<LabelRequest> requests(const SpaceStage& stage, std::optional<std::s
     return result;
 }
 
+// Right or left of its point, else above or below it: in the pane, and never over the point.
+Rect plate_beside(const SpaceStage& stage, const Disc& disc, ImVec2 size) {
+    const float pad = 2.0F * stage.theme.scale;
+    const float away = disc.radius + pad + stage.theme.scale;
+    const ImVec2 half = size * 0.5F;
+    Rect first;
+    for (const ImVec2 off : {ImVec2{away + half.x, 0.0F}, ImVec2{-away - half.x, 0.0F},
+                             ImVec2{0.0F, -away - half.y}, ImVec2{0.0F, away + half.y}}) {
+        const ImVec2 corner = disc.centre + off - half;
+        const Rect plate = moved_into(inset(rect_at(corner, size), -pad), stage.pane);
+        if (first.empty()) first = plate;
+        if (squared_distance(plate, disc.centre) >= disc.radius * disc.radius) return plate;
+    }
+    return first;
+}
+
 }  // namespace
 
 void draw_pair_line(const SpaceStage& stage, std::size_t a, std::size_t b) {
@@ -108,17 +124,17 @@ void draw_names(const SpaceStage& stage, std::span<const Rect> occupied,
         const bool ringed = stage.chosen[i] || asked_for(stage, hovered, i);
         if (ringed) discs[i].radius += 4.0F * theme.scale;
     }
-    const LabelField field{discs, occupied, stage.pane, 3.0F * theme.scale};
+    // Of many, lines to far names would be a web.
+    constexpr std::size_t kMostLed = 60;
+    const float far_px = wanted.size() <= kMostLed ? 14.0F * theme.scale : 0.0F;
+    const LabelField field{discs, occupied, stage.pane, 3.0F * theme.scale, far_px};
     const auto placed = place_labels(wanted, field);
     // No free place, but asked for: on a plate, which keeps others from under it.
     std::vector<Rect> plates(wanted.size());
     for (std::size_t k = 0; k < wanted.size(); ++k) {
         const std::size_t i = wanted[k].disc;
         if (placed[k] || !asked_for(stage, hovered, i)) continue;
-        const float pad = 2.0F * theme.scale;
-        const float away = discs[i].radius + pad + theme.scale;
-        const ImVec2 corner = discs[i].centre + ImVec2{away, -wanted[k].size.y / 2};
-        plates[k] = moved_into(inset(rect_at(corner, wanted[k].size), -pad), stage.pane);
+        plates[k] = plate_beside(stage, discs[i], wanted[k].size);
     }
     for (std::size_t k = 0; k < wanted.size(); ++k) {
         const std::size_t i = wanted[k].disc;
@@ -131,6 +147,10 @@ void draw_names(const SpaceStage& stage, std::span<const Rect> occupied,
         if (placed[k] && (special || std::none_of(plates.begin(), plates.end(), under))) {
             const float least = stage.chosen[i] ? 0.6F : 0.35F;
             const float strength = special ? 1.0F : least + 0.4F * presence(stage, i);
+            if (const auto line = leader(discs[i], *placed[k], field.gap_px)) {
+                stage.list.AddLine(line->from, line->to, toned(stage, theme.dim_text, 0.6F),
+                                   theme.hairline_px);
+            }
             draw_text_halo(stage.list, font, placed[k]->min, toned(stage, theme.text, strength),
                            theme.pane, theme.scale, name);
         }

@@ -61,6 +61,7 @@ struct SpaceScene {
     std::string_view quantity{};                                      // what it is: "PM"
     std::string_view point_hint{};  // what a press on a point does, said where the mouse is on one
     SpaceMaybes maybes{};
+    bool moves = false;  // a drag of a point moves it, without Alt
     bool stale = false;
 };
 
@@ -77,7 +78,8 @@ struct SpaceAction {
     std::optional<std::size_t> proposal_pressed{};       // the left button is down on it
     std::optional<std::size_t> proposal_clicked{};
     std::optional<std::size_t> on_track{};  // the nearest place of the track under the mouse
-    // Alt+drag of a point: which, and where to, in the plane of the screen through it.
+    // Alt+drag of a point, or any where the scene moves them: which, and where to, in the plane of
+    // the screen through it.
     std::optional<std::size_t> moved{};
     std::optional<Eigen::RowVectorXd> moved_to{};
     bool move_ended = false;     // let go there

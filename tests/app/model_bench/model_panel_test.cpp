@@ -53,4 +53,25 @@ TEST_CASE("model panel: shares far below a thousandth are slid like others, by t
     CHECK(share == 1e-15);
 }
 
+TEST_CASE("model panel: felt steps are said with their source, typed in dB, undone in one step") {
+    Program program(short_patterns(2));
+    program.app.layout.maximised = Pane::matrix;
+    program.app.layout.bench = BenchTab::model;
+    program.resize({1600.0F, 4000.0F}, 1.0F);  // all of it in view
+    for (const PatternParameter parameter : kPatternParameters) {
+        CAPTURE(traits(parameter).key);
+        CHECK(program.shows(std::string("slider:felt_step_") + traits(parameter).key));
+        CHECK_FALSE(std::string(source_of_step(parameter).words).empty());
+    }
+    const FeltSteps& steps = program.app.work.document.set.felt_steps;
+    const FeltSteps usual = steps;
+    program.click("entry:felt_step_amplitude_g");
+    program.type("6 dB");
+    program.press_key(key::kEnter);
+    const auto amplitude = static_cast<std::size_t>(PatternParameter::amplitude);
+    CHECK(steps.size[amplitude] == doctest::Approx(1.9953).epsilon(1e-4));
+    undo(program.app.ui, program.app.work);
+    CHECK(steps == usual);
+}
+
 }  // namespace model_panel_test

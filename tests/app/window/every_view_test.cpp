@@ -72,8 +72,8 @@ struct Large : Program {
 
     void look_at_bench() {
         for (const BenchTab tab :
-             {BenchTab::matrix, BenchTab::subset, BenchTab::compare, BenchTab::shepard,
-              BenchTab::why, BenchTab::model, BenchTab::device}) {
+             {BenchTab::matrix, BenchTab::candidates, BenchTab::subset, BenchTab::compare,
+              BenchTab::shepard, BenchTab::why, BenchTab::model, BenchTab::device}) {
             app.layout.bench = tab;
             look("bench tab " + std::to_string(static_cast<int>(tab)));
         }

@@ -8,29 +8,13 @@
 #include "model/map/mds.h"
 #include "model/map/procrustes.h"
 #include "model/pattern/pattern_parameter.h"
-#include "model/set/pattern_set.h"
+#include "tests/model/ask/short_sets.h"
 
 namespace moved_point_test {
 
 using namespace tact;
 
 namespace {
-
-PatternSet ten_short() {
-    PatternSet set;
-    for (int k = 0; k < 10; ++k) {
-        Pattern pattern;
-        pattern.duration_s = 0.2;
-        pattern.amplitude_g = 0.5 + 0.25 * (k % 3);
-        pattern.carriers[0].frequency_hz = 50.0 + 30.0 * k;
-        pattern.modulation.frequency_hz = 6.0 * (k % 4);
-        Vibration vibration;
-        vibration.name = "p" + std::to_string(k);
-        vibration.source = pattern;
-        set.vibrations.push_back(vibration);
-    }
-    return set;
-}
 
 Prediction predicted_of(const PatternSet& set) { return *predict(model_waveforms(set), set.model); }
 
@@ -52,7 +36,7 @@ double diameter_of(const Eigen::MatrixXd& points) {
 }  // namespace
 
 TEST_CASE("moved point: an unchanged pattern is where it is; the same bits on any threads") {
-    const PatternSet set = ten_short();
+    const PatternSet set = short_set(10, {0.25, 30.0, 6.0, 4});
     const MapAsItIs map{model_waveforms(set), set.model, map_of(set), {}};
     auto one = MovedPoint::of(map, 2, 1, {});
     auto four = MovedPoint::of(map, 2, 4, {});
@@ -70,7 +54,7 @@ TEST_CASE("moved point: an unchanged pattern is where it is; the same bits on an
 }
 
 TEST_CASE("moved point: it is where the map has the point once the number is really set") {
-    const PatternSet set = ten_short();
+    const PatternSet set = short_set(10, {0.25, 30.0, 6.0, 4});
     const Eigen::MatrixXd points = map_of(set);
     const auto base = std::make_shared<const Prediction>(predicted_of(set));
     RandomStream random{3};

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "model/map/mds.h"
-#include "model/set/pattern_set.h"
+#include "tests/model/ask/short_sets.h"
 
 namespace reach_test {
 
@@ -11,24 +11,8 @@ using namespace tact;
 
 namespace {
 
-PatternSet six_short() {
-    PatternSet set;
-    for (int k = 0; k < 6; ++k) {
-        Pattern pattern;
-        pattern.duration_s = 0.2;
-        pattern.amplitude_g = 0.5 + 0.3 * (k % 3);
-        pattern.carriers[0].frequency_hz = 50.0 + 40.0 * k;
-        pattern.modulation.frequency_hz = 10.0 * (k % 2);
-        Vibration vibration;
-        vibration.name = "p" + std::to_string(k);
-        vibration.source = pattern;
-        set.vibrations.push_back(vibration);
-    }
-    return set;
-}
-
 struct Bench {
-    PatternSet set = six_short();
+    PatternSet set = short_set(6);
     Pattern own = std::get<Pattern>(set.vibrations[1].source);
     MovedPoint map = *MovedPoint::of(
         {model_waveforms(set),

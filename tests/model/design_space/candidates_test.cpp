@@ -247,7 +247,8 @@ TEST_CASE("candidates: added behind what a set has, under free names, none twice
     const auto fresh = new_to(set, made(space).kept, Before::kept);
     CHECK(fresh.size() == 2);
     const PatternSet more = *with_candidates(set, space, fresh, Before::kept);
-    CHECK(names_of(more) == std::vector<std::string>{"1g", "mine", "1g 2", "1.5g"});
+    CHECK(names_of(more) == std::vector<std::string>{"1g", "mine", "A01", "A02"});
+    CHECK(level_words(space, std::get<Pattern>(more.vibrations[3].source)) == "1.5g");
     CHECK(more.generator == space);
     CHECK_FALSE(more.vibrations[1].generated);
     CHECK(more.vibrations[3].generated);
@@ -259,8 +260,20 @@ TEST_CASE("candidates: added behind what a set has, under free names, none twice
         space.amplitude_g = levels({1.0, 1.5, 3.0});
         const auto others = new_to(locked, made(space).kept, Before::replaced);
         const PatternSet after = *with_candidates(locked, space, others, Before::replaced);
-        CHECK(names_of(after) == std::vector<std::string>{"1g", "mine", "1.5g", "1g 2", "3g"});
+        CHECK(names_of(after) == std::vector<std::string>{"1g", "mine", "A02", "B01", "B02"});
     }
+}
+
+TEST_CASE("candidates: short names count as far as they must") {
+    PatternSet set;
+    ShortNames few(set, 9);
+    CHECK(few.next() == "A01");
+    set.vibrations.resize(2);
+    set.vibrations[0].name = "A1";     // of another generation
+    set.vibrations[1].name = "Alarm";  // of a person
+    ShortNames many(set, 192);
+    CHECK(many.next() == "B001");
+    CHECK(many.next() == "B002");
 }
 
 TEST_CASE("candidates: a set never gets more patterns than it can have") {

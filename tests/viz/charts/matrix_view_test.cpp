@@ -78,9 +78,9 @@ TEST_CASE("matrix: a cell has the colour of its value") {
     for (const auto& [i, j] : {Pair{0, 11}, {3, 5}, {10, 2}}) {
         // A corner of the cell, away from its number.
         const auto x =
-            static_cast<int>(layout.cells.min.x + static_cast<float>(j) * layout.cell_px + 3.0F);
+            static_cast<int>(layout.cells.min.x + static_cast<float>(j) * layout.cell_px.x + 1.0F);
         const auto y =
-            static_cast<int>(layout.cells.min.y + static_cast<float>(i) * layout.cell_px + 3.0F);
+            static_cast<int>(layout.cells.min.y + static_cast<float>(i) * layout.cell_px.y + 1.0F);
         CHECK(pixel(image, x, y) ==
               viridis(std::abs(static_cast<double>(i) - static_cast<double>(j)) / 11.0));
     }
@@ -93,15 +93,17 @@ TEST_CASE("matrix: the mouse over a cell names its row and its column") {
         picture(scene_of(e), std::nullopt, nullptr, &layout);
         const Pair wanted{n - 1, n / 2 - 1};
         const ImVec2 mouse =
-            layout.cells.min + ImVec2{(static_cast<float>(wanted.second) + 0.5F) * layout.cell_px,
-                                      (static_cast<float>(wanted.first) + 0.5F) * layout.cell_px};
+            layout.cells.min + ImVec2{(static_cast<float>(wanted.second) + 0.5F) * layout.cell_px.x,
+                                      (static_cast<float>(wanted.first) + 0.5F) * layout.cell_px.y};
         MatrixAction action;
         picture(scene_of(e), mouse, &action);
         REQUIRE(action.hovered.has_value());
         // The mouse moves by whole pixels: that many rows is what it can tell apart.
-        const auto rows = static_cast<std::size_t>(std::ceil(1.0F / layout.cell_px)) - 1;
-        CHECK(wanted.first - action.hovered->first <= rows);
-        CHECK(wanted.second - action.hovered->second <= rows);
+        const auto within = [](float px) {
+            return static_cast<std::size_t>(std::ceil(1.0F / px)) - 1;
+        };
+        CHECK(wanted.first - action.hovered->first <= within(layout.cell_px.y));
+        CHECK(wanted.second - action.hovered->second <= within(layout.cell_px.x));
         CHECK_FALSE(action.clicked.has_value());
     }
 }
@@ -122,8 +124,8 @@ TEST_CASE("matrix: unknown pairs leave a field, and less than two patterns nothi
     e.condensed[0] = NAN;
     MatrixLayout layout;
     const Image image = picture(scene_of(e), std::nullopt, nullptr, &layout);
-    const int x = static_cast<int>(layout.cells.min.x + 1.5F * layout.cell_px);
-    const int y = static_cast<int>(layout.cells.min.y + 0.5F * layout.cell_px);
+    const int x = static_cast<int>(layout.cells.min.x + 1.5F * layout.cell_px.x);
+    const int y = static_cast<int>(layout.cells.min.y + 0.5F * layout.cell_px.y);
     CHECK(pixel(image, x, y) == dark_theme(1.0F).field);
     const Example one = example(1);
     picture(scene_of(one));
@@ -151,8 +153,8 @@ TEST_CASE("matrix: names of one or two letters are shown") {
         MatrixLayout layout;
         const Image image = picture(scene_of(e), std::nullopt, nullptr, &layout);
         for (std::size_t i = 0; i < 6; ++i) {
-            const float top = layout.cells.min.y + static_cast<float>(i) * layout.cell_px;
-            const Rect beside{{kArea.min.x, top}, {layout.cells.min.x, top + layout.cell_px}};
+            const float top = layout.cells.min.y + static_cast<float>(i) * layout.cell_px.y;
+            const Rect beside{{kArea.min.x, top}, {layout.cells.min.x, top + layout.cell_px.y}};
             CHECK(count_pixels(image, beside, dark_theme(1.0F).dim_text, 60) >= 5);
         }
     }
@@ -163,7 +165,7 @@ TEST_CASE("matrix: where all pairs are equal none is bright, except that nothing
     const auto first_pair = [&e] {
         MatrixLayout layout;
         const Image image = picture(scene_of(e), std::nullopt, nullptr, &layout);
-        return pixel(image, static_cast<int>(layout.cells.min.x + layout.cell_px + 3.0F),
+        return pixel(image, static_cast<int>(layout.cells.min.x + layout.cell_px.x + 3.0F),
                      static_cast<int>(layout.cells.min.y + 3.0F));
     };
     std::fill(e.condensed.begin(), e.condensed.end(), 3.5);
@@ -173,6 +175,28 @@ TEST_CASE("matrix: where all pairs are equal none is bright, except that nothing
     // A single pair is equal to itself, which says nothing.
     e = example(2);
     CHECK(first_pair() == viridis(1.0));
+}
+
+TEST_CASE("matrix: it fills its pane, with numbers in its cells as soon as they fit") {
+    const Example e = example(12);
+    const auto layout_in = [&e](ImVec2 size) {
+        MatrixLayout layout;
+        draw_picture(1000, 600, {}, [&](const Theme& theme) {
+            layout = matrix_layout(theme, rect_at({10, 10}, size), scene_of(e));
+        });
+        return layout;
+    };
+    for (const ImVec2 size : {ImVec2{500, 250}, ImVec2{520, 380}, ImVec2{900, 500}}) {
+        CAPTURE(size.x);
+        const Rect area = rect_at({10, 10}, size);
+        const MatrixLayout layout = layout_in(size);
+        CHECK(area.contains(layout.cells));
+        const float right = std::max(layout.cells.max.x, layout.scale.max.x);
+        CHECK(layout.cells.max.y > area.max.y - 13.0F);  // less than a row is left
+        CHECK(right > area.max.x - 110.0F);
+        CHECK(layout.has_values);
+    }
+    CHECK_FALSE(layout_in({240, 160}).has_values);
 }
 
 }  // namespace tact::matrix_view_test

@@ -96,4 +96,25 @@ TEST_CASE("labels: a point buried among others stays unnamed") {
     CHECK_FALSE(place_labels(std::span{&request, 1}, {discs, {}, kPane, 3.0F})[0].has_value());
 }
 
+TEST_CASE("labels: a name that has room only farther off gets a line to its point") {
+    // Eight discs all around one.
+    std::vector<Disc> discs{{{200, 200}, 6.0F}};
+    for (int k = 0; k < 8; ++k) {
+        const auto angle = static_cast<float>(k) * 0.7854F;
+        discs.push_back({{200 + 17 * std::cos(angle), 200 + 17 * std::sin(angle)}, 6.0F});
+    }
+    const std::vector<LabelRequest> wanted{{0, {20, 12}}};
+    LabelField field{discs, {}, {{0, 0}, {400, 400}}, 3.0F};
+    CHECK_FALSE(place_labels(wanted, field)[0]);
+    field.far_px = 16.0F;
+    const auto placed = place_labels(wanted, field)[0];
+    REQUIRE(placed);
+    CHECK_FALSE(placed->contains(discs[0].centre));
+    const auto line = leader(discs[0], *placed, field.gap_px);
+    REQUIRE(line);
+    CHECK(std::hypot(line->from.x - 200, line->from.y - 200) < 8.0F);
+    // Beside its point a name needs none.
+    CHECK_FALSE(leader(discs[0], {{209, 194}, {229, 206}}, field.gap_px));
+}
+
 }  // namespace tact::label_placement_test

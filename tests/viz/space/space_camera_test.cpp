@@ -23,7 +23,7 @@ const Rect kPane{{100, 50}, {740, 450}};
 
 }  // namespace
 
-TEST_CASE("space: at zoom 1 no point leaves the pane, however it is turned") {
+TEST_CASE("space: at zoom 1 no point nor its foot leaves the pane, however it is turned") {
     for (const int dimensions : {2, 3}) {
         for (unsigned seed = 0; seed < 10; ++seed) {
             const auto points = random_points(20, dimensions, seed);
@@ -32,9 +32,40 @@ TEST_CASE("space: at zoom 1 no point leaves the pane, however it is turned") {
                 for (double pitch = -0.2; pitch < 1.58; pitch += 0.3) {
                     const SpaceCamera camera{.yaw_rad = yaw, .pitch_rad = pitch};
                     for (int i = 0; i < 20; ++i) {
-                        CHECK(kPane.contains(project(camera, f, kPane, point_of(points, i)).at));
+                        Eigen::Vector3d p = point_of(points, i);
+                        CHECK(kPane.contains(project(camera, f, kPane, p).at));
+                        p.z() = f.floor - kFloorBelow * f.radius;
+                        if (dimensions == 3) CHECK(kPane.contains(project(camera, f, kPane, p).at));
                     }
                 }
+            }
+        }
+    }
+}
+
+TEST_CASE("space: as it is first seen, points and their feet fill the pane") {
+    for (const int dimensions : {2, 3}) {
+        for (const int n : {3, 12, 300}) {
+            for (unsigned seed = 0; seed < 6; ++seed) {
+                const auto points = random_points(n, dimensions, seed);
+                const SpaceFit f = fit(points);
+                ImVec2 low{1e6F, 1e6F};
+                ImVec2 high{-1e6F, -1e6F};
+                const auto see = [&](const Eigen::Vector3d& p) {
+                    const ImVec2 at = project({}, f, kPane, p).at;
+                    CHECK(kPane.contains(at));
+                    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+                    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+                };
+                for (int i = 0; i < n; ++i) {
+                    const Eigen::Vector3d p = point_of(points, i);
+                    see(p);
+                    const double foot = f.floor - kFloorBelow * f.radius;
+                    if (dimensions == 3) see({p.x(), p.y(), foot});
+                }
+                const float wide = (high.x - low.x) / kPane.width();
+                const float tall = (high.y - low.y) / kPane.height();
+                CHECK(std::max(wide, tall) > 0.85F);
             }
         }
     }

@@ -1,0 +1,43 @@
+// Filling the gap between the patterns that are picked: what was asked, and what was found.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/jobs/latest_job.h"
+#include "app/rendering/rendering_state.h"
+#include "model/ask/gap.h"
+
+namespace tact {
+
+struct GapRequest {
+    std::uint64_t revision = 0;  // of the document
+    std::shared_ptr<const PatternSet> set;
+    std::vector<std::size_t> picked;       // places in it
+    std::vector<PatternParameter> free{};  // may change where there is no design space
+    std::size_t missing = 1;
+    std::uint64_t seed = 1;
+    std::optional<RenderedBy> rendered_by{};
+
+    bool operator==(const GapRequest&) const = default;
+};
+
+struct FoundGap {
+    GapRequest request;
+    std::vector<Pattern> chosen;
+    GapAnswer answer;
+    std::size_t candidates = 0;
+    bool all_there_are = false;  // the design space is finite, and all of it was compared
+    bool coarse = false;         // by coarse envelopes
+};
+
+struct GapState {
+    std::unique_ptr<LatestJob<GapRequest, FoundGap>> job;  // null until it is wanted
+    std::optional<GapRequest> asked;                       // under way
+};
+
+}  // namespace tact

@@ -1,0 +1,115 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "app/candidates/candidate_parts.h"
+#include "app/document/pattern_looks.h"
+#include "app/patterns/rhythm_list.h"
+#include "app/ui/widgets.h"
+#include "model/text/numbers.h"
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+// A tick; hollow where it is of a preview.
+void draw_picked_mark(const Theme& theme, ImVec2 centre, bool preview) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float r = 5.0F * theme.scale;
+    if (preview) return list.AddCircle(centre, r, theme.text, 0, 1.5F * theme.hairline_px);
+    list.AddCircleFilled(centre, r, theme.text);
+}
+
+std::string cell_words(const CandidateRow& row, CandidateColumn column) {
+    const auto number = [](const std::optional<double>& value) {
+        return value ? significant_digits(*value, 3) : std::string();
+    };
+    switch (column) {
+        case CandidateColumn::amplitude:
+            return number(row.amplitude_g);
+        case CandidateColumn::carrier:
+            return number(row.carrier_hz);
+        case CandidateColumn::modulation:
+            return number(row.modulation_hz);
+        case CandidateColumn::duration:
+            return number(row.duration_s);
+        case CandidateColumn::nearest:
+            return row.nearest_pm ? grouped(*row.nearest_pm) : std::string();
+        default:
+            return {};
+    }
+}
+
+void draw_rhythm_cell(const Theme& theme, const CandidateRow& row, const Rect& cell) {
+    if (!row.rhythm) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImFont* font = theme.fonts.small;
+    const float y = cell.centre().y - text_size(font, "x").y / 2.0F;
+    if (row.rhythm->empty())
+        return draw_text(list, font, {cell.min.x, y}, theme.dim_text, "steady");
+    const float each =
+        std::min(8.0F * theme.scale, cell.width() / static_cast<float>(row.rhythm->size()));
+    if (each < 2.0F * theme.scale) {
+        const auto notes = static_cast<std::size_t>(std::ranges::count(*row.rhythm, 'x'));
+        return draw_text(list, font, {cell.min.x, y}, theme.dim_text,
+                         std::to_string(notes) + " notes");
+    }
+    const float half = 5.0F * theme.scale;
+    draw_rhythm_cells(
+        theme,
+        {{cell.min.x, cell.centre().y - half},
+         {cell.min.x + each * static_cast<float>(row.rhythm->size()), cell.centre().y + half}},
+        *row.rhythm);
+}
+
+void draw_name_cell(const Theme& theme, const Vibration& vibration, const PatternLook& look,
+                    const Rect& cell) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float s = theme.scale;
+    draw_pattern_mark(list, theme, {cell.min.x + 5.0F * s, cell.centre().y}, 4.5F * s, look,
+                      theme.pane);
+    const float begin = cell.min.x + 15.0F * s;
+    const std::string state = vibration.locked ? "  locked" : vibration.dropped ? "  dropped" : "";
+    const float state_px = text_size(theme.fonts.small, state).x;
+    const std::string name = shortened(theme.fonts.regular, vibration.name,
+                                       std::max(0.0F, cell.max.x - begin - state_px));
+    const ImVec2 size = text_size(theme.fonts.regular, name);
+    const float y = cell.centre().y - size.y / 2.0F;
+    draw_text(list, theme.fonts.regular, {begin, y},
+              vibration.dropped ? theme.dim_text : theme.text, name);
+    if (state.empty()) return;
+    const float lower = size.y - text_size(theme.fonts.small, state).y;
+    draw_text(list, theme.fonts.small, {begin + size.x, y + 0.8F * lower}, theme.dim_text, state);
+}
+
+}  // namespace
+
+void draw_cell(Ui& ui, Workspace& work, const CandidateRow& row, CandidateColumn column,
+               const Rect& cell) {
+    const Theme& theme = ui.theme;
+    const Vibration& vibration = work.document.set.vibrations[row.place];
+    switch (column) {
+        case CandidateColumn::picture:
+            return draw_thumbnail(ui, work, cell, vibration, look_of(ui, work, row.place).colour,
+                                  shown_reach_g(work));
+        case CandidateColumn::name:
+            return draw_name_cell(theme, vibration, look_of(ui, work, row.place), cell);
+        case CandidateColumn::rhythm:
+            return draw_rhythm_cell(theme, row, cell);
+        case CandidateColumn::picked:
+            if (!row.picked) return;
+            return draw_picked_mark(theme, cell.centre(), work.selection.is_pick_preview);
+        default:
+            break;
+    }
+    const std::string words = cell_words(row, column);
+    const ImVec2 size = text_size(theme.fonts.regular, words);
+    draw_text(*ImGui::GetWindowDrawList(), theme.fonts.regular,
+              {cell.max.x - size.x, cell.centre().y - size.y / 2.0F}, theme.text, words);
+}
+
+}  // namespace tact

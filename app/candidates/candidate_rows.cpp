@@ -1,0 +1,143 @@
+#include "app/candidates/candidate_rows.h"
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "app/document/editing.h"
+#include "model/pattern/pattern_parameter.h"
+
+namespace tact {
+
+namespace {
+
+using RowsByName = std::unordered_map<std::string_view, std::size_t>;
+
+CandidateRow row_of(const Vibration& vibration, std::size_t place) {
+    CandidateRow row;
+    row.place = place;
+    const auto* pattern = std::get_if<Pattern>(&vibration.source);
+    if (pattern == nullptr) {
+        const Waveform& recorded = *std::get<Measurement>(vibration.source).waveform;
+        row.duration_s = duration_s(recorded);
+        return row;
+    }
+    row.amplitude_g = value_of(*pattern, PatternParameter::amplitude);
+    row.carrier_hz = value_of(*pattern, PatternParameter::carrier);
+    row.modulation_hz = value_of(*pattern, PatternParameter::modulation);
+    row.rhythm = pattern->rhythm.text;
+    row.duration_s = pattern->duration_s;
+    return row;
+}
+
+void add_nearest(CandidateRow& row, const NearestOnes& nearest, const RowsByName& in_map,
+                 const std::string& name) {
+    const auto found = in_map.find(name);
+    if (found == in_map.end() || found->second >= nearest.pm.size()) return;
+    row.nearest_pm = nearest.pm[found->second];
+    row.nearest_name = nearest.of->request.set->vibrations[nearest.row[found->second]].name;
+}
+
+std::optional<double> sort_number(const CandidateRow& row, CandidateColumn by) {
+    switch (by) {
+        case CandidateColumn::amplitude:
+            return row.amplitude_g;
+        case CandidateColumn::carrier:
+            return row.carrier_hz;
+        case CandidateColumn::modulation:
+            return row.modulation_hz;
+        case CandidateColumn::duration:
+            return row.duration_s;
+        case CandidateColumn::nearest:
+            return row.nearest_pm;
+        case CandidateColumn::picked:
+            return row.picked ? 1.0 : 0.0;
+        case CandidateColumn::picture:
+        case CandidateColumn::name:
+        case CandidateColumn::rhythm:
+            break;
+    }
+    return std::nullopt;
+}
+
+template <class Value>
+bool is_before(const std::optional<Value>& a, const std::optional<Value>& b, bool descending) {
+    if (!a || !b) return a.has_value() && !b.has_value();
+    return descending ? *b < *a : *a < *b;
+}
+
+void sort_rows(std::vector<CandidateRow>& rows, const Workspace& work,
+               const CandidatesState& state) {
+    const auto& all = work.document.set.vibrations;
+    const bool down = state.descending;
+    std::ranges::stable_sort(rows, [&](const CandidateRow& a, const CandidateRow& b) {
+        if (state.by == CandidateColumn::picture)
+            return down ? b.place < a.place : a.place < b.place;
+        if (state.by == CandidateColumn::name) {
+            return is_before(std::optional(all[a.place].name), std::optional(all[b.place].name),
+                             down);
+        }
+        if (state.by == CandidateColumn::rhythm) return is_before(a.rhythm, b.rhythm, down);
+        return is_before(sort_number(a, state.by), sort_number(b, state.by), down);
+    });
+}
+
+}  // namespace
+
+NearestOnes nearest_ones(const std::shared_ptr<const LiveMap>& map) {
+    NearestOnes nearest{map, {}, {}};
+    if (!map || map->prediction.pm.size < 2) return nearest;
+    const Dissimilarity& pm = map->prediction.pm;
+    nearest.pm.assign(pm.size, std::numeric_limits<double>::infinity());
+    nearest.row.assign(pm.size, 0);
+    const auto take = [&nearest](std::size_t row, std::size_t other, double value) {
+        if (value >= nearest.pm[row]) return;
+        nearest.pm[row] = value;
+        nearest.row[row] = other;
+    };
+    for (std::size_t i = 0; i < pm.size; ++i) {
+        for (std::size_t j = i + 1; j < pm.size; ++j) {
+            take(i, j, pm(i, j));
+            take(j, i, pm(i, j));
+        }
+    }
+    return nearest;
+}
+
+const std::vector<CandidateRow>& candidate_rows(const Workspace& work, const ShownMap& shown_map,
+                                                CandidatesState& state) {
+    const Selection& selection = work.selection;
+    const auto& map = shown_map.transition.shown;
+    const CandidatesAsked wanted{work.revision,    map,
+                                 state.by,         state.descending,
+                                 selection.search, is_narrowed_to_picked(selection),
+                                 selection.picked};
+    if (state.asked == wanted) return state.rows;
+    state.asked = wanted;
+    if (state.nearest.of != map) state.nearest = nearest_ones(map);
+    RowsByName in_map;
+    for (std::size_t k = 0; map && k < map->request.set->vibrations.size(); ++k) {
+        in_map.emplace(map->request.set->vibrations[k].name, k);
+    }
+    state.rows.clear();
+    for (const std::size_t place : listed_indices(work)) {
+        const Vibration& vibration = work.document.set.vibrations[place];
+        CandidateRow row = row_of(vibration, place);
+        add_nearest(row, state.nearest, in_map, vibration.name);
+        row.picked = selection.picked.contains(vibration.name);
+        state.rows.push_back(std::move(row));
+    }
+    sort_rows(state.rows, work, state);
+    return state.rows;
+}
+
+void sort_by(CandidatesState& state, CandidateColumn column) {
+    const bool largest_first =
+        column == CandidateColumn::nearest || column == CandidateColumn::picked;
+    state.descending = state.by == column ? !state.descending : largest_first;
+    state.by = column;
+}
+
+}  // namespace tact

@@ -1,0 +1,210 @@
+#include "app/candidates/candidates_panel.h"
+
+#include <imgui.h>
+// After imgui.h.
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+#include "app/candidates/candidate_parts.h"
+#include "app/candidates/candidate_rows.h"
+#include "app/document/editing.h"
+#include "app/document/pressing.h"
+#include "app/map/similar.h"
+#include "app/ui/widgets.h"
+#include "model/design_space/candidates.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kTableRowPx = 24.0F;
+
+void draw_table_tools(Ui& ui, Workspace& work, std::size_t listed) {
+    Selection& selection = work.selection;
+    ImGui::SetNextItemWidth(std::min(170.0F * ui.theme.scale, ImGui::GetContentRegionAvail().x));
+    ImGui::InputTextWithHint("##filter", "60 Hz, x--x, a name", &selection.search);
+    note_item(ui.rects, "candidates:filter", selection.search);
+    const std::string count = std::to_string(selection.picked.size());
+    const std::string only = selection.picked.empty() ? "only picked" : "only picked: " + count;
+    flow_on(chip_width(ui, only.c_str()), ui.theme.gap_px);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float chip_px = text_size(ui.theme.fonts.small, only).y + 6.0F * ui.theme.scale;
+    ImGui::SetCursorScreenPos({corner.x, corner.y + 0.5F * (ImGui::GetFrameHeight() - chip_px)});
+    if (draw_chip(ui, "only picked", only.c_str(), selection.only_picked)) {
+        selection.only_picked = !selection.only_picked;
+    }
+    note_item(ui.rects, "candidates:only picked", selection.only_picked ? "on" : "off");
+    ImGui::SameLine(0.0F, 0.0F);
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y});
+    ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
+    const Vibration* current = current_vibration(work);
+    const auto deed = [&](const char* id, const char* words, auto act) {
+        flow_on(button_width(words), ui.theme.gap_px);
+        if (ImGui::Button(words)) ui.waiting.emplace_back([&ui, &work, act] { act(ui, work); });
+        note_item(ui.rects, std::string("candidates:") + id);
+    };
+    if (current == nullptr) return;
+    deed("lock", current->locked ? "Unlock" : "Lock", toggle_locked);
+    draw_tooltip(ui, "All selected rows: picked in every subset, and not edited.");
+    deed("drop", current->dropped ? "Take back" : "Drop", toggle_dropped);
+    draw_tooltip(ui, "All selected rows: picked in no subset.");
+    const std::string told = std::to_string(listed) + " of " +
+                             std::to_string(work.document.set.vibrations.size()) + ", " +
+                             std::to_string(selected_indices(work).size()) + " selected";
+    flow_on(text_size(ui.theme.fonts.small, told).x, ui.theme.gap_px);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(ui.theme.fonts.small);
+    dim_text(ui, told);
+    ImGui::PopFont();
+    note_item(ui.rects, "candidates:count", told);
+}
+
+// In the order of the table; the list's would take others.
+void select_rows_through(Workspace& work, const std::vector<CandidateRow>& rows,
+                         std::size_t place) {
+    const auto row_of_place = [&rows](std::size_t wanted) {
+        return std::ranges::find(rows, wanted, &CandidateRow::place);
+    };
+    auto from = row_of_place(work.selection.current);
+    auto to = row_of_place(place);
+    if (from == rows.end()) return select_only(work, place);
+    if (to < from) std::swap(from, to);
+    for (auto row = from; row <= to; ++row) {
+        if (row->place != work.selection.current) work.selection.others.insert(row->place);
+    }
+}
+
+void take_click(Ui& ui, Workspace& work, CandidatesState& state, std::size_t place) {
+    const bool shift = ImGui::GetIO().KeyShift;
+    const bool ctrl = ImGui::GetIO().KeyCtrl;
+    ui.waiting.emplace_back([&work, &state, place, shift, ctrl] {
+        if (shift) return select_rows_through(work, state.rows, place);
+        ctrl ? toggle_selected(work, place) : select_only(work, place);
+        work.selection.scroll_to_current = true;
+    });
+}
+
+// What a short name stands for, and who is closest.
+std::string row_words(const Workspace& work, const CandidateRow& row) {
+    const Vibration& vibration = work.document.set.vibrations[row.place];
+    std::string words = vibration.name;
+    const auto* pattern = std::get_if<Pattern>(&vibration.source);
+    const auto& space = work.document.set.generator;
+    if (vibration.generated && pattern != nullptr && space) {
+        words += ": " + level_words(*space, *pattern);
+    }
+    if (!row.nearest_name.empty()) words += "\nClosest: " + row.nearest_name;
+    return words + "\n" + kHoldHelp + ".";
+}
+
+void draw_row_ground(const Ui& ui, const Workspace& work, std::size_t place, const Rect& line) {
+    const Theme& theme = ui.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool current = place == work.selection.current;
+    if (current || work.selection.others.contains(place)) {
+        list.AddRectFilled(line.min, line.max, faded(theme.text, current ? 0.16F : 0.08F),
+                           theme.rounding_px);
+        if (current) draw_selection_frame(list, theme, line);
+    } else if (work.selection.hovered_last == place) {
+        list.AddRectFilled(line.min, line.max, theme.hover, theme.rounding_px);
+    }
+}
+
+void draw_table_menu(Ui& ui, Workspace& work, const ShownMap& shown_map, std::size_t place) {
+    if (!ImGui::BeginPopupContextItem("table menu")) return;
+    const bool is_selected =
+        place == work.selection.current || work.selection.others.contains(place);
+    if (!is_selected) select_only(work, place);
+    const Vibration& vibration = work.document.set.vibrations[place];
+    // Once all rows are drawn: there may be others then.
+    const auto item = [&ui](const char* words, std::function<void()> act) {
+        if (ImGui::MenuItem(words)) ui.waiting.push_back(std::move(act));
+        note_item(ui.rects, std::string("table menu:") + words);
+    };
+    item(vibration.locked ? "Unlock" : "Lock: always pick it", [&] { toggle_locked(ui, work); });
+    item(vibration.dropped ? "Take back" : "Drop: never pick it",
+         [&] { toggle_dropped(ui, work); });
+    item("Duplicate", [&] { duplicate_selected(ui, work); });
+    item("Find similar",
+         [&ui, &work, &shown_map, place] { select_similar(ui, work, shown_map, place); });
+    item("Delete", [&] { remove_selected(ui, work); });
+    ImGui::EndPopup();
+}
+
+void draw_table_row(Ui& ui, Workspace& work, const ShownMap& shown_map, CandidatesState& state,
+                    const CandidateRow& row, const std::vector<ColumnSpan>& places) {
+    const float s = ui.theme.scale;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
+    const Rect line = rect_at(corner, {width, kTableRowPx * s});
+    const Vibration& vibration = work.document.set.vibrations[row.place];
+    ImGui::PushID(static_cast<int>(row.place));
+    ImGui::InvisibleButton("row", line.size());
+    if (ImGui::IsItemClicked()) take_click(ui, work, state, row.place);
+    if (ImGui::IsItemActive()) note_pressed(work, vibration);
+    if (ImGui::IsItemHovered()) work.selection.hovered = row.place;
+    note_item(ui.rects, "candidate:" + vibration.name, row.picked ? "picked" : "");
+    draw_tooltip(ui, row_words(work, row).c_str());
+    draw_table_menu(ui, work, shown_map, row.place);
+    ImGui::PopID();
+    draw_row_ground(ui, work, row.place, line);
+    for (const ColumnSpan& place : places) {
+        const Rect cell{{line.min.x + place.begin_px + 6.0F * s, line.min.y + 2.0F * s},
+                        {line.min.x + place.end_px - 6.0F * s, line.max.y - 2.0F * s}};
+        draw_cell(ui, work, row, place.column, cell);
+    }
+}
+
+void follow_current_row(const Workspace& work, const std::vector<CandidateRow>& rows,
+                        float row_px) {
+    if (!work.selection.scroll_to_current) return;
+    const auto place = std::ranges::find(rows, work.selection.current, &CandidateRow::place);
+    if (place == rows.end()) return;
+    const float at = static_cast<float>(place - rows.begin()) * row_px;
+    const float top = ImGui::GetScrollY();
+    if (at < top) ImGui::SetScrollY(at);
+    const float height = ImGui::GetWindowHeight();
+    if (at + row_px > top + height) ImGui::SetScrollY(at + row_px - height);
+}
+
+}  // namespace
+
+void draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
+                           CandidatesState& state) {
+    const std::vector<CandidateRow>& rows = candidate_rows(work, shown_map, state);
+    work.selection.table_order.clear();
+    for (const CandidateRow& row : rows) work.selection.table_order.push_back(row.place);
+    if (!ui.as_picture) draw_table_tools(ui, work, rows.size());
+    const float scroll_px = ImGui::GetStyle().ScrollbarSize;
+    const std::vector<ColumnSpan> places =
+        column_places(ImGui::GetContentRegionAvail().x - scroll_px, ui.theme.scale);
+    draw_headings(ui, state, places);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+    if (ImGui::BeginChild("candidates")) {
+        follow_current_row(work, rows, kTableRowPx * ui.theme.scale);
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(rows.size()));
+        while (clipper.Step()) {
+            for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
+                draw_table_row(ui, work, shown_map, state, rows[static_cast<std::size_t>(k)],
+                               places);
+            }
+        }
+        if (rows.empty()) {
+            const bool none = work.document.set.vibrations.empty();
+            draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(),
+                       none ? "No patterns yet" : "None is as the filter says",
+                       none ? "Press New, or Ctrl+G to generate some." : "Clear it to see all.");
+        }
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace tact

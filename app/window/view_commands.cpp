@@ -1,0 +1,227 @@
+// The rows of View: what the window shows, and how large. Declared in app/window/commands.h.
+
+#include <array>
+
+#include "app/document/shown_side.h"
+#include "app/lesson/presenting.h"
+#include "app/study/study_follow.h"
+#include "app/window/command_actions.h"
+#include "app/window/commands.h"
+
+namespace tact {
+
+namespace {
+
+template <Side kSide>
+void show_the_side(App& app) {
+    show_side(app.work, kSide);
+}
+
+template <Side kSide>
+bool shows_side(const App& app) {
+    return shown_side(app.work) == kSide;
+}
+
+template <BenchTab kTab>
+void show_bench(App& app) {
+    show_tab(app, kTab);
+}
+
+template <Arrangement kArrangement>
+void show_the_workspace(App& app) {
+    show_workspace(app, kArrangement);
+}
+
+template <Arrangement kArrangement>
+bool shows_workspace(const App& app) {
+    return is_workspace(app, kArrangement);
+}
+
+template <Fold kFold>
+void fold_to(App& app) {
+    fold_physiology(app, kFold);
+}
+
+template <Fold kFold>
+bool is_folded_to(const App& app) {
+    return app.layout.physiology == kFold;
+}
+
+constexpr auto kViewCommands = std::to_array<Command>({
+    {"View", "Design", ctrl('1'), always, show_the_workspace<Arrangement::design>,
+     shows_workspace<Arrangement::design>, "workspace layout columns map"},
+    {"View", "Select", ctrl('2'), always, show_the_workspace<Arrangement::select>,
+     shows_workspace<Arrangement::select>, "workspace layout candidates subset map"},
+    {"View", "Physiology", ctrl('3'), always, show_the_workspace<Arrangement::physiology>,
+     shows_workspace<Arrangement::physiology>, "workspace layout stages"},
+    {"View", "Study", ctrl('4'), always, [](App& app) { open_study(app.layout, app.studying); },
+     [](const App& app) { return app.studying.is_open; },
+     "workspace ratings people experiment design participants"},
+    {"View", "Present", special(key::kF1 + 4), always, present,
+     [](const App& app) { return is_presenting(app.lesson); },
+     "lecture projector full screen slides clicker tour lesson"},
+    {"View",
+     "Save workspace as...",
+     {},
+     always,
+     [](App& app) { open_workspace_dialog(app.ui, app.workspaces); },
+     nullptr,
+     "layout panes name keep"},
+    {"View", "Reset the workspace", {}, always, reset_workspace, nullptr, "layout columns"},
+    {"View",
+     "Stages in the middle",
+     {},
+     always,
+     fold_to<Fold::open>,
+     is_folded_to<Fold::open>,
+     "physiology unfold"},
+    {"View",
+     "Stages in one row",
+     {},
+     always,
+     fold_to<Fold::row>,
+     is_folded_to<Fold::row>,
+     "physiology fold"},
+    {"View",
+     "No stages",
+     {},
+     always,
+     fold_to<Fold::closed>,
+     is_folded_to<Fold::closed>,
+     "physiology close hide"},
+    {"View",
+     "Reset view of the space",
+     {},
+     always,
+     [](App& app) { app.shown_map.camera = SpaceCamera{}; },
+     nullptr,
+     "camera"},
+    {"View", "Frame the selection in the space", plain('f'), has_selection,
+     [](App& app) { app.shown_map.frame_asked = true; }, nullptr, "zoom camera map focus"},
+    {"View",
+     "Lock the view of the space",
+     {},
+     always,
+     [](App& app) { app.shown_map.camera.locked = !app.shown_map.camera.locked; },
+     [](const App& app) { return app.shown_map.camera.locked; },
+     "camera map turn"},
+    {"View",
+     "Dark",
+     {},
+     always,
+     [](App& app) { set_theme(app.ui, true); },
+     [](const App& app) { return app.ui.dark; },
+     "theme"},
+    {"View",
+     "Light",
+     {},
+     always,
+     [](App& app) { set_theme(app.ui, false); },
+     [](const App& app) { return !app.ui.dark; },
+     "theme"},
+    {"View", "Matrix", {}, always, show_bench<BenchTab::matrix>, nullptr, "dissimilarity heat map"},
+    {"View",
+     "Table of candidates",
+     {},
+     always,
+     show_bench<BenchTab::candidates>,
+     nullptr,
+     "columns sort filter lock drop numbers"},
+    {"View",
+     "Only picked",
+     {},
+     always,
+     [](App& app) { app.work.selection.only_picked = !app.work.selection.only_picked; },
+     [](const App& app) { return app.work.selection.only_picked; },
+     "filter list subset"},
+    {"View",
+     "Subset",
+     {},
+     always,
+     show_bench<BenchTab::subset>,
+     nullptr,
+     "pick most distinct confusable separate stable"},
+    {"View",
+     "Compare with people",
+     {},
+     always,
+     show_bench<BenchTab::compare>,
+     nullptr,
+     "ratings metrics rho table"},
+    {"View",
+     "Shepard diagram",
+     {},
+     always,
+     show_bench<BenchTab::shepard>,
+     nullptr,
+     "stress fit map"},
+    {"View",
+     "Why are these two different?",
+     {},
+     always,
+     show_bench<BenchTab::why>,
+     nullptr,
+     "pair channels explain"},
+    {"View",
+     "Model bench",
+     {},
+     always,
+     show_bench<BenchTab::model>,
+     nullptr,
+     "parameters weights layers thresholds"},
+    {"View",
+     "Train on ratings",
+     {},
+     always,
+     show_training,
+     nullptr,
+     "fit parameters people optimum search model"},
+    {"View",
+     "What a device makes of it",
+     {},
+     always,
+     show_bench<BenchTab::device>,
+     nullptr,
+     "rendering actuator controller joy-con energy lost"},
+    {"View",
+     "Intended and measured",
+     {},
+     always,
+     show_the_side<Side::both>,
+     shows_side<Side::both>,
+     "both recordings twins"},
+    {"View",
+     "Intended only",
+     {},
+     always,
+     show_the_side<Side::intended>,
+     shows_side<Side::intended>,
+     "IPS map patterns"},
+    {"View",
+     "Measured only",
+     {},
+     always,
+     show_the_side<Side::measured>,
+     shows_side<Side::measured>,
+     "MPS map recordings twins"},
+    {"View", "Larger text", ctrl('+'), always, [](App& app) { step_text_scale(app.ui, 1.1F); },
+     nullptr, "zoom scale"},
+    {"View", "Smaller text", ctrl('-'), always,
+     [](App& app) { step_text_scale(app.ui, 1.0F / 1.1F); }, nullptr, "zoom scale"},
+    {"View", "Text as large as the screen says", ctrl('0'), always,
+     [](App& app) { set_text_scale(app.ui, 1.0F); }},
+    {"View",
+     "Motion",
+     {},
+     always,
+     [](App& app) { app.ui.motion = !app.ui.motion; },
+     [](const App& app) { return app.ui.motion; },
+     "animation"},
+    {"View", "Bring hints back", {}, always, [](App& app) { app.ui.dismissed_hints.clear(); }},
+});
+
+}  // namespace
+
+std::span<const Command> view_commands() { return kViewCommands; }
+
+}  // namespace tact

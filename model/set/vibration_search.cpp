@@ -1,0 +1,65 @@
+#include "model/set/vibration_search.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+std::string in_lower_case(std::string text) {
+    for (char& c : text) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return text;
+}
+
+std::string with_unit(double value, const char* unit) {
+    return significant_digits(value, 4) + unit;
+}
+
+}  // namespace
+
+std::vector<std::string> words_of(const Vibration& vibration) {
+    std::vector<std::string> words;
+    if (vibration.locked) words.emplace_back("locked");
+    if (vibration.dropped) words.emplace_back("dropped");
+    const auto* pattern = std::get_if<Pattern>(&vibration.source);
+    if (pattern == nullptr) {
+        words.emplace_back("measured");
+        return words;
+    }
+    words.push_back(with_unit(pattern->amplitude_g, "g"));
+    for (std::size_t k = 0; k < std::min<std::size_t>(2, pattern->carriers.size()); ++k) {
+        words.push_back(with_unit(pattern->carriers[k].frequency_hz, "hz"));
+    }
+    words.push_back(with_unit(pattern->modulation.frequency_hz, "hz"));
+    words.push_back(with_unit(pattern->duration_s, "s"));
+    words.push_back(pattern->rhythm.text.empty() ? "steady" : in_lower_case(pattern->rhythm.text));
+    return words;
+}
+
+VibrationSearch::VibrationSearch(const std::string& search) : text_(in_lower_case(search)) {
+    std::istringstream stream(text_);
+    for (std::string word; stream >> word;) {
+        const bool is_unit = word == "g" || word == "hz" || word == "s";
+        if (is_unit && !terms_.empty()) {
+            terms_.back() += word;
+        } else {
+            terms_.push_back(word);
+        }
+    }
+}
+
+bool VibrationSearch::finds(const Vibration& vibration) const {
+    if (in_lower_case(vibration.name).find(text_) != std::string::npos) return true;
+    if (terms_.empty()) return false;
+    const std::vector<std::string> words = words_of(vibration);
+    return std::ranges::all_of(terms_, [&words](const std::string& term) {
+        return std::ranges::find(words, term) != words.end();
+    });
+}
+
+}  // namespace tact

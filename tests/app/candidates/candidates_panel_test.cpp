@@ -1,0 +1,190 @@
+// The set as a table: sorting, filtering, many at once, who is picked.
+#include "app/candidates/candidates_panel.h"
+#include "app/candidates/candidate_rows.h"
+#include "app/subset/subset_follow.h"
+#include "model/set/vibration_search.h"
+#include "tests/support/patience.h"
+#include "tests/support/program.h"
+
+namespace candidates_panel_test {
+
+using namespace tact;
+
+namespace {
+
+// 60, 110, 160, 210, 260 Hz; modulation 0, 10, 20, 0, 10 Hz.
+struct Tabled : Program {
+    Tabled() : Program(short_patterns(5)) {
+        app.ui.motion = false;
+        app.layout.bench = BenchTab::candidates;
+        compute_map();
+        settle();
+    }
+    ~Tabled() { stop_jobs(app); }
+
+    std::vector<std::size_t> order() const {
+        std::vector<std::size_t> listed;
+        for (const CandidateRow& row : app.candidates.rows) listed.push_back(row.place);
+        return listed;
+    }
+
+    void search_for(const std::string& text) {
+        app.work.selection.search = text;
+        settle();
+    }
+
+    void wait_for_pick(std::size_t count) {
+        const auto until = end_of_patience();
+        const Selection& selection = app.work.selection;
+        while (selection.picked.size() != count || selection.is_pick_preview) {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            frame();
+        }
+        settle();
+    }
+};
+
+using Places = std::vector<std::size_t>;
+
+}  // namespace
+
+TEST_CASE("candidates: a click on a heading sorts, another turns the order round") {
+    Tabled program;
+    CHECK(program.order() == Places{0, 1, 2, 3, 4});
+    program.click("candidates:by Hz");
+    CHECK(program.order() == Places{0, 1, 2, 3, 4});
+    program.click("candidates:by Hz");
+    CHECK(program.order() == Places{4, 3, 2, 1, 0});
+    program.click("candidates:by mod Hz");
+    CHECK(program.order() == Places{0, 3, 1, 4, 2});  // equal ones as in the set
+    program.click("candidates:by set");
+    CHECK(program.order() == Places{0, 1, 2, 3, 4});
+}
+
+TEST_CASE("candidates: the nearest is the smallest PM of the row, whoever sorts") {
+    Tabled program;
+    const Dissimilarity& pm = program.app.shown_map.transition.shown->prediction.pm;
+    program.click("candidates:by nearest");
+    double last = std::numeric_limits<double>::infinity();
+    for (const CandidateRow& row : program.app.candidates.rows) {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < 5; ++k) {
+            if (k != row.place) least = std::min(least, pm(row.place, k));
+        }
+        CHECK(row.nearest_pm == least);
+        CHECK(least <= last);
+        last = least;
+    }
+}
+
+TEST_CASE("candidates: what is typed finds numbers and rhythms, whole ones alone") {
+    Tabled program;
+    std::get<Pattern>(program.app.work.document.set.vibrations[1].source).rhythm.text = "x--x";
+    document_changed(program.app.work);
+    program.search_for("110 Hz");
+    CHECK(program.order() == Places{1});
+    program.search_for("10Hz");
+    CHECK(program.order() == Places{1, 4});  // the modulation, not 110 or 210
+    program.search_for("X--x");
+    CHECK(program.order() == Places{1});
+    program.search_for("steady 10 hz");
+    CHECK(program.order() == Places{4});
+    program.search_for("p3");
+    CHECK(program.order() == Places{2});
+    program.search_for("nobody");
+    CHECK(program.order().empty());
+}
+
+TEST_CASE("candidates: rows between two, as they are sorted, are locked in one step") {
+    Tabled program;
+    program.click("candidates:by mod Hz");  // 0, 3, 1, 4, 2
+    program.click("candidate:p4");
+    push(program.window.input, {program.window.now_s, KeyChange{key::kLeftShift, true, false, 0}});
+    program.settle();
+    program.click("candidate:p5");
+    push(program.window.input, {program.window.now_s, KeyChange{key::kLeftShift, false, false, 0}});
+    program.settle();
+    CHECK(selected_indices(program.app.work) == Places{1, 3, 4});
+    const PatternSet before = program.app.work.document.set;
+    program.click("candidates:lock");
+    const auto& all = program.app.work.document.set.vibrations;
+    for (std::size_t k = 0; k < all.size(); ++k) CHECK(all[k].locked == (k == 1 || k >= 3));
+    undo(program.app.ui, program.app.work);
+    CHECK(program.app.work.document.set == before);
+}
+
+TEST_CASE("candidates: arrows go through the rows as they are sorted") {
+    Tabled program;
+    program.click("candidates:by mod Hz");  // 0, 3, 1, 4, 2
+    program.click("candidate:p1");
+    program.press_key(key::kDown);
+    CHECK(program.app.work.selection.current == 3);
+    program.press_key(key::kDown);
+    CHECK(program.app.work.selection.current == 1);
+    program.press_key(key::kUp);
+    CHECK(program.app.work.selection.current == 3);
+    program.app.layout.bench = BenchTab::matrix;
+    program.settle();
+    program.press_key(key::kDown);
+    CHECK(program.app.work.selection.current == 4);
+}
+
+TEST_CASE(
+    "candidates: the menu of a row is for all that are selected, of others for the row alone") {
+    Tabled program;
+    program.click("candidate:p2");
+    const auto open_menu = [&program](const std::string& row) {
+        program.window.move(program.at(row).middle());
+        program.window.button(true, 1);
+        program.settle();
+        program.window.button(false, 1);
+        program.settle();
+    };
+    program.app.work.selection.others = {3};
+    open_menu("candidate:p4");
+    program.click("table menu:Drop: never pick it");
+    const auto& all = program.app.work.document.set.vibrations;
+    CHECK(all[1].dropped);
+    CHECK(all[3].dropped);
+    open_menu("candidate:p1");
+    program.click("table menu:Lock: always pick it");
+    CHECK(all[0].locked);
+    CHECK_FALSE(all[1].locked);
+}
+
+TEST_CASE("candidates: who is picked is marked in table and list, and can be all that is shown") {
+    Tabled program;
+    program.app.picking.count = 3;
+    program.wait_for_pick(3);
+    const std::set<std::string> picked = program.app.work.selection.picked;
+    REQUIRE(picked.size() == 3);
+    for (const std::string& name : names_of(program.app.work.document.set)) {
+        CAPTURE(name);
+        CHECK(program.shows("picked:" + name) == picked.contains(name));
+        CHECK(program.at("candidate:" + name).value == (picked.contains(name) ? "picked" : ""));
+    }
+    program.click("candidates:only picked");
+    CHECK(program.app.candidates.rows.size() == 3);
+    CHECK(listed_indices(program.app.work).size() == 3);
+    program.click("button:only picked");
+    CHECK(program.app.candidates.rows.size() == 5);
+}
+
+TEST_CASE("candidates: a narrow table keeps name, numbers and who is picked") {
+    const auto has = [](const std::vector<ColumnSpan>& places, CandidateColumn column) {
+        return std::ranges::find(places, column, &ColumnSpan::column) != places.end();
+    };
+    for (const float width : {300.0F, 420.0F, 560.0F, 900.0F, 1600.0F}) {
+        CAPTURE(width);
+        const auto places = column_places(width, 1.0F);
+        CHECK(has(places, CandidateColumn::name));
+        CHECK(has(places, CandidateColumn::nearest));
+        CHECK(has(places, CandidateColumn::picked));
+        CHECK(places.back().end_px <= width + 25.0F);
+        if (width > 499.0F) CHECK(places.back().end_px > width - 1.0F);
+        CHECK(has(places, CandidateColumn::picture) == (width > 499.0F));
+    }
+}
+
+}  // namespace candidates_panel_test
