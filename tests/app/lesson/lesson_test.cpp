@@ -8,10 +8,11 @@
 #include "app/lesson/lesson_edit.h"
 #include "app/lesson/lesson_question.h"
 #include "app/lesson/presenting.h"
+#include "app/lesson/speaker_notes.h"
 #include "app/window/animation.h"
 #include "app/window/app.h"
 #include "model/io/lesson/lesson_file.h"
-#include "tests/support/program.h"
+#include "tests/support/lesson_class.h"
 #include "tests/support/temporary_folder.h"
 
 namespace lesson_test {
@@ -19,38 +20,6 @@ namespace lesson_test {
 using namespace tact;
 
 namespace {
-
-struct Class : ProgramWithStages {
-    Class() : ProgramWithStages(short_patterns(3)) {}
-
-    LessonState& lesson() { return app.lesson; }
-
-    void begin(const char* path) {
-        start_lesson(hands_of(app), app.lesson, bundled_lesson(path), {});
-        settle();
-    }
-
-    // Until the numbers of the lesson are there.
-    void wait_for_numbers() {
-        const auto until = end_of_patience();
-        while (answers_of(app.lesson) == nullptr || !app.lesson.answered->with_pairs) {
-            REQUIRE(std::chrono::steady_clock::now() < until);
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-            frame();
-        }
-        settle();
-    }
-
-    // The first step that asks something.
-    void go_to_question() {
-        for (std::size_t k = 0; k < app.lesson.lesson->steps.size(); ++k) {
-            if (!app.lesson.lesson->steps[k].question) continue;
-            go_to_step(hands_of(app), app.lesson, k);
-            return settle();
-        }
-        FAIL("the lesson asks nothing");
-    }
-};
 
 bool meet(const Place& a, const Place& b) {
     return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;

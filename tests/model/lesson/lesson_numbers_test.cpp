@@ -272,6 +272,32 @@ TEST_CASE("lessons: what a question is answered with is what the model ranks") {
     }
 }
 
+TEST_CASE("lessons: a pattern is placed next to the one that PM has nearest") {
+    int placed = 0;
+    for (const Lesson& lesson : bundled()) {
+        for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
+            const LessonStep& step = lesson.steps[k];
+            if (!step.question || step.question->kind != QuestionKind::place) continue;
+            ++placed;
+            const QuestionAnswer answer = lesson_answers(lesson).questions[k];
+            const auto prediction = predict(model_waveforms(lesson.set), lesson.set.model);
+            const std::size_t at = place_named(lesson.set, step.pattern).value();
+            REQUIRE(answer.right.size() == 1);
+            CHECK(answer.options.size() == lesson.set.vibrations.size() - 1);
+            const auto pm = [&](const std::string& name) {
+                return prediction->pm(at, place_named(lesson.set, name).value());
+            };
+            for (const std::string& name : answer.options) {
+                CHECK(name != step.pattern);
+                CHECK(pm(answer.options[answer.right[0]]) <= pm(name));
+            }
+            // Before pairs are known, nothing is.
+            CHECK(lesson_answers(lesson, {}, false).questions[k].right.empty());
+        }
+    }
+    CHECK(placed >= 1);
+}
+
 TEST_CASE("lessons: a placeholder that cannot be evaluated is told, with what is missing") {
     const PatternSet set = bundled()[0].set;
     const std::string name = set.vibrations[0].name;
