@@ -248,6 +248,35 @@ TEST_CASE("lesson: the student sheet has every step, every question, the answers
     CHECK(page.find("\u2026") == std::string::npos);
 }
 
+TEST_CASE("lesson: notes stand in a second window where there is a second screen, or by N") {
+    Class program;
+    CHECK_FALSE(wants_notes_window(program.lesson(), true));
+    program.press_key(key::kF1 + 4);
+    program.wait_for_numbers();
+    CHECK(wants_notes_window(program.lesson(), true));
+    CHECK_FALSE(wants_notes_window(program.lesson(), false));
+    program.press('n');
+    CHECK(wants_notes_window(program.lesson(), false));
+    program.lesson().shows_notes = true;  // the window is there
+    program.press('n');
+    CHECK_FALSE(wants_notes_window(program.lesson(), true));
+    // The answer is for who speaks alone, and minutes are counted from where it began.
+    program.go_to_question();
+    const double begun_s = program.lesson().presenting_since_s;
+    const auto notes = speaker_notes(program.lesson(), begun_s + 185.0);
+    REQUIRE(notes);
+    CHECK(notes->minutes == 3);
+    CHECK(notes_wake_s(program.lesson(), begun_s + 185.0) == doctest::Approx(55.0).epsilon(0.001));
+    CHECK_FALSE(notes->answer.empty());
+    CHECK_FALSE(program.shows("lesson:answer"));
+    const SideContent window = notes_window(*notes, true);
+    const Image picture = window.draw(900, 540, 1.0F);
+    CHECK(picture.width == 900);
+    const Image other =
+        notes_window(*speaker_notes(program.lesson(), begun_s), true).draw(900, 540, 1.0F);
+    CHECK(picture != other);  // the minutes
+}
+
 TEST_CASE("lesson: what is told to who speaks has the note and what comes next") {
     Class program;
     program.press_key(key::kF1 + 4);
