@@ -12,7 +12,7 @@ namespace tact {
 namespace {
 
 constexpr double kMinuteS = 60.0;
-constexpr float kNotesText = 1.5F;  // read from a lectern
+constexpr float kNotesText = 2.0F;  // read from a lectern
 
 std::string right_of(const QuestionAnswer& answer, const LessonNumbers& numbers) {
     std::string text;
@@ -68,6 +68,10 @@ std::string speaker_line(const LessonState& state) {
 }
 
 void draw_speaker_notes(const Theme& theme, const SpeakerNotes& notes) {
+    const float edge = 2.0F * theme.padding_px;
+    const ImVec2 all = ImGui::GetWindowSize();
+    ImGui::SetCursorPos({edge, edge});
+    ImGui::BeginChild("notes", {all.x - 2.0F * edge, all.y - 2.0F * edge});
     draw_words(theme, theme.fonts.small, theme.dim_text,
                notes.count + "   " + std::to_string(notes.minutes) + " min");
     draw_words(theme, theme.fonts.semibold, theme.text, notes.title);
@@ -78,6 +82,7 @@ void draw_speaker_notes(const Theme& theme, const SpeakerNotes& notes) {
     }
     draw_words(theme, theme.fonts.regular, theme.dim_text,
                notes.next.empty() ? "The last step." : "Next: " + notes.next);
+    ImGui::EndChild();
 }
 
 bool wants_notes_window(const LessonState& state, bool second_screen) {
