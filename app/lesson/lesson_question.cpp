@@ -28,7 +28,7 @@ void draw_option(Ui& ui, LessonState& state, const QuestionAnswer& answer, std::
     const LessonAnswers* answers = answers_of(state);
     std::string text = std::to_string(k + 1) + "  " + filled(answer.options[k], answers->numbers);
     if (tally.votes[k] > 0) text += "   " + std::to_string(tally.votes[k]);
-    const bool right = tally.revealed && is_right(answer, k);
+    const bool right = (tally.revealed || state.editing) && is_right(answer, k);
     if (right) text += "   \u2713";
     ImGui::PushID(static_cast<int>(k));
     if (right) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.accent);

@@ -89,6 +89,19 @@ void draw_undo(const LessonHands& hands, LessonState& state) {
     }
 }
 
+// A field breaks no lines and shows no numbers; the text as a class will see it.
+void draw_as_shown(Ui& ui, const LessonState& state) {
+    const LessonAnswers* answers = answers_of(state);
+    const LessonStep* step = step_of(state);
+    if (answers == nullptr || step == nullptr || step->text.empty()) return;
+    ImGui::PushFont(ui.theme.fonts.small);
+    dim_text(ui, "As it is shown");
+    ImGui::PopFont();
+    const std::string text = filled(step->text, answers->numbers);
+    wrapped_text(text);
+    note_item(ui.rects, "lesson edit:shown", text);
+}
+
 }  // namespace
 
 bool edit_text(Ui& ui, const char* id, const char* label, int lines, std::string& text) {
@@ -122,6 +135,7 @@ void draw_step_editor(const LessonHands& hands, LessonState& state) {
             change_step(hands, state, step, text.what, true);
         }
     }
+    draw_as_shown(hands.ui, state);
     draw_question_editor(hands, state);
     step = state.lesson->steps[*state.step];
     if (shows_map(step)) draw_camera_row(hands, state, step);

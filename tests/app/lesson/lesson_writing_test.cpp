@@ -52,6 +52,8 @@ TEST_CASE("writing a lesson: a question with its options and the right one, open
     program.click("lesson edit:right:2");
     CHECK(program.step().question->ask == "Which?");
     CHECK(program.step().question->answer == 1);
+    program.wait_for_numbers();
+    CHECK(program.at("option:2").value == "0 right");
     save_lesson(program.app.ui, program.app.work, program.lesson(), file);
     CHECK_FALSE(program.app.ui.status.is_error);
     const auto again = read_lesson_file(file);

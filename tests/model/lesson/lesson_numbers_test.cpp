@@ -238,6 +238,41 @@ TEST_CASE("lessons: no number is typed that the model could give") {
     }
 }
 
+TEST_CASE("lessons: how slow a step is said to be is how slow it is, and no count is spelt out") {
+    const auto says = [](const std::string& text, const std::string& word) {
+        const auto is_letter = [](char c) { return (c | 32) >= 'a' && (c | 32) <= 'z'; };
+        for (std::size_t at = text.find(word); at != std::string::npos;
+             at = text.find(word, at + 1)) {
+            const std::size_t end = at + word.size();
+            const bool begins = at == 0 || !is_letter(text[at - 1]);
+            if (begins && (end == text.size() || !is_letter(text[end]))) return true;
+        }
+        return false;
+    };
+    int slow = 0;
+    for (const Lesson& lesson : bundled()) {
+        for (const LessonStep& step : lesson.steps) {
+            CAPTURE(step.title);
+            for (const std::string& text : texts_of(step)) {
+                const bool tenth = text.find("ten times slower") != std::string::npos;
+                const bool hundredth = text.find("hundred times slower") != std::string::npos;
+                if (tenth) CHECK(step.speed == 0.1);
+                if (hundredth) CHECK(step.speed == 0.01);
+                slow += tenth || hundredth ? 1 : 0;
+                // Two, three and four are what is on screen; more is what a model counts.
+                for (const char* word : {"five", "six", "seven", "eight", "nine", "eleven",
+                                         "twenty", "thirty", "forty", "fifty", "thousand"}) {
+                    CHECK_FALSE(says(text, word));
+                }
+                if (says(text, "twelve")) CHECK(lesson.set.vibrations.size() == 12);
+                if (says(text, "hundred")) CHECK(hundredth);
+                if (says(text, "ten")) CHECK(tenth);
+            }
+        }
+    }
+    CHECK(slow >= 2);
+}
+
 TEST_CASE("lessons: every step of a bundled lesson says where its facts are from") {
     for (const Lesson& lesson : bundled()) {
         for (const LessonStep& step : lesson.steps) {
