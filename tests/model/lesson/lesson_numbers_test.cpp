@@ -307,6 +307,18 @@ TEST_CASE("lessons: what a question is answered with is what the model ranks") {
     }
 }
 
+TEST_CASE("lessons: some of what can be chosen is wrong, and some right") {
+    for (const Lesson& lesson : bundled()) {
+        const LessonAnswers answers = lesson_answers(lesson);
+        for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
+            if (!lesson.steps[k].question) continue;
+            CAPTURE(lesson.steps[k].question->ask);
+            CHECK(answers.questions[k].right.size() >= 1);
+            CHECK(answers.questions[k].right.size() < answers.questions[k].options.size());
+        }
+    }
+}
+
 TEST_CASE("lessons: a pattern is placed next to the one that PM has nearest") {
     int placed = 0;
     for (const Lesson& lesson : bundled()) {
