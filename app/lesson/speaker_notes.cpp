@@ -73,7 +73,7 @@ void draw_speaker_notes(const Theme& theme, const SpeakerNotes& notes) {
     ImGui::SetCursorPos({edge, edge});
     ImGui::BeginChild("notes", {all.x - 2.0F * edge, all.y - 2.0F * edge});
     draw_words(theme, theme.fonts.small, theme.dim_text,
-               notes.count + "   " + std::to_string(notes.minutes) + " min");
+               notes.count + " \u00b7 " + std::to_string(notes.minutes) + " min");
     draw_words(theme, theme.fonts.semibold, theme.text, notes.title);
     draw_words(theme, theme.fonts.regular, theme.text,
                notes.note.empty() ? "No note for this step." : notes.note);
