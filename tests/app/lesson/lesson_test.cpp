@@ -145,7 +145,9 @@ TEST_CASE("lesson: the card stands beside what it points at, whatever the size a
         ImVec2 size;
         float scale;
     };
-    for (const char* path : {kTourLesson, kBundledLessons[4].path}) {
+    std::vector<const char*> paths{kTourLesson};
+    for (const BundledLesson& lesson : kBundledLessons) paths.push_back(lesson.path);
+    for (const char* path : paths) {
         Class program;
         program.begin(path);
         toggle_presenting(hands_of(program.app), program.lesson());
