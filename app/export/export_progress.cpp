@@ -47,7 +47,8 @@ void draw_export_progress(Ui& ui, ExportState& exports) {
         ImGui::ProgressBar(share, {240.0F * theme.scale, 6.0F * theme.scale}, "");
         cancelled = ImGui::Button("Cancel export");
         note_item(ui.rects, "button:cancel export");
-        draw_tooltip(ui, "Keeps the frames that are drawn (Esc)");
+        draw_tooltip(ui, running.film ? "No file is written (Esc)"
+                                      : "Keeps the frames that are drawn (Esc)");
     }
     ImGui::End();
     ImGui::PopStyleColor();

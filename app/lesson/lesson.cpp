@@ -75,6 +75,15 @@ void arrange(const LessonHands& hands, const LessonState& state, const LessonSte
     if (layout.maximised) layout.maximised = map ? Pane::space : Pane::physiology;
 }
 
+// A place is asked for in a flat map.
+void lay_map(const LessonHands& hands, const LessonState& state, const LessonStep& step) {
+    const bool flat = step.question && step.question->kind == QuestionKind::place;
+    const int wanted = flat ? 2 : state.before.dimensions;
+    if (!shows_map(step) || hands.shown_map.dimensions == wanted) return;
+    hands.shown_map.dimensions = wanted;
+    document_changed(hands.work);
+}
+
 }  // namespace
 
 ViewBeforeLesson view_of(const LessonHands& hands) {
@@ -85,7 +94,8 @@ ViewBeforeLesson view_of(const LessonHands& hands) {
             hands.timeline.range,
             hands.physiology.view.open,
             hands.shown_map.camera,
-            hands.ui.text_scale};
+            hands.ui.text_scale,
+            hands.shown_map.dimensions};
 }
 
 std::shared_ptr<const Lesson> bundled_lesson(const char* path) {
@@ -117,6 +127,7 @@ void go_to_step(const LessonHands& hands, LessonState& state, std::size_t to) {
     const bool moves = step.speed > 0.0;
     hands.timeline.playhead = {
         .at_s = step.at_s, .speed = moves ? step.speed : 0.1, .playing = moves, .loop = true};
+    if (!state.editing) lay_map(hands, state, step);
     if (step.camera) {
         hands.shown_map.camera.yaw_rad = step.camera->yaw_rad;
         hands.shown_map.camera.pitch_rad = step.camera->pitch_rad;
@@ -133,6 +144,7 @@ void start_lesson(const LessonHands& hands, LessonState& state,
     state.path = path;
     state.is_tour = false;
     state.editing = false;
+    state.history.clear();
     state.tallies.assign(state.lesson->steps.size(), {});
     if (state.job) state.job->submit({state.lesson});
     go_to_step(hands, state, 0);
@@ -160,8 +172,11 @@ void leave_lesson(const LessonHands& hands, LessonState& state) {
     if (state.presenting) state.present_scale = hands.ui.text_scale;
     state.step.reset();
     state.presenting = state.blank = state.editing = false;
-    bring_back(hands, state);
     const ViewBeforeLesson& before = state.before;
+    const bool relaid =
+        std::exchange(hands.shown_map.dimensions, before.dimensions) != before.dimensions;
+    if (relaid && !state.aside) document_changed(hands.work);
+    bring_back(hands, state);
     hands.layout = before.layout;
     if (before.current < hands.work.document.set.vibrations.size())
         hands.work.selection.current = before.current;
@@ -201,40 +216,10 @@ void follow_renaming(LessonState& state, const Renaming& renaming) {
         follow(renaming, step.partner);
     }
     if (!(lesson == *state.lesson)) {
+        state.history.clear();  // its steps have the names as they were
         state.lesson = std::make_shared<const Lesson>(std::move(lesson));
         if (state.job) state.job->submit({state.lesson});
     }
-}
-
-void make_lesson_job(const Ui& ui, LessonState& state) {
-    state.job = std::make_unique<LessonJob>(
-        JobPolicy::supersede,
-        [](const LessonAsked& asked, std::stop_token stop,
-           std::atomic<float>& progress) -> std::optional<LessonAnswered> {
-            LessonAnswered answered{asked.lesson, asked.with_pairs,
-                                    lesson_answers(*asked.lesson, stop, asked.with_pairs)};
-            progress = 1.0F;
-            if (stop.stop_requested()) return std::nullopt;
-            return answered;
-        },
-        ui.wake);
-    if (state.step && state.lesson) state.job->submit({state.lesson});
-}
-
-void follow_lesson(LessonState& state) {
-    if (!state.job) return;
-    auto answered = state.job->latest();
-    if (!answered || answered == state.answered) return;
-    state.answered = std::move(answered);
-    if (!state.answered->with_pairs && state.answered->of == state.lesson) {
-        state.job->submit({state.lesson, true});
-    }
-}
-
-// Numbers of a lesson that is being edited stay until the new ones are there.
-const LessonAnswers* answers_of(const LessonState& state) {
-    if (!state.answered || (state.answered->of != state.lesson && !state.editing)) return nullptr;
-    return &state.answered->answers;
 }
 
 }  // namespace tact

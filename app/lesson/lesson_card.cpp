@@ -4,8 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/lesson/lesson_edit.h"
+#include "app/lesson/lesson_place.h"
 #include "app/lesson/lesson_question.h"
+#include "app/lesson/step_editor.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -164,7 +165,7 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
             wrapped_text(text_in(state, step.text));
             note_item(ui.rects, "lesson:text", text_in(state, step.text));
         }
-        if (step.question) draw_lesson_question(ui, state, *step.question);
+        if (step.question) draw_lesson_question(hands, state, *step.question);
         draw_source(ui, state, step);
         draw_way(hands, state);
         char count[32];
@@ -202,6 +203,7 @@ void draw_pointed(const Ui& ui, const Rect& within) {
 void step_on(const LessonHands& hands, LessonState& state) {
     if (!state.step) return;
     if (hides_answer(state)) {
+        count_place(state, hands.shown_map);
         state.tallies[*state.step].revealed = true;
         return;
     }

@@ -1,13 +1,10 @@
 #include "app/lesson/lesson_edit.h"
 
-#include <imgui_stdlib.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "app/document/editing.h"
 #include "app/ui/file_question.h"
-#include "app/ui/widgets.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/text/file_stem.h"
 
@@ -15,70 +12,56 @@ namespace tact {
 
 namespace {
 
-void change_lesson(LessonState& state, Lesson lesson) {
+void keep(LessonState& state, Lesson lesson) {
     state.lesson = std::make_shared<const Lesson>(std::move(lesson));
     state.tallies.resize(state.lesson->steps.size());
     if (state.job) state.job->submit({state.lesson});
 }
 
-void change_step(LessonState& state, const LessonStep& step) {
-    Lesson lesson = *state.lesson;
-    lesson.steps[*state.step] = step;
-    change_lesson(state, std::move(lesson));
-}
-
-// What of a text the model cannot give; empty: all is well.
-std::string fault_in(const LessonStep& step, const PatternSet& set) {
-    for (const std::string& text : texts_of(step)) {
-        for (const std::string& placeholder : placeholders_in(text)) {
-            const std::string fault = placeholder_fault(placeholder, set);
-            if (!fault.empty()) return "{" + placeholder + "}: " + fault + ".";
-        }
-    }
-    return {};
-}
-
-bool edit_text(Ui& ui, const char* id, const char* label, int lines, std::string& text) {
-    ImGui::PushFont(ui.theme.fonts.small);
-    dim_text(ui, label);
-    ImGui::PopFont();
-    const float height = (static_cast<float>(lines) + 0.6F) * ImGui::GetTextLineHeight();
-    ImGui::InputTextMultiline(id, &text, {-1.0F, height});
-    const bool changed = ImGui::IsItemEdited();
-    note_item(ui.rects, std::string("lesson edit:") + (id + 2), text);
-    return changed;
-}
-
-void draw_step_buttons(const LessonHands& hands, LessonState& state) {
-    struct Action {
-        const char* label;
-        const char* id;
-        bool possible;
-        void (*act)(const LessonHands&, LessonState&);
-    };
-    const std::size_t at = *state.step;
-    const std::size_t count = state.lesson->steps.size();
-    const std::array<Action, 4> actions{
-        {{"Add step from screen", "add", count < limits::kMaxSteps, add_step},
-         {"Up", "up", at > 0, [](const LessonHands& h, LessonState& s) { move_step(h, s, -1); }},
-         {"Down", "down", at + 1 < count,
-          [](const LessonHands& h, LessonState& s) { move_step(h, s, 1); }},
-         {"Remove step", "remove", count > 1, remove_step}}};
-    bool first = true;
-    for (const Action& action : actions) {
-        if (!std::exchange(first, false)) {
-            flow_on(button_width(action.label), hands.ui.theme.gap_px);
-        }
-        ImGui::BeginDisabled(!action.possible);
-        if (ImGui::Button(action.label)) {
-            hands.ui.waiting.emplace_back([hands, &state, act = action.act] { act(hands, state); });
-        }
-        ImGui::EndDisabled();
-        note_item(hands.ui.rects, std::string("lesson edit:") + action.id);
-    }
+void show_kept(const LessonHands& hands, LessonState& state, std::shared_ptr<const Lesson> kept) {
+    if (!kept || !state.step) return;
+    state.lesson = std::move(kept);
+    state.tallies.resize(state.lesson->steps.size());
+    state.edited_at = hands.work.revision;
+    if (state.job) state.job->submit({state.lesson});
+    go_to_step(hands, state, *state.step);
 }
 
 }  // namespace
+
+void change_lesson(const LessonHands& hands, LessonState& state, Lesson lesson,
+                   const std::string& what, bool joins) {
+    const auto before = state.lesson;
+    keep(state, std::move(lesson));
+    const std::string* last = state.history.undo_label();
+    // Letters of one text are one step of undo.
+    if (joins && last != nullptr && *last == what) {
+        state.history.join(before, state.lesson, what);
+    } else {
+        state.history.commit(before, state.lesson, what);
+    }
+    state.edited_at = hands.work.revision;
+}
+
+void change_step(const LessonHands& hands, LessonState& state, const LessonStep& step,
+                 const std::string& what, bool joins) {
+    Lesson lesson = *state.lesson;
+    lesson.steps[*state.step] = step;
+    change_lesson(hands, state, std::move(lesson),
+                  what + " of step " + std::to_string(*state.step + 1), joins);
+}
+
+void undo_lesson(const LessonHands& hands, LessonState& state) {
+    show_kept(hands, state, state.history.undo());
+}
+
+void redo_lesson(const LessonHands& hands, LessonState& state) {
+    show_kept(hands, state, state.history.redo());
+}
+
+bool was_lesson_edited_last(const Workspace& work, const LessonState& state) {
+    return state.editing && state.edited_at == work.revision;
+}
 
 LessonStep step_from_screen(const LessonHands& hands) {
     LessonStep step;
@@ -112,7 +95,8 @@ void new_lesson(const LessonHands& hands, LessonState& state) {
     state.path.clear();
     state.is_tour = false;
     state.editing = true;
-    change_lesson(state, std::move(lesson));
+    state.history.clear();
+    keep(state, std::move(lesson));
     state.step = 0;
 }
 
@@ -128,7 +112,7 @@ void add_step(const LessonHands& hands, LessonState& state) {
     Lesson lesson = *state.lesson;
     const auto behind = static_cast<std::ptrdiff_t>(*state.step + 1);
     lesson.steps.insert(lesson.steps.begin() + behind, step_from_screen(hands));
-    change_lesson(state, std::move(lesson));
+    change_lesson(hands, state, std::move(lesson), "Add step");
     state.editing = true;
     ++*state.step;
 }
@@ -137,8 +121,30 @@ void remove_step(const LessonHands& hands, LessonState& state) {
     if (!state.step || state.lesson->steps.size() < 2) return;
     Lesson lesson = *state.lesson;
     lesson.steps.erase(lesson.steps.begin() + static_cast<std::ptrdiff_t>(*state.step));
-    change_lesson(state, std::move(lesson));
+    change_lesson(hands, state, std::move(lesson), "Remove step");
     go_to_step(hands, state, *state.step);
+}
+
+void show_screen(const LessonHands& hands, LessonState& state) {
+    if (!state.step) return;
+    LessonStep step = step_from_screen(hands);
+    const LessonStep& was = state.lesson->steps[*state.step];
+    step.title = was.title;
+    step.text = was.text;
+    step.note = was.note;
+    step.source = was.source;
+    step.point_at = was.point_at;
+    step.question = was.question;
+    change_step(hands, state, step, "View");
+}
+
+void take_camera(const LessonHands& hands, LessonState& state, bool taken) {
+    if (!state.step) return;
+    LessonStep step = state.lesson->steps[*state.step];
+    const SpaceCamera& camera = hands.shown_map.camera;
+    step.camera.reset();
+    if (taken) step.camera = LessonCamera{camera.yaw_rad, camera.pitch_rad, camera.zoom};
+    change_step(hands, state, step, "Camera");
 }
 
 void move_step(const LessonHands& hands, LessonState& state, int by) {
@@ -147,28 +153,18 @@ void move_step(const LessonHands& hands, LessonState& state, int by) {
     if (to < 0 || to >= std::ssize(state.lesson->steps)) return;
     Lesson lesson = *state.lesson;
     std::swap(lesson.steps[*state.step], lesson.steps[static_cast<std::size_t>(to)]);
-    change_lesson(state, std::move(lesson));
+    change_lesson(hands, state, std::move(lesson), "Move step");
     go_to_step(hands, state, static_cast<std::size_t>(to));
-}
-
-void draw_step_editor(const LessonHands& hands, LessonState& state) {
-    LessonStep step = state.lesson->steps[*state.step];
-    bool changed = edit_text(hands.ui, "##title", "Title", 1, step.title);
-    changed |=
-        edit_text(hands.ui, "##text", "Text; numbers of the model in braces, such as {nc | A | B}",
-                  6, step.text);
-    changed |= edit_text(hands.ui, "##note", "Note for who speaks", 2, step.note);
-    if (changed) change_step(state, step);
-    const std::string fault = fault_in(step, hands.work.document.set);
-    if (!fault.empty()) {
-        coloured_text(hands.ui.theme.error, fault);
-        note_item(hands.ui.rects, "lesson edit:fault", fault);
-    }
-    draw_step_buttons(hands, state);
 }
 
 Lesson lesson_to_save(const Workspace& work, const LessonState& state) {
     Lesson lesson = *state.lesson;
+    for (LessonStep& step : lesson.steps) {  // a line that was begun is no option yet
+        while (step.question && !step.question->options.empty() &&
+               step.question->options.back().empty()) {
+            step.question->options.pop_back();
+        }
+    }
     if (lesson.set == work.document.set) return lesson;
     lesson.set = work.document.set;
     lesson.set_name.clear();

@@ -1,11 +1,11 @@
 // Writing a lesson in the program: steps made of what is on screen, their texts and order.
 //
 // Output    the lesson as a new value; nothing of it is on the disk before it is saved
-// Left out  undo of what was written; questions and pictures of the map's camera are edited in the
-//           file
+// Left out  its fields (step_editor.h, question_editor.h)
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "app/lesson/lesson.h"
 
@@ -19,13 +19,26 @@ void new_lesson(const LessonHands& hands, LessonState& state);
 
 void toggle_editing(const LessonHands& hands, LessonState& state);
 
+// A step of undo; with `joins` it is one with the last, where that was called the same.
+void change_lesson(const LessonHands& hands, LessonState& state, Lesson lesson,
+                   const std::string& what, bool joins = false);
+void change_step(const LessonHands& hands, LessonState& state, const LessonStep& step,
+                 const std::string& what, bool joins = false);
+
+void undo_lesson(const LessonHands& hands, LessonState& state);
+void redo_lesson(const LessonHands& hands, LessonState& state);
+
+// Ctrl+Z is the lesson's until the document was changed.
+bool was_lesson_edited_last(const Workspace& work, const LessonState& state);
+
+// Pattern, partner, stage, times and camera of the step under way, as they are on screen.
+void show_screen(const LessonHands& hands, LessonState& state);
+void take_camera(const LessonHands& hands, LessonState& state, bool taken);
+
 // Behind the step under way, which it becomes.
 void add_step(const LessonHands& hands, LessonState& state);
 void remove_step(const LessonHands& hands, LessonState& state);
 void move_step(const LessonHands& hands, LessonState& state, int by);
-
-// The texts of the step under way, and what to do with it.
-void draw_step_editor(const LessonHands& hands, LessonState& state);
 
 // With its set as it is now.
 Lesson lesson_to_save(const Workspace& work, const LessonState& state);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+#include "app/lesson/lesson_place.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 
@@ -27,7 +28,7 @@ void draw_option(Ui& ui, LessonState& state, const QuestionAnswer& answer, std::
     const LessonAnswers* answers = answers_of(state);
     std::string text = std::to_string(k + 1) + "  " + filled(answer.options[k], answers->numbers);
     if (tally.votes[k] > 0) text += "   " + std::to_string(tally.votes[k]);
-    const bool right = tally.revealed && is_right(answer, k);
+    const bool right = (tally.revealed || state.editing) && is_right(answer, k);
     if (right) text += "   \u2713";
     ImGui::PushID(static_cast<int>(k));
     if (right) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.accent);
@@ -41,10 +42,10 @@ void draw_option(Ui& ui, LessonState& state, const QuestionAnswer& answer, std::
 }
 
 void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& question,
-                 const QuestionAnswer& answer) {
+                 const QuestionAnswer& answer, const std::string& place) {
     const LessonAnswers* answers = answers_of(state);
     std::string text = filled(question.reveal, answers->numbers);
-    for (const std::string& more : {answer.model, answer.people}) {
+    for (const std::string& more : {place, answer.model, answer.people}) {
         if (!more.empty()) text += (text.empty() ? "" : " ") + more;
     }
     const LessonScore score = score_of(state);
@@ -61,6 +62,14 @@ void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& questio
     note_item(ui.rects, "lesson:answer", text);
 }
 
+void draw_small(const Ui& ui, const char* text) {
+    ImGui::PushFont(ui.theme.fonts.small);
+    ImGui::PushTextWrapPos(0.0F);
+    dim_text(ui, text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
 }  // namespace
 
 bool hides_answer(const LessonState& state) {
@@ -69,7 +78,9 @@ bool hides_answer(const LessonState& state) {
            *state.step < state.tallies.size() && !state.tallies[*state.step].revealed;
 }
 
-void draw_lesson_question(Ui& ui, LessonState& state, const LessonQuestion& question) {
+void draw_lesson_question(const LessonHands& hands, LessonState& state,
+                          const LessonQuestion& question) {
+    Ui& ui = hands.ui;
     const LessonAnswers* answers = answers_of(state);
     const QuestionAnswer* answer = answer_at(state, *state.step);
     ImGui::Spacing();
@@ -78,16 +89,15 @@ void draw_lesson_question(Ui& ui, LessonState& state, const LessonQuestion& ques
     wrapped_text(filled(question.ask, answers == nullptr ? none : answers->numbers));
     ImGui::PopFont();
     if (answer == nullptr) return dim_text(ui, "The model is on its way.");
-    for (std::size_t k = 0; k < answer->options.size(); ++k) draw_option(ui, state, *answer, k);
-    if (state.tallies[*state.step].revealed || state.editing) {
-        draw_answer(ui, state, question, *answer);
-    } else {
-        ImGui::PushFont(ui.theme.fonts.small);
-        ImGui::PushTextWrapPos(0.0F);
-        dim_text(ui, "Number keys count hands; the next step forward reveals.");
-        ImGui::PopTextWrapPos();
-        ImGui::PopFont();
+    const bool hidden = hides_answer(state);
+    if (hidden && question.kind == QuestionKind::place) {
+        draw_small(ui,
+                   "Click in the map where it belongs, or move the cross with Shift and the "
+                   "arrows. Or say next to which it lies:");
     }
+    for (std::size_t k = 0; k < answer->options.size(); ++k) draw_option(ui, state, *answer, k);
+    if (hidden) return draw_small(ui, "Number keys count hands; the next step forward reveals.");
+    draw_answer(ui, state, question, *answer, place_text(state, hands.shown_map));
 }
 
 bool vote(LessonState& state, std::size_t option) {
@@ -104,8 +114,10 @@ LessonScore score_of(const LessonState& state) {
         const Tally& tally = state.tallies[k];
         const QuestionAnswer* answer = answer_at(state, k);
         const auto most = std::ranges::max_element(tally.votes);
-        if (!tally.revealed || answer == nullptr || *most == 0) continue;
+        if (!tally.revealed || answer == nullptr) continue;
+        if (*most == 0 && !tally.place) continue;
         ++score.asked;
+        if (*most == 0) continue;  // put next to none that could be chosen
         const auto option = static_cast<std::size_t>(most - tally.votes.begin());
         if (is_right(*answer, option)) ++score.right;
     }

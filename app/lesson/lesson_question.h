@@ -10,7 +10,8 @@ namespace tact {
 // The step asks something, and the answer is not on screen yet.
 bool hides_answer(const LessonState& state);
 
-void draw_lesson_question(Ui& ui, LessonState& state, const LessonQuestion& question);
+void draw_lesson_question(const LessonHands& hands, LessonState& state,
+                          const LessonQuestion& question);
 
 // A vote for an option, from 0; too late once the answer is seen. False: there is none such.
 bool vote(LessonState& state, std::size_t option);

@@ -18,7 +18,11 @@ QuestionAnswer answer_of_step(const LessonSheet& sheet, std::size_t k) {
 
 std::string question_html(const LessonSheet& sheet, std::size_t k) {
     const LessonQuestion& question = *sheet.lesson.steps[k].question;
-    std::string html = "<div class=\"question\">" + paragraph(sheet, question.ask) + "<ul>\n";
+    std::string html = "<div class=\"question\">" + paragraph(sheet, question.ask);
+    if (question.kind == QuestionKind::place) {
+        html += "<p>Mark the place in the map. Next to which does it lie?</p>\n";
+    }
+    html += "<ul>\n";
     for (const std::string& option : answer_of_step(sheet, k).options) {
         html += "<li>\u2610 " + html_escaped(filled(option, sheet.answers.numbers)) + "</li>\n";
     }

@@ -30,6 +30,7 @@ struct ViewBeforeLesson {
     std::optional<Stage> open;
     SpaceCamera camera;
     float text_scale = 1.0F;
+    int dimensions = 3;  // of the map
 };
 
 // The person's own document while a lesson shows its set in the place of it.
@@ -42,9 +43,12 @@ struct SetAside {
     Side side = Side::both;
 };
 
+using MapPlace = std::array<double, 2>;  // in a flat map
+
 // What a class said to a step's question.
 struct Tally {
     std::array<int, limits::kMaxOptions> votes{};
+    std::optional<MapPlace> place{};  // where the pattern was put
     bool revealed = false;
 
     bool operator==(const Tally&) const = default;
@@ -84,6 +88,8 @@ struct LessonState {
     bool presenting = false;
     bool blank = false;
     bool editing = false;
+    History<Lesson> history{};    // of what was written
+    std::uint64_t edited_at = 0;  // the document's revision then
     bool shows_source = false;
     DockSide dock = DockSide::right;
     float card_share = 0.27F;                 // of the window's width, or of its height
@@ -91,6 +97,9 @@ struct LessonState {
     std::filesystem::path sheet_to;           // a student sheet is wanted there ...
     std::vector<std::string> sheet_pictures;  // ... and these of its steps are drawn
     std::string told;                         // to who speaks, last
+    double presenting_since_s = 0.0;          // by the program's clock
+    std::optional<bool> notes_wanted;  // in a second window; none: where there is a second screen
+    bool shows_notes = false;          // there, now
 };
 
 }  // namespace tact

@@ -4,7 +4,10 @@
 
 #include "app/document/editing.h"
 #include "app/lesson/lesson_card.h"
+#include "app/lesson/lesson_edit.h"
+#include "app/lesson/lesson_place.h"
 #include "app/lesson/lesson_question.h"
+#include "app/lesson/speaker_notes.h"
 #include "viz/drawing/colour.h"
 
 namespace tact {
@@ -44,6 +47,8 @@ bool take_presenting_key(const LessonHands& hands, LessonState& state, const Key
         state.blank = true;
     } else if (press.sign == 'm') {
         move_card(state);
+    } else if (press.sign == 'n') {
+        toggle_notes(state);
     } else if (press.sign == 'p') {
         hands.timeline.playhead.playing = !hands.timeline.playhead.playing;
     } else {
@@ -57,9 +62,30 @@ bool take_vote(LessonState& state, const KeyPress& press) {
     return vote(state, static_cast<std::size_t>(press.sign - U'1'));
 }
 
+// Order of the steps, and undo of what was written last.
+bool take_editing_key(const LessonHands& hands, LessonState& state, const KeyPress& press) {
+    const bool moves = press.alt && !press.ctrl && !press.super;
+    if (moves && (press.code == key::kPageUp || press.code == key::kPageDown)) {
+        move_step(hands, state, press.code == key::kPageUp ? -1 : 1);
+        return true;
+    }
+    if (!press.ctrl || press.alt || !was_lesson_edited_last(hands.work, state)) return false;
+    const bool redoes = press.sign == 'y' || (press.sign == 'z' && press.shift);
+    const bool undoes = press.sign == 'z' && !press.shift;
+    const std::string* label = undoes   ? state.history.undo_label()
+                               : redoes ? state.history.redo_label()
+                                        : nullptr;
+    if (label == nullptr) return false;
+    undoes ? undo_lesson(hands, state) : redo_lesson(hands, state);
+    return true;
+}
+
 bool take_key(const LessonHands& hands, LessonState& state, const KeyPress& press) {
-    if (!state.step || !is_plain(press)) return false;
+    if (!state.step) return false;
+    if (state.editing && take_editing_key(hands, state, press)) return true;
+    if (!is_plain(press)) return false;
     if (take_vote(state, press)) return true;
+    if (nudge_place(state, hands.shown_map, press)) return true;
     if (state.presenting) return take_presenting_key(hands, state, press);
     if (press.code == key::kPageDown) {
         step_on(hands, state);
@@ -90,6 +116,7 @@ void toggle_presenting(const LessonHands& hands, LessonState& state) {
         }
     }
     state.presenting = true;
+    state.presenting_since_s = hands.ui.time_s;
     state.editing = false;
     go_to_step(hands, state, *state.step);
     set_text_scale(hands.ui, state.present_scale);
@@ -120,22 +147,6 @@ void draw_over_presentation(Ui& ui, const LessonState& state) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     list.AddCircleFilled(mouse, 16.0F * ui.theme.scale, faded(ui.theme.accent, 0.25F), 32);
     list.AddCircle(mouse, 16.0F * ui.theme.scale, ui.theme.accent, 32, 2.0F * ui.theme.scale);
-}
-
-std::string speaker_line(const LessonState& state) {
-    const LessonStep* step = step_of(state);
-    if (step == nullptr || !state.presenting) return {};
-    const LessonAnswers* answers = answers_of(state);
-    const LessonNumbers none;
-    const LessonNumbers& numbers = answers == nullptr ? none : answers->numbers;
-    const std::size_t at = *state.step;
-    std::string line = std::to_string(at + 1) + "/" + std::to_string(state.lesson->steps.size()) +
-                       "  " + filled(step->note.empty() ? step->title : step->note, numbers);
-    if (at + 1 < state.lesson->steps.size()) {
-        line += "  | next: " + filled(state.lesson->steps[at + 1].title, numbers);
-    }
-    std::ranges::replace(line, '\n', ' ');
-    return line;
 }
 
 }  // namespace tact

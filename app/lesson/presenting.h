@@ -2,8 +2,9 @@
 // pointer that is seen, and notes for who speaks.
 //
 // Input     Page Up, Page Down, arrows, Enter, Space, Backspace, Home, End; B or full stop blanks;
-//           P plays or halts; M moves the card; number keys vote; Esc and F5 leave
-// Left out  a window of its own for notes on a second screen: they are on the terminal's first line
+//           P plays or halts; M moves the card; N shows the speaker's notes in a second window;
+//           number keys vote; Esc and F5 leave
+// Left out  the notes (speaker_notes.h)
 #pragma once
 
 #include <span>
@@ -27,8 +28,5 @@ std::vector<KeyPress> take_lesson_keys(const LessonHands& hands, LessonState& st
 
 // Over everything: the screen black, and a ring around the mouse while it moves.
 void draw_over_presentation(Ui& ui, const LessonState& state);
-
-// What the person who speaks sees: the step's note, with its numbers, and what comes next.
-std::string speaker_line(const LessonState& state);
 
 }  // namespace tact

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string_view>
-#include <unordered_map>
 #include <utility>
 
 #include "app/document/shown_side.h"
-#include "model/map/procrustes.h"
+#include "app/map/map_turn.h"
+#include "app/map/unshifted_map.h"
 
 namespace tact {
 
@@ -16,93 +14,6 @@ namespace {
 
 constexpr double kEaseS = 0.18;
 constexpr double kGhostS = 1.6;
-
-// Rows of the vibrations that two maps have in common, by name.
-struct Common {
-    std::vector<Eigen::Index> here;
-    std::vector<Eigen::Index> there;
-};
-
-Common common_rows(const LiveMap& map, const LiveMap& earlier) {
-    std::unordered_map<std::string_view, Eigen::Index> places;
-    const auto& before = earlier.request.set->vibrations;
-    for (std::size_t k = 0; k < before.size(); ++k) {
-        places.emplace(before[k].name, static_cast<Eigen::Index>(k));
-    }
-    Common common;
-    const auto& now = map.request.set->vibrations;
-    for (std::size_t k = 0; k < now.size(); ++k) {
-        const auto found = places.find(now[k].name);
-        if (found == places.end()) continue;
-        common.here.push_back(static_cast<Eigen::Index>(k));
-        common.there.push_back(found->second);
-    }
-    return common;
-}
-
-Eigen::MatrixXd picked(const Eigen::MatrixXd& points, const std::vector<Eigen::Index>& rows) {
-    Eigen::MatrixXd result(static_cast<Eigen::Index>(rows.size()), points.cols());
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        result.row(static_cast<Eigen::Index>(k)) = points.row(rows[k]);
-    }
-    return result;
-}
-
-// As it was saved with the set: rows of this map, and where those were.
-struct SavedPlaces {
-    std::vector<Eigen::Index> rows;
-    Eigen::MatrixXd points;
-};
-
-SavedPlaces saved_places(const LiveMap& map, const MapPlaces& kept) {
-    const auto& saved = kept.at;
-    const auto columns = static_cast<std::size_t>(map.space.points.cols());
-    SavedPlaces places;
-    std::vector<const std::vector<double>*> found;
-    const auto& now = map.request.set->vibrations;
-    for (std::size_t k = 0; k < now.size(); ++k) {
-        const auto at = saved.find(now[k].name);
-        if (at == saved.end() || at->second.size() != columns) continue;
-        places.rows.push_back(static_cast<Eigen::Index>(k));
-        found.push_back(&at->second);
-    }
-    places.points.resize(static_cast<Eigen::Index>(found.size()), map.space.points.cols());
-    for (std::size_t k = 0; k < found.size(); ++k) {
-        for (std::size_t d = 0; d < columns; ++d) {
-            places.points(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(d)) =
-                (*found[k])[d];
-        }
-    }
-    return places;
-}
-
-Eigen::MatrixXd turned_onto(const Eigen::MatrixXd& points, const std::vector<Eigen::Index>& rows,
-                            const Eigen::MatrixXd& target) {
-    return transformed(procrustes(picked(points, rows), target, false), points);
-}
-
-// Fewer points in common tell no turn.
-bool tells_turn(std::size_t common, Eigen::Index dimensions) {
-    return common >= static_cast<std::size_t>(dimensions) + 1;
-}
-
-// Onto the last exact map; before there is one of this document, onto how it was saved, else onto
-// the preview on screen.
-Eigen::MatrixXd aligned_to_anchor(const MapTransition& map, const LiveMap& fresh) {
-    const Eigen::MatrixXd& points = fresh.space.points;
-    if (map.anchor && map.anchor_points.cols() == points.cols()) {
-        const Common common = common_rows(fresh, *map.anchor);
-        return turned_onto(points, common.here, picked(map.anchor_points, common.there));
-    }
-    const SavedPlaces saved = saved_places(fresh, fresh.request.set->map_places);
-    if (tells_turn(saved.rows.size(), points.cols())) {
-        return turned_onto(points, saved.rows, saved.points);
-    }
-    if (!map.shown || map.to.cols() != points.cols()) return points;
-    const Common common = common_rows(fresh, *map.shown);
-    if (!tells_turn(common.here.size(), points.cols())) return points;
-    return turned_onto(points, common.here, picked(map.to, common.there));
-}
 
 double smooth(double share) {
     const double t = std::clamp(share, 0.0, 1.0);
@@ -138,8 +49,7 @@ void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> 
     next.since_s = ui.time_s;
     next.to = aligned_to_anchor(shown_map.transition, *map);
     next.from = next.to;
-    next.ghost = Eigen::MatrixXd::Constant(next.to.rows(), next.to.cols(),
-                                           std::numeric_limits<double>::quiet_NaN());
+    next.ghost = ghosts_of(*map, shown_map.transition);
     if (shown_map.transition.shown && shown_map.transition.to.cols() == next.to.cols()) {
         const Common common = common_rows(*map, *shown_map.transition.shown);
         const Eigen::MatrixXd now = eased_points(ui, shown_map);
@@ -147,16 +57,9 @@ void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> 
             next.from.row(common.here[k]) = now.row(common.there[k]);
         }
     }
-    if (shown_map.transition.anchor &&
-        shown_map.transition.anchor_points.cols() == next.to.cols()) {
-        const Common common = common_rows(*map, *shown_map.transition.anchor);
-        for (std::size_t k = 0; k < common.here.size(); ++k) {
-            next.ghost.row(common.here[k]) =
-                shown_map.transition.anchor_points.row(common.there[k]);
-        }
-    }
-    next.anchor = map->request.preview ? shown_map.transition.anchor : map;
-    next.anchor_points = map->request.preview ? shown_map.transition.anchor_points : next.to;
+    const bool keeps = keeps_anchor(shown_map.transition, *map);
+    next.anchor = keeps ? shown_map.transition.anchor : map;
+    next.anchor_points = keeps ? shown_map.transition.anchor_points : next.to;
     next.shown = std::move(map);
     shown_map.transition = std::move(next);
 }
@@ -165,6 +68,8 @@ void make_map_jobs(const Ui& ui, const Workspace& work, ShownMap& shown_map) {
     using MapJob = LatestJob<LiveMapRequest, LiveMap>;
     shown_map.preview_job = std::make_unique<MapJob>(JobPolicy::finish, LiveMapWork{}, ui.wake);
     shown_map.full_job =
+        std::make_unique<MapJob>(JobPolicy::supersede, LiveMapWork{}, ui.wake, is_same_work);
+    shown_map.unshifted_job =
         std::make_unique<MapJob>(JobPolicy::supersede, LiveMapWork{}, ui.wake, is_same_work);
     shown_map.maps_asked = work.revision;  // until something changes or is asked for
 }
@@ -175,6 +80,7 @@ void take_maps(const Ui& ui, ShownMap& shown_map) {
         if (auto map = job->latest(); is_news(shown_map, map))
             show_map(ui, shown_map, std::move(map));
     }
+    follow_unshifted(shown_map);
 }
 
 void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered) {
@@ -263,6 +169,7 @@ Eigen::MatrixXd eased_points(const Ui& ui, const ShownMap& shown_map) {
 }
 
 double ghost_opacity(const Ui& ui, const ShownMap& shown_map) {
+    if (shows_unshifted(shown_map.transition)) return 1.0;
     if (!ui.motion) return 0.0;
     return std::clamp(1.0 - (ui.time_s - shown_map.transition.since_s) / kGhostS, 0.0, 1.0);
 }

@@ -31,6 +31,8 @@ struct MapMarks {
     std::vector<Eigen::Matrix3d> spread{};    // how sure each place is
     std::optional<Eigen::MatrixXd> people{};  // the map of the ratings, laid over this one
     std::string people_text{};                // whose it is
+    std::optional<std::size_t> hidden{};      // is not to be seen yet
+    bool takes_place = false;                 // the left button says where something is to be
     MapMaybes maybes{};
 };
 

@@ -15,7 +15,8 @@
 namespace tact {
 
 // The map on screen eases from where its points were to where they are. What it is aligned to is
-// the last exact map: chained alignments of previews would slowly turn it.
+// the last exact map: chained alignments of previews would slowly turn it. While thresholds are
+// shifted, that is the last map with thresholds as they come (unshifted_map.h).
 struct MapTransition {
     std::shared_ptr<const LiveMap> shown;
     std::shared_ptr<const LiveMap> anchor;  // the last exact one ...
@@ -85,11 +86,13 @@ struct ShownUnfelt {
 struct ShownMap {
     std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> preview_job;
     std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> full_job;
-    bool show_people = false;             // their map over the predicted one
-    std::optional<MapProgress> progress;  // while it is being computed
-    bool cancelled = false;               // by the person, until the next edit
-    std::uint64_t compute_large_of = 0;   // the document whose very large map was asked for
-    std::uint64_t maps_asked = 0;         // revision that maps were asked for last
+    std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> unshifted_job;
+    std::shared_ptr<const LiveMap> unshifted_asked_of;  // the map shown then
+    bool show_people = false;                           // their map over the predicted one
+    std::optional<MapProgress> progress;                // while it is being computed
+    bool cancelled = false;                             // by the person, until the next edit
+    std::uint64_t compute_large_of = 0;  // the document whose very large map was asked for
+    std::uint64_t maps_asked = 0;        // revision that maps were asked for last
     MapTransition transition;
     MapLook look;
     ShownClusters clusters;

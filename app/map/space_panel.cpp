@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 #include "app/document/editing.h"
@@ -11,6 +12,7 @@
 #include "app/map/map_follow.h"
 #include "app/map/map_look.h"
 #include "app/map/space_panel.h"
+#include "app/map/unshifted_map.h"
 #include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
@@ -233,6 +235,7 @@ void note_points(Ui& ui, const ShownMap& shown_map, const Rect& area,
     if (ui.rects.file.empty()) return;
     const SpaceFit placed = fit(points);
     for (std::size_t k = 0; k < labels.size(); ++k) {
+        if (!points.row(static_cast<Eigen::Index>(k)).allFinite()) continue;  // hidden
         const Projected at =
             project(shown_map.camera, placed, area, point_of(points, static_cast<Eigen::Index>(k)));
         note_rect(ui.rects, "point:" + labels[k], at.at, at.at);
@@ -268,7 +271,7 @@ void note_maybes(Ui& ui, const ShownMap& shown_map, const Rect& area, const MapM
 
 // At the top: the foot has the axes and what the mouse can do.
 void draw_remarks(const Ui& ui, const Rect& area, const std::string& verdict,
-                  const std::string& people) {
+                  const std::string& ghosts) {
     ImVec2 corner = area.min;
     const auto line = [&](ImU32 colour, const std::string& text) {
         if (text.empty()) return;
@@ -278,7 +281,7 @@ void draw_remarks(const Ui& ui, const Rect& area, const std::string& verdict,
         corner.y += text_size(font, text).y;
     };
     line(ui.theme.warning, verdict);
-    line(ui.theme.dim_text, people);
+    line(ui.theme.dim_text, ghosts);
 }
 
 }  // namespace
@@ -334,7 +337,11 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
         looks.push_back(places[k] ? look_of(ui, work, *places[k])
                                   : PatternLook{ui.theme.dim_text, true});
     }
-    const Eigen::MatrixXd points = eased_points(ui, shown_map);
+    Eigen::MatrixXd points = eased_points(ui, shown_map);
+    if (marks.hidden) {
+        points.row(static_cast<Eigen::Index>(*marks.hidden))
+            .setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
     const MapDecor decor = map_decor(ui, shown_map, marks, looks);
     SpaceScene scene = scene_of(ui, work, shown_map, words, looks, points, places);
     const std::vector<std::size_t> selected_too = rows_selected_too(work, places);
@@ -346,18 +353,27 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
         scene.ghost_opacity = 1.0;
         note_rect(ui.rects, "overlay", area.min, area.max, marks.people_text);
     }
+    std::string ghosts_text = marks.people_text;
+    if (!people && shows_unshifted(shown_map.transition)) {
+        ghosts_text = kUnshiftedText;
+        note_rect(ui.rects, "unshifted", area.min, area.max);
+    }
     if (std::exchange(shown_map.frame_asked, false)) {
         frame_points(shown_map.camera, fit(points), area, selected_points(scene, points));
     }
+    scene.takes_place = marks.takes_place;
+    if (marks.hidden && scene.selected == marks.hidden) scene.selected.reset();
+    if (marks.hidden && scene.pointed == marks.hidden) scene.pointed.reset();
     const SpaceAction action = draw_space("space", ui.theme, area, scene, shown_map.camera);
     SpacePaneAction done = taken(work, action, places);
+    done.placed_at = action.placed_at;
     note_pair(ui, area, scene, action, labels);
     if (!ui.as_picture) done.deed = draw_point_menu(ui, work, shown_map, action, places);
     draw_map_legend(ui, shown_map, area);
     note_points(ui, shown_map, area, labels, points);
     note_maybes(ui, shown_map, area, marks.maybes, points);
     draw_remarks(ui, area, verdict_text(shown_map.transition.shown->space, shown.size()),
-                 marks.people_text);
+                 ghosts_text);
     return done;
 }
 

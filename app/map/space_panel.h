@@ -23,6 +23,7 @@ struct SpacePaneAction {
     std::optional<std::size_t> moved{};
     Eigen::RowVectorXd moved_to{};
     bool move_ended = false;
+    std::optional<Eigen::RowVectorXd> placed_at{};  // where marks take a place
     PointDeed deed = PointDeed::none;               // with the pattern at shown_map.menu_of
     std::optional<std::size_t> proposal_pressed{};  // of the marks' proposals
     std::optional<std::size_t> proposal_clicked{};

@@ -1,7 +1,10 @@
 // Knobs that mean something: how deaf a receptor type is, as a shift of its threshold, and what a
 // glove or age might do.
 //
-// Source    none of the presets has a figure that we could cite: each is a guess, and says so
+// Source    none of the presets has a figure in dB that we could cite: each is a guess, and says
+// so.
+//           That the Pacinian channel loses most with age: Gescheider, Bolanowski & Verrillo 2004,
+//           Some characteristics of tactile channels, Behav. Brain Res. 148, 35 (its abstract)
 // Input     the tables as they are, and as they come
 // Output    the tables with a shift in dB of displacement; a type that is removed answers to
 // nothing Left out  shifts that depend on frequency: those are edited knot by knot
@@ -36,7 +39,10 @@ struct ThresholdPreset {
 inline constexpr std::array<ThresholdPreset, 3> kThresholdPresets{{
     {"Cold finger", "A guess: Pacinian corpuscles suffer most from cold", {3.0, 12.0, 3.0, 3.0}},
     {"Glove", "A guess: a layer takes something of everything", {10.0, 6.0, 12.0, 10.0}},
-    {"Older skin", "A guess: Pacinian thresholds rise most with age", {6.0, 15.0, 4.0, 4.0}},
+    {"Older skin",
+     "A guess in dB; that Pacinian corpuscles lose most with age: Gescheider, Bolanowski & "
+     "Verrillo 2004, Behav. Brain Res. 148, 35",
+     {6.0, 15.0, 4.0, 4.0}},
 }};
 
 }  // namespace tact

@@ -47,14 +47,18 @@ void draw_silent_row(const Ui& ui, const Rect& area, const StageSignal& signal) 
     draw_text(list, ui.theme.fonts.small, corner, ui.theme.dim_text, text);
 }
 
-// Names a channel within its own row, where there is room for it.
+// Names a channel within its own row, on a plate: a filled body would swallow a halo.
 void draw_channel_name(const Ui& ui, const Rect& area, Receptor receptor) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     // Within the plot: left of it stand values and their unit.
     const float left = area.min.x + value_room_px(ui) + 4.0F * ui.theme.scale;
-    draw_text_halo(list, ui.theme.fonts.small, {left, area.min.y},
-                   ui.theme.receptor[index_of(receptor)], ui.theme.pane, ui.theme.hairline_px,
-                   traits(receptor).name);
+    const float pad = 3.0F * ui.theme.scale;
+    const Rect text =
+        rect_at({left, area.min.y}, text_size(ui.theme.fonts.small, traits(receptor).name));
+    list.AddRectFilled(text.min - ImVec2{pad, 0.0F}, text.max + ImVec2{pad, 0.0F}, ui.theme.pane,
+                       ui.theme.rounding_px);
+    draw_text(list, ui.theme.fonts.small, text.min, ui.theme.receptor[index_of(receptor)],
+              traits(receptor).name);
 }
 
 // Heights of rows that share an area: silent ones take less.
@@ -244,6 +248,10 @@ void draw_stage_difference(Ui& ui, const Workspace& work, Timeline& timeline,
         row.large = size.large;
         row.stale = a.stale || b.stale;
         draw_time_row(ui, work, timeline, rects[k], row);
+        const float text_px = font_or_current(ui.theme.fonts.small).FontSize;
+        if (signals[k].receptor && size.large && rects[k].height() > 1.5F * text_px) {
+            draw_channel_name(ui, rects[k], *signals[k].receptor);
+        }
     }
 }
 

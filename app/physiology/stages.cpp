@@ -40,7 +40,8 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "Order 10 in total; forward in time only: where a vibration begins or ends, a filter rings "
      "on. "
      "A type whose band has nothing else still follows that ringing, which no skin has.",
-     "The Pacinian capsule as a filter: Loewenstein & Skalak 1966, J. Physiol. 182, 346."},
+     "The Pacinian capsule as a filter: Loewenstein & Skalak 1966, J. Physiol. 182, 346 (not "
+     "looked up)."},
     {"receptors", "Receptors in the skin", "Receptors", "mean rate, to scale",
      "A vibration spreads over the fingertip and fades with distance, so a strong one reaches "
      "more receptors than a weak one.",
@@ -53,7 +54,7 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "counts.",
      "Fall with distance: Johnson 1974, as Lim & Park 2023 cite it. Size of the finger pad: "
      "Greiner "
-     "1991, Hand Anthropometry of U.S. Army Personnel."},
+     "1991, Hand Anthropometry of U.S. Army Personnel (neither looked up)."},
     {"spikes", "Spikes", "Spikes", "all receptors, nearest on top",
      "A nerve fibre answers with impulses that are all alike: the vibration is in how many there "
      "are and when.",
@@ -65,7 +66,7 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "adaptation: the same vibration gives the same spikes.",
      "Of the n spikes of a window the first half and one more fall into its first 5 ms.",
      "Impulses in step with the cycle: Talbot, Darian-Smith, Kornhuber & Mountcastle 1968, J. "
-     "Neurophysiol. 31, 301."},
+     "Neurophysiol. 31, 301 (not looked up)."},
     {"networks", "Relay networks", "Networks", "every layer at the playhead",
      "On their way to the cortex impulses pass relay stations, where neurons gather from "
      "neighbours and inhibit each other.",
@@ -96,7 +97,7 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "Attention, memory, what the vibration means.",
      "The weights were trained with the authors' own tables: with ours they are a starting "
      "point.",
-     "Saal & Bensmaia 2014, Trends in Neurosciences 37, 689."},
+     "Saal & Bensmaia 2014, Touch is a team effort, Trends in Neurosciences 37, 689."},
     {"envelope", "Rhythm envelope", "Rhythm", "mean of 10 ms, scaled to its peak",
      "Rhythm is felt beside strength and quality, and a pattern that is late is still the same "
      "pattern.",

@@ -16,6 +16,7 @@
 #include "app/screen/escape_watch.h"
 #include "app/screen/full_screen.h"
 #include "app/screen/kept_frame.h"
+#include "app/screen/side_window.h"
 #include "app/screen/window_events.h"
 
 namespace tact {
@@ -66,6 +67,8 @@ struct Window {
     int frames_due = kSettlingFrames;
     double next_wake_s = 0.0;
     KeptFrame kept;
+    SideWindow side;
+    bool side_closed = false;
 };
 
 float content_scale(GLFWwindow* glfw) {
@@ -131,7 +134,11 @@ FrameContext context_of(const Window& window, double time_s) {
     context.width = size.width;
     context.height = size.height;
     context.maximised = window.events.maximised;
-    context.focused = glfwGetWindowAttrib(window.glfw, GLFW_FOCUSED) == GLFW_TRUE;
+    const auto has_focus = [](GLFWwindow* glfw) {
+        return glfw != nullptr && glfwGetWindowAttrib(glfw, GLFW_FOCUSED) == GLFW_TRUE;
+    };
+    context.focused = has_focus(window.glfw) || has_focus(window.side.glfw);
+    context.side_closed = window.side_closed;
     return context;
 }
 
@@ -171,6 +178,8 @@ void draw_frame(Window& window, WindowSize pixels) {
     show_cursor(window);
     put_on_screen(window, pixels, request.background);
     heed(window, request, now_s);
+    window.side_closed = show_side(window.side, *window.glfw, window.events, request.side);
+    if (window.side_closed) window.frames_due = kSettlingFrames;
     if (client.after_frame) client.after_frame();
 }
 
@@ -267,6 +276,7 @@ Expected<Done> run_window(const WindowOptions& options, const WindowClient& clie
     ImGuiContext* context = ImGui::CreateContext();
     connect_imgui(window);
     run_loop(window);
+    close_side(window.side, *window.glfw);
     destroy(window.kept);
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(context);

@@ -6,18 +6,21 @@
 //
 // Input     what the client wants drawn, as a set of functions called on this thread
 // Output    a window until the client or its user closes it
-// Left out  several windows, full screen, gamepads, positions of input methods.
+// Left out  more than a second window, which only shows (side_window.h); gamepads, positions of
+// input methods.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/screen/input_queue.h"
 #include "model/common/expected.h"
+#include "viz/picture/picture.h"
 
 namespace tact {
 
@@ -37,7 +40,15 @@ struct FrameContext {
     int width = 0;  // screen coordinates, as in WindowOptions
     int height = 0;
     bool maximised = false;
-    bool focused = true;  // keys come here
+    bool focused = true;       // keys come here
+    bool side_closed = false;  // the person has closed the second window
+};
+
+// What is to be in a second window.
+struct SideContent {
+    std::string key;  // drawn anew where this has changed
+    std::string title;
+    std::function<Image(int width, int height, float content_scale)> draw;
 };
 
 // What a frame asks of the window.
@@ -49,6 +60,7 @@ struct FrameRequest {
     std::string title;   // empty: as it is
     ImU32 background = IM_COL32_BLACK;
     bool full_screen = false;
+    std::optional<SideContent> side{};  // none: no second window
 };
 
 struct WindowClient {
@@ -67,6 +79,9 @@ struct WindowClient {
     // After the frame is on the screen.
     std::function<void()> after_frame;
 };
+
+// More screens than one are plugged in. While a window is open.
+bool has_second_screen();
 
 // Some screen would show a window.
 bool display_available();

@@ -100,6 +100,12 @@ void listen(GLFWwindow& window, WindowEvents& events) {
     glfwSetWindowCloseCallback(glfw, on_close);
 }
 
+void listen_to_keys(GLFWwindow& side, WindowEvents& events) {
+    glfwSetWindowUserPointer(&side, &events);
+    glfwSetKeyCallback(&side, on_key);
+    glfwSetWindowRefreshCallback(&side, [](GLFWwindow* w) { events_of(w).side_damaged = true; });
+}
+
 WindowSize window_size(GLFWwindow* glfw) {
     WindowSize size;
     glfwGetWindowSize(glfw, &size.width, &size.height);

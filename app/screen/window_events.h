@@ -21,11 +21,15 @@ struct WindowEvents {
     unsigned buttons_held = 0;                      // one bit each
     bool fonts_outdated = true;                     // they are of another scale, or of none
     bool maximised = false;
+    bool side_damaged = false;  // the screen has lost what was in the second window
 };
 
 // From now on, until the window is destroyed; `events` stays where it is, and is the window's user
 // pointer.
 void listen(GLFWwindow& window, WindowEvents& events);
+
+// Of the second window: keys count as pressed in the first.
+void listen_to_keys(GLFWwindow& side, WindowEvents& events);
 
 struct WindowSize {
     int width = 0;

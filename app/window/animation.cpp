@@ -108,8 +108,15 @@ std::string step_picture(const Lesson& lesson, std::size_t step_at) {
     choice.pattern = place.value_or(0);
     choice.pinned = place_named(lesson.set, step.partner);
     choice.stage = stage_of_view(step.view);
+    const bool places = step.question && step.question->kind == QuestionKind::place;
+    if (places) choice.dimensions = 2;
     const auto still = opened_view(lesson.set, choice);
     still->app.timeline.range = {step.from_s, step.to_s};
+    if (places) {  // what is asked for is not to be seen
+        still->app.lesson.lesson = std::make_shared<const Lesson>(lesson);
+        still->app.lesson.step = step_at;
+        still->app.lesson.tallies.resize(lesson.steps.size());
+    }
     PictureSize size;
     size.width = 1200;
     size.height = choice.stage || choice.view == PictureView::space ? 650 : 1500;

@@ -44,6 +44,7 @@ void stop_jobs(App& app) {
     app.comparing.comparison_job.reset();
     app.shown_map.full_job.reset();
     app.shown_map.preview_job.reset();
+    app.shown_map.unshifted_job.reset();
     app.physiology.stages_job.reset();
     app.physiology.pinned_job.reset();
     app.lesson.job.reset();

@@ -1,11 +1,13 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/compare/compare_follow.h"
 #include "app/document/files.h"
 #include "app/export/exports.h"
 #include "app/lesson/presenting.h"
+#include "app/lesson/speaker_notes.h"
 #include "app/manual/open_manual.h"
 #include "app/map/map_follow.h"
 #include "app/play/emergency_stop.h"
@@ -40,6 +42,15 @@ void tell_speaker(const std::string& line, std::string& told) {
     std::cerr << (terminal ? "\033[H\033[2J" : "") << line << std::endl;
 }
 
+// The second window, where who speaks has one.
+void show_notes(App& app, FrameRequest& request) {
+    const auto notes = speaker_notes(app.lesson, app.ui.time_s);
+    app.lesson.shows_notes = notes && wants_notes_window(app.lesson, has_second_screen());
+    if (!app.lesson.shows_notes) return;
+    request.side = notes_window(*notes, app.ui.dark);
+    request.wake_after_s = std::min(request.wake_after_s, notes_wake_s(app.lesson, app.ui.time_s));
+}
+
 FrameRequest draw_window_frame(App& app, EmergencyStop& stop, const FrameContext& context) {
     app.play.halted |= stop.take();
     app.ui.content_scale = context.content_scale;
@@ -59,6 +70,8 @@ FrameRequest draw_window_frame(App& app, EmergencyStop& stop, const FrameContext
     request.rebuild_fonts = app.ui.fonts_outdated;
     request.close = app.ui.quit;
     request.full_screen = is_study_running(app.studying) || is_presenting(app.lesson);
+    if (context.side_closed) app.lesson.notes_wanted = false;
+    show_notes(app, request);
     tell_speaker(speaker_line(app.lesson), app.lesson.told);
     request.title = document_title(app.work) + " - tactspace";
     request.background = app.ui.theme.background;

@@ -16,6 +16,7 @@
 #include "app/document/editing.h"
 #include "app/document/pressing.h"
 #include "app/document/shown_side.h"
+#include "app/lesson/lesson_place.h"
 #include "app/map/map_follow.h"
 #include "app/map/matrix_panel.h"
 #include "app/map/similar.h"
@@ -260,6 +261,7 @@ void draw_space(App& app) {
     if (done.double_clicked)
         play_once(app.ui, app.work, app.timeline, app.play, *done.double_clicked);
     take_proposal(app, done);
+    take_place(app.lesson, done);
     do_with_point(app, done.deed);
     if (done.moved) {
         move_point(app.ui, app.work, app.shown_map, app.maybes,
@@ -342,6 +344,7 @@ MapMarks map_marks(App& app) {
     if (app.shown_map.show_people) marks.people = people_over_map(app.shown_map, app.comparing);
     if (marks.people) marks.people_text = people_over_map_text(app.comparing);
     marks.maybes = shown_maybes(app.shown_map, app.maybes);
+    mark_place(app.lesson, app.shown_map, marks);
     return marks;
 }
 

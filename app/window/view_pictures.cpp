@@ -43,8 +43,8 @@ void bring_up_to_date(App& app) {
 }
 
 void compute_map(App& app, const PatternSet& set, int threads) {
-    const LiveMapRequest request{app.work.revision, std::make_shared<const PatternSet>(set), 3,
-                                 false, rendered_by(app.rendered)};
+    const LiveMapRequest request{app.work.revision, std::make_shared<const PatternSet>(set),
+                                 app.shown_map.dimensions, false, rendered_by(app.rendered)};
     std::atomic<float> progress = 0.0F;
     LiveMapWork work(threads);
     if (auto map = work(request, {}, progress)) {
@@ -132,6 +132,7 @@ std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& 
     if (const auto& calibration = app.rendered.by.calibration) {
         app.play.calibration = std::make_shared<const Calibration>(*calibration);
     }
+    app.shown_map.dimensions = choice.dimensions;
     if (choice.view != PictureView::physiology) compute_map(app, set, choice.threads);
     if (choice.pattern >= set.vibrations.size()) return view;
     app.work.selection.current = choice.pattern;

@@ -27,6 +27,7 @@ struct ViewChoice {
     std::optional<Stage> stage{};             // large
     bool tilted = false;                      // the receptors
     int threads = 0;                          // 0: all cores
+    int dimensions = 3;                       // of the map
     std::optional<RenderedBy> rendered_by{};  // results of what a device plays
 };
 

@@ -2,6 +2,30 @@
 
 namespace tact {
 
+std::string question_needs(const LessonStep& step, std::size_t patterns) {
+    if (!step.question) return {};
+    const LessonQuestion& question = *step.question;
+    switch (question.kind) {
+        case QuestionKind::choice:
+            return question.options.size() < 2
+                       ? "at least 2 \"options\" of a question of kind \"choice\""
+                       : "";
+        case QuestionKind::closest:
+        case QuestionKind::farthest:
+            return question.pairs.size() < 2 ? "at least 2 \"pairs\" of patterns to choose from"
+                                             : "";
+        case QuestionKind::place:
+            if (step.view != "map") return "the \"view\" \"map\" in the step of this question";
+            if (patterns < limits::kLeastPlaced) {
+                return "a set of at least 4 patterns for a question of kind \"place\"";
+            }
+            break;
+        case QuestionKind::receptors:
+            break;
+    }
+    return step.pattern.empty() ? "a \"pattern\" in the step of this question" : "";
+}
+
 std::vector<std::string> texts_of(const LessonStep& step) {
     std::vector<std::string> texts{step.title, step.text, step.note};
     if (!step.question) return texts;

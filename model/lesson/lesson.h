@@ -27,11 +27,12 @@ enum class QuestionKind {
     choice,     // the lesson's own options
     receptors,  // which types fire on the step's pattern
     closest,    // which of the pairs PM puts nearest together
-    farthest    // or farthest apart
+    farthest,   // or farthest apart
+    place       // where in the map the step's pattern lies, which is hidden there until then
 };
 
-inline constexpr std::array<const char*, 4> kQuestionKinds{"choice", "receptors", "closest",
-                                                           "farthest"};
+inline constexpr std::array<const char*, 5> kQuestionKinds{"choice", "receptors", "closest",
+                                                           "farthest", "place"};
 
 struct PatternPair {
     std::string a;
@@ -84,7 +85,8 @@ inline constexpr Range kLessonTimeS{0.0, 60.0};
 inline constexpr Range kLessonAngleRad{-10.0, 10.0};
 inline constexpr Range kLessonZoom{0.1, 10.0};
 inline constexpr std::size_t kMaxSteps = 200;
-inline constexpr std::size_t kMaxOptions = 9;  // a number key each
+inline constexpr std::size_t kMaxOptions = 9;   // a number key each
+inline constexpr std::size_t kLeastPlaced = 4;  // patterns of a set in whose map one is placed
 }  // namespace limits
 
 struct Lesson {
@@ -97,6 +99,10 @@ struct Lesson {
 
     bool operator==(const Lesson&) const = default;
 };
+
+// What a step's question still needs before it can be answered, in words that follow "expected";
+// empty: nothing, or the step asks nothing.
+std::string question_needs(const LessonStep& step, std::size_t patterns);
 
 // Every text of a step in which numbers may stand, in order.
 std::vector<std::string> texts_of(const LessonStep& step);

@@ -14,6 +14,7 @@ bool asks_for_pairs(const Lesson& lesson) {
     for (const LessonStep& step : lesson.steps) {
         const auto& question = step.question;
         if (question && !question->pairs.empty()) return true;
+        if (question && question->kind == QuestionKind::place) return true;
         for (const std::string& text : texts_of(step)) {
             for (const std::string& placeholder : placeholders_in(text)) {
                 if (placeholder.starts_with("nc") || placeholder.starts_with("oc") ||
@@ -87,6 +88,35 @@ QuestionAnswer answer_of_pairs(const Lesson& lesson, const LessonQuestion& quest
     return answer;
 }
 
+// Next to which of the others: of many, the nearest ones can be chosen from.
+QuestionAnswer answer_of_place(const Lesson& lesson, const LessonStep& step,
+                               const LessonPairs& pairs) {
+    QuestionAnswer answer;
+    const auto placed = place_named(lesson.set, step.pattern);
+    if (!pairs.prediction || !placed) return answer;
+    const auto pm = [&](std::size_t k) { return pairs.prediction->pm(*placed, k); };
+    std::vector<std::size_t> others;
+    for (std::size_t k = 0; k < lesson.set.vibrations.size(); ++k) {
+        if (k != *placed) others.push_back(k);
+    }
+    if (others.empty()) return answer;
+    std::ranges::stable_sort(others, {}, pm);
+    if (others.size() > limits::kMaxOptions) others.resize(limits::kMaxOptions);
+    const double least = pm(others.front());
+    const auto name = [&](std::size_t k) { return lesson.set.vibrations[k].name; };
+    answer.model = "PM to " + name(others.front()) + " is " + plain_digits(least, 3);
+    if (others.size() > 1) {
+        answer.model += ", to " + name(others[1]) + " " + plain_digits(pm(others[1]), 3);
+    }
+    answer.model += ".";
+    std::ranges::sort(others);  // as the set has them: their order tells nothing
+    for (const std::size_t k : others) {
+        if (pm(k) == least) answer.right.push_back(answer.options.size());
+        answer.options.push_back(name(k));
+    }
+    return answer;
+}
+
 QuestionAnswer answer_of_receptors(const Lesson& lesson, const LessonStep& step,
                                    const LessonPairs& pairs) {
     QuestionAnswer answer;
@@ -110,6 +140,8 @@ QuestionAnswer answer_of(const Lesson& lesson, const LessonStep& step, const Les
             return {question.options, {question.answer}, {}, {}};
         case QuestionKind::receptors:
             return answer_of_receptors(lesson, step, pairs);
+        case QuestionKind::place:
+            return answer_of_place(lesson, step, pairs);
         case QuestionKind::closest:
         case QuestionKind::farthest:
             break;

@@ -164,6 +164,16 @@ SpaceAction read_mouse(const char* id, const Theme& theme, const Rect& pane, Spa
             pick(stage.discs, stage.front_to_back, io.MousePos, kClickSlackPx * theme.scale);
     }
     if (hovered && camera.drag.gesture != SpaceGesture::orbit) read_maybes(stage, action);
+    if (stage.scene.takes_place) {
+        if (active && io.MouseDown[ImGuiMouseButton_Left]) {
+            const Eigen::Vector3d to =
+                unprojected(camera, stage.fit, pane, stage.fit.centre, io.MousePos);
+            action.placed_at = Eigen::RowVectorXd(to.head(stage.scene.points->cols()).transpose());
+        }
+        move_camera(stage, pane, active, hovered, camera);
+        action.camera_changed = camera != before;
+        return action;
+    }
     if (ImGui::IsItemActivated()) {
         camera.drag = {gesture_begun(action, camera.locked, stage.scene.moves), action.hovered, {}};
     }

@@ -88,8 +88,8 @@ void draw_wanted(const SpaceStage& stage, const SpaceCamera& camera) {
         return project(camera, stage.fit, stage.pane, point_of(row, 0)).at;
     };
     const ImVec2 wanted = seen(*maybes.wanted);
-    const float arm = 6.0F * stage.theme.scale;
-    const float width = 1.5F * stage.theme.scale;
+    const float arm = 8.0F * stage.theme.scale;
+    const float width = 2.0F * stage.theme.scale;
     stage.list.AddLine(wanted - ImVec2{arm, 0}, wanted + ImVec2{arm, 0}, stage.theme.accent, width);
     stage.list.AddLine(wanted - ImVec2{0, arm}, wanted + ImVec2{0, arm}, stage.theme.accent, width);
     if (!maybes.reached) return;

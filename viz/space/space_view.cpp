@@ -17,7 +17,8 @@ namespace {
 Rect draw_hint(const SpaceStage& stage, const SpaceAction& action) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return {};
     const Theme& theme = stage.theme;
-    const std::string_view text = action.hovered ? stage.scene.point_hint
+    const std::string_view text = stage.scene.takes_place ? "click where it belongs, wheel to zoom"
+                                  : action.hovered        ? stage.scene.point_hint
                                   : stage.fit.flat
                                       ? "drag to move, Shift+drag to select, wheel to zoom"
                                       : "drag to turn, Shift+drag to select, wheel to zoom";

@@ -61,7 +61,8 @@ struct SpaceScene {
     std::string_view quantity{};                                      // what it is: "PM"
     std::string_view point_hint{};  // what a press on a point does, said where the mouse is on one
     SpaceMaybes maybes{};
-    bool moves = false;  // a drag of a point moves it, without Alt
+    bool moves = false;        // a drag of a point moves it, without Alt
+    bool takes_place = false;  // the left button says where, and turns and selects nothing
     bool stale = false;
 };
 
@@ -82,7 +83,10 @@ struct SpaceAction {
     // the screen through it.
     std::optional<std::size_t> moved{};
     std::optional<Eigen::RowVectorXd> moved_to{};
-    bool move_ended = false;     // let go there
+    bool move_ended = false;  // let go there
+    // The left button is down there, of a scene that takes a place: in the plane of the screen
+    // through the map's middle.
+    std::optional<Eigen::RowVectorXd> placed_at{};
     bool with_ctrl = false;      // it is held
     bool clicked_empty = false;  // a click beside all points
     bool camera_changed = false;

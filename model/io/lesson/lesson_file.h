@@ -19,7 +19,8 @@
 //         "from_s": 0.0, "to_s": 0.2,   of the time axes
 //         "camera": {"yaw_rad": 0.5, "pitch_rad": 0.4, "zoom": 1.0},
 //         "question": {
-//           "kind": "choice",           or what the model answers: receptors, closest, farthest
+//           "kind": "choice",           or what the model answers: receptors, closest, farthest,
+//                                       place: where the step's pattern lies in the map
 //           "ask": "..", "reveal": "..",
 //           "options": ["..", ".."],    of a choice, and
 //           "answer": 0,                which, counted from 0

@@ -66,7 +66,7 @@ void read_options(JsonObject& object, const PatternSet& set, LessonQuestion& que
     question.answer = static_cast<std::size_t>(whole_field(object, "answer", 0, {0.0, last}));
 }
 
-LessonQuestion question_of(JsonObject& object, const PatternSet& set, bool has_pattern) {
+LessonQuestion question_of(JsonObject& object, const PatternSet& set) {
     LessonQuestion question;
     question.kind = static_cast<QuestionKind>(choice_field(object, "kind", 0, kQuestionKinds));
     question.ask = text_with_numbers(object, "ask", set);
@@ -74,18 +74,6 @@ LessonQuestion question_of(JsonObject& object, const PatternSet& set, bool has_p
     read_options(object, set, question);
     for (const Json* pair : array_field(object, "pairs", 2, limits::kMaxOptions)) {
         question.pairs.push_back(pair_of(*object.reading, *pair, place_of(object, "pairs"), set));
-    }
-    const bool of_pairs =
-        question.kind == QuestionKind::closest || question.kind == QuestionKind::farthest;
-    const auto needs = [&object](const char* what) {
-        refuse(*object.reading, object.place, what, *object.value);
-    };
-    if (question.kind == QuestionKind::choice && question.options.empty()) {
-        needs("\"options\" of a question of kind \"choice\"");
-    }
-    if (of_pairs && question.pairs.empty()) needs("\"pairs\" of patterns to choose from");
-    if (question.kind == QuestionKind::receptors && !has_pattern) {
-        needs("a \"pattern\" in the step of this question");
     }
     return question;
 }
@@ -135,7 +123,9 @@ LessonStep step_of(JsonObject& object, const PatternSet& set) {
     }
     if (object.value != nullptr && object.value->contains("question")) {
         JsonObject question = object_field(object, "question");
-        step.question = question_of(question, set, !step.pattern.empty());
+        step.question = question_of(question, set);
+        const std::string needed = question_needs(step, set.vibrations.size());
+        if (!needed.empty()) refuse(*question.reading, question.place, needed, *question.value);
     }
     return step;
 }

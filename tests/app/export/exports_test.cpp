@@ -2,6 +2,8 @@
 #include "app/export/exports.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <set>
 
 #include "app/document/files.h"
@@ -266,6 +268,36 @@ TEST_CASE("exports: an animation is one file, as much slower as asked for, or no
     CHECK_FALSE(is_exporting(program.app));
     CHECK(exporting.status() == "Export cancelled; no file was written.");
     CHECK_FALSE(fs::exists(exporting.folder.path / "b.gif"));
+}
+
+TEST_CASE("exports: an MP4 says how long it takes, and one that is cancelled leaves nothing") {
+    Exporting exporting;
+    Program& program = exporting.program;
+    const fs::path bin = exporting.folder.path / "bin";
+    fs::create_directory(bin);
+    // Stands in for ffmpeg: keeps what it is given.
+    std::ofstream(bin / "ffmpeg") << "#!/bin/sh\nfor last; do :; done\ncat >\"$last\"\n";
+    fs::permissions(bin / "ffmpeg", fs::perms::owner_all);
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", (bin.string() + ":" + path).c_str(), 1);
+    program.app.exports.to_s = 0.1;
+    program.app.exports.frames = 20;
+    const fs::path out = exporting.folder.path / "a.mp4";
+    const fs::path part = exporting.folder.path / "a.mp4.part";
+    export_animation(program.app, out);
+    ::setenv("PATH", path.c_str(), 1);
+    for (int k = 0; k < 3; ++k) {
+        program.window.now_s += 2.0;
+        exporting.frame();
+    }
+    program.settle();
+    CHECK(contains(program.at("export progress").value, "frame 4 of 20, "));
+    CHECK(contains(program.at("export progress").value, " s left"));
+    program.click("button:cancel export");
+    CHECK_FALSE(is_exporting(program.app));
+    CHECK(exporting.status() == "Export cancelled; no file was written.");
+    CHECK_FALSE(fs::exists(out));
+    CHECK_FALSE(fs::exists(part));
 }
 
 TEST_CASE("exports: an animation is of the moment it began, whatever is edited meanwhile") {

@@ -8,10 +8,11 @@
 #include "app/lesson/lesson_edit.h"
 #include "app/lesson/lesson_question.h"
 #include "app/lesson/presenting.h"
+#include "app/lesson/speaker_notes.h"
 #include "app/window/animation.h"
 #include "app/window/app.h"
 #include "model/io/lesson/lesson_file.h"
-#include "tests/support/program.h"
+#include "tests/support/lesson_class.h"
 #include "tests/support/temporary_folder.h"
 
 namespace lesson_test {
@@ -19,38 +20,6 @@ namespace lesson_test {
 using namespace tact;
 
 namespace {
-
-struct Class : ProgramWithStages {
-    Class() : ProgramWithStages(short_patterns(3)) {}
-
-    LessonState& lesson() { return app.lesson; }
-
-    void begin(const char* path) {
-        start_lesson(hands_of(app), app.lesson, bundled_lesson(path), {});
-        settle();
-    }
-
-    // Until the numbers of the lesson are there.
-    void wait_for_numbers() {
-        const auto until = end_of_patience();
-        while (answers_of(app.lesson) == nullptr || !app.lesson.answered->with_pairs) {
-            REQUIRE(std::chrono::steady_clock::now() < until);
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-            frame();
-        }
-        settle();
-    }
-
-    // The first step that asks something.
-    void go_to_question() {
-        for (std::size_t k = 0; k < app.lesson.lesson->steps.size(); ++k) {
-            if (!app.lesson.lesson->steps[k].question) continue;
-            go_to_step(hands_of(app), app.lesson, k);
-            return settle();
-        }
-        FAIL("the lesson asks nothing");
-    }
-};
 
 bool meet(const Place& a, const Place& b) {
     return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
@@ -176,7 +145,9 @@ TEST_CASE("lesson: the card stands beside what it points at, whatever the size a
         ImVec2 size;
         float scale;
     };
-    for (const char* path : {kTourLesson, kBundledLessons[4].path}) {
+    std::vector<const char*> paths{kTourLesson};
+    for (const BundledLesson& lesson : kBundledLessons) paths.push_back(lesson.path);
+    for (const char* path : paths) {
         Class program;
         program.begin(path);
         toggle_presenting(hands_of(program.app), program.lesson());
@@ -277,6 +248,35 @@ TEST_CASE("lesson: the student sheet has every step, every question, the answers
     CHECK(page.find("Saal") != std::string::npos);
     CHECK(page.find("{") < page.find("</style>"));
     CHECK(page.find("\u2026") == std::string::npos);
+}
+
+TEST_CASE("lesson: notes stand in a second window where there is a second screen, or by N") {
+    Class program;
+    CHECK_FALSE(wants_notes_window(program.lesson(), true));
+    program.press_key(key::kF1 + 4);
+    program.wait_for_numbers();
+    CHECK(wants_notes_window(program.lesson(), true));
+    CHECK_FALSE(wants_notes_window(program.lesson(), false));
+    program.press('n');
+    CHECK(wants_notes_window(program.lesson(), false));
+    program.lesson().shows_notes = true;  // the window is there
+    program.press('n');
+    CHECK_FALSE(wants_notes_window(program.lesson(), true));
+    // The answer is for who speaks alone, and minutes are counted from where it began.
+    program.go_to_question();
+    const double begun_s = program.lesson().presenting_since_s;
+    const auto notes = speaker_notes(program.lesson(), begun_s + 185.0);
+    REQUIRE(notes);
+    CHECK(notes->minutes == 3);
+    CHECK(notes_wake_s(program.lesson(), begun_s + 185.0) == doctest::Approx(55.0).epsilon(0.001));
+    CHECK_FALSE(notes->answer.empty());
+    CHECK_FALSE(program.shows("lesson:answer"));
+    const SideContent window = notes_window(*notes, true);
+    const Image picture = window.draw(900, 540, 1.0F);
+    CHECK(picture.width == 900);
+    const Image other =
+        notes_window(*speaker_notes(program.lesson(), begun_s), true).draw(900, 540, 1.0F);
+    CHECK(picture != other);  // the minutes
 }
 
 TEST_CASE("lesson: what is told to who speaks has the note and what comes next") {

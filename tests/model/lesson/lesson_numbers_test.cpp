@@ -238,6 +238,41 @@ TEST_CASE("lessons: no number is typed that the model could give") {
     }
 }
 
+TEST_CASE("lessons: how slow a step is said to be is how slow it is, and no count is spelt out") {
+    const auto says = [](const std::string& text, const std::string& word) {
+        const auto is_letter = [](char c) { return (c | 32) >= 'a' && (c | 32) <= 'z'; };
+        for (std::size_t at = text.find(word); at != std::string::npos;
+             at = text.find(word, at + 1)) {
+            const std::size_t end = at + word.size();
+            const bool begins = at == 0 || !is_letter(text[at - 1]);
+            if (begins && (end == text.size() || !is_letter(text[end]))) return true;
+        }
+        return false;
+    };
+    int slow = 0;
+    for (const Lesson& lesson : bundled()) {
+        for (const LessonStep& step : lesson.steps) {
+            CAPTURE(step.title);
+            for (const std::string& text : texts_of(step)) {
+                const bool tenth = text.find("ten times slower") != std::string::npos;
+                const bool hundredth = text.find("hundred times slower") != std::string::npos;
+                if (tenth) CHECK(step.speed == 0.1);
+                if (hundredth) CHECK(step.speed == 0.01);
+                slow += tenth || hundredth ? 1 : 0;
+                // Two, three and four are what is on screen; more is what a model counts.
+                for (const char* word : {"five", "six", "seven", "eight", "nine", "eleven",
+                                         "twenty", "thirty", "forty", "fifty", "thousand"}) {
+                    CHECK_FALSE(says(text, word));
+                }
+                if (says(text, "twelve")) CHECK(lesson.set.vibrations.size() == 12);
+                if (says(text, "hundred")) CHECK(hundredth);
+                if (says(text, "ten")) CHECK(tenth);
+            }
+        }
+    }
+    CHECK(slow >= 2);
+}
+
 TEST_CASE("lessons: every step of a bundled lesson says where its facts are from") {
     for (const Lesson& lesson : bundled()) {
         for (const LessonStep& step : lesson.steps) {
@@ -270,6 +305,44 @@ TEST_CASE("lessons: what a question is answered with is what the model ranks") {
             CHECK(answers.questions[k].right.size() < question->pairs.size());
         }
     }
+}
+
+TEST_CASE("lessons: some of what can be chosen is wrong, and some right") {
+    for (const Lesson& lesson : bundled()) {
+        const LessonAnswers answers = lesson_answers(lesson);
+        for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
+            if (!lesson.steps[k].question) continue;
+            CAPTURE(lesson.steps[k].question->ask);
+            CHECK(answers.questions[k].right.size() >= 1);
+            CHECK(answers.questions[k].right.size() < answers.questions[k].options.size());
+        }
+    }
+}
+
+TEST_CASE("lessons: a pattern is placed next to the one that PM has nearest") {
+    int placed = 0;
+    for (const Lesson& lesson : bundled()) {
+        for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
+            const LessonStep& step = lesson.steps[k];
+            if (!step.question || step.question->kind != QuestionKind::place) continue;
+            ++placed;
+            const QuestionAnswer answer = lesson_answers(lesson).questions[k];
+            const auto prediction = predict(model_waveforms(lesson.set), lesson.set.model);
+            const std::size_t at = place_named(lesson.set, step.pattern).value();
+            REQUIRE(answer.right.size() == 1);
+            CHECK(answer.options.size() == lesson.set.vibrations.size() - 1);
+            const auto pm = [&](const std::string& name) {
+                return prediction->pm(at, place_named(lesson.set, name).value());
+            };
+            for (const std::string& name : answer.options) {
+                CHECK(name != step.pattern);
+                CHECK(pm(answer.options[answer.right[0]]) <= pm(name));
+            }
+            // Before pairs are known, nothing is.
+            CHECK(lesson_answers(lesson, {}, false).questions[k].right.empty());
+        }
+    }
+    CHECK(placed >= 1);
 }
 
 TEST_CASE("lessons: a placeholder that cannot be evaluated is told, with what is missing") {

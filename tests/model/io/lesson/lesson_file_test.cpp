@@ -75,6 +75,9 @@ TEST_CASE("lesson file: a fault is told with its file, its place and what was ex
     CHECK(holds(fault_of(one_step(R"("view": "ear")")), "/steps/0/view"));
     CHECK(holds(fault_of(one_step(R"("question": {"kind": "closest"})")), "pairs"));
     CHECK(holds(fault_of(one_step(R"("question": {"kind": "receptors"})")), "pattern"));
+    CHECK(holds(fault_of(one_step(R"("pattern": "L-0-half", "question": {"kind": "place"})")),
+                "/steps/0/question: expected the \"view\" \"map\""));
+    CHECK(holds(fault_of(one_step(R"("view": "map", "question": {"kind": "place"})")), "pattern"));
     CHECK(holds(fault_of(one_step(R"("question": {"options": ["a", "b"], "answer": 2})")),
                 "/steps/0/question/answer"));
     CHECK(holds(fault_of(one_step(R"("speed": 7)")), "/steps/0/speed"));

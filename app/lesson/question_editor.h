@@ -1,0 +1,12 @@
+// What a step asks, as fields: its kind, words, and what can be chosen.
+//
+// Output    steps of undo of the lesson; answers that the model gives are not typed
+#pragma once
+
+#include "app/lesson/lesson.h"
+
+namespace tact {
+
+void draw_question_editor(const LessonHands& hands, LessonState& state);
+
+}  // namespace tact

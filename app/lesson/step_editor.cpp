@@ -1,0 +1,151 @@
+#include "app/lesson/step_editor.h"
+
+#include <imgui_stdlib.h>
+
+#include <array>
+#include <utility>
+
+#include "app/lesson/lesson_edit.h"
+#include "app/lesson/question_editor.h"
+#include "app/ui/widgets.h"
+
+namespace tact {
+
+namespace {
+
+// What of a text the model cannot give; empty: all is well.
+std::string fault_in(const LessonStep& step, const PatternSet& set) {
+    for (const std::string& text : texts_of(step)) {
+        for (const std::string& placeholder : placeholders_in(text)) {
+            const std::string fault = placeholder_fault(placeholder, set);
+            if (!fault.empty()) return "{" + placeholder + "}: " + fault + ".";
+        }
+    }
+    const std::string needed = question_needs(step, set.vibrations.size());
+    return needed.empty() ? std::string() : "The question needs " + needed + ".";
+}
+
+void draw_step_buttons(const LessonHands& hands, LessonState& state) {
+    struct Action {
+        const char* label;
+        const char* id;
+        bool possible;
+        void (*act)(const LessonHands&, LessonState&);
+    };
+    const std::size_t at = *state.step;
+    const std::size_t count = state.lesson->steps.size();
+    const std::array<Action, 5> actions{
+        {{"Add step from screen", "add", count < limits::kMaxSteps, add_step},
+         {"Show screen here", "view", true, show_screen},
+         {"Up", "up", at > 0, [](const LessonHands& h, LessonState& s) { move_step(h, s, -1); }},
+         {"Down", "down", at + 1 < count,
+          [](const LessonHands& h, LessonState& s) { move_step(h, s, 1); }},
+         {"Remove step", "remove", count > 1, remove_step}}};
+    bool first = true;
+    for (const Action& action : actions) {
+        if (!std::exchange(first, false)) {
+            flow_on(button_width(action.label), hands.ui.theme.gap_px);
+        }
+        ImGui::BeginDisabled(!action.possible);
+        if (ImGui::Button(action.label)) {
+            hands.ui.waiting.emplace_back([hands, &state, act = action.act] { act(hands, state); });
+        }
+        ImGui::EndDisabled();
+        note_item(hands.ui.rects, std::string("lesson edit:") + action.id);
+    }
+}
+
+// Where the map's camera stands, taken from the screen.
+void draw_camera_row(const LessonHands& hands, LessonState& state, const LessonStep& step) {
+    const auto later = [&](bool taken) {
+        hands.ui.waiting.emplace_back([hands, &state, taken] { take_camera(hands, state, taken); });
+    };
+    if (link(hands.ui, "camera",
+             step.camera ? "Camera anew from the screen" : "Camera from the screen")) {
+        later(true);
+    }
+    note_item(hands.ui.rects, "lesson edit:camera", step.camera ? "kept" : "");
+    if (!step.camera) return;
+    ImGui::SameLine(0.0F, hands.ui.theme.gap_px);
+    if (link(hands.ui, "no camera", "leave it as it is")) later(false);
+    note_item(hands.ui.rects, "lesson edit:no camera");
+}
+
+void draw_undo(const LessonHands& hands, LessonState& state) {
+    struct Way {
+        const char* verb;
+        const char* id;
+        const std::string* label;
+        void (*act)(const LessonHands&, LessonState&);
+    };
+    const std::array<Way, 2> ways{{{"Undo", "undo", state.history.undo_label(), undo_lesson},
+                                   {"Redo", "redo", state.history.redo_label(), redo_lesson}}};
+    for (const Way& way : ways) {
+        if (way.label == nullptr) continue;
+        if (link(hands.ui, way.id, menu_text(way.verb, way.label))) {
+            hands.ui.waiting.emplace_back([hands, &state, act = way.act] { act(hands, state); });
+        }
+        note_item(hands.ui.rects, std::string("lesson edit:") + way.id, *way.label);
+    }
+}
+
+// A field breaks no lines and shows no numbers; the text as a class will see it.
+void draw_as_shown(Ui& ui, const LessonState& state) {
+    const LessonAnswers* answers = answers_of(state);
+    const LessonStep* step = step_of(state);
+    if (answers == nullptr || step == nullptr || step->text.empty()) return;
+    ImGui::PushFont(ui.theme.fonts.small);
+    dim_text(ui, "As it is shown");
+    ImGui::PopFont();
+    const std::string text = filled(step->text, answers->numbers);
+    wrapped_text(text);
+    note_item(ui.rects, "lesson edit:shown", text);
+}
+
+}  // namespace
+
+bool edit_text(Ui& ui, const char* id, const char* label, int lines, std::string& text) {
+    ImGui::PushFont(ui.theme.fonts.small);
+    dim_text(ui, label);
+    ImGui::PopFont();
+    const float height = (static_cast<float>(lines) + 0.6F) * ImGui::GetTextLineHeight();
+    ImGui::InputTextMultiline(id, &text, {-1.0F, height});
+    const bool changed = ImGui::IsItemEdited();
+    note_item(ui.rects, std::string("lesson edit:") + (id + 2), text);
+    return changed;
+}
+
+void draw_step_editor(const LessonHands& hands, LessonState& state) {
+    LessonStep step = state.lesson->steps[*state.step];
+    struct Text {
+        const char* id;
+        const char* label;
+        const char* what;
+        int lines;
+        std::string& text;
+    };
+    const std::array<Text, 4> texts{
+        {{"##title", "Title", "Title", 1, step.title},
+         {"##text", "Text; numbers of the model in braces, such as {nc | A | B}", "Text", 6,
+          step.text},
+         {"##note", "Note for who speaks", "Note", 2, step.note},
+         {"##source", "Source of what the text says of the body", "Source", 2, step.source}}};
+    for (const Text& text : texts) {
+        if (edit_text(hands.ui, text.id, text.label, text.lines, text.text)) {
+            change_step(hands, state, step, text.what, true);
+        }
+    }
+    draw_as_shown(hands.ui, state);
+    draw_question_editor(hands, state);
+    step = state.lesson->steps[*state.step];
+    if (shows_map(step)) draw_camera_row(hands, state, step);
+    const std::string fault = fault_in(step, hands.work.document.set);
+    if (!fault.empty()) {
+        coloured_text(hands.ui.theme.error, fault);
+        note_item(hands.ui.rects, "lesson edit:fault", fault);
+    }
+    draw_step_buttons(hands, state);
+    draw_undo(hands, state);
+}
+
+}  // namespace tact
