@@ -42,6 +42,8 @@ bool has_editable_pattern(const App& app) {
 }
 
 void start_rename(App& app) {
+    // Names are typed in the list, which the table takes the place of.
+    if (app.layout.arrangement == Arrangement::select) show_workspace(app, Arrangement::design);
     begin_rename(app.work, app.pattern_panes, app.work.selection.current);
     app.work.selection.scroll_to_current = true;
 }

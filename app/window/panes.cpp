@@ -160,6 +160,8 @@ PaneTitle title_of(const App& app, Pane pane) {
     const std::string name = current == nullptr ? "" : current->name;
     switch (pane) {
         case Pane::patterns:
+            if (app.layout.arrangement == Arrangement::select)
+                return {"Candidates", "side by side", {shown_patterns_text(app.work)}};
             return {"Patterns", "", {shown_patterns_text(app.work)}};
         case Pane::editor:
             return {"Editor", name, together_forms(app)};
@@ -318,6 +320,8 @@ void draw_physiology(App& app) {
 void draw_content(App& app, Pane pane) {
     switch (pane) {
         case Pane::patterns:
+            if (app.layout.arrangement == Arrangement::select)
+                return draw_candidates_panel(app.ui, app.work, app.shown_map, app.candidates);
             return draw_set_panel(app.ui, app.work, app.pattern_panes);
         case Pane::editor:
             return draw_editor(app);

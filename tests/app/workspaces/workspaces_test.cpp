@@ -92,7 +92,12 @@ TEST_CASE("workspaces: tabs over the panes choose what is shown") {
     CHECK(program.at("workspace:Select").value == "on");
     CHECK(program.at("workspace:Design").value == "off");
     CHECK_FALSE(program.shows("pane:Editor"));
+    CHECK(program.shows("pane:Candidates"));
     CHECK(program.shows("pane:Subset"));
+    program.press_key(key::kF1 + 1);
+    CHECK(program.shows("pane:Patterns"));  // where a name is typed
+    program.press_key(key::kEscape);
+    program.click("workspace:Select");
     program.click("workspace:Study");
     CHECK(program.shows("pane:Study"));
     CHECK(program.at("workspace:Study").value == "on");
