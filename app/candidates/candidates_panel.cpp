@@ -11,6 +11,7 @@
 #include "app/candidates/candidate_parts.h"
 #include "app/candidates/candidate_rows.h"
 #include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
 #include "app/document/pressing.h"
 #include "app/map/similar.h"
 #include "app/ui/widgets.h"
@@ -101,19 +102,6 @@ std::string row_words(const Workspace& work, const CandidateRow& row) {
     }
     if (!row.nearest_name.empty()) words += "\nClosest: " + row.nearest_name;
     return words + "\n" + kHoldHelp + ".";
-}
-
-void draw_row_ground(const Ui& ui, const Workspace& work, std::size_t place, const Rect& line) {
-    const Theme& theme = ui.theme;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool current = place == work.selection.current;
-    if (current || work.selection.others.contains(place)) {
-        list.AddRectFilled(line.min, line.max, faded(theme.text, current ? 0.16F : 0.08F),
-                           theme.rounding_px);
-        if (current) draw_selection_frame(list, theme, line);
-    } else if (work.selection.hovered_last == place) {
-        list.AddRectFilled(line.min, line.max, theme.hover, theme.rounding_px);
-    }
 }
 
 void draw_table_menu(Ui& ui, Workspace& work, const ShownMap& shown_map, std::size_t place) {

@@ -5,6 +5,7 @@
 #include "app/document/editing.h"
 #include "app/document/vibration_cache.h"
 #include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {
@@ -64,6 +65,19 @@ void draw_thumbnail(const Ui& ui, Workspace& work, const Rect& area, const Vibra
     plot.y = {-largest_g, largest_g, Scale::linear, area.max.y, area.min.y};
     draw_signal(*ImGui::GetWindowDrawList(), ui.theme, plot, waveform.samples_g, waveform.rate_hz,
                 colour, TraceStyle::line);
+}
+
+void draw_row_ground(const Ui& ui, const Workspace& work, std::size_t index, const Rect& row) {
+    const Theme& theme = ui.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool current = index == work.selection.current;
+    if (current || work.selection.others.contains(index)) {
+        list.AddRectFilled(row.min, row.max, faded(theme.text, current ? 0.16F : 0.08F),
+                           theme.rounding_px);
+        if (current) draw_selection_frame(list, theme, row);
+    } else if (work.selection.hovered_last == index) {
+        list.AddRectFilled(row.min, row.max, theme.hover, theme.rounding_px);
+    }
 }
 
 std::string drawn_text(const PatternSet& set) {

@@ -28,6 +28,9 @@ double shown_reach_g(const Workspace& work);
 void draw_thumbnail(const Ui& ui, Workspace& work, const Rect& area, const Vibration& vibration,
                     ImU32 colour, double reach_g);
 
+// What lies under a row of the set: selected, one of several, or pointed at.
+void draw_row_ground(const Ui& ui, const Workspace& work, std::size_t index, const Rect& row);
+
 // All words of a set that are drawn: what fonts need glyphs for.
 std::string drawn_text(const PatternSet& set);
 

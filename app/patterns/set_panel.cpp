@@ -248,14 +248,7 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
     const Theme& theme = ui.theme;
     const float s = theme.scale;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool current = index == work.selection.current;
-    if (current || work.selection.others.contains(index)) {
-        list.AddRectFilled(row.min, row.max, faded(theme.text, current ? 0.16F : 0.08F),
-                           theme.rounding_px);
-        if (current) draw_selection_frame(list, theme, row);
-    } else if (work.selection.hovered_last == index) {
-        list.AddRectFilled(row.min, row.max, theme.hover, theme.rounding_px);
-    }
+    draw_row_ground(ui, work, index, row);
     draw_picked_edge(ui, work, vibration, row);
     const float middle = row.centre().y;
     const float text_y = middle - ImGui::GetTextLineHeight() / 2.0F;

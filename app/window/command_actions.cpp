@@ -1,5 +1,8 @@
 #include "app/window/command_actions.h"
 
+#include <algorithm>
+#include <array>
+
 #include "app/ask/gap_follow.h"
 #include "app/ask/maybes_follow.h"
 #include "app/ask/put_there.h"
@@ -10,11 +13,13 @@
 #include "app/lesson/presenting.h"
 #include "app/patterns/set_panel.h"
 #include "app/play/listening.h"
+#include "app/play/playing.h"
 #include "app/study/study_follow.h"
 #include "app/subset/picked_list.h"
 #include "app/subset/subset_follow.h"
 #include "app/wave_strip/wave_strip.h"
 #include "app/window/animation.h"
+#include "app/window/commands.h"
 
 namespace tact {
 
@@ -150,6 +155,32 @@ void leave_the_lesson(App& app) {
 }
 
 bool has_lesson(const App& app) { return app.lesson.step.has_value(); }
+
+bool has_undo(const App& app) { return app.work.history.undo_label() != nullptr; }
+
+bool has_redo(const App& app) { return app.work.history.redo_label() != nullptr; }
+
+bool has_sound(const App& app) { return can_sound(app.play); }
+
+const char* what_lacks(const App& app, const Command& command) {
+    struct Lack {
+        bool (*has)(const App&);
+        const char* words;
+    };
+    constexpr std::array kLacks{Lack{has_selection, "the set is empty"},
+                                Lack{has_effects, "nothing here came from an effect file"},
+                                Lack{has_answers, "nobody has answered yet"},
+                                Lack{has_subset, "nothing is picked yet"},
+                                Lack{has_pairs, "needs two patterns"},
+                                Lack{has_editable_pattern, "needs a pattern, not a recording"},
+                                Lack{has_lesson, "no lesson is open"},
+                                Lack{has_undo, "nothing to undo"},
+                                Lack{has_redo, "nothing to redo"},
+                                Lack{has_sound, "no device to play on"}};
+    if (command.enabled(app)) return nullptr;
+    const auto found = std::ranges::find(kLacks, command.enabled, &Lack::has);
+    return found == kLacks.end() ? "not now" : found->words;
+}
 
 void tour_from_the_start(App& app) {
     app.lesson.left_at = 0;

@@ -30,6 +30,9 @@ void begin_tour(App& app);
 void present(App& app);
 void leave_the_lesson(App& app);
 bool has_lesson(const App& app);
+bool has_undo(const App& app);
+bool has_redo(const App& app);
+bool has_sound(const App& app);
 void tour_from_the_start(App& app);
 
 }  // namespace tact

@@ -42,6 +42,9 @@ std::span<const Command> view_commands();      // ... and View
 // Runs it, and notes its name for what a crash would tell.
 void carry_out(App& app, const Command& command);
 
+// Why it cannot be run; none: it can.
+const char* what_lacks(const App& app, const Command& command);
+
 // "Ctrl+Shift+Z"; empty without one.
 std::string shortcut_text(const Shortcut& shortcut);
 

@@ -122,11 +122,8 @@ constexpr auto
                      "film video frames png save"},
                     {"File", "Quit", ctrl('q'), always, quit},
 
-                    {"Edit", "Undo", ctrl('z'),
-                     [](const App& app) { return app.work.history.undo_label() != nullptr; },
-                     [](App& app) { undo(app.ui, app.work); }},
-                    {"Edit", "Redo", ctrl('z', true),
-                     [](const App& app) { return app.work.history.redo_label() != nullptr; },
+                    {"Edit", "Undo", ctrl('z'), has_undo, [](App& app) { undo(app.ui, app.work); }},
+                    {"Edit", "Redo", ctrl('z', true), has_redo,
                      [](App& app) { redo(app.ui, app.work); }},
                     {"Edit", "New pattern", ctrl('n'), always,
                      [](App& app) { add_pattern(app.ui, app.work); }, nullptr, "add vibration"},

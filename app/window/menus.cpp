@@ -27,6 +27,10 @@ void draw_item(App& app, const Command& command) {
         carry_out(app, command);
     }
     note_item(app.ui.rects, std::string("menu:") + command.name);
+    const char* lack = what_lacks(app, command);
+    if (lack != nullptr && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        ImGui::SetTooltip("%s", lack);
+    }
 }
 
 void draw_recent(App& app) {

@@ -64,11 +64,13 @@ std::vector<const Command*> palette_matches(const App& app) {
     std::vector<const Command*> found;
     const std::string wanted = lower_case(app.palette.text);
     for (const Command& command : commands()) {
-        if (*command.menu == '\0' || !command.enabled(app)) continue;
+        if (*command.menu == '\0') continue;
         const std::string all =
             lower_case(std::string(command.menu) + " " + command.name + " " + command.words);
         if (all.find(wanted) != std::string::npos) found.push_back(&command);
     }
+    // What can be done stands first; the rest says why not.
+    std::ranges::stable_partition(found, [&app](const Command* one) { return one->enabled(app); });
     return found;
 }
 
@@ -81,16 +83,17 @@ bool draw_palette_row(App& app, const Command& command, bool lit) {
     ImGui::PushID(&command);
     const bool pressed = ImGui::Selectable("##row", lit);
     ImGui::PopID();
-    note_item(app.ui.rects, std::string("palette:") + command.name,
-              shortcut_text(command.shortcut));
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const std::string keys = shortcut_text(command.shortcut);
+    const char* lack = what_lacks(app, command);
+    const std::string keys = lack == nullptr ? shortcut_text(command.shortcut) : lack;
     const float keys_px = text_size(theme.fonts.regular, keys).x;
     draw_text(list, theme.fonts.regular, {corner.x + width - keys_px, corner.y}, theme.dim_text,
               keys);
+    note_item(app.ui.rects, std::string("palette:") + command.name, keys);
     const float room = width - (keys.empty() ? 0.0F : keys_px + 2.0F * theme.gap_px);
     const std::string shown = shortened(theme.fonts.regular, name, room);
-    draw_text(list, theme.fonts.regular, corner, theme.text, shown);
+    draw_text(list, theme.fonts.regular, corner, lack == nullptr ? theme.text : theme.dim_text,
+              shown);
     const float used = text_size(theme.fonts.regular, shown).x + theme.gap_px;
     if (used + text_size(theme.fonts.small, command.menu).x > room) return pressed;
     draw_text(list, theme.fonts.small, {corner.x + used, corner.y + 2.0F * theme.scale},
@@ -174,7 +177,7 @@ void draw_palette(App& app, std::span<const KeyPress> pressed) {
             chosen = found[static_cast<std::size_t>(state.choice)];
         }
         if (was_pressed(pressed, key::kEscape)) state.open = false;
-        if (chosen != nullptr) {
+        if (chosen != nullptr && chosen->enabled(app)) {
             state.open = false;
             carry_out(app, *chosen);
         }

@@ -165,6 +165,25 @@ TEST_CASE("gestures: the palette tells the shortcuts of what it finds") {
     CHECK(program.app.work.document.set.vibrations.size() == 3);
 }
 
+TEST_CASE("gestures: the palette says why a command cannot be done, below those that can") {
+    Program program(short_patterns(2));
+    program.press('p', true);
+    program.window.type("undo");
+    program.settle();
+    CHECK(program.at("palette:Undo").value == "nothing to undo");
+    program.press_key(key::kEnter);
+    CHECK(program.app.palette.open);  // nothing was done
+    program.press_key(key::kEscape);
+    program.press('p', true);
+    program.window.type("re");  // redo, rename, report ...
+    program.settle();
+    CHECK(program.shows("palette:Rename"));
+    CHECK_FALSE(program.shows("palette:Redo"));  // twelve that can be done come first
+    program.window.type("do");
+    program.settle();
+    CHECK(program.at("palette:Redo").value == "nothing to redo");
+}
+
 TEST_CASE("gestures: an empty set's editor says where a pattern comes from") {
     Program program(short_patterns(0));
     CHECK(program.shows("button:new"));
