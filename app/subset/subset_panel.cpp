@@ -8,6 +8,7 @@
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/play/playing.h"
+#include "app/subset/alternatives.h"
 #include "app/subset/picked_list.h"
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_export.h"
@@ -115,10 +116,6 @@ void draw_source(Ui& ui, const Workspace& work, SubsetState& picking) {
     draw_tooltip(ui, "What says how far apart two patterns are.");
 }
 
-const std::string& name_of(const Pick& pick, std::size_t member) {
-    return pick.request.map->request.set->vibrations[member].name;
-}
-
 std::string quantity_of(const Pick& pick) {
     const auto& ratings = pick.request.map->request.set->ratings;
     if (pick.request.by_ratings) return of_people("rating", has_synthetic(ratings));
@@ -206,46 +203,6 @@ void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& 
     dim_text(ui, shortened(ui.theme.fonts.regular, what, ImGui::GetContentRegionAvail().x));
     draw_proof(ui, work, shown_map, picking, pick);
     draw_weakest_pair(ui, work, timeline, shown_map, play, picking, pick, a, b);
-}
-
-// What another subset has that the best has not.
-std::string exchange_text(const Pick& pick, const Subset& other) {
-    const Subset& best = pick.answer.best;
-    std::string out;
-    std::string in;
-    for (const std::size_t member : best.members) {
-        if (!std::ranges::binary_search(other.members, member)) {
-            out += (out.empty() ? "" : ", ") + name_of(pick, member);
-        }
-    }
-    for (const std::size_t member : other.members) {
-        if (!std::ranges::binary_search(best.members, member)) {
-            in += (in.empty() ? "" : ", ") + name_of(pick, member);
-        }
-    }
-    return in + " for " + out;
-}
-
-void draw_alternatives(Ui& ui, SubsetState& picking, const Pick& pick) {
-    const auto& all = pick.answer.alternatives;
-    if (all.empty()) return;
-    ImGui::Dummy({1.0F, 0.5F * ui.theme.gap_px});
-    ImGui::PushFont(ui.theme.fonts.small);
-    dim_text(ui, pick.answer.are_alternatives_proven ? "Next best" : "Others that are good");
-    ImGui::PopFont();
-    const auto line = [&](const std::string& text, std::optional<std::size_t> which, int id) {
-        ImGui::PushID(id);
-        if (ImGui::Selectable(text.c_str(), picking.alternative == which))
-            picking.alternative = which;
-        note_item(ui.rects, "alternative:" + std::to_string(id), text);
-        ImGui::PopID();
-    };
-    if (picking.alternative) line("Back to the best", std::nullopt, 0);
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        const bool as_good = all[k].weakest_dissimilarity == pick.answer.best.weakest_dissimilarity;
-        const std::string value = as_good ? "as far" : grouped(all[k].weakest_dissimilarity);
-        line(value + ": " + exchange_text(pick, all[k]), k, static_cast<int>(k) + 1);
-    }
 }
 
 // True where there is a subset to draw.

@@ -1,0 +1,74 @@
+#include "app/subset/alternatives.h"
+
+#include <algorithm>
+
+#include "app/subset/subset_follow.h"
+#include "app/ui/widgets.h"
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+// What another subset has that the best has not.
+std::string exchange_text(const Pick& pick, const Subset& other) {
+    const Subset& best = pick.answer.best;
+    std::string out;
+    std::string in;
+    for (const std::size_t member : best.members) {
+        if (!std::ranges::binary_search(other.members, member)) {
+            out += (out.empty() ? "" : ", ") + name_of(pick, member);
+        }
+    }
+    for (const std::size_t member : other.members) {
+        if (!std::ranges::binary_search(best.members, member)) {
+            in += (in.empty() ? "" : ", ") + name_of(pick, member);
+        }
+    }
+    return in + " for " + out;
+}
+
+// Who comes for whom, and at the right how far the weakest pair is apart then.
+void draw_alternative(Ui& ui, SubsetState& picking, const Pick& pick, std::size_t k) {
+    const Theme& theme = ui.theme;
+    const Subset& other = pick.answer.alternatives[k];
+    const bool as_good = other.weakest_dissimilarity == pick.answer.best.weakest_dissimilarity;
+    const std::string value = as_good ? "the same" : grouped(other.weakest_dissimilarity);
+    const std::string text = exchange_text(pick, other);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float value_px = text_size(theme.fonts.regular, value).x;
+    ImGui::PushID(static_cast<int>(k));
+    if (ImGui::Selectable("##alternative", picking.alternative == k)) picking.alternative = k;
+    ImGui::PopID();
+    note_item(ui.rects, "alternative:" + std::to_string(k + 1), text + ": " + value);
+    const std::string shown = shortened(theme.fonts.regular, text, width - value_px - theme.gap_px);
+    if (shown != text) draw_tooltip(ui, text.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_text(list, theme.fonts.regular, corner, theme.text, shown);
+    draw_text(list, theme.fonts.regular, {corner.x + width - value_px, corner.y}, theme.dim_text,
+              value);
+}
+
+}  // namespace
+
+const std::string& name_of(const Pick& pick, std::size_t member) {
+    return pick.request.map->request.set->vibrations[member].name;
+}
+
+void draw_alternatives(Ui& ui, SubsetState& picking, const Pick& pick) {
+    const auto& all = pick.answer.alternatives;
+    if (all.empty()) return;
+    ImGui::Dummy({1.0F, 0.5F * ui.theme.gap_px});
+    ImGui::PushFont(ui.theme.fonts.small);
+    dim_text(ui, pick.answer.are_alternatives_proven ? "Next best" : "Others that are good");
+    ImGui::PopFont();
+    if (picking.alternative) {
+        if (ImGui::Selectable("Back to the best")) picking.alternative.reset();
+        note_item(ui.rects, "alternative:0");
+    }
+    for (std::size_t k = 0; k < all.size(); ++k) draw_alternative(ui, picking, pick, k);
+}
+
+}  // namespace tact

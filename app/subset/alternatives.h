@@ -1,0 +1,18 @@
+// Subsets beside the best one: which are as good, or nearly.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "app/subset/subset_state.h"
+#include "app/ui/ui.h"
+
+namespace tact {
+
+// Of a pattern as it was when it was picked.
+const std::string& name_of(const Pick& pick, std::size_t member);
+
+// A row each: who comes for whom. A click shows it in the place of the best.
+void draw_alternatives(Ui& ui, SubsetState& picking, const Pick& pick);
+
+}  // namespace tact
