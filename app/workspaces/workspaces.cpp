@@ -69,7 +69,7 @@ Layout first_layout(Arrangement arrangement) {
         case Arrangement::design:
             layout.left = 0.265F;
             layout.right = 0.28F;
-            layout.left_split = 0.34F;
+            layout.left_split = 0.45F;
             layout.physiology = Fold::row;
             break;
         case Arrangement::select:

@@ -35,6 +35,7 @@ TEST_CASE("tour: it goes from start to end, and leaves the document and the view
     const auto document = program.app.work.document.set;
     program.click("start tour");
     CHECK(program.app.work.document.set.vibrations[0].name == "plain 100 Hz");
+    program.wait_for_numbers();  // which would move the buttons when they come
     const std::size_t steps = program.lesson().lesson->steps.size();
     for (std::size_t step = 0; step + 1 < steps; ++step) {
         REQUIRE(program.lesson().step == step);
