@@ -43,13 +43,23 @@ std::optional<FoundGap> find_gap(const GapRequest& request, std::stop_token stop
     return found;
 }
 
-std::vector<std::size_t> picked_places(const Workspace& work) {
+std::vector<std::size_t> not_dropped(const Workspace& work) {
     const auto& all = work.document.set.vibrations;
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (!all[k].dropped) places.push_back(k);
+    }
+    return places;
+}
+
+// All that are not dropped, where none is picked.
+std::vector<std::size_t> picked_places(const Workspace& work) {
     const auto& names = work.selection.picked;
+    if (names.empty()) return not_dropped(work);
+    const auto& all = work.document.set.vibrations;
     std::vector<std::size_t> picked;
     for (std::size_t k = 0; k < all.size(); ++k) {
-        const bool counts = names.empty() ? !all[k].dropped : names.contains(all[k].name);
-        if (counts) picked.push_back(k);
+        if (names.contains(all[k].name)) picked.push_back(k);
     }
     return picked;
 }
@@ -147,10 +157,7 @@ void fill_the_gap(Ui& ui, const Workspace& work, const ShownMap& shown_map, Mayb
 
 void grow_to(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state,
              std::size_t count) {
-    std::vector<std::size_t> all;
-    for (std::size_t k = 0; k < work.document.set.vibrations.size(); ++k) {
-        if (!work.document.set.vibrations[k].dropped) all.push_back(k);
-    }
+    std::vector<std::size_t> all = not_dropped(work);
     if (all.empty()) return complain(ui, "There is no pattern yet to be far from.");
     if (all.size() >= count) {
         return complain(ui, "The set has " + std::to_string(all.size()) +

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/candidates/candidate_parts.h"
+#include "app/candidates/candidate_rows.h"
 #include "app/document/pattern_looks.h"
 #include "app/patterns/rhythm_list.h"
 #include "app/ui/widgets.h"
@@ -25,23 +26,9 @@ void draw_picked_mark(const Theme& theme, ImVec2 centre, bool preview) {
 }
 
 std::string cell_words(const CandidateRow& row, CandidateColumn column) {
-    const auto number = [](const std::optional<double>& value) {
-        return value ? significant_digits(*value, 3) : std::string();
-    };
-    switch (column) {
-        case CandidateColumn::amplitude:
-            return number(row.amplitude_g);
-        case CandidateColumn::carrier:
-            return number(row.carrier_hz);
-        case CandidateColumn::modulation:
-            return number(row.modulation_hz);
-        case CandidateColumn::duration:
-            return number(row.duration_s);
-        case CandidateColumn::nearest:
-            return row.nearest_pm ? grouped(*row.nearest_pm) : std::string();
-        default:
-            return {};
-    }
+    const std::optional<double> number = number_in(row, column);
+    if (!number) return {};
+    return column == CandidateColumn::nearest ? grouped(*number) : significant_digits(*number, 3);
 }
 
 void draw_rhythm_cell(const Theme& theme, const CandidateRow& row, const Rect& cell) {

@@ -40,32 +40,15 @@ void add_nearest(CandidateRow& row, const NearestOnes& nearest, const RowsByName
     row.nearest_name = nearest.of->request.set->vibrations[nearest.row[found->second]].name;
 }
 
-std::optional<double> sort_number(const CandidateRow& row, CandidateColumn by) {
-    switch (by) {
-        case CandidateColumn::amplitude:
-            return row.amplitude_g;
-        case CandidateColumn::carrier:
-            return row.carrier_hz;
-        case CandidateColumn::modulation:
-            return row.modulation_hz;
-        case CandidateColumn::duration:
-            return row.duration_s;
-        case CandidateColumn::nearest:
-            return row.nearest_pm;
-        case CandidateColumn::picked:
-            return row.picked ? 1.0 : 0.0;
-        case CandidateColumn::picture:
-        case CandidateColumn::name:
-        case CandidateColumn::rhythm:
-            break;
-    }
-    return std::nullopt;
-}
-
 template <class Value>
 bool is_before(const std::optional<Value>& a, const std::optional<Value>& b, bool descending) {
     if (!a || !b) return a.has_value() && !b.has_value();
     return descending ? *b < *a : *a < *b;
+}
+
+std::optional<double> sort_key(const CandidateRow& row, CandidateColumn by) {
+    if (by == CandidateColumn::picked) return row.picked ? 1.0 : 0.0;
+    return number_in(row, by);
 }
 
 void sort_rows(std::vector<CandidateRow>& rows, const Workspace& work,
@@ -80,11 +63,28 @@ void sort_rows(std::vector<CandidateRow>& rows, const Workspace& work,
                              down);
         }
         if (state.by == CandidateColumn::rhythm) return is_before(a.rhythm, b.rhythm, down);
-        return is_before(sort_number(a, state.by), sort_number(b, state.by), down);
+        return is_before(sort_key(a, state.by), sort_key(b, state.by), down);
     });
 }
 
 }  // namespace
+
+std::optional<double> number_in(const CandidateRow& row, CandidateColumn column) {
+    switch (column) {
+        case CandidateColumn::amplitude:
+            return row.amplitude_g;
+        case CandidateColumn::carrier:
+            return row.carrier_hz;
+        case CandidateColumn::modulation:
+            return row.modulation_hz;
+        case CandidateColumn::duration:
+            return row.duration_s;
+        case CandidateColumn::nearest:
+            return row.nearest_pm;
+        default:
+            return std::nullopt;
+    }
+}
 
 NearestOnes nearest_ones(const std::shared_ptr<const LiveMap>& map) {
     NearestOnes nearest{map, {}, {}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "app/candidates/candidates_state.h"
@@ -9,6 +10,9 @@
 #include "app/map/map_state.h"
 
 namespace tact {
+
+// What a column of numbers says of a pattern; none: it has no such number, or the column no number.
+std::optional<double> number_in(const CandidateRow& row, CandidateColumn column);
 
 // Of every row the closest other one by PM; none where there is only one.
 NearestOnes nearest_ones(const std::shared_ptr<const LiveMap>& map);

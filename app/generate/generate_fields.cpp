@@ -8,6 +8,7 @@
 #include "app/patterns/rhythm_list.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
+#include "model/text/utf8.h"
 
 namespace tact {
 

@@ -233,12 +233,11 @@ SpacePaneAction taken(Workspace& work, const SpaceAction& action,
 void note_points(Ui& ui, const ShownMap& shown_map, const Rect& area,
                  const std::vector<std::string>& labels, const Eigen::MatrixXd& points) {
     if (ui.rects.file.empty()) return;
-    const SpaceFit placed = fit(points);
+    const SpaceProjection seen = projection(shown_map.camera, fit(points), area);
     for (std::size_t k = 0; k < labels.size(); ++k) {
         if (!points.row(static_cast<Eigen::Index>(k)).allFinite()) continue;  // hidden
-        const Projected at =
-            project(shown_map.camera, placed, area, point_of(points, static_cast<Eigen::Index>(k)));
-        note_rect(ui.rects, "point:" + labels[k], at.at, at.at);
+        const ImVec2 at = seen(point_of(points, static_cast<Eigen::Index>(k))).at;
+        note_rect(ui.rects, "point:" + labels[k], at, at);
     }
     if (is_moving(ui, shown_map)) note_rect(ui.rects, "points move", area.min, area.max);
 }
@@ -255,11 +254,11 @@ void note_pair(Ui& ui, const Rect& area, const SpaceScene& scene, const SpaceAct
 void note_maybes(Ui& ui, const ShownMap& shown_map, const Rect& area, const MapMaybes& maybes,
                  const Eigen::MatrixXd& points) {
     if (ui.rects.file.empty()) return;
-    const SpaceFit placed = fit(points);
+    const SpaceProjection seen = projection(shown_map.camera, fit(points), area);
     const auto note = [&](const char* what, const Eigen::MatrixXd& places,
                           const std::vector<std::string>& words) {
         for (Eigen::Index k = 0; k < places.rows(); ++k) {
-            const ImVec2 at = project(shown_map.camera, placed, area, point_of(places, k)).at;
+            const ImVec2 at = seen(point_of(places, k)).at;
             const auto number = static_cast<std::size_t>(k);
             note_rect(ui.rects, what + std::to_string(k + 1), at, at,
                       number < words.size() ? words[number] : "");

@@ -167,7 +167,7 @@ void draw_hint(Ui& ui, const char* id, const char* text) {
 }
 
 void draw_tooltip(const Ui& ui, const char* text) {
-    constexpr float kRestS = 0.4F;
+    constexpr float kRestS = 0.6F;
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     if (ImGui::GetCurrentContext() == nullptr || ImGui::GetIO().MouseDown[0]) return;
     if (ImGui::IsItemActive()) return;  // who types there knows, and has to see what is beside
@@ -177,13 +177,6 @@ void draw_tooltip(const Ui& ui, const char* text) {
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
-}
-
-std::string lower_case(std::string text) {
-    std::ranges::transform(text, text.begin(), [](char c) {
-        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    });
-    return text;
 }
 
 void dim_text(const Ui& ui, const std::string& text) {

@@ -82,9 +82,6 @@ void draw_hint(Ui& ui, const char* id, const char* text);
 // A tooltip on the last item after a moment's rest.
 void draw_tooltip(const Ui& ui, const char* text);
 
-// ASCII letters in lower case: for searches.
-std::string lower_case(std::string text);
-
 // A word to choose a view by: tabs and strips are made of them. True when pressed.
 bool draw_chip(const Ui& ui, const char* id, const char* text, bool lit);
 float chip_width(const Ui& ui, const char* text);

@@ -5,12 +5,12 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "app/window/commands.h"
 #include "app/window/dialogs.h"
+#include "model/text/utf8.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {

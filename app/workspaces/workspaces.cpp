@@ -63,47 +63,52 @@ void take(std::string_view what, double number, Layout& layout) {
 }  // namespace
 
 Layout first_layout(Arrangement arrangement) {
-    Layout layout;
-    layout.arrangement = arrangement;
     switch (arrangement) {
-        case Arrangement::design:
-            layout.left = 0.265F;
-            layout.right = 0.28F;
-            layout.left_split = 0.45F;
-            layout.physiology = Fold::row;
-            break;
         case Arrangement::select:
-            layout.left = 0.34F;
-            layout.right = 0.27F;
-            layout.bench = BenchTab::subset;
-            layout.physiology = Fold::closed;
-            break;
+            return {.left = 0.34F,
+                    .right = 0.27F,
+                    .maximised = {},
+                    .bench = BenchTab::subset,
+                    .arrangement = arrangement,
+                    .physiology = Fold::closed};
         case Arrangement::physiology:
-            layout.left = 0.18F;
-            layout.right = 0.24F;
-            layout.maximised = Pane::physiology;
+            return {.left = 0.18F,
+                    .right = 0.24F,
+                    .maximised = Pane::physiology,
+                    .arrangement = arrangement};
+        case Arrangement::design:
             break;
     }
-    return layout;
+    return {.left = 0.265F,
+            .right = 0.28F,
+            .maximised = {},
+            .arrangement = arrangement,
+            .physiology = Fold::row};
 }
 
-void show_arrangement(Arrangement arrangement, Layout& layout, Workspaces& workspaces) {
-    if (workspaces.shown.empty() && layout.arrangement != arrangement) {
-        workspaces.left[layout.arrangement] = layout;
-    }
-    if (!workspaces.shown.empty() || layout.arrangement != arrangement) {
-        const auto kept = workspaces.left.find(arrangement);
-        layout = kept == workspaces.left.end() ? first_layout(arrangement) : kept->second;
-    }
+namespace {
+
+// One of a person's own is as it was saved, whatever was done to it since.
+void leave(const Layout& layout, Workspaces& workspaces) {
+    if (workspaces.shown.empty()) workspaces.left[layout.arrangement] = layout;
     workspaces.shown.clear();
+}
+
+}  // namespace
+
+void show_arrangement(Arrangement arrangement, Layout& layout, Workspaces& workspaces) {
+    leave(layout, workspaces);
+    const auto kept = workspaces.left.find(arrangement);
+    layout = kept == workspaces.left.end() ? first_layout(arrangement) : kept->second;
     layout.maximised = first_layout(arrangement).maximised;
 }
 
 void show_own(const std::string& name, Layout& layout, Workspaces& workspaces) {
     const auto found = workspaces.own.find(name);
     if (found == workspaces.own.end()) return;
-    if (workspaces.shown.empty()) workspaces.left[layout.arrangement] = layout;
-    layout = found->second;
+    const Layout own = found->second;
+    leave(layout, workspaces);
+    layout = own;
     workspaces.shown = name;
 }
 

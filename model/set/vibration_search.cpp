@@ -4,17 +4,11 @@
 #include <sstream>
 
 #include "model/text/numbers.h"
+#include "model/text/utf8.h"
 
 namespace tact {
 
 namespace {
-
-std::string in_lower_case(std::string text) {
-    for (char& c : text) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return text;
-}
 
 std::string with_unit(double value, const char* unit) {
     return significant_digits(value, 4) + unit;
@@ -37,11 +31,11 @@ std::vector<std::string> words_of(const Vibration& vibration) {
     }
     words.push_back(with_unit(pattern->modulation.frequency_hz, "hz"));
     words.push_back(with_unit(pattern->duration_s, "s"));
-    words.push_back(pattern->rhythm.text.empty() ? "steady" : in_lower_case(pattern->rhythm.text));
+    words.push_back(pattern->rhythm.text.empty() ? "steady" : lower_case(pattern->rhythm.text));
     return words;
 }
 
-VibrationSearch::VibrationSearch(const std::string& search) : text_(in_lower_case(search)) {
+VibrationSearch::VibrationSearch(const std::string& search) : text_(lower_case(search)) {
     std::istringstream stream(text_);
     for (std::string word; stream >> word;) {
         const bool is_unit = word == "g" || word == "hz" || word == "s";
@@ -54,7 +48,7 @@ VibrationSearch::VibrationSearch(const std::string& search) : text_(in_lower_cas
 }
 
 bool VibrationSearch::finds(const Vibration& vibration) const {
-    if (in_lower_case(vibration.name).find(text_) != std::string::npos) return true;
+    if (lower_case(vibration.name).find(text_) != std::string::npos) return true;
     if (terms_.empty()) return false;
     const std::vector<std::string> words = words_of(vibration);
     return std::ranges::all_of(terms_, [&words](const std::string& term) {

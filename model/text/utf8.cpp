@@ -77,6 +77,13 @@ std::string shortened(std::string_view text, std::size_t characters) {
     return line;
 }
 
+std::string lower_case(std::string text) {
+    for (char& c : text) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return text;
+}
+
 std::string in_quotes(std::string_view text) { return '"' + shortened(text) + '"'; }
 
 }  // namespace tact

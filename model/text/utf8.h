@@ -33,6 +33,9 @@ TextPosition position_of(std::string_view text, std::size_t offset);
 // At most `characters` of a text on one line, with "..." where some are missing: for messages.
 std::string shortened(std::string_view text, std::size_t characters = 40);
 
+// ASCII letters in lower case: for searches.
+std::string lower_case(std::string text);
+
 // A name for messages: shortened, in double quotes.
 std::string in_quotes(std::string_view text);
 

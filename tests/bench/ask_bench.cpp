@@ -22,17 +22,6 @@ using namespace tact::bench;
 
 namespace {
 
-double now_s() {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double>(now).count();
-}
-
-double share_of(std::vector<double> values, double of) {
-    if (values.empty()) return 0.0;
-    std::ranges::sort(values);
-    return values[static_cast<std::size_t>(of * static_cast<double>(values.size() - 1))];
-}
-
 // The twelve of the paper, and two that lie between some of them.
 PatternSet fourteen() {
     const auto loaded = read_set_file(TACT_ASSETS_DIR "/sets/pm_2023_twelve.tactspace.json");
@@ -63,11 +52,11 @@ struct FrameTimes {
     std::vector<double> waited_s;
 
     void add(Program& program) {
-        const double begin_s = now_s();
+        const double begin_s = clock_s();
         const double computed_before_s = thread_s();
         program.frame();
         computed_s.push_back(thread_s() - computed_before_s);
-        waited_s.push_back(now_s() - begin_s);
+        waited_s.push_back(clock_s() - begin_s);
     }
 };
 
@@ -88,9 +77,9 @@ void frame_while_putting(benchmark::State& state) {
         searching.add(program);
         std::this_thread::sleep_for(std::chrono::milliseconds(8));
     }
-    state.counters["rest_ms"] = 1e3 * share_of(rest.computed_s, 0.5);
-    state.counters["p99_waited_ms"] = 1e3 * share_of(searching.waited_s, 0.99);
-    owe_at_most(state, share_of(searching.computed_s, 0.5) / share_of(rest.computed_s, 0.5), 2.0,
+    state.counters["rest_ms"] = 1e3 * quantile(rest.computed_s, 0.5);
+    state.counters["p99_waited_ms"] = 1e3 * quantile(searching.waited_s, 0.99);
+    owe_at_most(state, quantile(searching.computed_s, 0.5) / quantile(rest.computed_s, 0.5), 2.0,
                 "x a frame of rest (median)");
 }
 
@@ -111,18 +100,18 @@ void track_appears(benchmark::State& state) {
         program.app.maybes.rested.reset();
         program.settle();
         program.window.move(on_modulation ? modulation : amplitude);
-        const double begin_s = now_s();
+        const double begin_s = clock_s();
         while (shown_maybes(program.app.shown_map, program.app.maybes).track.rows() == 0) {
             sampling.add(program);
             std::this_thread::sleep_for(std::chrono::milliseconds(4));
-            if (now_s() - begin_s > 20.0) return state.SkipWithError("no track");
+            if (clock_s() - begin_s > 20.0) return state.SkipWithError("no track");
         }
-        appears_s.push_back(now_s() - begin_s);
+        appears_s.push_back(clock_s() - begin_s);
     }
     state.counters["frame_of_rest"] =
-        share_of(sampling.computed_s, 0.5) / share_of(rest.computed_s, 0.5);
-    state.counters["slowest_ms"] = 1e3 * share_of(appears_s, 1.0);
-    owe_at_most(state, 1e3 * share_of(appears_s, 0.5), 300.0, "ms (median)");
+        quantile(sampling.computed_s, 0.5) / quantile(rest.computed_s, 0.5);
+    state.counters["slowest_ms"] = 1e3 * quantile(appears_s, 1.0);
+    owe_at_most(state, 1e3 * quantile(appears_s, 0.5), 300.0, "ms (median)");
 }
 
 }  // namespace

@@ -33,12 +33,6 @@ namespace {
 constexpr double kFrameS = 1.0 / 60.0;
 constexpr double kLeastFrameS = 1.0 / 125.0;
 
-// What a person waits, other programs included.
-double clock_s() {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double>(now).count();
-}
-
 PatternSet twelve() {
     const auto loaded = read_set_file(TACT_ASSETS_DIR "/sets/pm_2023_twelve.tactspace.json");
     return loaded ? loaded->set : PatternSet{};
@@ -69,13 +63,6 @@ double process_s() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-double share(std::vector<double> values, double of) {
-    if (values.empty()) return 0.0;
-    const auto place = static_cast<std::size_t>(of * static_cast<double>(values.size() - 1));
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(place));
-    return values[place];
-}
-
 // From now on a frame is what a person's is: where things are is noted for tests alone.
 void note_no_places(Program& program) { program.app.ui.rects.file.clear(); }
 
@@ -86,7 +73,7 @@ double frame_s(Program& program) {
 }
 
 double p99_of_median(const std::vector<double>& values) {
-    return share(values, 0.99) / share(values, 0.5);
+    return quantile(values, 0.99) / quantile(values, 0.5);
 }
 
 void frame(benchmark::State& state) {
@@ -100,8 +87,8 @@ void frame(benchmark::State& state) {
         frames_s.push_back(frame_s(program));
     }
     state.counters["vertices"] = ImGui::GetDrawData()->TotalVtxCount;
-    state.counters["p99_ms"] = 1e3 * share(frames_s, 0.99);
-    owe_at_most(state, 1e3 * share(frames_s, 0.5), 3.0, "ms (median)");
+    state.counters["p99_ms"] = 1e3 * quantile(frames_s, 0.99);
+    owe_at_most(state, 1e3 * quantile(frames_s, 0.5), 3.0, "ms (median)");
 }
 
 // Sixty frames a second, while the map of twelve changed patterns is made again and again.
@@ -122,9 +109,9 @@ void frame_while_computing(benchmark::State& state) {
         const double left_s = kFrameS - (clock_s() - begin_s);
         if (left_s > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(left_s));
     }
-    state.counters["median_ms"] = 1e3 * share(frames_s, 0.5);
+    state.counters["median_ms"] = 1e3 * quantile(frames_s, 0.5);
     state.counters["computed_p99_of_median"] = p99_of_median(computed_s);
-    state.counters["p99_ms"] = 1e3 * share(frames_s, 0.99);
+    state.counters["p99_ms"] = 1e3 * quantile(frames_s, 0.99);
     state.counters["runs"] = turn;
     owe_at_most(state, p99_of_median(frames_s), 2.0, "x median (p99)");
 }
@@ -161,9 +148,9 @@ void slider_to_space(benchmark::State& state) {
         exact_s.push_back(clock_s() - begin_s);
         computed_s.push_back(process_s() - computed_before_s);
     }
-    state.counters["all_threads_ms"] = 1e3 * share(computed_s, 0.5);
-    state.counters["preview_ms"] = 1e3 * share(preview_s, 0.5);
-    owe_at_most(state, 1e3 * share(exact_s, 0.5), 250.0, "ms (median)");
+    state.counters["all_threads_ms"] = 1e3 * quantile(computed_s, 0.5);
+    state.counters["preview_ms"] = 1e3 * quantile(preview_s, 0.5);
+    owe_at_most(state, 1e3 * quantile(exact_s, 0.5), 250.0, "ms (median)");
 }
 
 // One pattern of 60 s with all the points and transients that one may have.
@@ -203,9 +190,9 @@ void drag_in_full_strip(benchmark::State& state) {
         frames_s.push_back(frame_s(program));
         small_s.push_back(frame_s(small));
     }
-    state.counters["p99_ms"] = 1e3 * share(frames_s, 0.99);
-    state.counters["of_small"] = share(frames_s, 0.5) / share(small_s, 0.5);
-    owe_at_most(state, 1e3 * share(frames_s, 0.5), 3.0, "ms (median)");
+    state.counters["p99_ms"] = 1e3 * quantile(frames_s, 0.99);
+    state.counters["of_small"] = quantile(frames_s, 0.5) / quantile(small_s, 0.5);
+    owe_at_most(state, 1e3 * quantile(frames_s, 0.5), 3.0, "ms (median)");
 }
 
 // One strong pattern of 2.5 s that drives at least 641 receptors.
@@ -321,9 +308,9 @@ void frame_on_display(benchmark::State& state, const PatternSet& set) {
     state.counters["receptors"] = static_cast<double>(receptors);
     state.counters["p99_of_median"] = p99_of_median(frames_s);
     state.counters["frames"] = static_cast<double>(frames_s.size());
-    state.counters["all_threads_ms"] = 1e3 * share(computed_s, 0.5);
-    state.counters["p99_ms"] = 1e3 * share(frames_s, 0.99);
-    owe_at_most(state, 1e3 * share(frames_s, 0.5), 33.0, "ms (median)");
+    state.counters["all_threads_ms"] = 1e3 * quantile(computed_s, 0.5);
+    state.counters["p99_ms"] = 1e3 * quantile(frames_s, 0.99);
+    owe_at_most(state, 1e3 * quantile(frames_s, 0.5), 33.0, "ms (median)");
 }
 
 }  // namespace

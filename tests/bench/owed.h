@@ -7,9 +7,12 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstddef>
 #include <cstdio>
 #include <ctime>
 #include <limits>
+#include <vector>
 
 namespace tact::bench {
 
@@ -18,6 +21,20 @@ inline double thread_s() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// What a person waits, other programs included.
+inline double clock_s() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
+
+// The value that this share of them does not exceed; 0.5: the median.
+inline double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return 0.0;
+    const auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(place));
+    return values[place];
 }
 
 // The shortest of several turns.

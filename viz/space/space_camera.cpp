@@ -112,45 +112,60 @@ SpaceFit fit(const Eigen::MatrixXd& points) {
     return result;
 }
 
-Eigen::Vector3d turned(const SpaceCamera& camera, bool flat, const Eigen::Vector3d& direction) {
+Eigen::Matrix3d turn_of(const SpaceCamera& camera, bool flat) {
     const double yaw = flat ? 0.0 : camera.yaw_rad;
     const double pitch = flat ? std::numbers::pi / 2.0 : camera.pitch_rad;
-    const double right = std::cos(yaw) * direction.x() - std::sin(yaw) * direction.y();
-    const double away = std::sin(yaw) * direction.x() + std::cos(yaw) * direction.y();
-    return {right, std::cos(pitch) * direction.z() + std::sin(pitch) * away,
-            std::sin(pitch) * direction.z() - std::cos(pitch) * away};
+    const Eigen::RowVector3d away{std::sin(yaw), std::cos(yaw), 0.0};
+    const Eigen::RowVector3d upright = Eigen::RowVector3d::Unit(2);
+    Eigen::Matrix3d turn;
+    turn.row(0) << std::cos(yaw), -std::sin(yaw), 0.0;
+    turn.row(1) = std::cos(pitch) * upright + std::sin(pitch) * away;
+    turn.row(2) = std::sin(pitch) * upright - std::cos(pitch) * away;
+    return turn;
+}
+
+Eigen::Vector3d turned(const SpaceCamera& camera, bool flat, const Eigen::Vector3d& direction) {
+    return turn_of(camera, flat) * direction;
+}
+
+SpaceProjection projection(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane) {
+    const Framing framing = framed(camera, fit, pane);
+    const double half = half_side_px(pane);
+    return {.turn = turn_of(camera, fit.flat) / fit.radius,
+            .centre = fit.centre,
+            .flat = fit.flat,
+            .middle = pane.centre() + ImVec2{static_cast<float>(camera.pan_x * half),
+                                             static_cast<float>(camera.pan_y * half)},
+            .px = camera.zoom * framing.radius_px,
+            .across = framing.across,
+            .up = framing.middle};
+}
+
+Projected SpaceProjection::operator()(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d q = turn * (point - centre);
+    // Far outside the ball (a ghost of another map) nothing may come behind the eye.
+    const double near = std::min(q.z(), 0.75 * kEyeDistance);
+    const double scale = flat ? 1.0 : kEyeDistance / (kEyeDistance - near);
+    return {middle + ImVec2{static_cast<float>(px * (q.x() * scale - across)),
+                            -static_cast<float>(px * (q.y() * scale - up))},
+            q.z(), scale};
 }
 
 Projected project(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
                   const Eigen::Vector3d& point) {
-    const Eigen::Vector3d q = turned(camera, fit.flat, (point - fit.centre) / fit.radius);
-    // Far outside the ball (a ghost of another map) nothing may come behind the eye.
-    const double near = std::min(q.z(), 0.75 * kEyeDistance);
-    const double scale = fit.flat ? 1.0 : kEyeDistance / (kEyeDistance - near);
-    const Framing framing = framed(camera, fit, pane);
-    const double px = camera.zoom * framing.radius_px;
-    const ImVec2 middle = pane.centre();
-    const double half = half_side_px(pane);
-    return {
-        {middle.x + static_cast<float>(camera.pan_x * half + px * (q.x() * scale - framing.across)),
-         middle.y +
-             static_cast<float>(camera.pan_y * half - px * (q.y() * scale - framing.middle))},
-        q.z(),
-        scale};
+    return projection(camera, fit, pane)(point);
 }
 
 Eigen::Vector3d unprojected(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
                             const Eigen::Vector3d& through, ImVec2 at) {
-    const Projected before = project(camera, fit, pane, through);
-    const double px = camera.zoom * framed(camera, fit, pane).radius_px * before.scale;
+    const SpaceProjection seen = projection(camera, fit, pane);
+    const Projected before = seen(through);
+    const double px = seen.px * before.scale;
     const double right = static_cast<double>(at.x - before.at.x) / px;
     const double up = -static_cast<double>(at.y - before.at.y) / px;
-    // The screen's right and up in the map: the transpose of turned().
-    Eigen::Matrix3d turn;
-    for (int axis = 0; axis < 3; ++axis) {
-        turn.col(axis) = turned(camera, fit.flat, Eigen::Vector3d::Unit(axis));
-    }
-    return through + fit.radius * (turn.transpose() * Eigen::Vector3d(right, up, 0.0));
+    // The screen's right and up in the map.
+    return through +
+           fit.radius * (turn_of(camera, fit.flat).transpose() * Eigen::Vector3d(right, up, 0.0));
 }
 
 std::optional<std::size_t> pick(std::span<const Disc> discs,
@@ -201,10 +216,11 @@ void frame_points(SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
     camera.pan_x = 0.0;
     camera.pan_y = 0.0;
     camera.zoom = 1.0;
-    Rect seen{project(camera, fit, pane, points.front()).at, {}};
+    const SpaceProjection projected = projection(camera, fit, pane);
+    Rect seen{projected(points.front()).at, {}};
     seen.max = seen.min;
     for (const Eigen::Vector3d& point : points) {
-        const ImVec2 at = project(camera, fit, pane, point).at;
+        const ImVec2 at = projected(point).at;
         seen = around(seen, {at, at});
     }
     const auto times = [](float room, float extent) {

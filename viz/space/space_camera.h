@@ -91,7 +91,8 @@ SpaceFit fit(const Eigen::MatrixXd& points);
 // Row i as a point in space; D3 = 0 in 2-D.
 Eigen::Vector3d point_of(const Eigen::MatrixXd& points, Eigen::Index i);
 
-// A direction as the eye sees it: (right, up, toward the eye). `flat`: from straight above.
+// Turns a direction to what the eye sees: (right, up, toward the eye). `flat`: from straight above.
+Eigen::Matrix3d turn_of(const SpaceCamera& camera, bool flat);
 Eigen::Vector3d turned(const SpaceCamera& camera, bool flat, const Eigen::Vector3d& direction);
 
 struct Projected {
@@ -100,6 +101,22 @@ struct Projected {
     double scale = 1.0;  // of sizes there, 1 in the middle
 };
 
+// Where points appear to a camera that stands still, its angles and its framing taken once: a frame
+// asks this a thousand times.
+struct SpaceProjection {
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // to (right, up, toward the eye), in radii
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    bool flat = false;
+    ImVec2 middle{0, 0};            // of the pane, moved by the pan
+    double px = 1.0;                // of one radius in the middle
+    double across = 0.0, up = 0.0;  // what of X and Y is there
+
+    Projected operator()(const Eigen::Vector3d& point) const;
+};
+
+SpaceProjection projection(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane);
+
+// Of a single point.
 Projected project(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
                   const Eigen::Vector3d& point);
 

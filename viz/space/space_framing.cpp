@@ -66,11 +66,7 @@ double nearness_to_first(const SpaceCamera& camera, bool flat) {
 }  // namespace
 
 SeenExtent seen_extent(const SpaceCamera& camera, const SpaceFit& fit) {
-    // turned(), with its angles taken once.
-    Eigen::Matrix3d turn;
-    for (int axis = 0; axis < 3; ++axis) {
-        turn.col(axis) = turned(camera, fit.flat, Eigen::Vector3d::Unit(axis));
-    }
+    const Eigen::Matrix3d turn = turn_of(camera, fit.flat);
     SeenExtent seen{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
     for (const Eigen::Vector3d& outer : fit.outer) {
         const Eigen::Vector3d q = turn * outer;

@@ -30,13 +30,12 @@ Floor floor_of(const SpaceFit& fit) {
 }
 
 // x and y in halves of the floor's sides.
-ImVec2 on_floor(const SpaceStage& stage, const SpaceCamera& camera, const Floor& floor, double x,
+ImVec2 on_floor(const SpaceFit& fit, const SpaceProjection& seen, const Floor& floor, double x,
                 double y) {
     const Eigen::Vector2d q = floor.middle + floor.half.cwiseProduct(Eigen::Vector2d{x, y});
-    const Eigen::Vector3d p =
-        stage.fit.centre + stage.fit.radius * Eigen::Vector3d{q.x(), q.y(), 0.0};
-    const double z = stage.fit.floor - (stage.fit.flat ? 0.0 : kFloorBelow * stage.fit.radius);
-    return project(camera, stage.fit, stage.pane, {p.x(), p.y(), z}).at;
+    const Eigen::Vector3d p = fit.centre + fit.radius * Eigen::Vector3d{q.x(), q.y(), 0.0};
+    const double z = fit.floor - (fit.flat ? 0.0 : kFloorBelow * fit.radius);
+    return seen({p.x(), p.y(), z}).at;
 }
 
 // How far the floor reaches beyond what is on it: within the pane as long as the map is neither
@@ -46,13 +45,14 @@ double floor_reach(const SpaceStage& stage, const SpaceCamera& camera, const Flo
     SpaceCamera whole = camera;
     whole.zoom = 1.0;
     whole.pan_x = whole.pan_y = 0.0;
+    const SpaceProjection seen = projection(whole, stage.fit, stage.pane);
     double reach = 1.5;
     for (; reach > 1.0; reach -= 0.05) {
         bool is_inside = true;
         for (int k = 0; k < kAround && is_inside; ++k) {
             const double angle = 2.0 * std::numbers::pi * k / kAround;
             is_inside = stage.pane.contains(
-                on_floor(stage, whole, floor, reach * std::cos(angle), reach * std::sin(angle)));
+                on_floor(stage.fit, seen, floor, reach * std::cos(angle), reach * std::sin(angle)));
         }
         if (is_inside) break;
     }
@@ -67,7 +67,9 @@ void draw_floor(const SpaceStage& stage, const SpaceCamera& camera) {
     constexpr int kPieces = 20;
     const Floor floor = floor_of(stage.fit);
     const double reach = floor_reach(stage, camera, floor);
-    const auto at = [&](double x, double y) { return on_floor(stage, camera, floor, x, y); };
+    const auto at = [&](double x, double y) {
+        return on_floor(stage.fit, stage.seen, floor, x, y);
+    };
     const ImU32 colour = mixed(stage.theme.line, stage.theme.dim_text, 0.15F);
     for (int line = -kLines; line <= kLines; ++line) {
         const double across = reach * line / kLines;
@@ -84,14 +86,14 @@ void draw_floor(const SpaceStage& stage, const SpaceCamera& camera) {
 }
 
 // From each point down to the floor: what makes height readable.
-void draw_drop_lines(const SpaceStage& stage, const SpaceCamera& camera) {
+void draw_drop_lines(const SpaceStage& stage) {
     if (stage.fit.flat || (stage.scene.chosen.empty() && stage.front_to_back.size() > 150)) return;
     const double floor = stage.fit.floor - kFloorBelow * stage.fit.radius;
     for (const std::size_t i : stage.front_to_back) {
         if (is_cloud(stage, i) && stage.scene.selected != i) continue;
         Eigen::Vector3d p = point_of(*stage.scene.points, static_cast<Eigen::Index>(i));
         p.z() = floor;
-        const ImVec2 foot = project(camera, stage.fit, stage.pane, p).at;
+        const ImVec2 foot = stage.seen(p).at;
         const ImU32 ink = toned(stage, stage.theme.dim_text, 0.12F + 0.25F * nearness(stage, i));
         stage.list.AddLine(stage.discs[i].centre, foot, ink, stage.theme.hairline_px);
         draw_disc(stage.list, stage.theme, foot, 1.6F * stage.theme.scale, ink);

@@ -80,12 +80,12 @@ void draw_proposals(const SpaceStage& stage, std::optional<std::size_t> pointed)
     }
 }
 
-void draw_wanted(const SpaceStage& stage, const SpaceCamera& camera) {
+void draw_wanted(const SpaceStage& stage) {
     const auto& maybes = stage.scene.maybes;
     if (!maybes.wanted) return;
     const auto seen = [&](const Eigen::RowVectorXd& at) {
         const Eigen::MatrixXd row = at;
-        return project(camera, stage.fit, stage.pane, point_of(row, 0)).at;
+        return stage.seen(point_of(row, 0)).at;
     };
     const ImVec2 wanted = seen(*maybes.wanted);
     const float arm = 8.0F * stage.theme.scale;

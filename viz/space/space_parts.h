@@ -10,7 +10,7 @@ namespace tact {
 
 // Behind the points (space_ground.cpp). The cross of axes returns what it covers.
 void draw_floor(const SpaceStage& stage, const SpaceCamera& camera);
-void draw_drop_lines(const SpaceStage& stage, const SpaceCamera& camera);
+void draw_drop_lines(const SpaceStage& stage);
 Rect draw_axes_cross(const SpaceStage& stage, const SpaceCamera& camera);
 
 // The axis whose name in the cross is there, 3 for its middle; none: neither.
@@ -19,15 +19,15 @@ std::optional<int> axis_at(const SpaceStage& stage, const SpaceCamera& camera, I
 // The points and what joins and surrounds them (space_points.cpp).
 void draw_paths(const SpaceStage& stage);
 void draw_links(const SpaceStage& stage);
-void draw_spread(const SpaceStage& stage, const SpaceCamera& camera);
-void draw_ghosts(const SpaceStage& stage, const SpaceCamera& camera);
+void draw_spread(const SpaceStage& stage);
+void draw_ghosts(const SpaceStage& stage);
 void draw_points(const SpaceStage& stage, std::optional<std::size_t> hovered);
 
 // What is no pattern yet (space_maybes.cpp).
 void draw_cloud(const SpaceStage& stage);
 void draw_track(const SpaceStage& stage, std::optional<std::size_t> on_track);
 void draw_proposals(const SpaceStage& stage, std::optional<std::size_t> pointed);
-void draw_wanted(const SpaceStage& stage, const SpaceCamera& camera);
+void draw_wanted(const SpaceStage& stage);
 
 // What is written over them (space_names.cpp): names where they have room beside what is occupied,
 // and the dissimilarity of a pair, whose plate is returned.

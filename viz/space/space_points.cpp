@@ -15,13 +15,13 @@ constexpr double kLeastContrast = 3.0;  // of graphics, WCAG 2.1
 
 // The part of a covariance that is seen: J C J', J the change of the place on the screen along each
 // axis of the map.
-Eigen::Matrix2d seen_covariance(const SpaceStage& stage, const SpaceCamera& camera, std::size_t i) {
+Eigen::Matrix2d seen_covariance(const SpaceStage& stage, std::size_t i) {
     const Eigen::Vector3d p = point_of(*stage.scene.points, static_cast<Eigen::Index>(i));
     const double step = 1e-3 * stage.fit.radius;
     Eigen::Matrix<double, 2, 3> change;
     for (int axis = 0; axis < 3; ++axis) {
         const Eigen::Vector3d moved = p + step * Eigen::Vector3d::Unit(axis);
-        const ImVec2 way = project(camera, stage.fit, stage.pane, moved).at - stage.projected[i].at;
+        const ImVec2 way = stage.seen(moved).at - stage.projected[i].at;
         change.col(axis) = Eigen::Vector2d(way.x, way.y) / step;
     }
     return change * stage.scene.spread[i] * change.transpose();
@@ -72,14 +72,14 @@ void draw_links(const SpaceStage& stage) {
 
 // Around where each point might be as well: half of a normal distribution in two dimensions lies
 // within sqrt(2 ln 2) standard deviations.
-void draw_spread(const SpaceStage& stage, const SpaceCamera& camera) {
+void draw_spread(const SpaceStage& stage) {
     if (stage.scene.spread.size() != stage.discs.size()) return;
     constexpr double kHalf = 1.17741;
     constexpr double kLeast = 1e-9;  // px2: of a point that stays where it is
     constexpr int kCorners = 32;
     const std::size_t shown = std::min(stage.front_to_back.size(), kMostSpreads);
     for (const std::size_t i : std::span(stage.front_to_back).first(shown)) {
-        const Eigen::Matrix2d covariance = seen_covariance(stage, camera, i);
+        const Eigen::Matrix2d covariance = seen_covariance(stage, i);
         // Its Cholesky root; a spread that is a line has a corner of nearly 0.
         const double x = std::sqrt(covariance(0, 0) + kLeast);
         const double y = covariance(1, 0) / x;
@@ -103,7 +103,7 @@ void draw_spread(const SpaceStage& stage, const SpaceCamera& camera) {
 }
 
 // Where the points were, and the way each has come.
-void draw_ghosts(const SpaceStage& stage, const SpaceCamera& camera) {
+void draw_ghosts(const SpaceStage& stage) {
     if (stage.scene.ghosts == nullptr || stage.scene.ghost_opacity <= 0.0) return;
     const auto opacity = static_cast<float>(std::min(1.0, stage.scene.ghost_opacity));
     const auto rows =
@@ -111,7 +111,7 @@ void draw_ghosts(const SpaceStage& stage, const SpaceCamera& camera) {
     for (std::size_t i = 0; i < rows; ++i) {
         const Eigen::Vector3d p = point_of(*stage.scene.ghosts, static_cast<Eigen::Index>(i));
         if (!p.allFinite() || !somewhere(stage, i)) continue;
-        const ImVec2 at = project(camera, stage.fit, stage.pane, p).at;
+        const ImVec2 at = stage.seen(p).at;
         const ImU32 ink = faded(stage.scene.looks[i].colour, 0.45F * opacity);
         stage.list.AddLine(at, stage.discs[i].centre, faded(ink, 0.7F), stage.theme.hairline_px);
         stage.list.AddCircle(at, stage.discs[i].radius, ink, 0, stage.theme.hairline_px);

@@ -66,11 +66,11 @@ bool is_cloud(const SpaceStage& stage, std::size_t i) {
     return stage.discs.size() > kMany && !stage.scene.chosen.empty() && !stage.chosen[i];
 }
 
-void place_maybes(SpaceStage& stage, const SpaceCamera& camera) {
+void place_maybes(SpaceStage& stage) {
     const auto places = [&](const Eigen::MatrixXd* points) {
         std::vector<ImVec2> seen;
         for (Eigen::Index i = 0; points != nullptr && i < points->rows(); ++i) {
-            seen.push_back(project(camera, stage.fit, stage.pane, point_of(*points, i)).at);
+            seen.push_back(stage.seen(point_of(*points, i)).at);
         }
         return seen;
     };
@@ -84,7 +84,8 @@ void place_maybes(SpaceStage& stage, const SpaceCamera& camera) {
 }
 
 void place_points(SpaceStage& stage, const SpaceCamera& camera) {
-    place_maybes(stage, camera);
+    stage.seen = projection(camera, stage.fit, stage.pane);
+    place_maybes(stage);
     const std::size_t n = stage.scene.labels.size();
     const float base = base_radius_px(stage.theme, n);
     stage.projected.resize(n);
@@ -103,7 +104,7 @@ void place_points(SpaceStage& stage, const SpaceCamera& camera) {
             stage.discs[i] = {{-1e6F, -1e6F}, 0.0F};
             continue;
         }
-        stage.projected[i] = project(camera, stage.fit, stage.pane, p);
+        stage.projected[i] = stage.seen(p);
         const float near = stage.fit.flat ? 1.0F : 0.7F + 0.6F * nearness(stage, i);
         stage.discs[i] = {stage.projected[i].at, base * near};
         if (visible(stage, stage.discs[i])) stage.front_to_back.push_back(i);

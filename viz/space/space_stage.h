@@ -16,6 +16,7 @@ struct SpaceStage {
     const Rect& pane;
     const SpaceScene& scene;
     SpaceFit fit;
+    SpaceProjection seen{};
     std::vector<Projected> projected;  // by point
     std::vector<Disc> discs;           // by point
     // Only points that can be seen; a cloud lies behind all that was chosen.

@@ -48,12 +48,12 @@ SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
 
     list.PushClipRect(pane.min, pane.max, true);
     draw_floor(stage, camera);
-    draw_drop_lines(stage, camera);
+    draw_drop_lines(stage);
     draw_paths(stage);
     draw_cloud(stage);
-    draw_spread(stage, camera);
+    draw_spread(stage);
     draw_links(stage);
-    draw_ghosts(stage, camera);
+    draw_ghosts(stage);
     std::array<Rect, 3> occupied{draw_axes_cross(stage, camera), draw_hint(stage, action), Rect{}};
     const bool pair = hovered && scene.selected && *hovered != *scene.selected &&
                       std::max(*hovered, *scene.selected) < scene.labels.size() &&
@@ -62,7 +62,7 @@ SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
     draw_track(stage, action.on_track);
     draw_points(stage, hovered);
     draw_proposals(stage, action.proposal);
-    draw_wanted(stage, camera);
+    draw_wanted(stage);
     if (pair) occupied[2] = draw_pair_value(stage, *scene.selected, *hovered);
     draw_names(stage, occupied, hovered);
     draw_gesture(stage, camera, hovered);
