@@ -69,8 +69,21 @@ std::string unused_name(const PatternSet& set, const std::string& wanted) {
         return std::ranges::any_of(set.vibrations,
                                    [&name](const Vibration& v) { return v.name == name; });
     };
-    std::string name = wanted;
-    for (int number = 2; taken(name); ++number) name = wanted + " " + std::to_string(number);
+    if (!taken(wanted)) return wanted;
+    // A copy of "tick 2" is "tick 3": its number goes on.
+    std::string stem = wanted;
+    int number = 2;
+    const std::size_t space = wanted.find_last_of(' ');
+    const std::string end = space == std::string::npos ? "" : wanted.substr(space + 1);
+    const bool is_number = !end.empty() && end.size() < 4 && end[0] != '0' &&
+                           end.find_first_not_of("0123456789") == std::string::npos;
+    if (is_number && taken(wanted.substr(0, space))) {
+        stem = wanted.substr(0, space);
+        number = std::stoi(end) + 1;
+    }
+    std::string name;
+    do name = stem + " " + std::to_string(number++);
+    while (taken(name));
     return name;
 }
 

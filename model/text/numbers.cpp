@@ -43,6 +43,12 @@ std::string significant_digits(double value, int digits) {
     return text;
 }
 
+double multiple_of(double step, double count) {
+    // Of a step that is a whole share of 1 the quotient is the one nearest to the decimal.
+    const double shares = std::round(1.0 / step);
+    return step < 1.0 && shares * step == 1.0 ? count / shares : count * step;
+}
+
 std::string grouped_digits(std::size_t number) {
     std::string digits = std::to_string(number);
     for (std::size_t place = digits.size(); place > 3;) digits.insert(place -= 3, 1, ',');

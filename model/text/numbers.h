@@ -21,6 +21,10 @@ std::string shortest_digits(double value);
 // So many digits that count, with no zeros behind: "0.25", "1.2e-05".
 std::string significant_digits(double value, int digits);
 
+// So many steps as the number that a person would write: 33 times 0.05 is 1.65, where the product
+// of the two is 1.6500000000000001.
+double multiple_of(double step, double count);
+
 // Whole number with a comma every three digits, as people read it: 11,025.
 std::string grouped_digits(std::size_t number);
 

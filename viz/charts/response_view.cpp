@@ -56,9 +56,9 @@ ResponseAction draw_response(const char* id, const Theme& theme, const Rect& are
     for (std::size_t k = 0; k < scene.table.size(); ++k) {
         const ImVec2 at = place_of(plot, scene.table[k]);
         if (k > 0) {
-            list.AddLine(place_of(plot, scene.table[k - 1]), at, theme.accent, theme.trace_px);
+            list.AddLine(place_of(plot, scene.table[k - 1]), at, theme.series, theme.trace_px);
         }
-        list.AddCircleFilled(at, radius, theme.accent);
+        list.AddCircleFilled(at, radius, theme.series);
         const float away = std::abs(at.x - mouse.x);
         if (!ImGui::IsItemHovered() || away >= nearest) continue;
         nearest = away;

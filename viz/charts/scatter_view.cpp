@@ -132,7 +132,7 @@ std::optional<std::size_t> nearest(const Theme& theme, const Plot& plot, const S
 
 void draw_points(ImDrawList& list, const Theme& theme, const Plot& plot, const ScatterScene& scene,
                  std::size_t stride) {
-    const ImU32 ink = faded(theme.accent, scene.x.size() > 300 ? 0.5F : 0.8F);
+    const ImU32 ink = faded(theme.series, scene.x.size() > 300 ? 0.5F : 0.8F);
     for (std::size_t k = 0; k < scene.x.size(); k += stride) {
         if (!is_drawn(scene, k)) continue;
         draw_disc(list, theme, at(plot, scene.x[k], scene.y[k]), kPointPx * theme.scale, ink);
@@ -145,7 +145,7 @@ void draw_marked(ImDrawList& list, const Theme& theme, const Plot& plot, const S
     const ImVec2 centre = at(plot, scene.x[*which], scene.y[*which]);
     draw_disc(list, theme, centre, 2.0F * kPointPx * theme.scale, theme.text);
     draw_disc(list, theme, centre, 1.4F * kPointPx * theme.scale, theme.pane);
-    draw_disc(list, theme, centre, kPointPx * theme.scale, theme.accent);
+    draw_disc(list, theme, centre, kPointPx * theme.scale, theme.series);
 }
 
 void draw_titles(ImDrawList& list, const Theme& theme, const Rect& area, const Plot& plot,
@@ -208,7 +208,7 @@ ScatterAction draw_scatter(const char* id, const Theme& theme, const Rect& area,
     const std::size_t stride = stride_of(scene);
     draw_axes(list, theme, plot, {.x_unit = " ", .y_unit = scene.y_title});
     draw_points(list, theme, plot, scene, stride);
-    draw_path(list, fit_line(plot, summary.fit), theme.warning, 1.5F * theme.scale);
+    draw_path(list, fit_line(plot, summary.fit), theme.accent, 1.5F * theme.scale);
     draw_titles(list, theme, area, plot, scene, stride);
     ScatterAction action;
     if (over) action.hovered = nearest(theme, plot, scene, stride);

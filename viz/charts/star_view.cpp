@@ -55,8 +55,8 @@ void draw_star(ImDrawList& canvas, const Theme& theme, const Rect& area,
         canvas.AddLine(frame.middle, frame.at(star_ray(r, numbers.size())), theme.line);
     }
     const auto own = placed(frame, numbers);
-    fill_star(canvas, frame, own, (theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90));
-    canvas.AddPolyline(own.data(), static_cast<int>(own.size()), theme.accent, ImDrawFlags_Closed,
+    fill_star(canvas, frame, own, (theme.series & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90));
+    canvas.AddPolyline(own.data(), static_cast<int>(own.size()), theme.series, ImDrawFlags_Closed,
                        1.5F * theme.scale);
     const auto other = placed(frame, compared_with);
     canvas.AddPolyline(other.data(), static_cast<int>(other.size()), theme.dim_text,

@@ -200,10 +200,12 @@ Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::string& extra_text)
     const auto semibold = chain_of("SemiBold.otf", "-Bold.ttf");
 
     Fonts fonts;
-    fonts.regular = add_font(loader, 15.0F * scale, regular);
-    fonts.semibold = add_font(loader, 15.0F * scale, semibold);
-    fonts.small = add_font(loader, 12.5F * scale, regular);
-    fonts.large = add_font(loader, 20.0F * scale, semibold);
+    fonts.regular = add_font(loader, std::round(15.0F * scale), regular);
+    fonts.semibold = add_font(loader, std::round(15.0F * scale), semibold);
+    fonts.title = add_font(loader, std::round(17.0F * scale), semibold);
+    fonts.fine = add_font(loader, std::round(12.0F * scale), regular);
+    fonts.small = add_font(loader, std::round(13.0F * scale), regular);
+    fonts.large = add_font(loader, std::round(20.0F * scale), semibold);
     std::array<int, kDiscRadiiPx.size()> discs{};
     for (std::size_t i = 0; i < discs.size(); ++i) {
         const int size = 2 * kDiscRadiiPx[i] + 2;

@@ -1,7 +1,10 @@
 // Type: Inter where it is installed, DejaVu Sans for what Inter lacks, further system fonts for
 // the scripts that names are written in.
 //
-// Source    ui.md: 15 px text and semibold titles, 12.5 px axis labels, 20 px headline numbers.
+// Five roles: title, value, body, label, fine print.
+//
+// Source    ui.md, but for titles a little above the body and labels on whole pixels: at any scale,
+//           so that no line is blurred.
 // Valid     characters up to U+FFFF (what a stock ImGui build can hold)
 // Left out  shaping and right-to-left order (ImGui has neither), colour emoji.
 #pragma once
@@ -18,10 +21,12 @@ namespace tact {
 inline constexpr std::array<int, 4> kDiscRadiiPx{4, 8, 16, 32};
 
 struct Fonts {
-    ImFont* regular = nullptr;                          // 15 px: text and numbers
-    ImFont* semibold = nullptr;                         // 15 px: titles
-    ImFont* small = nullptr;                            // 12.5 px: axis labels and units
-    ImFont* large = nullptr;                            // 20 px: headline numbers
+    ImFont* regular = nullptr;                          // 15 px, body: text and numbers
+    ImFont* semibold = nullptr;                         // 15 px: what stands out of the body
+    ImFont* title = nullptr;                            // 17 px: of panes and dialogs
+    ImFont* small = nullptr;                            // 13 px, label: axes, units, captions
+    ImFont* fine = nullptr;                             // 12 px, fine print: hints
+    ImFont* large = nullptr;                            // 20 px, value: headline numbers
     float em = 1.0F;                                    // of all fonts, over their line height
     std::array<ImVec4, kDiscRadiiPx.size()> disc_uv{};  // all zero: no discs, triangles are used
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace tact {
 
@@ -22,6 +23,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 colour)
     const auto upright = [&](float x) {
         list.AddRectFilled({x - bar * 0.5F, at.y - half}, {x + bar * 0.5F, at.y + half}, colour);
     };
+    const float stroke = std::max(1.0F, size * 0.13F);
     switch (icon) {
         case Icon::play:
             return draw_triangle(list, at, size, 1.0F, colour);
@@ -40,11 +42,27 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 colour)
         case Icon::forward:
             upright(at.x - half);
             return draw_triangle(list, {at.x + bar, at.y}, size * 0.7F, 1.0F, colour);
-        case Icon::loop:
+        case Icon::loop: {
             list.PathArcTo(at, half, -0.3F, 4.9F, 18);
-            list.PathStroke(colour, ImDrawFlags_None, std::max(1.0F, size * 0.13F));
+            list.PathStroke(colour, ImDrawFlags_None, stroke);
             const ImVec2 tip{at.x + half * std::cos(4.9F), at.y + half * std::sin(4.9F)};
             return draw_triangle(list, tip, size * 0.5F, 1.0F, colour);
+        }
+        case Icon::locked:
+            list.AddRectFilled({at.x - 0.38F * size, at.y - 0.05F * size},
+                               {at.x + 0.38F * size, at.y + half}, colour, 0.1F * size);
+            list.PathLineTo({at.x - 0.24F * size, at.y});
+            list.PathArcTo({at.x, at.y - 0.22F * size}, 0.24F * size, std::numbers::pi_v<float>,
+                           2.0F * std::numbers::pi_v<float>, 10);
+            list.PathLineTo({at.x + 0.24F * size, at.y});
+            return list.PathStroke(colour, ImDrawFlags_None, stroke);
+        case Icon::dropped: {
+            const float radius = half - 0.5F * stroke;
+            const float aslant = 0.7F * radius;
+            list.AddCircle(at, radius, colour, 0, stroke);
+            return list.AddLine({at.x - aslant, at.y + aslant}, {at.x + aslant, at.y - aslant},
+                                colour, stroke);
+        }
     }
 }
 

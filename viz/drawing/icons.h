@@ -1,11 +1,11 @@
-// The signs of a player: play, pause, stop, steps.
+// The signs of a player, and those of what a pattern is.
 #pragma once
 
 #include <imgui.h>
 
 namespace tact {
 
-enum class Icon { play, pause, stop, to_start, back, forward, loop };
+enum class Icon { play, pause, stop, to_start, back, forward, loop, locked, dropped };
 
 // Around `at`, `size` px high.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 colour);

@@ -1,5 +1,6 @@
 #include "viz/drawing/marks.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -75,8 +76,10 @@ void draw_text_upwards(ImDrawList& list, const ImFont* font, ImVec2 corner, ImU3
                        std::string_view text) {
     const ImVec2 pivot{std::floor(corner.x), std::floor(corner.y)};
     const int first = list.VtxBuffer.Size;
-    // Turned text must not be clipped where the level one would have been.
-    list.PushClipRectFullScreen();
+    // Turned text must not be clipped where the level one would have been, beyond the screen too.
+    const ImVec2 size = text_size(font, text);
+    list.PushClipRect({pivot.x - 1.0F, pivot.y - size.x - 1.0F},
+                      {pivot.x + std::max(size.x, size.y) + 1.0F, pivot.y + size.y + 1.0F});
     draw_text(list, font, pivot, colour, text);
     list.PopClipRect();
     for (int i = first; i < list.VtxBuffer.Size; ++i) {

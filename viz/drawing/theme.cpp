@@ -41,8 +41,8 @@ void apply_sizes(const Theme& theme, ImGuiStyle& style) {
     style.TabRounding = theme.rounding_px;
     style.ScrollbarRounding = 5 * s;
     style.WindowBorderSize = 0;
-    style.ChildBorderSize = 0;
-    style.FrameBorderSize = 0;
+    style.ChildBorderSize = theme.hairline_px;  // menus within menus are children, too
+    style.FrameBorderSize = theme.hairline_px;
     style.TabBorderSize = 0;
     style.PopupBorderSize = theme.hairline_px;
     style.WindowTitleAlign = {0.0F, 0.5F};
@@ -52,21 +52,22 @@ void apply_sizes(const Theme& theme, ImGuiStyle& style) {
 void apply_colours(const Theme& theme, ImGuiStyle& style) {
     const ImU32 none = 0;
     const ImU32 tinted = mixed(theme.pane, theme.accent, 0.30F);
+    const ImU32 chosen = mixed(theme.pane, theme.text, 0.16F);  // a selection, of whatever
     const ImU32 tinted_more = mixed(theme.pane, theme.accent, 0.45F);
     const auto set = [&](ImGuiCol slot, ImU32 colour) { style.Colors[slot] = vec(colour); };
     set(ImGuiCol_Text, theme.text);
     set(ImGuiCol_TextDisabled, theme.dim_text);
     set(ImGuiCol_WindowBg, theme.pane);
     set(ImGuiCol_ChildBg, none);
-    set(ImGuiCol_PopupBg, theme.is_dark ? theme.field : theme.pane);
-    set(ImGuiCol_Border, theme.line);
+    set(ImGuiCol_PopupBg, theme.pane);
+    set(ImGuiCol_Border, mixed(theme.line, theme.dim_text, 0.35F));  // of fields and windows
     set(ImGuiCol_BorderShadow, none);
     set(ImGuiCol_FrameBg, theme.field);
     set(ImGuiCol_FrameBgHovered, theme.hover);
     set(ImGuiCol_FrameBgActive, theme.hover);
-    set(ImGuiCol_TitleBg, theme.background);
-    set(ImGuiCol_TitleBgActive, theme.background);
-    set(ImGuiCol_TitleBgCollapsed, theme.background);
+    set(ImGuiCol_TitleBg, theme.pane);
+    set(ImGuiCol_TitleBgActive, theme.pane);
+    set(ImGuiCol_TitleBgCollapsed, theme.pane);
     set(ImGuiCol_MenuBarBg, theme.background);
     set(ImGuiCol_ScrollbarBg, none);
     set(ImGuiCol_ScrollbarGrab, theme.line);
@@ -78,9 +79,9 @@ void apply_colours(const Theme& theme, ImGuiStyle& style) {
     set(ImGuiCol_Button, theme.field);
     set(ImGuiCol_ButtonHovered, theme.hover);
     set(ImGuiCol_ButtonActive, tinted);
-    set(ImGuiCol_Header, tinted);
+    set(ImGuiCol_Header, chosen);
     set(ImGuiCol_HeaderHovered, theme.hover);
-    set(ImGuiCol_HeaderActive, tinted_more);
+    set(ImGuiCol_HeaderActive, chosen);
     set(ImGuiCol_Separator, theme.line);
     set(ImGuiCol_SeparatorHovered, theme.accent);
     set(ImGuiCol_SeparatorActive, theme.accent);
@@ -106,7 +107,7 @@ void apply_colours(const Theme& theme, ImGuiStyle& style) {
     set(ImGuiCol_NavHighlight, 0);  // the window frames the focus itself: of every kind of item
     set(ImGuiCol_NavWindowingHighlight, theme.accent);
     set(ImGuiCol_NavWindowingDimBg, faded(theme.background, 0.6F));
-    set(ImGuiCol_ModalWindowDimBg, faded(theme.background, 0.6F));
+    set(ImGuiCol_ModalWindowDimBg, faded(IM_COL32_BLACK, theme.is_dark ? 0.5F : 0.3F));
 }
 
 }  // namespace
@@ -121,9 +122,10 @@ Theme dark_theme(float scale) {
     theme.line = rgb(0x323A44);
     theme.text = rgb(0xE6E9ED);
     theme.dim_text = rgb(0x9AA4AF);
-    theme.accent = rgb(0x56B4E9);
-    theme.warning = rgb(0xE69F00);
-    theme.error = rgb(0xE6564E);  // ui.md's E5534B, lifted to a contrast of 4.5
+    theme.accent = rgb(0xA29DFF);  // ui.md's 56B4E9 is the Meissner's, and a pattern's
+    theme.series = rgb(0xC3CBD4);
+    theme.warning = rgb(0xFFC078);  // ui.md's E69F00 is the Pacinian's, and a pattern's
+    theme.error = rgb(0xE6564E);    // ui.md's E5534B, lifted to a contrast of 4.5
     theme.receptor = {rgb(0x56B4E9), rgb(0xE69F00), rgb(0x009E73), rgb(0xCC79A7)};
     // Okabe-Ito; black, the eighth, is a light grey here.
     theme.pattern = {rgb(0x56B4E9), rgb(0xE69F00), rgb(0x009E73), rgb(0xF0E442),
@@ -142,8 +144,9 @@ Theme light_theme(float scale) {
     theme.line = rgb(0xD5D9DE);
     theme.text = rgb(0x1C2126);
     theme.dim_text = rgb(0x5B6570);
-    theme.accent = rgb(0x0072B2);
-    theme.warning = rgb(0x8F6200);
+    theme.accent = rgb(0x5A4FCF);
+    theme.series = rgb(0x46505B);
+    theme.warning = rgb(0x9C3C00);
     theme.error = rgb(0xC0332B);
     theme.receptor = {rgb(0x1479B0), rgb(0x946600), rgb(0x007D5B), rgb(0xA84F7F)};
     theme.pattern = {rgb(0x3595CF), rgb(0xC98300), rgb(0x009E73), rgb(0xA89C00),

@@ -49,7 +49,8 @@ struct Theme {
     ImU32 line = 0;  // separators, grid
     ImU32 text = 0;
     ImU32 dim_text = 0;  // units, axis labels
-    ImU32 accent = 0;
+    ImU32 accent = 0;    // of what can be pressed, moved or typed into, and of nothing else
+    ImU32 series = 0;    // of data that belongs to no pattern and no receptor
     ImU32 warning = 0;
     ImU32 error = 0;
     PerReceptor<ImU32> receptor{};

@@ -88,7 +88,7 @@ void draw_layer_caption(ImDrawList& list, const Theme& theme, const Rect& captio
         top += 1.15F * text_px;
     };
     line(scene.names[k], theme.text);
-    line(value, last ? theme.accent : theme.dim_text);
+    line(value, last ? theme.series : theme.dim_text);
 }
 
 void draw_network_legend(ImDrawList& list, const Theme& theme, const Rect& place,

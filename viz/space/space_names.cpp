@@ -121,7 +121,8 @@ void draw_names(const SpaceStage& stage, std::span<const Rect> occupied,
         const bool passed_over =
             is_cloud(stage, i) && !asked_for(stage, hovered, i) && stage.scene.pointed != i;
         if (passed_over) discs[i] = {{-1e6F, -1e6F}, 0.0F};
-        const bool ringed = stage.chosen[i] || asked_for(stage, hovered, i);
+        const bool ringed =
+            stage.chosen[i] || is_selected(stage, i) || asked_for(stage, hovered, i);
         if (ringed) discs[i].radius += 4.0F * theme.scale;
     }
     // Of many, lines to far names would be a web.

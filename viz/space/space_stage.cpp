@@ -36,7 +36,9 @@ float nearness(const SpaceStage& stage, std::size_t i) {
 }
 
 float presence(const SpaceStage& stage, std::size_t i) {
-    const float depth = stage.fit.flat ? 1.0F : 0.5F + 0.5F * nearness(stage, i);
+    // On white a faded colour is soon no colour.
+    const float farthest = stage.theme.is_dark ? 0.55F : 0.75F;
+    const float depth = stage.fit.flat ? 1.0F : farthest + (1.0F - farthest) * nearness(stage, i);
     if (stage.faint[i]) return 0.2F * depth;
     return stage.scene.chosen.empty() || stage.chosen[i] ? depth : 0.55F * depth;
 }

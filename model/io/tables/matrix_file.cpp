@@ -113,6 +113,13 @@ std::string take_row(MatrixReading& reading, const CsvRecord& record) {
 
 }  // namespace
 
+std::string csv_row(std::span<const std::string> texts) {
+    std::string row;
+    for (const std::string& text : texts)
+        row += (&text == texts.data() ? "" : ",") + csv_field(text);
+    return row + "\n";
+}
+
 std::string csv_field(std::string_view text) {
     // Blanks at the ends get quotes too: some programs drop bare ones.
     const bool is_bare = text.find_first_of(",\"\r\n") == text.npos && !text.starts_with(' ') &&

@@ -34,6 +34,9 @@ struct LabelledMatrix {
 // A text as a field of a CSV line: in quotes where it has to be.
 std::string csv_field(std::string_view text);
 
+// Such fields with commas between them, and the end of the line.
+std::string csv_row(std::span<const std::string> texts);
+
 // Row by row, so that a matrix of 10,000 needs no gigabyte of memory. As many labels as objects.
 void write_matrix_csv(std::ostream& stream, std::span<const std::string> labels,
                       const Dissimilarity& dissimilarity);

@@ -29,6 +29,21 @@ TEST_CASE("numbers: blanks and a plus sign are allowed, anything else is not a n
     }
 }
 
+TEST_CASE("numbers: steps of a slider are the decimals that a person would write") {
+    CHECK(shortest_digits(33 * 0.05) == "1.6500000000000001");
+    for (const double shares : {10.0, 20.0, 50.0, 100.0, 1000.0}) {
+        for (int count = -2000; count <= 2000; ++count) {
+            const std::string written = shortest_digits(multiple_of(1.0 / shares, count));
+            CAPTURE(written);
+            CHECK(written.size() <= 6);
+            CHECK(finite_number_in(written) == count / shares);
+        }
+    }
+    CHECK(multiple_of(5.0, 7.0) == 35.0);
+    CHECK(multiple_of(0.3, 2.0) == 0.6);
+    CHECK(multiple_of(0.05, 0.0) == 0.0);
+}
+
 TEST_CASE("numbers: thousands are grouped") {
     CHECK(grouped_digits(0) == "0");
     CHECK(grouped_digits(999) == "999");

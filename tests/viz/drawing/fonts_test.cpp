@@ -11,8 +11,10 @@ TEST_CASE("fonts: the sizes are those of the design, times the scale") {
     const Fonts fonts = load_fonts(atlas, 2.0F, "");
     CHECK(fonts.regular->FontSize == 30.0F);
     CHECK(fonts.semibold->FontSize == 30.0F);
-    CHECK(fonts.small->FontSize == 25.0F);
+    CHECK(fonts.small->FontSize == 26.0F);
     CHECK(fonts.large->FontSize == 40.0F);
+    CHECK(fonts.title->FontSize == 34.0F);
+    CHECK(fonts.fine->FontSize == 24.0F);
 }
 
 TEST_CASE("fonts: units, minus and the letters of neighbouring languages are there") {
@@ -37,7 +39,8 @@ TEST_CASE("fonts: a script beyond Latin and Greek comes with the names that need
 TEST_CASE("fonts: all digits are equally wide") {
     ImFontAtlas atlas;
     const Fonts fonts = load_fonts(atlas, 1.0F, "");
-    for (const ImFont* font : {fonts.regular, fonts.semibold, fonts.small, fonts.large}) {
+    for (const ImFont* font :
+         {fonts.regular, fonts.semibold, fonts.title, fonts.small, fonts.fine, fonts.large}) {
         for (ImWchar c = '1'; c <= '9'; ++c) {
             CHECK(font->GetCharAdvance(c) == font->GetCharAdvance('0'));
         }
