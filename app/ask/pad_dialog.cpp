@@ -93,7 +93,7 @@ void draw_corner(const Ui& ui, const Workspace& work, const Rect& square, std::s
 void draw_square(Ui& ui, const Workspace& work, const PadState& pad, const Rect& square) {
     const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(square.min, square.max, dialog_field(theme), theme.rounding_px);
+    list.AddRectFilled(square.min, square.max, theme.field, theme.rounding_px);
     for (int k = 1; k < 4; ++k) {
         const float share = 0.25F * static_cast<float>(k);
         const ImVec2 at = square.min + square.size() * share;
@@ -177,7 +177,7 @@ void draw_pad_dialog(Ui& ui, Workspace& work, PadState& pad) {
     const Rect picture =
         rect_at(ImGui::GetCursorScreenPos(), {square.width() + 2.0F * margin, 48.0F * s});
     ImGui::Dummy(picture.size());
-    draw_thumbnail(ui, work, picture, mixed_vibration(pad), ui.theme.accent, shown_reach_g(work));
+    draw_thumbnail(ui, work, picture, mixed_vibration(pad), ui.theme.series, shown_reach_g(work));
     dim_text(ui, pad_words(pad));
     note_item(ui.rects, "pad:words", pad_words(pad));
     if (draw_ends(ui, "Keep it", pad.mixed_of.size() > 1)) add_mix(ui, work, pad);

@@ -8,6 +8,7 @@
 #include "app/ui/dialog.h"
 #include "app/ui/failure.h"
 #include "app/ui/number_field.h"
+#include "app/ui/progress_line.h"
 #include "app/ui/widgets.h"
 #include "model/ask/steps_set.h"
 #include "viz/drawing/marks.h"
@@ -24,7 +25,9 @@ void draw_name_choice(Ui& ui, const PatternSet& set, const char* label, std::str
     draw_label(ui, label);
     ImGui::SetNextItemWidth(kChoicePx * ui.theme.scale);
     const std::string id = std::string("##") + label;
-    if (ImGui::BeginCombo(id.c_str(), name.c_str())) {
+    const float room =
+        kChoicePx * ui.theme.scale - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
+    if (ImGui::BeginCombo(id.c_str(), shortened(ui.theme.fonts.regular, name, room).c_str())) {
         for (const Vibration& vibration : set.vibrations) {
             if (!std::holds_alternative<Pattern>(vibration.source)) continue;
             if (ImGui::Selectable(vibration.name.c_str(), vibration.name == name)) {
@@ -48,7 +51,7 @@ void draw_count(Ui& ui, StepsState& state) {
                              state.count);
     note_item(ui.rects, "steps:count", std::to_string(state.count));
     ImGui::SameLine();
-    dim_text(ui, "with both ends");
+    dim_text(ui, "including both ends");
 }
 
 void draw_along(Ui& ui, StepsState& state) {
@@ -88,17 +91,10 @@ void draw_measure(Ui& ui, StepsState& state) {
 }
 
 void draw_search_of_steps(Ui& ui, StepsState& state) {
-    char text[32];
-    std::snprintf(text, sizeof text, "placing, %d %%",
-                  static_cast<int>(100.0F * state.job->progress()));
-    dim_text(ui, text);
-    note_item(ui.rects, "steps:progress", text);
-    ImGui::SameLine();
-    if (link(ui, "cancel steps", "Stop")) {
+    if (draw_progress(ui, {"Placing the steps", state.job->progress(), "steps"})) {
         state.job->cancel();
         state.cancelled = true;
     }
-    note_item(ui.rects, "link:cancel steps");
 }
 
 // How far along the way each is: dots on a line, and the distances of neighbours under it.
@@ -115,7 +111,7 @@ void draw_way(const Ui& ui, const EvenSteps& steps) {
     };
     list.AddLine({x(0.0), y}, {x(1.0), y}, theme.dim_text, theme.hairline_px);
     for (const double share : steps.shares) {
-        draw_disc(list, theme, {x(share), y}, 4.5F * s, theme.accent);
+        draw_disc(list, theme, {x(share), y}, 4.5F * s, theme.series);
     }
     if (!steps.jump) return;
     const float at = x(steps.jump->share);
@@ -191,13 +187,11 @@ std::string add_text(const Workspace& work, const StepsState& state, const Found
 
 void draw_steps_dialog(Ui& ui, Workspace& work, StepsState& state) {
     if (!begin_dialog(ui, "Steps between", kDialogPx)) return;
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
     draw_name_choice(ui, work.document.set, "From", state.from);
     draw_name_choice(ui, work.document.set, "To", state.to);
     draw_count(ui, state);
     draw_along(ui, state);
     draw_measure(ui, state);
-    ImGui::PopStyleColor();
     ImGui::Spacing();
     const std::string obstacle = steps_obstacle(work, state);
     const auto found = current_steps(work, state);

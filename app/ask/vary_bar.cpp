@@ -7,6 +7,7 @@
 #include "app/ask/maybes_follow.h"
 #include "app/ask/put_there.h"
 #include "app/ui/failure.h"
+#include "app/ui/progress_line.h"
 #include "app/ui/widgets.h"
 
 namespace tact {
@@ -24,6 +25,7 @@ void draw_free_numbers(Ui& ui, MaybesState& state) {
     note_item(ui.rects, "link:free numbers");
     draw_tooltip(ui,
                  "Which numbers may change, here and when a point is put somewhere (Alt+drag).");
+    open_below_last_item(ui.theme);
     if (!ImGui::BeginPopup("free numbers")) return;
     for (const PatternParameter parameter : kPatternParameters) {
         const auto held = std::ranges::find(state.held, parameter);
@@ -37,36 +39,17 @@ void draw_free_numbers(Ui& ui, MaybesState& state) {
     ImGui::EndPopup();
 }
 
-// Beside a text that stands as low as the text of buttons does.
-bool cancel_link(Ui& ui, const char* id) {
-    ImGui::SameLine(0.0F, ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    const bool pressed = link(ui, id, "Cancel");
-    note_item(ui.rects, std::string("link:") + id);
-    return pressed;
-}
-
 void draw_put_bar(Ui& ui, MaybesState& state) {
     if (!state.put.asked) return;
-    char text[48];
-    std::snprintf(text, sizeof text, ": searching, %d %%",
-                  static_cast<int>(100.0F * state.put.job->progress()));
-    ImGui::AlignTextToFramePadding();
-    dim_text(ui, "Put " + state.put.name + " there" + text);
-    note_item(ui.rects, "put:progress", text);
-    if (cancel_link(ui, "cancel put")) stop_putting(state);
+    const std::string doing = "Putting " + state.put.name + " there";
+    if (draw_progress(ui, {doing.c_str(), state.put.job->progress(), "put"}, true))
+        stop_putting(state);
 }
 
 void draw_gap_bar(Ui& ui, MaybesState& state) {
     if (!is_filling(state)) return;
-    char text[64];
-    std::snprintf(text, sizeof text, "Searching what is farthest, %d %%",
-                  static_cast<int>(100.0F * state.gap.job->progress()));
-    ImGui::AlignTextToFramePadding();
-    dim_text(ui, text);
-    note_item(ui.rects, "gap:progress", text);
-    if (cancel_link(ui, "cancel gap")) stop_filling(state);
+    if (draw_progress(ui, {"Filling the gap", state.gap.job->progress(), "gap"}, true))
+        stop_filling(state);
 }
 
 }  // namespace

@@ -28,7 +28,12 @@ void draw_picked_mark(const Theme& theme, ImVec2 centre, bool preview) {
 std::string cell_words(const CandidateRow& row, CandidateColumn column) {
     const std::optional<double> number = number_in(row, column);
     if (!number) return {};
-    return column == CandidateColumn::nearest ? grouped(*number) : significant_digits(*number, 3);
+    if (column == CandidateColumn::nearest) return grouped(*number);
+    std::string words = significant_digits(*number, 3);
+    if (column == CandidateColumn::carrier) {
+        for (const double hz : row.further_hz) words += "+" + significant_digits(hz, 3);
+    }
+    return words;
 }
 
 void draw_rhythm_cell(const Theme& theme, const CandidateRow& row, const Rect& cell) {
@@ -53,24 +58,19 @@ void draw_rhythm_cell(const Theme& theme, const CandidateRow& row, const Rect& c
         *row.rhythm);
 }
 
-void draw_name_cell(const Theme& theme, const Vibration& vibration, const PatternLook& look,
-                    const Rect& cell) {
+void draw_name_cell(Ui& ui, const Vibration& vibration, const PatternLook& look, const Rect& cell) {
+    const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float s = theme.scale;
     draw_pattern_mark(list, theme, {cell.min.x + 5.0F * s, cell.centre().y}, 4.5F * s, look,
                       theme.pane);
+    draw_state_signs(ui, vibration, {cell.max.x, cell.centre().y});
     const float begin = cell.min.x + 15.0F * s;
-    const std::string state = vibration.locked ? "  locked" : vibration.dropped ? "  dropped" : "";
-    const float state_px = text_size(theme.fonts.small, state).x;
-    const std::string name = shortened(theme.fonts.regular, vibration.name,
-                                       std::max(0.0F, cell.max.x - begin - state_px));
-    const ImVec2 size = text_size(theme.fonts.regular, name);
-    const float y = cell.centre().y - size.y / 2.0F;
+    const float room = cell.max.x - begin - state_signs_px(theme, vibration);
+    const std::string name = shortened(theme.fonts.regular, vibration.name, std::max(0.0F, room));
+    const float y = cell.centre().y - text_size(theme.fonts.regular, name).y / 2.0F;
     draw_text(list, theme.fonts.regular, {begin, y},
               vibration.dropped ? theme.dim_text : theme.text, name);
-    if (state.empty()) return;
-    const float lower = size.y - text_size(theme.fonts.small, state).y;
-    draw_text(list, theme.fonts.small, {begin + size.x, y + 0.8F * lower}, theme.dim_text, state);
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ void draw_cell(Ui& ui, Workspace& work, const CandidateRow& row, CandidateColumn
             return draw_thumbnail(ui, work, cell, vibration, look_of(ui, work, row.place).colour,
                                   shown_reach_g(work));
         case CandidateColumn::name:
-            return draw_name_cell(theme, vibration, look_of(ui, work, row.place), cell);
+            return draw_name_cell(ui, vibration, look_of(ui, work, row.place), cell);
         case CandidateColumn::rhythm:
             return draw_rhythm_cell(theme, row, cell);
         case CandidateColumn::picked:

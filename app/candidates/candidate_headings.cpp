@@ -82,7 +82,8 @@ void draw_heading(Ui& ui, CandidatesState& state, const ColumnSpan& place, const
     draw_tooltip(ui, heading_help(place.column));
     ImGui::PopID();
     const ImFont* font = theme.fonts.small;
-    const std::string words = heading(place.column);
+    const std::string words =
+        shortened(font, heading(place.column), cell.width() - 6.0F * theme.scale);
     const ImVec2 size = text_size(font, words);
     const float pad = 6.0F * theme.scale;
     const float y = cell.centre().y - size.y / 2.0F;

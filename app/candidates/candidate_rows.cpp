@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "app/document/editing.h"
+#include "model/io/tables/matrix_file.h"
 #include "model/pattern/pattern_parameter.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -26,6 +28,10 @@ CandidateRow row_of(const Vibration& vibration, std::size_t place) {
     }
     row.amplitude_g = value_of(*pattern, PatternParameter::amplitude);
     row.carrier_hz = value_of(*pattern, PatternParameter::carrier);
+    for (std::size_t k = 1; k < pattern->carriers.size(); ++k) {
+        if (pattern->carriers[k].weight > 0.0)
+            row.further_hz.push_back(pattern->carriers[k].frequency_hz);
+    }
     row.modulation_hz = value_of(*pattern, PatternParameter::modulation);
     row.rhythm = pattern->rhythm.text;
     row.duration_s = pattern->duration_s;
@@ -131,6 +137,26 @@ const std::vector<CandidateRow>& candidate_rows(const Workspace& work, const Sho
     }
     sort_rows(state.rows, work, state);
     return state.rows;
+}
+
+std::string candidates_csv(const PatternSet& set, const std::vector<CandidateRow>& rows) {
+    const auto number = [](const std::optional<double>& value) {
+        return value ? shortest_digits(*value) : std::string();
+    };
+    const auto carriers = [&number](const CandidateRow& row) {
+        std::string text = number(row.carrier_hz);
+        for (const double hz : row.further_hz) text += "+" + shortest_digits(hz);
+        return text;
+    };
+    const auto line = [](const std::vector<std::string>& cells) { return csv_row(cells); };
+    std::string csv = line({"name", "amplitude_g", "carriers_hz", "modulation_hz", "rhythm",
+                            "duration_s", "nearest", "nearest_pm", "picked"});
+    for (const CandidateRow& row : rows) {
+        csv += line({set.vibrations[row.place].name, number(row.amplitude_g), carriers(row),
+                     number(row.modulation_hz), row.rhythm.value_or(""), number(row.duration_s),
+                     row.nearest_name, number(row.nearest_pm), row.picked ? "yes" : "no"});
+    }
+    return csv;
 }
 
 void sort_by(CandidatesState& state, CandidateColumn column) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/candidates/candidates_state.h"
@@ -21,6 +22,9 @@ NearestOnes nearest_ones(const std::shared_ptr<const LiveMap>& map);
 // keep the order of the set.
 const std::vector<CandidateRow>& candidate_rows(const Workspace& work, const ShownMap& shown_map,
                                                 CandidatesState& state);
+
+// All of it in CSV, a row for each with all digits.
+std::string candidates_csv(const PatternSet& set, const std::vector<CandidateRow>& rows);
 
 // The same column again turns the order round; numbers begin with the largest where that is what
 // one looks for: how far the nearest is, and who is picked.

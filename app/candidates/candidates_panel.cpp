@@ -115,9 +115,8 @@ void draw_table_menu(Ui& ui, Workspace& work, const ShownMap& shown_map, std::si
         if (ImGui::MenuItem(words)) ui.waiting.push_back(std::move(act));
         note_item(ui.rects, std::string("table menu:") + words);
     };
-    item(vibration.locked ? "Unlock" : "Lock: always pick it", [&] { toggle_locked(ui, work); });
-    item(vibration.dropped ? "Take back" : "Drop: never pick it",
-         [&] { toggle_dropped(ui, work); });
+    item(vibration.locked ? "Unlock" : "Lock", [&] { toggle_locked(ui, work); });
+    item(vibration.dropped ? "Take back" : "Drop", [&] { toggle_dropped(ui, work); });
     item("Duplicate", [&] { duplicate_selected(ui, work); });
     item("Find similar",
          [&ui, &work, &shown_map, place] { select_similar(ui, work, shown_map, place); });

@@ -36,7 +36,8 @@ struct NearestOnes {
 struct CandidateRow {
     std::size_t place = 0;  // in the document
     std::optional<double> amplitude_g;
-    std::optional<double> carrier_hz;
+    std::optional<double> carrier_hz;  // the first one
+    std::vector<double> further_hz;    // and those that are mixed with it
     std::optional<double> modulation_hz;
     std::optional<std::string> rhythm;
     double duration_s = 0.0;

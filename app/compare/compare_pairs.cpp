@@ -90,7 +90,8 @@ void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap
             vibrations[i].name + " \u2013 " + vibrations[j].name,
             rated + significant(people.condensed[k]) + ", rank " + significant(rank[k])};
     };
-    scene.stale = shown_comparison(work, shown_map, comparing).is_stale;
+    const ShownComparison shown = shown_comparison(work, shown_map, comparing);
+    scene.stale = looks_stale(ui, "pairs", shown.comparison, shown.is_stale);
     const ScatterAction action = draw_scatter("pairs", ui.theme, left, scene);
     note_rect(ui.rects, "view:Pairs", left.min, left.max, y_title + ", " + corner);
     for (std::size_t k = 0; k < rank.size() && !ui.rects.file.empty() && rank.size() < 200; ++k) {

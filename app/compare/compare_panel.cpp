@@ -13,6 +13,7 @@
 #include "app/document/shown_side.h"
 #include "app/measured/import_follow.h"
 #include "app/ui/failure.h"
+#include "app/ui/progress_line.h"
 #include "app/ui/widgets.h"
 #include "viz/charts/scatter_view.h"
 #include "viz/drawing/marks.h"
@@ -94,7 +95,7 @@ void draw_cell(const Ui& ui, const std::string& text, Mark mark) {
     ImGui::TableNextColumn();
     if (mark != Mark::none) ImGui::PushFont(ui.theme.fonts.semibold);
     if (mark == Mark::best) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.accent);
-    ImGui::TextUnformatted(text.c_str());
+    right_aligned(text);
     if (mark == Mark::best) ImGui::PopStyleColor();
     if (mark != Mark::none) ImGui::PopFont();
 }
@@ -188,7 +189,14 @@ void draw_head(Ui& ui, bool has_people, bool synthetic) {
         // An interval and a p stand to the right of what they belong to.
         const std::string name = column.name;
         const bool labelled = synthetic && (name == "rho" || name == "K");
-        dim_text(ui, labelled ? name + "\nsynthetic" : name);  // columns are narrow
+        const std::string words = labelled ? name + "\nsynthetic" : name;  // columns are narrow
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
+        if (&column == kColumns.data()) {
+            ImGui::TextUnformatted(words.c_str());
+        } else {
+            right_aligned(words);
+        }
+        ImGui::PopStyleColor();
         note_item(ui.rects, "compare:head " + name, of_people(name, labelled));
         draw_tooltip(ui, column.tip);
     }
@@ -265,15 +273,10 @@ void draw_no_ratings(Ui& ui, Workspace& work, const Comparison& comparison) {
     note_item(ui.rects, "button:load ratings");
 }
 
-void draw_progress(Ui& ui, const Workspace& work, Comparing& comparing) {
+void draw_comparing(Ui& ui, const Workspace& work, Comparing& comparing) {
     if (!comparing.comparison_job || !comparing.comparison_job->busy()) return;
-    const float share = comparing.comparison_job->progress();
-    char text[32];
-    std::snprintf(text, sizeof text, "comparing, %d %%", static_cast<int>(100.0F * share));
-    dim_text(ui, text);
-    ImGui::SameLine();
-    if (link(ui, "cancel comparison", "Cancel")) cancel_comparison(work, comparing);
-    note_item(ui.rects, "link:cancel comparison");
+    if (draw_progress(ui, {"Comparing", comparing.comparison_job->progress(), "comparison"}))
+        cancel_comparison(work, comparing);
 }
 
 }  // namespace
@@ -287,7 +290,7 @@ bool draw_comparison_state(Ui& ui, const Workspace& work, const ShownMap& shown_
         if (ImGui::Button("Compare metrics")) ask_for_comparison(work, comparing);
         note_item(ui.rects, "button:compare metrics");
     }
-    draw_progress(ui, work, comparing);
+    draw_comparing(ui, work, comparing);
     const bool failed = draw_failure(ui, "compare", failure_of(comparing.comparison_job));
     if (shown.comparison && !few) return true;
     if (failed) return false;

@@ -6,6 +6,7 @@
 #include "app/compare/check_findings.h"
 #include "app/compare/compare_panels.h"
 #include "app/ui/failure.h"
+#include "app/ui/progress_line.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 
@@ -44,16 +45,12 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
         comparing.findings_job->submit(0);
     note_item(ui.rects, "button:check findings");
     ImGui::EndDisabled();
-    ImGui::SameLine();
+    constexpr const char* kWhat = "what the paper found, checked on its own sets";
+    flow_on(ImGui::CalcTextSize(kWhat).x, ui.theme.gap_px);
     ImGui::AlignTextToFramePadding();
     if (busy) {
-        char text[32];
-        std::snprintf(text, sizeof text, "checking, %d %%",
-                      static_cast<int>(100.0F * comparing.findings_job->progress()));
-        dim_text(ui, text);
-        ImGui::SameLine();
-        if (link(ui, "cancel findings", "Cancel")) comparing.findings_job->cancel();
-        note_item(ui.rects, "link:cancel findings");
+        if (draw_progress(ui, {"Checking", comparing.findings_job->progress(), "findings"}, true))
+            comparing.findings_job->cancel();
     } else if (comparing.findings) {
         char text[64];
         std::snprintf(
@@ -63,7 +60,9 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
             comparing.findings->size());
         dim_text(ui, text);
     } else {
-        dim_text(ui, "what the paper says comes out, on its own sets");
+        ImGui::PushTextWrapPos(0.0F);
+        dim_text(ui, kWhat);
+        ImGui::PopTextWrapPos();
     }
     (void)draw_failure(ui, "findings", failure_of(comparing.findings_job));
     if (!comparing.findings || area.empty()) return;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/io/tables/matrix_file.h"
 #include "model/set/set_ratings.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -148,6 +150,25 @@ std::vector<Disagreement> disagreements(const Dissimilarity& metric, const Dissi
 
 bool has_nobody(const Comparison& comparison) {
     return comparison.people && comparison.people->said.synthetic;
+}
+
+std::string comparison_csv(const Comparison& comparison) {
+    std::vector<std::string> cells{"metric",   "rho_with_pm", "rho", "rho_low",
+                                   "rho_high", "p",           "K",   "K_p"};
+    const std::size_t columns = cells.size();
+    std::string csv = csv_row(cells);
+    for (const ComparedMetric& row : comparison.metrics) {
+        cells = {traits(row.metric).name, shortest_digits(row.rho_with_pm)};
+        if (const auto& e = row.evaluation) {
+            for (const double value :
+                 {e->rho, e->rho_interval.low, e->rho_interval.high, e->rho_p, e->k, e->k_p}) {
+                cells.push_back(shortest_digits(value));
+            }
+        }
+        cells.resize(columns);
+        csv += csv_row(cells);
+    }
+    return csv;
 }
 
 }  // namespace tact

@@ -58,6 +58,9 @@ struct Comparison {
     std::vector<ComparedMetric> metrics;  // in the order of kMetrics
 };
 
+// A row a metric in CSV, with all digits; without ratings only how it agrees with PM.
+std::string comparison_csv(const Comparison& comparison);
+
 // The work of one job.
 class ComparisonWork {
   public:

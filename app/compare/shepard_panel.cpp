@@ -99,7 +99,7 @@ void draw_fit(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& com
     scene.x_title = x_title;
     scene.y_title = "distance in the map";
     scene.corner = corner;
-    scene.stale = fit.stale;
+    scene.stale = looks_stale(ui, "shepard", fit.owner, fit.stale);
     scene.selected = scatter_selection(work, shown_map, vibrations);
     scene.readout = [&](std::size_t k) {
         const auto [i, j] = pair_at(vibrations.size(), k);
@@ -189,7 +189,8 @@ void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     ImGui::PushFont(ui.theme.fonts.small);
     ImGui::AlignTextToFramePadding();
-    dim_text(ui, "points on the line are in perfect order");
+    dim_text(ui, shortened(ui.theme.fonts.small, "points on the line are in perfect order",
+                           ImGui::GetContentRegionAvail().x));
     ImGui::PopFont();
     const Rect area = rest_of_pane();
     if (area.width() < 40.0F || area.height() < 40.0F) return;

@@ -40,15 +40,17 @@ Rect take_row(float height_px) {
     return row;
 }
 
+// On the next line where the first has no room for the detail.
 void draw_heading(const Ui& ui, const char* text, const std::string& detail) {
     ImGui::PushFont(ui.theme.fonts.semibold);
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
-    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    const bool beside = flow_on(text_size(ui.theme.fonts.small, detail).x, ui.theme.gap_px);
     ImGui::PushFont(ui.theme.fonts.small);
     const float lower = 0.5F * (ui.theme.fonts.regular->FontSize - ImGui::GetFontSize());
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
-    dim_text(ui, detail);
+    if (beside) ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
+    const float room = ImGui::GetContentRegionAvail().x;
+    dim_text(ui, shortened(ui.theme.fonts.small, detail, room));
     ImGui::PopFont();
 }
 
@@ -59,11 +61,14 @@ void draw_names(Ui& ui, Workspace& work, Layout& layout, const ChosenPair& pair)
     const char* how = "";
     if (pair.kind == PartnerKind::closest) how = "its closest by PM";
     if (pair.kind == PartnerKind::pinned) how = "pinned";
-    draw_heading(ui, (a + " and " + b).c_str(), how);
+    const float beside = text_size(ui.theme.fonts.small, how).x + ui.theme.gap_px;
+    const float room = std::max(0.0F, ImGui::GetContentRegionAvail().x - beside);
+    draw_heading(ui, shortened(ui.theme.fonts.semibold, a + " and " + b, room).c_str(), how);
     note_item(ui.rects, "why:pair", a + "|" + b);
-    ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
     const bool pinned = work.selection.pinned == b;
-    if (link(ui, "both", pinned ? "Both pipelines are shown" : "Show both pipelines")) {
+    const char* words = pinned ? "Both pipelines are shown" : "Show both pipelines";
+    flow_on(ImGui::CalcTextSize(words).x, 2.0F * ui.theme.gap_px);
+    if (link(ui, "both", words)) {
         work.selection.pinned = b;
         layout.maximised.reset();
         layout.physiology = Fold::open;
@@ -79,7 +84,7 @@ void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
     const double oc = prediction.params.oc_weight * prediction.oc_rank[k];
     const double share = nc + oc > 0.0 ? nc / (nc + oc) : 0.0;
     const std::string pm = "PM " + significant(prediction.pm.condensed[k]) + " of " +
-                           std::to_string(prediction.pm.condensed.size());
+                           significant(*std::ranges::max_element(prediction.pm.condensed));
     draw_heading(ui, pm.c_str(),
                  "NC " + significant(prediction.nc.condensed[k]) + ", rank " +
                      significant(prediction.nc_rank[k]) + "    OC " +
@@ -88,7 +93,7 @@ void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
     const Rect row = take_row(20.0F * theme.scale);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float middle = row.min.x + row.width() * static_cast<float>(share);
-    const ImU32 nc_colour = faded(theme.accent, 0.75F);
+    const ImU32 nc_colour = faded(theme.series, 0.75F);
     const ImU32 oc_colour = theme.hover;
     if (share > 0.0) list.AddRectFilled(row.min, {middle, row.max.y}, nc_colour);
     if (share < 1.0) list.AddRectFilled({middle, row.min.y}, row.max, oc_colour);
@@ -96,7 +101,7 @@ void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
     const std::string oc_text = "rhythm " + percent(1.0 - share);
     const float y = row.centre().y - 0.5F * text_size(theme.fonts.small, "N").y;
     const float pad = 0.75F * theme.gap_px;
-    const ImU32 ink = readable_on(mixed(theme.pane, theme.accent, 0.75F));
+    const ImU32 ink = readable_on(mixed(theme.pane, theme.series, 0.75F));
     const ImVec2 oc_size = text_size(theme.fonts.small, oc_text);
     if (text_size(theme.fonts.small, nc_text).x + 2.0F * pad < middle - row.min.x) {
         draw_text(list, theme.fonts.small, {row.min.x + pad, y}, ink, nc_text);
@@ -172,7 +177,7 @@ void draw_when(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDiff
     TimeRow row{.id = "why apart",
                 .samples = live.apart,
                 .rate_hz = kStepRateHz,
-                .colour = ui.theme.warning,
+                .colour = ui.theme.series,
                 .style = TraceStyle::filled};
     row.signed_values = false;
     draw_time_row(ui, work, timeline, take_row(46.0F * ui.theme.scale), row);
@@ -208,7 +213,9 @@ void draw_way(Ui& ui, const Workspace& work, const Timeline& timeline, const Liv
         plot.y.high_px = side == 0 ? rooms[side].min.y : rooms[side].max.y;
         draw_signal(list, theme, plot, *envelopes[side], rate_hz,
                     look_of(ui, work, who[side]).colour, TraceStyle::filled);
-        const std::string& name = work.document.set.vibrations[who[side]].name;
+        const std::string name =
+            shortened(theme.fonts.small, work.document.set.vibrations[who[side]].name,
+                      area.width() - 8.0F * theme.scale);
         const float text_px = text_size(theme.fonts.small, name).y;
         const float top =
             side == 0 ? rooms[0].max.y + theme.scale : rooms[1].min.y - text_px - theme.scale;

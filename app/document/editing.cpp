@@ -22,24 +22,6 @@ void mend_selection(Workspace& work) {
     work.selection.hovered.reset();
 }
 
-// Puts vibrations behind the current one under names that are free, and selects them.
-void insert_after_current(Workspace& work, std::vector<Vibration> fresh) {
-    std::vector<Vibration>& all = vibrations(work);
-    std::size_t place = all.empty() ? 0 : *selected_indices(work).rbegin() + 1;
-    work.selection.others.clear();
-    for (std::size_t k = 0; k < fresh.size(); ++k, ++place) {
-        fresh[k].name = unused_name(work.document.set, fresh[k].name);
-        fresh[k].generated = false;  // made by hand
-        fresh[k].colour.clear();     // a copy is told from what it is a copy of
-        fresh[k].ring = false;
-        all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), std::move(fresh[k]));
-        if (k == 0) work.selection.current = place;
-        if (k > 0) work.selection.others.insert(place);
-    }
-    work.selection.scroll_to_current = true;
-    document_changed(work);
-}
-
 void show_state(Ui& ui, Workspace& work, const std::shared_ptr<const PatternSet>& state,
                 const std::string& text) {
     if (!state) return;
@@ -66,6 +48,23 @@ void toggle_mark(Ui& ui, Workspace& work, bool Vibration::*mark, bool Vibration:
 }
 
 }  // namespace
+
+void insert_after_current(Workspace& work, std::vector<Vibration> fresh) {
+    std::vector<Vibration>& all = vibrations(work);
+    std::size_t place = all.empty() ? 0 : *selected_indices(work).rbegin() + 1;
+    work.selection.others.clear();
+    for (std::size_t k = 0; k < fresh.size(); ++k, ++place) {
+        fresh[k].name = unused_name(work.document.set, fresh[k].name);
+        fresh[k].generated = false;  // made by hand
+        fresh[k].colour.clear();     // a copy is told from what it is a copy of
+        fresh[k].ring = false;
+        all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), std::move(fresh[k]));
+        if (k == 0) work.selection.current = place;
+        if (k > 0) work.selection.others.insert(place);
+    }
+    work.selection.scroll_to_current = true;
+    document_changed(work);
+}
 
 const Vibration* current_vibration(const Workspace& work) {
     const auto& all = work.document.set.vibrations;
@@ -286,26 +285,6 @@ void remove_selected(Ui& ui, Workspace& work) {
     commit_step(ui, work, label);
     say(ui, label + ". Ctrl+Z brings it back." +
                 (hidden > 0 ? " What the search hides was kept." : ""));
-}
-
-void copy_selected(Ui& ui, Workspace& work) {
-    work.clipboard.clear();
-    for (const std::size_t index : selected_indices(work)) {
-        work.clipboard.push_back(vibrations(work)[index]);
-    }
-    say(ui, work.clipboard.size() == 1
-                ? "Copied " + work.clipboard[0].name
-                : "Copied " + std::to_string(work.clipboard.size()) + " patterns");
-}
-
-void paste(Ui& ui, Workspace& work) {
-    if (work.clipboard.empty()) {
-        say(ui, "Nothing to paste: copy a pattern first");
-        return;
-    }
-    insert_after_current(work, work.clipboard);
-    commit_step(ui, work,
-                work.clipboard.size() == 1 ? "Paste " + work.clipboard[0].name : "Paste patterns");
 }
 
 void move_vibration(Ui& ui, Workspace& work, std::size_t from, std::size_t to) {

@@ -60,6 +60,9 @@ std::string of_selection(const Workspace& work, const std::string& what);
 void undo(Ui& ui, Workspace& work);
 void redo(Ui& ui, Workspace& work);
 
+// Behind the current one under names that are free, and selected; the step is yet to be committed.
+void insert_after_current(Workspace& work, std::vector<Vibration> fresh);
+
 // One step each. New vibrations come after the current one and are selected.
 void add_pattern(Ui& ui, Workspace& work);
 void add_vibrations(Ui& ui, Workspace& work, std::vector<Vibration> fresh,
@@ -67,8 +70,6 @@ void add_vibrations(Ui& ui, Workspace& work, std::vector<Vibration> fresh,
 void duplicate_selected(Ui& ui, Workspace& work);
 void remove_selected(
     Ui& ui, Workspace& work);  // of those in the list: what a search hides is kept, and told
-void copy_selected(Ui& ui, Workspace& work);
-void paste(Ui& ui, Workspace& work);
 void move_vibration(Ui& ui, Workspace& work, std::size_t from, std::size_t to);
 void rename_vibration(Ui& ui, Workspace& work, std::size_t index, const std::string& name);
 void toggle_locked(Ui& ui, Workspace& work);   // locked ones are in every subset ...

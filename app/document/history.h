@@ -64,6 +64,11 @@ class History {
         return done_ == steps_.size() ? nullptr : &steps_[done_].label;
     }
 
+    // All steps from the oldest one on, those that could be redone behind those that are done.
+    std::size_t size() const { return steps_.size(); }
+    std::size_t done() const { return done_; }
+    const std::string& label(std::size_t step) const { return steps_[step].label; }
+
     void clear() {
         steps_.clear();
         done_ = 0;

@@ -4,7 +4,9 @@
 
 #include "app/document/editing.h"
 #include "app/document/vibration_cache.h"
+#include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
+#include "viz/drawing/icons.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -78,6 +80,36 @@ void draw_row_ground(const Ui& ui, const Workspace& work, std::size_t index, con
     } else if (work.selection.hovered_last == index) {
         list.AddRectFilled(row.min, row.max, theme.hover, theme.rounding_px);
     }
+}
+
+namespace {
+
+constexpr float kSignPx = 11.0F;
+constexpr float kSignStepPx = 16.0F;
+
+}  // namespace
+
+float state_signs_px(const Theme& theme, const Vibration& vibration) {
+    const int count = (vibration.locked ? 1 : 0) + (vibration.dropped ? 1 : 0);
+    return static_cast<float>(count) * kSignStepPx * theme.scale;
+}
+
+void draw_state_signs(Ui& ui, const Vibration& vibration, ImVec2 right) {
+    const Theme& theme = ui.theme;
+    const float step = kSignStepPx * theme.scale;
+    ImVec2 centre{right.x - 0.5F * step, right.y};
+    const auto sign = [&](bool holds, Icon icon, const char* word, const char* help) {
+        if (!holds) return;
+        draw_icon(*ImGui::GetWindowDrawList(), icon, centre, kSignPx * theme.scale, theme.dim_text);
+        const ImVec2 half{0.5F * step, 0.5F * step};
+        note_rect(ui.rects, std::string(word) + ":" + vibration.name, centre - half, centre + half);
+        if (Rect{centre - half, centre + half}.contains(ImGui::GetIO().MousePos))
+            draw_tooltip(ui, help);
+        centre.x -= step;
+    };
+    sign(vibration.dropped, Icon::dropped, "dropped", "Dropped: picked in no subset.");
+    sign(vibration.locked, Icon::locked, "locked",
+         "Locked: picked in every subset, and not edited.");
 }
 
 std::string drawn_text(const PatternSet& set) {

@@ -31,6 +31,11 @@ void draw_thumbnail(const Ui& ui, Workspace& work, const Rect& area, const Vibra
 // What lies under a row of the set: selected, one of several, or pointed at.
 void draw_row_ground(const Ui& ui, const Workspace& work, std::size_t index, const Rect& row);
 
+// Signs of what holds for a pattern besides its numbers, locked or dropped, up to `right`; how wide
+// they are, with the gap before them.
+float state_signs_px(const Theme& theme, const Vibration& vibration);
+void draw_state_signs(Ui& ui, const Vibration& vibration, ImVec2 right);
+
 // All words of a set that are drawn: what fonts need glyphs for.
 std::string drawn_text(const PatternSet& set);
 

@@ -25,6 +25,8 @@ std::string patterns_text(std::size_t count) {
 std::string shown_patterns_text(const Workspace& work) {
     const std::size_t all = work.document.set.vibrations.size();
     const Side side = shown_side(work);
+    if (side == Side::both && !work.selection.search.empty())
+        return std::to_string(listed_indices(work).size()) + " of " + std::to_string(all);
     if (side == Side::both) return std::to_string(all);
     const auto count =
         std::ranges::count_if(work.document.set.vibrations, [side](const Vibration& vibration) {

@@ -43,7 +43,8 @@ struct Workspace {
     VibrationCache cache;
     bool own_heights = false;  // waveforms fill their rows, instead of one scale of g for all
     Session session;
-    std::vector<Vibration> clipboard;
+    std::vector<Vibration> clipboard;    // what was copied here last ...
+    std::string clipboard_text;          // ... and as the desktop has it: a set file
     bool unsaved = false;                // the document differs from its file ...
     std::uint64_t unsaved_revision = 0;  // ... as of this revision
     bool autosave_pending = false;

@@ -131,10 +131,6 @@ void draw_which(Ui& ui, EffectExport& effects) {
 void draw_effect_dialog(Ui& ui, const Workspace& work, EffectExport& effects) {
     follow_effects(ui, effects);
     if (!begin_dialog(ui, "Export vibrations", kEffectDialogPx)) return;
-    const ImU32 field = dialog_field(ui.theme);
-    for (const ImGuiCol which : {ImGuiCol_FrameBg, ImGuiCol_Button}) {
-        ImGui::PushStyleColor(which, field);
-    }
     draw_format(ui, effects.choice);
     if (is_sampled(effects.choice.format)) {
         draw_sampled(ui, effects.choice);
@@ -146,7 +142,6 @@ void draw_effect_dialog(Ui& ui, const Workspace& work, EffectExport& effects) {
     const float s = ui.theme.scale;
     const float room = 0.9F * ImGui::GetIO().DisplaySize.y - kRowsPx * s;
     draw_loss_pane(ui, work, effects, std::clamp(room, 120.0F * s, kPanePx * s));
-    ImGui::PopStyleColor(2);
     const bool chosen_is_asked = effects.asked == effects.choice;
     const bool ready = is_loss_current(effects) || effects.without;
     const bool enabled = chosen_is_asked && ready && !effects.request.written.empty();

@@ -120,7 +120,7 @@ void draw_view_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
     draw_views(ui, work, kPictureViews, exports.view, exports.picture_size);
     draw_size(ui, work, exports.view, exports.picture_size);
     draw_presets(ui, exports.picture_size);
-    dim_text(ui, "PNG for pixels, SVG to magnify and to edit: by the ending of the name.");
+    dim_text(ui, "PNG for pixels, SVG to magnify and to edit: chosen beside the file's name.");
     if (!draw_ends(ui, "Choose a file...", true)) return;
     choose_picture(ui, work, exports);
 }
@@ -175,7 +175,7 @@ void draw_slower(Ui& ui, ExportState& exports) {
     }
     note_item(ui.rects, "export:slower", significant_digits(slower, 4));
     ImGui::SameLine();
-    dim_text(ui, "times slower than life");
+    dim_text(ui, "times slower than it is felt");
 }
 
 void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) {

@@ -1,9 +1,9 @@
 #include "app/export/export_progress.h"
 
-#include <cmath>
 #include <cstdio>
 #include <string>
 
+#include "app/ui/time_left.h"
 #include "app/ui/widgets.h"
 
 namespace tact {
@@ -11,16 +11,9 @@ namespace tact {
 namespace {
 
 std::string time_left(const Ui& ui, const RunningAnimation& running) {
-    if (running.done == 0) return "";
-    const double each_s = (ui.time_s - running.begun_s) / running.done;
-    const double left_s = each_s * (running.sequence.frames - running.done);
-    char text[48];
-    if (left_s < 90.0) {
-        std::snprintf(text, sizeof text, ", %.0f s left", std::ceil(left_s));
-    } else {
-        std::snprintf(text, sizeof text, ", %.0f min left", std::ceil(left_s / 60.0));
-    }
-    return text;
+    const double share = static_cast<double>(running.done) / running.sequence.frames;
+    const std::string left = time_left_text(ui.time_s - running.begun_s, share);
+    return left.empty() ? "" : ", " + left;
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "app/document/pattern_looks.h"
-#include "app/jobs/time_left.h"
 #include "app/ui/dialog.h"
 #include "app/ui/failure.h"
+#include "app/ui/progress_line.h"
 #include "app/ui/widgets.h"
 #include "model/export/loss_words.h"
 #include "viz/drawing/marks.h"
@@ -153,7 +153,7 @@ void draw_bar(const Ui& ui, float share) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 from{corner.x, corner.y + 0.5F * line - 3.0F * s};
     const float round = ui.theme.rounding_px;
-    list.AddRectFilled(from, from + ImVec2{160.0F * s, 6.0F * s}, dialog_field(ui.theme), round);
+    list.AddRectFilled(from, from + ImVec2{160.0F * s, 6.0F * s}, ui.theme.field, round);
     list.AddRectFilled(from, from + ImVec2{160.0F * s * share, 6.0F * s}, ui.theme.accent, round);
 }
 
@@ -162,21 +162,15 @@ void draw_state(Ui& ui, EffectExport& effects) {
     if (draw_failure(ui, "export", failure_of(effects.job))) return;
     if (is_predicting_loss(effects)) {
         const float share = effects.job->progress();
-        const std::string left = time_left_text(ui.time_s - effects.since_s, double{share});
-        const std::string text = "Predicting what it costs" + (left.empty() ? "" : ", " + left);
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(text.c_str());
-        note_item(ui.rects, "export:predicting", text);
+        if (draw_progress(ui, {"Predicting what it costs", share, "predicting"}, true))
+            stop_predicting(effects);
         ImGui::SameLine();
         draw_bar(ui, share);
-        ImGui::SameLine();
-        if (ImGui::Button("Stop")) stop_predicting(effects);
-        note_item(ui.rects, "button:stop predicting");
         return;
     }
     if (effects.without && !is_loss_current(effects)) {
         ImGui::AlignTextToFramePadding();
-        dim_text(ui, effects.large ? "What it costs takes minutes to predict." : "Stopped.");
+        dim_text(ui, effects.large ? "What it costs takes minutes to predict." : "Cancelled.");
         ImGui::SameLine();
         if (ImGui::Button("Predict it")) predict_anyway(ui, effects);
         note_item(ui.rects, "button:predict loss");

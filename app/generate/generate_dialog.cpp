@@ -12,10 +12,10 @@
 #include "app/generate/generate_dialog.h"
 #include "app/generate/generate_fields.h"
 #include "app/generate/generating.h"
-#include "app/jobs/time_left.h"
 #include "app/ui/dialog.h"
 #include "app/ui/failure.h"
 #include "app/ui/number_field.h"
+#include "app/ui/time_left.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
@@ -112,11 +112,11 @@ void draw_previews(Ui& ui, Workspace& work, const GeneratePlan* plan) {
         const std::size_t place = count == 1 ? 0 : k * (all.size() - 1) / (count - 1);
         const ImVec2 low{corner.x + static_cast<float>(k) * each, corner.y};
         const Rect area = rect_at(low, {each - theme.gap_px, kPreviewHeightPx * s});
-        list.AddRectFilled(area.min, area.max, dialog_field(theme), theme.rounding_px);
+        list.AddRectFilled(area.min, area.max, theme.field, theme.rounding_px);
         Vibration vibration;
         vibration.name = "candidate preview " + std::to_string(k);
         vibration.source = all[place].pattern;
-        draw_thumbnail(ui, work, inset(area, 3.0F * s), vibration, theme.accent, reach_g);
+        draw_thumbnail(ui, work, inset(area, 3.0F * s), vibration, theme.series, reach_g);
         draw_text(list, theme.fonts.small, {low.x, area.max.y + 3.0F * s}, theme.dim_text,
                   shortened(theme.fonts.small, all[place].name, area.width()));
         note_rect(ui.rects, "generate:preview " + std::to_string(k), area.min, area.max,
@@ -174,9 +174,8 @@ void draw_question(Ui& ui, Workspace& work, GenerateState& generating, const Gen
 void draw_buttons(Ui& ui, Workspace& work, GenerateState& generating, const GeneratePlan* plan) {
     const bool usable = plan != nullptr && plan->fault.empty();
     ImGui::BeginDisabled(!usable || plan->add.fresh.empty());
-    ImGui::PushStyleColor(ImGuiCol_Button, faded(ui.theme.accent, 0.45F));
-    const bool add = ImGui::Button(usable ? words_of(*plan, Before::kept).c_str() : "Add patterns");
-    ImGui::PopStyleColor();
+    const bool add =
+        primary_button(ui.theme, usable ? words_of(*plan, Before::kept).c_str() : "Add patterns");
     ImGui::EndDisabled();
     note_item(ui.rects, "button:add candidates");
     bool replace = false;
@@ -213,13 +212,6 @@ void draw_parameters(Ui& ui, GenerateState& generating) {
     ImGui::EndChild();
 }
 
-// On the ground of a dialog, stock fields and buttons could not be told from it.
-void push_dialog_colours(const Theme& theme) {
-    const auto push = [](ImGuiCol what, ImU32 colour) { ImGui::PushStyleColor(what, colour); };
-    push(ImGuiCol_FrameBg, dialog_field(theme));
-    push(ImGuiCol_Button, dialog_field(theme));
-}
-
 }  // namespace
 
 namespace {
@@ -239,7 +231,6 @@ void draw_what_is_left_out(Ui& ui, const Workspace& work) {
 
 void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating) {
     if (!begin_dialog(ui, "Generate candidates", kDialogWidthPx)) return;
-    push_dialog_colours(ui.theme);
     // Esc leaves an entry first, then the dialog.
     const bool typing = !generating.typing.empty() || is_number_typed(ui);
     const bool popup = ImGui::IsPopupOpen("rhythms", ImGuiPopupFlags_AnyPopupId);
@@ -267,7 +258,6 @@ void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating) {
     }
     const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
     if (escape && !typing && !popup) close(ui, generating);
-    ImGui::PopStyleColor(2);
     ImGui::EndPopup();
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <sstream>
 #include <string_view>
 
 #include "model/common/parallel.h"
 #include "model/dtw/dtw_kernel.h"
+#include "model/io/tables/matrix_file.h"
 #include "model/subset/separation.h"
 
 namespace tact {
@@ -122,6 +124,8 @@ std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, st
     LiveMap map{request, std::move(*prediction), {}, 0.0, set, {}};
     const Dissimilarity& pm = map.prediction.pm;
     map.sorted_pm = sorted_values(pm);
+    map.closest =
+        static_cast<std::size_t>(std::ranges::min_element(pm.condensed) - pm.condensed.begin());
     if (request.preview) {
         map.space = preview_space(pm, request.dimensions, last_.get(), stop);
     } else {
@@ -134,6 +138,14 @@ std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, st
     map.seconds = took.count();
     keep(map);
     return map;
+}
+
+std::string matrix_csv(const LiveMap& map) {
+    std::vector<std::string> labels;
+    for (const Vibration& one : map.request.set->vibrations) labels.push_back(one.name);
+    std::ostringstream csv;
+    write_matrix_csv(csv, labels, map.prediction.pm);
+    return csv.str();
 }
 
 }  // namespace tact

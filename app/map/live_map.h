@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "app/rendering/rendered_set.h"
@@ -51,7 +52,11 @@ struct LiveMap {
     std::shared_ptr<const PatternSet> played;  // what was compared: the set, or what a device plays
     // PM of all pairs, ascending: of half a million, no frame could wait for it.
     std::vector<double> sorted_pm;
+    std::size_t closest = 0;  // the pair of the least PM, in condensed order
 };
+
+// PM of every pair, as a matrix file has it.
+std::string matrix_csv(const LiveMap& map);
 
 // Pairs of all maps that are kept for undo: 48 bytes each, besides their patterns' codes.
 inline constexpr std::size_t kKeptPairs = 500'000;

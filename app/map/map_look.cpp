@@ -99,17 +99,28 @@ std::vector<std::vector<std::size_t>> paths_along(const ShownMap& shown_map,
     return paths;
 }
 
-const char* parameter_name(const std::optional<PatternParameter>& parameter) {
-    return parameter ? traits(*parameter).name : "none";
+const char* parameter_name(const std::optional<PatternParameter>& parameter, const char* none) {
+    return parameter ? traits(*parameter).name : none;
+}
+
+constexpr float kLabelPx = 96.0F;
+constexpr float kChoicePx = 170.0F;
+
+void label_of_row(const Ui& ui, const char* label) {
+    const float begin = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    dim_text(ui, label);
+    ImGui::SameLine(begin + kLabelPx * ui.theme.scale);
 }
 
 // True where another one was chosen.
-bool draw_parameter_choice(Ui& ui, const ShownMap& shown_map, const char* label,
+bool draw_parameter_choice(Ui& ui, const ShownMap& shown_map, const char* label, const char* none,
                            std::optional<PatternParameter>& chosen) {
     bool changed = false;
-    ImGui::SetNextItemWidth(170.0F * ui.theme.scale);
-    if (ImGui::BeginCombo(label, parameter_name(chosen))) {
-        if (ImGui::Selectable("none", !chosen)) {
+    label_of_row(ui, label);
+    ImGui::SetNextItemWidth(kChoicePx * ui.theme.scale);
+    if (ImGui::BeginCombo((std::string("##") + label).c_str(), parameter_name(chosen, none))) {
+        if (ImGui::Selectable(none, !chosen)) {
             chosen.reset();
             changed = true;
         }
@@ -123,13 +134,13 @@ bool draw_parameter_choice(Ui& ui, const ShownMap& shown_map, const char* label,
         }
         ImGui::EndCombo();
     }
-    note_item(ui.rects, std::string("look:") + label, parameter_name(chosen));
+    note_item(ui.rects, std::string("look:") + label, parameter_name(chosen, "none"));
     return changed;
 }
 
 void draw_filter(Ui& ui, ShownMap& shown_map) {
     MapLook& look = shown_map.look;
-    if (draw_parameter_choice(ui, shown_map, "Only with", look.filter) && look.filter) {
+    if (draw_parameter_choice(ui, shown_map, "Only with", "all", look.filter) && look.filter) {
         look.passes = reach_of(shown_map, *look.filter).value_or(Range{0.0, 0.0});
     }
     if (!look.filter) return;
@@ -215,6 +226,7 @@ void draw_map_look(Ui& ui, ShownMap& shown_map) {
     if (link(ui, "map look", kLook)) ImGui::OpenPopup("map look");
     note_item(ui.rects, "link:map look");
     draw_tooltip(ui, "Colour, lines, filter and groups of the map.");
+    open_below_last_item(ui.theme);
     if (!ImGui::BeginPopup("map look")) return;
     MapLook& look = shown_map.look;
     if (!shown_map.transition.shown) {
@@ -222,25 +234,25 @@ void draw_map_look(Ui& ui, ShownMap& shown_map) {
         ImGui::EndPopup();
         return;
     }
-    if (draw_parameter_choice(ui, shown_map, "Colour by", look.colour)) look.clusters = 0;
-    draw_parameter_choice(ui, shown_map, "Lines along", look.path);
+    if (draw_parameter_choice(ui, shown_map, "Colour by", "pattern", look.colour))
+        look.clusters = 0;
+    draw_parameter_choice(ui, shown_map, "Lines along", "none", look.path);
     draw_filter(ui, shown_map);
     int groups = std::max(1, look.clusters);
+    label_of_row(ui, "Groups");
+    reset_by_label(ui, 0, look.clusters);
     if (enter_whole_with_buttons(ui,
                                  {.id = "groups",
                                   .label = "Groups",
                                   .format = "%.0f",
                                   .rules = {{1.0, kMostClusters}},
-                                  .width_px = 170.0F * ui.theme.scale},
+                                  .width_px = kChoicePx * ui.theme.scale},
                                  groups)) {
         look.clusters = groups < 2 ? 0 : groups;
         if (look.clusters > 1) look.colour.reset();
     }
     note_item(ui.rects, "look:groups", std::to_string(look.clusters));
     draw_tooltip(ui, "Patterns that are close by PM, in one colour (average linkage); 1 is none.");
-    ImGui::SameLine();
-    ImGui::TextUnformatted("Groups");
-    reset_by_label(ui, 0, look.clusters);
     ImGui::Checkbox("Pairs that are too close", &look.show_pairs);
     note_item(ui.rects, "look:pairs", look.show_pairs ? "on" : "off");
     ImGui::Checkbox("Ellipses of uncertainty", &look.show_spread);
@@ -304,10 +316,17 @@ PointDeed draw_point_menu(Ui& ui, Workspace& work, ShownMap& shown_map, const Sp
             note_item(ui.rects, std::string("menu:") + id);
         };
         item("play point", "Play", PointDeed::play, true);
-        const bool locks = ImGui::MenuItem(vibration.locked ? "Unlock" : "Lock: always pick it");
+        ImGui::Separator();
+        const bool locks = draw_menu_row(ui.theme, {.words = vibration.locked ? "Unlock" : "Lock",
+                                                    .keys = "Ctrl+L",
+                                                    .icon = Icon::locked});
         note_item(ui.rects, "menu:lock");
-        const bool drops = ImGui::MenuItem(vibration.dropped ? "Take back" : "Drop: never pick it");
+        const bool drops =
+            draw_menu_row(ui.theme, {.words = vibration.dropped ? "Take back" : "Drop",
+                                     .keys = "Ctrl+Shift+L",
+                                     .icon = Icon::dropped});
         note_item(ui.rects, "menu:drop");
+        ImGui::Separator();
         item("duplicate point", "Duplicate", PointDeed::duplicate, true);
         item("similar point", "Find similar", PointDeed::similar, true);
         item("vary point", "Vary", PointDeed::vary, editable);

@@ -105,8 +105,9 @@ struct ShownMap {
     ShownUnfelt unfelt;
     std::size_t menu_of = 0;  // the pattern whose menu is open in the map
     SpaceCamera camera;
-    bool move_tool = false;    // a drag of a point puts it there, as with Alt
-    bool frame_asked = false;  // what is selected is to fill the pane
+    bool has_headline = false;  // stress stands there, in the frame before: not in the title, too
+    bool move_tool = false;     // a drag of a point puts it there, as with Alt
+    bool frame_asked = false;   // what is selected is to fill the pane
     int dimensions = 3;
     MatrixQuantity quantity = MatrixQuantity::pm;
 };

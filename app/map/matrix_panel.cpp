@@ -70,14 +70,6 @@ const char* quantity_name(MatrixQuantity quantity) {
 
 void draw_choice(Ui& ui, ShownMap& shown_map) {
     const float gap = 1.5F * ui.theme.gap_px;
-    float all = 2.0F * gap;
-    for (const auto q : {MatrixQuantity::pm, MatrixQuantity::nc, MatrixQuantity::oc}) {
-        all += radio_width(ui, quantity_name(q));
-    }
-    // Beside the tabs, on the line of their words, or all of them below.
-    const float lower = 0.5F * (ImGui::GetFrameHeight() - ImGui::GetItemRectSize().y);
-    const bool beside = flow_on(all, 2.0F * gap);
-    if (beside) ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lower);
     const auto choose = [&, gap](MatrixQuantity quantity, const char* help) {
         const char* name = quantity_name(quantity);
         if (quantity != MatrixQuantity::pm) flow_on(radio_width(ui, name), gap);

@@ -283,6 +283,59 @@ void draw_remarks(const Ui& ui, const Rect& area, const std::string& verdict,
     line(ui.theme.dim_text, ghosts);
 }
 
+// A number in the large role, and beside it what it is. Where the next one may begin.
+float draw_headline_number(const Ui& ui, ImVec2 corner, ImU32 ink, const std::string& number,
+                           const std::string& what) {
+    const Fonts& fonts = ui.theme.fonts;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_text(list, fonts.large, corner, ink, number);
+    const float x = corner.x + text_size(fonts.large, number).x + ui.theme.gap_px;
+    const float lower = 0.8F * (text_size(fonts.large, "0").y - text_size(fonts.small, "0").y);
+    draw_text(list, fonts.small, {x, corner.y + lower}, ui.theme.dim_text, what);
+    return x + text_size(fonts.small, what).x;
+}
+
+// How well the map fits, and its weakest pair: what one looks for first. The height that it takes;
+// none where there is no room for it.
+float draw_headline(Ui& ui, Workspace& work, const ShownMap& shown_map, const Rect& area,
+                    const std::vector<std::optional<std::size_t>>& places) {
+    const LiveMap& map = *shown_map.transition.shown;
+    const Theme& theme = ui.theme;
+    const float height = text_size(theme.fonts.large, "0").y + theme.gap_px;
+    const float least_px = 380.0F * theme.scale;
+    if (area.width() < least_px || area.height() < 8.0F * height || map.sorted_pm.empty()) return 0;
+    const MapState state = map_state(work, shown_map);
+    const ImU32 ink = state == MapState::exact ? theme.text : theme.dim_text;
+    float x = area.min.x;
+    if (map.space.verdict != MdsVerdict::trivial) {
+        char stress[16];
+        std::snprintf(stress, sizeof stress, "%.3f", map.space.stress1);
+        x = draw_headline_number(ui, area.min, ink, stress,
+                                 "stress-1, " + stress_label(map.space.stress1)) +
+            3.0F * theme.gap_px;
+    }
+    const auto [a, b] = pair_at(map.prediction.pm.size, map.closest);
+    const auto& all = map.request.set->vibrations;
+    const std::string pm = significant(map.sorted_pm.front());
+    const float used = x + text_size(theme.fonts.large, pm).x + theme.gap_px;
+    const std::string preview = state == MapState::preview ? ", preview" : "";
+    const std::string what = shortened(
+        theme.fonts.small, "PM, closest pair " + all[a].name + " \u2013 " + all[b].name + preview,
+        std::max(0.0F, area.max.x - used));
+    const ImVec2 corner{x, area.min.y};
+    const float right = draw_headline_number(ui, corner, ink, pm, what);
+    ImGui::SetCursorScreenPos(corner);
+    const bool pressed = ImGui::InvisibleButton("closest pair", {right - x, height - theme.gap_px});
+    note_item(ui.rects, "map:closest", all[a].name + "|" + all[b].name);
+    if (places[a] && places[b]) {
+        if (ImGui::IsItemHovered()) work.selection.hovered_pair = {*places[a], *places[b]};
+        if (pressed) choose_pair(work, *places[a], *places[b]);
+    }
+    draw_tooltip(ui, "PM of the two that people will confuse first. A click chooses them.");
+    ImGui::SetCursorScreenPos({area.min.x, area.min.y + height});
+    return height;
+}
+
 }  // namespace
 
 std::string verdict_text(const PerceptualSpace& space, std::size_t patterns) {
@@ -307,7 +360,8 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     const MapState state = map_state(work, shown_map);
     const bool failed =
         state != MapState::too_large && draw_failure(ui, "space", failure_of(shown_map.full_job));
-    const Rect area = rest_of_pane();
+    shown_map.has_headline = false;
+    Rect area = rest_of_pane();
     if (area.empty()) return {};
     const bool has_points = shown_map.transition.shown && shown_map.transition.to.rows() >= 2 &&
                             shown_map.transition.shown->space.verdict != MdsVerdict::constant;
@@ -325,6 +379,9 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
         return {};
     }
     const auto places = places_in_document(work, shown_map);
+    const float headline_px = draw_headline(ui, work, shown_map, area, places);
+    shown_map.has_headline = headline_px > 0.0F;
+    area.min.y += headline_px;
     std::vector<std::string> labels;
     std::vector<std::string> words;  // as they stand in the map
     std::vector<PatternLook> looks;

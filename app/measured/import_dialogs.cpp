@@ -19,12 +19,6 @@ namespace tact {
 
 namespace {
 
-// Until two colours are popped: what can be pressed or typed into stands out from the dialog.
-void push_field_colours(const Ui& ui) {
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
-}
-
 // Names of the two curves above their right end.
 void draw_names(const Ui& ui, const Plot& plot, const char* measured) {
     const Theme& theme = ui.theme;
@@ -37,7 +31,7 @@ void draw_names(const Ui& ui, const Plot& plot, const char* measured) {
         x -= theme.gap_px;
     };
     name("intended", theme.dim_text);
-    name(measured, theme.accent);
+    name(measured, theme.series);
 }
 
 // The measured signal over the intended one, on one scale.
@@ -59,7 +53,7 @@ void draw_overlay(Ui& ui, Workspace& work, const Vibration& intended, const Twin
     draw_axes(list, theme, plot, labels);
     draw_signal(list, theme, plot, drawn.samples_g, drawn.rate_hz, faded(theme.dim_text, 0.6F),
                 TraceStyle::line);
-    draw_signal(list, theme, plot, measured.samples_g, measured.rate_hz, faded(theme.accent, 0.8F),
+    draw_signal(list, theme, plot, measured.samples_g, measured.rate_hz, faded(theme.series, 0.8F),
                 TraceStyle::line);
     draw_names(ui, plot, synthetic ? "synthetic" : "measured");
 }
@@ -203,7 +197,6 @@ void drop_left_out(ImportState& state) {
 
 void draw_import_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     if (!begin_dialog(ui, "Import recordings")) return;
-    push_field_colours(ui);
     dim_text(ui, "Recordings by an accelerometer, and the pattern each measures");
     const bool changed = draw_files(ui, work, importing);
     if (draw_options(ui, importing) || changed) look_at_recordings(ui, work, importing);
@@ -214,7 +207,6 @@ void draw_import_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     const bool more = ImGui::Button("Add files...");
     note_item(ui.rects, "button:add files");
     ImGui::SameLine();
-    ImGui::PopStyleColor(2);
     if (more) {
         ui.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();
@@ -255,7 +247,6 @@ bool is_sound(const ActuatorParams& actuator) {
 
 void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     if (!begin_dialog(ui, "Simulate measurement")) return;
-    push_field_colours(ui);
     ImGui::PushTextWrapPos(0.0F);
     dim_text(ui,
              "What an accelerometer on a resonant actuator might record. It is computed, no "
@@ -283,7 +274,6 @@ void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
                            shown ? "What measures another pattern has no twin itself." : "");
     }
     const bool any = importing.simulate_all || (shown && !shown->twins.empty());
-    ImGui::PopStyleColor(2);
     if (draw_ends(ui, "Add synthetic twins", sound && any)) take_simulation(ui, work, importing);
 }
 

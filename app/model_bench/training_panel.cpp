@@ -6,11 +6,12 @@
 
 #include "app/compare/compare_follow.h"
 #include "app/document/rating_files.h"
-#include "app/jobs/time_left.h"
 #include "app/model_bench/model_panel.h"
 #include "app/model_bench/training_follow.h"
 #include "app/model_bench/training_views.h"
 #include "app/ui/failure.h"
+#include "app/ui/progress_line.h"
+#include "app/ui/time_left.h"
 #include "app/ui/widgets.h"
 #include "model/common/parallel.h"
 #include "model/text/numbers.h"
@@ -123,34 +124,24 @@ const TrainingEstimate& estimate(ModelBench& model_bench, const TrainingRequest&
     return known;
 }
 
-void draw_progress(Ui& ui, ModelBench& model_bench) {
+void draw_training(Ui& ui, ModelBench& model_bench) {
     const float share = model_bench.training.job->progress();
-    char text[48];
-    std::snprintf(text, sizeof text, "searching, %d %%", static_cast<int>(100.0F * share));
-    const std::string left =
-        time_left_text(ui.time_s - model_bench.training.since_s, static_cast<double>(share));
     const Rect bar = rect_at(ImGui::GetCursorScreenPos(),
                              {ImGui::GetContentRegionAvail().x, 3.0F * ui.theme.scale});
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(bar.min, bar.max, ui.theme.field);
     list.AddRectFilled(bar.min, {bar.min.x + bar.width() * share, bar.max.y}, ui.theme.accent);
     ImGui::Dummy({bar.width(), bar.height()});
-    dim_text(ui, text + (left.empty() ? "" : ", " + left));
-    note_item(ui.rects, "train:progress", text);
-    ImGui::SameLine(0.0F, ui.theme.gap_px);
-    if (link(ui, "cancel training", "Cancel")) cancel_training(model_bench);
-    note_item(ui.rects, "link:cancel training");
+    if (draw_progress(ui, {"Searching", share, "training"})) cancel_training(model_bench);
 }
 
 void draw_begin(Ui& ui, const Workspace& work, ModelBench& model_bench) {
     const TrainingRequest request = training_request(work, model_bench);
     ImGui::BeginDisabled(request.sets.empty());
-    ImGui::PushStyleColor(ImGuiCol_Button, faded(ui.theme.accent, 0.45F));
-    if (ImGui::Button("Train")) begin_training(ui, work, model_bench);
-    ImGui::PopStyleColor();
+    if (primary_button(ui.theme, "Train")) begin_training(ui, work, model_bench);
     ImGui::EndDisabled();
     note_item(ui.rects, "button:train", request.sets.empty() ? "disabled" : "enabled");
-    std::string text = "Nothing takes part.";
+    std::string text = "No ratings to train on.";
     if (!request.sets.empty()) {
         const TrainingCost& cost = estimate(model_bench, request).cost;
         const double cores = thread_count(0);
@@ -174,7 +165,7 @@ void draw_training(Ui& ui, Workspace& work, ModelBench& model_bench) {
     draw_sets(ui, work, model_bench);
     draw_settings(ui, model_bench);
     if (is_training(model_bench)) {
-        draw_progress(ui, model_bench);
+        draw_training(ui, model_bench);
     } else if (model_bench.training.job) {
         draw_begin(ui, work, model_bench);
         (void)draw_failure(ui, "training", failure_of(model_bench.training.job));

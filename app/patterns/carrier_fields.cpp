@@ -5,6 +5,7 @@
 
 #include "app/document/editing.h"
 #include "app/patterns/pattern_fields.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -173,7 +174,7 @@ void draw_carrier_links(Ui& ui, Workspace& work, const Pattern& pattern) {
 }  // namespace
 
 double snapped_to(double value, double snap) {
-    return snap > 0.0 ? std::max(snap, std::round(value / snap) * snap) : value;
+    return snap > 0.0 ? std::max(snap, multiple_of(snap, std::round(value / snap))) : value;
 }
 
 void push_carrier(Pattern& pattern) {

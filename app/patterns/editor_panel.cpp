@@ -165,9 +165,19 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
     }
     if (low) draw_strip();
     // Inside, so that it scrolls away where the pane is low.
-    draw_hint(ui, "editor",
-              "Drag a slider and watch the point move on the right. Type a number for an exact "
-              "value; arrow keys nudge.");
+    if (!low && !vibration->locked) {
+        draw_hint(ui, "editor",
+                  "Drag a slider and watch the point move on the right. Type a number for an exact "
+                  "value; arrow keys nudge.");
+    }
+    if (vibration->locked) {
+        dim_text(ui, "Locked: picked in every subset, and not edited.");
+        flow_on(ImGui::CalcTextSize("Unlock").x, ui.theme.gap_px);
+        if (link(ui, "unlock", "Unlock")) {
+            ui.waiting.emplace_back([&ui, &work] { toggle_locked(ui, work); });
+        }
+        note_item(ui.rects, "link:unlock");
+    }
     if (work.selection.too_close.contains(vibration->name)) {
         ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
         ImGui::TextWrapped("Too close to another pattern: see Subset, Too close.");

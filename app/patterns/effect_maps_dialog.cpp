@@ -109,13 +109,9 @@ void draw_effect_maps_line(Ui& ui, Workspace& work) {
 
 void draw_effect_maps_dialog(Ui& ui, Workspace& work) {
     if (!begin_dialog(ui, "Actuator maps", kMapsDialogPx)) return;
-    const ImU32 field = dialog_field(ui.theme);
-    for (const ImGuiCol which : {ImGuiCol_FrameBg, ImGuiCol_Button}) {
-        ImGui::PushStyleColor(which, field);
-    }
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(
-        "What 0 to 1 of effect files mean in Hz and g on the device that they are for.");
+        "How the 0 to 1 of effect files is read as Hz and g, for the device that they are for.");
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
     for (const MapInUse& use : maps_in_use(work)) {
@@ -129,7 +125,6 @@ void draw_effect_maps_dialog(Ui& ui, Workspace& work) {
         draw_source(ui, use);
         if (!chosen.empty()) read_by_map(ui, work, use.format, chosen);
     }
-    ImGui::PopStyleColor(2);
     end_dialog(ui);
 }
 

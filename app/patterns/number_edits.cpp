@@ -8,6 +8,7 @@
 
 #include "app/document/editing.h"
 #include "app/patterns/pattern_fields.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -101,7 +102,8 @@ void note_rested(const Ui& ui, Workspace& work, const Field& field, const Patter
         const double exact =
             field.logarithmic ? low * std::pow(high / low, share) : low + share * (high - low);
         // As the slider itself snaps: down to 0.
-        const double whole = field.snap > 0.0 ? field.snap * std::round(exact / field.snap) : exact;
+        const double whole =
+            field.snap > 0.0 ? multiple_of(field.snap, std::round(exact / field.snap)) : exact;
         const double value = std::clamp(whole, low, high);
         if (value == last) continue;
         last = value;

@@ -178,13 +178,13 @@ void draw_envelope(Ui& ui, RhythmChoice& choice, const Pattern& pattern) {
     ImGui::Dummy(size);
     note_item(ui.rects, "rhythm envelope", pattern.rhythm.text);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(area.min, area.max, dialog_field(theme), theme.rounding_px);
+    list.AddRectFilled(area.min, area.max, theme.field, theme.rounding_px);
     const Rect inner = inset(area, 4.0F * theme.scale);
     Plot plot;
     plot.area = inner;
     plot.x = {0.0, shown.duration_s, Scale::linear, inner.min.x, inner.max.x};
     plot.y = {0.0, 1.0, Scale::linear, inner.max.y, inner.min.y};
-    draw_signal(list, theme, plot, choice.envelope, kModelRateHz, theme.accent, TraceStyle::line);
+    draw_signal(list, theme, plot, choice.envelope, kModelRateHz, theme.series, TraceStyle::line);
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ void draw_rhythm_cells(const Theme& theme, const Rect& area, const std::string& 
         const float left = area.min.x + static_cast<float>(k) * cell;
         list.AddRectFilled({text[k] == '=' ? left - gap : left + gap, area.min.y},
                            {left + cell - gap, area.max.y},
-                           text[k] == '-' ? dialog_field(theme) : theme.accent, 1.5F * theme.scale);
+                           text[k] == '-' ? theme.field : theme.series, 1.5F * theme.scale);
     }
 }
 
@@ -212,10 +212,7 @@ std::string rhythm_summary(const std::string& text) {
 RhythmListAction draw_rhythm_list(Ui& ui, RhythmChoice& choice, const Pattern& pattern,
                                   const std::function<bool(const std::string&)>& chosen,
                                   const std::string& all) {
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
     draw_kind(ui, choice);
-    ImGui::PopStyleColor(2);
     keep_texts(choice);
     const std::uint64_t size = size_of(choice);
     dim_text(ui, grouped_digits(size) + (size == 1 ? " rhythm" : " rhythms") +

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "app/document/copying.h"
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/document/pressing.h"
@@ -36,19 +37,16 @@ struct RowParts {
     float height_px = 0.0F;
     float thumbnail_px = 0.0F;
     float strength_px = 0.0F;
+    bool is_selected = false;
 };
-
-std::string row_name(const Vibration& vibration) {
-    return vibration.name + (vibration.locked ? "  (locked)" : "") +
-           (vibration.dropped ? "  (dropped)" : "");
-}
 
 RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t rows) {
     const float s = ui.theme.scale;
     const auto& all = work.document.set.vibrations;
     float widest = 0.0F;
     for (std::size_t k = 0; k < std::min<std::size_t>(all.size(), 500); ++k) {
-        widest = std::max(widest, text_size(ui.theme.fonts.regular, row_name(all[k])).x);
+        widest = std::max(widest, text_size(ui.theme.fonts.regular, all[k].name).x +
+                                      state_signs_px(ui.theme, all[k]));
     }
     const float each = room.y / static_cast<float>(std::max<std::size_t>(rows, 1)) - 1.0F;
     RowParts parts;
@@ -160,15 +158,25 @@ void draw_row_menu(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::si
     if (ImGui::MenuItem("Rename", "F2")) begin_rename(work, pattern_panes, index);
     note_item(ui.rects, "row menu:Rename");
     // Once all rows are drawn: there may be fewer of them then.
-    const auto item = [&](const char* text, const char* keys, std::function<void()> act) {
-        if (ImGui::MenuItem(text, keys)) ui.waiting.push_back(std::move(act));
+    const auto item = [&](const char* text, const char* keys, std::function<void()> act,
+                          std::optional<Icon> icon = {}) {
+        if (draw_menu_row(ui.theme, {.words = text, .keys = keys, .icon = icon}))
+            ui.waiting.push_back(std::move(act));
         note_item(ui.rects, std::string("row menu:") + text);
     };
-    item(vibration.locked ? "Unlock" : "Lock", "", [&] { toggle_locked(ui, work); });
-    item(vibration.dropped ? "Take back" : "Drop", "", [&] { toggle_dropped(ui, work); });
+    ImGui::Separator();
+    item(
+        vibration.locked ? "Unlock" : "Lock", "Ctrl+L", [&] { toggle_locked(ui, work); },
+        Icon::locked);
+    item(
+        vibration.dropped ? "Take back" : "Drop", "Ctrl+Shift+L", [&] { toggle_dropped(ui, work); },
+        Icon::dropped);
+    ImGui::Separator();
     item("Duplicate", "Ctrl+D", [&] { duplicate_selected(ui, work); });
     item("Copy", "Ctrl+C", [&] { copy_selected(ui, work); });
+    ImGui::Separator();
     draw_look_menu(ui, work, index);
+    ImGui::Separator();
     item("Delete", "Del", [&] { remove_selected(ui, work); });
     ImGui::PopStyleVar();
     ImGui::EndPopup();
@@ -231,7 +239,8 @@ float draw_row_end(Ui& ui, Workspace& work, const Vibration& vibration, const Pa
         const std::string strength = strength_text(vibration);
         const ImVec2 size = text_size(theme.fonts.small, strength);
         draw_text(*ImGui::GetWindowDrawList(), theme.fonts.small,
-                  {edge - size.x, row.centre().y - size.y / 2.0F}, theme.dim_text, strength);
+                  {edge - size.x, row.centre().y - size.y / 2.0F},
+                  parts.is_selected ? theme.text : theme.dim_text, strength);
     }
     const float end = parts.strength_px > 0.0F ? row.max.x - parts.strength_px : edge;
     const float begin = end - parts.thumbnail_px + 6.0F * s;
@@ -260,11 +269,15 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
               vibration.colour + (vibration.ring ? " ring" : ""));
 
     const float name_begin = row.min.x + 26.0F * s;
-    const std::string name = row_name(vibration);
-    const float end = draw_row_end(ui, work, vibration, look, row, parts);
-    const std::string shown =
-        shortened(theme.fonts.regular, name, std::max(0.0F, end - name_begin - 5.0F * s));
-    draw_text(list, theme.fonts.regular, {name_begin, text_y}, theme.text, shown);
+    RowParts end_parts = parts;
+    end_parts.is_selected =
+        index == work.selection.current || work.selection.others.contains(index);
+    const float end = draw_row_end(ui, work, vibration, look, row, end_parts) - 5.0F * s;
+    draw_state_signs(ui, vibration, {end, middle});
+    const float room = end - name_begin - state_signs_px(theme, vibration);
+    const std::string shown = shortened(theme.fonts.regular, vibration.name, std::max(0.0F, room));
+    draw_text(list, theme.fonts.regular, {name_begin, text_y},
+              vibration.dropped ? theme.dim_text : theme.text, shown);
     if (work.selection.too_close.contains(vibration.name)) {
         list.AddCircle({row.min.x + 12.0F * s, middle}, 9.0F * s, theme.warning, 0,
                        1.5F * theme.hairline_px);
@@ -340,7 +353,7 @@ void draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
         if (rows.empty()) {
             const bool none = work.document.set.vibrations.empty();
             draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(),
-                       none ? "No patterns yet" : "No pattern is as the search says",
+                       none ? "No patterns yet" : "No pattern matches the search",
                        none ? "Press New, or drop a folder of .txt or .wav files here."
                             : "Clear the search to see all of them.");
         }

@@ -40,7 +40,7 @@ void draw_pad(Ui& ui, TappingState& tapping) {
     follow_taps(ui, tapping, held);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool down = tapping.down_s.has_value();
-    list.AddRectFilled(corner, corner + size, down ? theme.accent : dialog_field(theme),
+    list.AddRectFilled(corner, corner + size, down ? theme.accent : theme.field,
                        4.0F * theme.scale);
     const char* words = "Press T, or here: each press is a note as long as it is held";
     const ImVec2 room = text_size(theme.fonts.regular, words);
@@ -143,7 +143,6 @@ void open_tapping(Ui& ui, TappingState& tapping) {
 
 void draw_tapping_dialog(Ui& ui, Workspace& work, TappingState& tapping) {
     if (!begin_dialog(ui, "Tap a rhythm")) return;
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
     draw_pad(ui, tapping);
     const Vibration* vibration = current_vibration(work);
     const Pattern* pattern = vibration == nullptr ? nullptr : editable_pattern(*vibration);
@@ -153,9 +152,8 @@ void draw_tapping_dialog(Ui& ui, Workspace& work, TappingState& tapping) {
     draw_taps(ui, tapping, tapped, least_s);
     draw_words(ui, tapping, tapped, least_s);
     draw_step_field(ui, tapping);
-    ImGui::PopStyleColor();
     const bool ready = pattern != nullptr && !tapping.taps.empty() && !tapping.down_s;
-    if (draw_ends(ui, "Take", ready)) take(ui, work, tapped);
+    if (draw_ends(ui, "Use rhythm", ready)) take(ui, work, tapped);
 }
 
 }  // namespace tact

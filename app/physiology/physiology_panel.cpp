@@ -32,7 +32,7 @@ constexpr std::array<float, kStages.size()> kUnits{1.0F, 2.1F, 1.8F, 3.2F, 2.1F,
 
 // The patterns on screen: the current one, then the pinned one; without those whose stages are on
 // their way.
-std::vector<ShownStages> shown_patterns(const Ui& ui, const Workspace& work,
+std::vector<ShownStages> shown_patterns(Ui& ui, const Workspace& work,
                                         const Physiology& physiology) {
     std::vector<ShownStages> patterns;
     const PatternSet& set = work.document.set;
@@ -41,8 +41,9 @@ std::vector<ShownStages> shown_patterns(const Ui& ui, const Workspace& work,
         const Vibration& wanted = set.vibrations[index];
         // Another pattern's signals would be worse than none.
         if (!live || live->request.vibration.name != wanted.name) return;
-        const bool stale =
+        const bool behind =
             live->request.vibration.source != wanted.source || live->request.model != set.model;
+        const bool stale = looks_stale(ui, pinned ? "pinned stages" : "stages", live, behind);
         patterns.push_back({live, look_of(ui, work, index), stale, pinned});
     };
     add(physiology.stages, work.selection.current, false);
@@ -80,13 +81,16 @@ void draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& a
     const float line = ImGui::GetTextLineHeight();
     ImGui::PushTextWrapPos(area.max.x - ImGui::GetWindowPos().x);
     const float icon = line + 8.0F * theme.scale;
-    const ImVec2 size = ImGui::CalcTextSize(text.name, nullptr, false, area.width() - icon);
+    const float room = area.width() - icon;
+    const bool wraps = area.height() >= 2.0F * line;
+    const std::string name = wraps ? text.name : shortened(theme.fonts.small, text.name, room);
+    const ImVec2 size = ImGui::CalcTextSize(name.c_str(), nullptr, false, room);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool pressed = ImGui::InvisibleButton("open", size);
     const bool over = !ui.as_picture && (ImGui::IsItemHovered() || ImGui::IsItemFocused());
     if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    list.AddText(nullptr, 0.0F, area.min, over ? theme.accent : theme.text, text.name, nullptr,
-                 area.width() - icon);
+    list.AddText(nullptr, 0.0F, area.min, over ? theme.accent : theme.text, name.c_str(), nullptr,
+                 room);
     draw_tooltip(ui, "Open this stage large");
     note_item(ui.rects, std::string("label:") + text.key);
     if (pressed) physiology.view.open = stage;
@@ -266,7 +270,7 @@ PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline
         draw_strip(ui, physiology);
         if (!ui.presenting && draw_pin_choice(ui, work, tour_begun)) deed = PhysiologyDeed::tour;
         if (!ui.presenting) {
-            ImGui::SameLine(0.0F, 2.0F * ui.theme.padding_px);
+            flow_on(ImGui::CalcTextSize("Fold").x, 2.0F * ui.theme.padding_px);
             if (link(ui, "fold", "Fold")) deed = PhysiologyDeed::fold;
             note_item(ui.rects, "stages:fold");
             draw_tooltip(ui, "The stages in one row, and room for the map");

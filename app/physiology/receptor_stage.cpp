@@ -215,15 +215,21 @@ Receptor chosen_network(Ui& ui, Physiology& physiology, const ShownStages& shown
     PhysiologyState& state = physiology.view;
     if (!state.network_chosen) state.network = strongest_channel(*shown.live);
     if (shown.pinned) return state.network;
+    const float gap = 2.0F * ui.theme.scale;
+    float names_px = 0.0F;
+    for (const Receptor type : kReceptors) names_px += chip_width(ui, traits(type).name) + gap;
+    const bool in_full = names_px <= area.width();
     ImGui::SetCursorScreenPos(area.min);
     for (const Receptor type : kReceptors) {
         const std::string id = std::string("network:") + traits(type).afferent;
-        if (draw_chip(ui, id.c_str(), traits(type).name, state.network == type)) {
+        const char* const name = in_full ? traits(type).name : traits(type).afferent;
+        if (draw_chip(ui, id.c_str(), name, state.network == type)) {
             state.network = type;
             state.network_chosen = true;
         }
         note_item(ui.rects, id);
-        ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
+        if (!in_full) draw_tooltip(ui, traits(type).name);
+        ImGui::SameLine(0.0F, gap);
     }
     return state.network;
 }

@@ -95,7 +95,7 @@ Picture wave_picture(const Vibration& vibration, const PictureSize& size) {
     const Waveform waveform = waveform_of(vibration);
     return drawn(size, options_of(size, vibration.name), [&](const Theme& theme) {
         const Rect area = draw_title(theme, vibration.name, "acceleration at the skin");
-        const WaveTrace trace{waveform.samples_g, waveform.rate_hz, theme.accent};
+        const WaveTrace trace{waveform.samples_g, waveform.rate_hz, theme.series};
         WaveScene scene;
         scene.traces = {&trace, 1};
         scene.end_s = std::max(duration_s(waveform), 1e-3);

@@ -73,7 +73,7 @@ std::optional<DeviceInfo> chosen_device(const PlayState& play) {
 std::string device_text(const PlayState& play) {
     if (play.choice.id.empty()) {
         const bool is_any = play.listed && !play.listed->empty();
-        return is_any                                   ? "Silent"
+        return is_any                                   ? "No device"
                : play.list_job && play.list_job->busy() ? "Looking..."
                                                         : "No device";
     }

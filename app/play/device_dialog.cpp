@@ -53,7 +53,7 @@ void draw_device_row(Ui& ui, Timeline& timeline, PlayState& play, const DeviceIn
 }
 
 void draw_list(Ui& ui, Timeline& timeline, PlayState& play) {
-    if (draw_radio(ui, "Silent: the playhead moves, nothing is felt", play.choice.id.empty())) {
+    if (draw_radio(ui, "No device: the playhead moves, nothing is felt", play.choice.id.empty())) {
         choose_device(ui, timeline, play, {});
     }
     note_item(ui.rects, "choose:silent");
@@ -210,8 +210,6 @@ void draw_choice(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& re
 void draw_devices(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                   PlayState& play) {
     if (!begin_dialog(ui, "Devices")) return;
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
     draw_list(ui, timeline, play);
     draw_choice(ui, work, timeline, rendered, play);
     ImGui::Spacing();
@@ -227,7 +225,6 @@ void draw_devices(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
         ImGui::SameLine(0.0F, ui.theme.gap_px);
         dim_text(ui, "looking...");
     }
-    ImGui::PopStyleColor(2);
     end_dialog(ui);
 }
 

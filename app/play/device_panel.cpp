@@ -116,7 +116,7 @@ void draw_waves(Ui& ui, const Workspace& work, Timeline& timeline, const LiveRen
     const float split = area.min.y + each;
     draw("intended", "meant", live.intended, ui.theme.dim_text, {area.min, {area.max.x, split}},
          false);
-    draw("rendered", "played", live.rendering.waveform, ui.theme.accent,
+    draw("rendered", "played", live.rendering.waveform, ui.theme.series,
          {{area.min.x, split}, area.max}, true);
 }
 
@@ -135,11 +135,13 @@ std::string band_words(const BandEnergy& band, bool is_last) {
 void draw_band(Ui& ui, const BandEnergy& band, double whole_g2, bool is_last) {
     const auto cell = [](const std::string& text) {
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(text.c_str());
+        right_aligned(text);
     };
-    const std::string lost = band.intended_g2 > 1e-4 * whole_g2 ? percent(band.share_lost) : "-";
+    const std::string lost =
+        band.intended_g2 > 1e-4 * whole_g2 ? percent(band.share_lost) : "\u2013";
     ImGui::TableNextRow();
-    cell(band_words(band, is_last));
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(band_words(band, is_last).c_str());
     note_item(ui.rects, "band:" + band_words(band, is_last), lost);
     cell(percent(band.intended_g2 / whole_g2));
     cell(percent(band.rendered_g2 / whole_g2));
@@ -158,9 +160,11 @@ void draw_bands(Ui& ui, const Rendering& rendering) {
         ImGui::TableSetupColumn("band", 0, 1.3F);
         for (const char* name : {"meant", "played", "lost of it"}) ImGui::TableSetupColumn(name);
         ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
-        for (const char* name : {"energy", "meant", "played", "lost of it"}) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted("energy");
+        for (const char* name : {"meant", "played", "lost of it"}) {
             ImGui::TableNextColumn();
-            ImGui::TextUnformatted(name);
+            right_aligned(name);
         }
         ImGui::PopStyleColor();
         for (const BandEnergy& band : rendering.bands) {
@@ -196,9 +200,12 @@ std::vector<std::string> remarks_on(const Rendering& rendering) {
 }
 
 void draw_summary(Ui& ui, const Rendering& rendering, bool at_bar_level) {
-    std::string text = percent(rendering.share_lost) + " of its energy is lost";
+    const bool loses = rendering.share_lost > 0.005;
+    std::string text = loses ? percent(rendering.share_lost) + " of its energy is lost"
+                             : "None of its energy is lost";
     if (rendering.share_added > 0.005) {
-        text += ", and " + percent(rendering.share_added) + " as much appears where less was meant";
+        text += loses ? ", and " : "; ";
+        text += percent(rendering.share_added) + " is added at other frequencies";
     }
     text += ".";
     ImGui::PushTextWrapPos(0.0F);
@@ -232,7 +239,8 @@ void draw_report(Ui& ui, const Workspace& work, Timeline& timeline,
                    "What the device plays will stand here, beside what was meant.");
         return;
     }
-    const bool stale = live->request != RenderingRequest{*current, rendered.by};
+    const bool behind = live->request != RenderingRequest{*current, rendered.by};
+    const bool stale = looks_stale(ui, "device", live, behind);
     draw_summary(ui, live->rendering, rendered.at_bar_level);
     const float rows = static_cast<float>(live->rendering.bands.size()) + 1.0F;
     const float line = ui.theme.fonts.small == nullptr

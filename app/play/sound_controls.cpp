@@ -39,6 +39,7 @@ void draw_device_item(Ui& ui, Timeline& timeline, PlayState& play, const DeviceI
 }
 
 void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
+    open_below_last_item(ui.theme);
     if (!ImGui::BeginPopup("device menu")) return;
     const std::string trouble = device_trouble(play);
     if (!trouble.empty()) {
@@ -48,7 +49,7 @@ void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
         note_item(ui.rects, "device advice", trouble);
         ImGui::Separator();
     }
-    if (ImGui::MenuItem("Silent", nullptr, !is_device_chosen(play)))
+    if (ImGui::MenuItem("No device", nullptr, !is_device_chosen(play)))
         choose_device(ui, timeline, play, {});
     note_item(ui.rects, "device:silent");
     const auto listed = play.listed;  // kept: choosing may change it
@@ -122,7 +123,7 @@ void draw_meter(Ui& ui, const PlayState& play) {
     list.AddRectFilled({corner.x, y1}, {corner.x + size.x, y2}, theme.field, 2.0F * theme.scale);
     const float lit = size.x * meter_share(play.meter);
     if (lit > 0.0F) {
-        list.AddRectFilled({corner.x, y1}, {corner.x + lit, y2}, theme.accent, 2.0F * theme.scale);
+        list.AddRectFilled({corner.x, y1}, {corner.x + lit, y2}, theme.series, 2.0F * theme.scale);
     }
     const float limit = corner.x + size.x * meter_share(kCeiling);
     list.AddLine({limit, y1 - 2.0F * theme.scale}, {limit, y2 + 2.0F * theme.scale}, theme.dim_text,

@@ -6,11 +6,11 @@
 #include <cstdio>
 
 #include "app/document/editing.h"
-#include "app/jobs/time_left.h"
 #include "app/map/map_follow.h"
 #include "app/play/alternate_button.h"
 #include "app/play/play_panels.h"
 #include "app/play/playing.h"
+#include "app/ui/time_left.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/icons.h"
@@ -91,17 +91,16 @@ struct ComputingTexts {
     const char* action = "";
 };
 
-ComputingTexts computing_texts(const Ui& ui, const ShownMap& shown_map) {
-    if (shown_map.progress) {
-        char percent[16];
-        std::snprintf(percent, sizeof percent, "%.0f %%",
-                      static_cast<double>(100.0F * shown_map.progress->share));
+ComputingTexts computing_texts(const Ui& ui, const Workspace& work, const ShownMap& shown_map) {
+    if (shown_map.progress && work.document.set.vibrations.size() > 1) {
+        const std::string percent =
+            std::to_string(static_cast<int>(100.0F * shown_map.progress->share)) + " %";
         const std::string left =
             time_left_text(ui.time_s - shown_map.progress->since_s, shown_map.progress->share);
-        return {std::string("computing the map, ") + percent + (left.empty() ? "" : ", " + left),
-                percent, "Cancel"};
+        return {"Computing the map, " + percent + (left.empty() ? "" : ", " + left), percent,
+                "Cancel"};
     }
-    if (shown_map.cancelled) return {"map not computed", "no map", "Compute"};
+    if (shown_map.cancelled) return {"Map not computed", "No map", "Compute"};
     return {};
 }
 
@@ -138,7 +137,7 @@ float bar_width(const Ui& ui, const Workspace& work, const Timeline& timeline,
     const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
     const float icon = 1.15F * ImGui::GetFrameHeight() + 0.5F * gap;
     const TimeTexts time = time_texts(work, timeline);
-    const ComputingTexts computing = computing_texts(ui, shown_map);
+    const ComputingTexts computing = computing_texts(ui, work, shown_map);
     float sum = icon * (1.0F + (parts.steps ? 3.0F : 0.0F) + (parts.loop ? 1.0F : 0.0F));
     if (parts.loop) {
         sum += (parts.pair_names ? alternate.with_names : alternate.letters) + 0.5F * gap;
@@ -204,14 +203,13 @@ void draw_time(Ui& ui, const Workspace& work, Timeline& timeline, const BarParts
 
 void draw_computing(Ui& ui, const Workspace& work, ShownMap& shown_map,
                     const RenderingState& rendered, const BarParts& parts) {
-    const ComputingTexts texts = computing_texts(ui, shown_map);
+    const ComputingTexts texts = computing_texts(ui, work, shown_map);
     if (texts.full.empty() || !parts.computing) return;
     const std::string& text = parts.computing_in_full ? texts.full : texts.brief;
     const float right = ImGui::GetWindowWidth() - ui.theme.padding_px;
     const float width =
         ImGui::CalcTextSize(text.c_str()).x + ImGui::CalcTextSize(texts.action).x + ui.theme.gap_px;
     ImGui::SameLine(right - width);
-    lower_to_text();
     dim_text(ui, text);
     note_item(ui.rects, "bar:computing", text);
     ImGui::SameLine(0.0F, ui.theme.gap_px);
@@ -250,10 +248,10 @@ void draw_buttons(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& s
         if (icon_button(ui, "to start", Icon::to_start, false, "Back to the start (Home)")) {
             playhead.at_s = 0.0;
         }
-        if (icon_button(ui, "back", Icon::back, false, "5 ms back ()")) {
+        if (icon_button(ui, "back", Icon::back, false, "5 ms back ( , )")) {
             playhead = stepped(playhead, -1, duration_s);
         }
-        if (icon_button(ui, "forward", Icon::forward, false, "5 ms on ( . )")) {
+        if (icon_button(ui, "forward", Icon::forward, false, "5 ms forward ( . )")) {
             playhead = stepped(playhead, 1, duration_s);
         }
     }

@@ -18,6 +18,7 @@
 #include "app/screen/kept_frame.h"
 #include "app/screen/side_window.h"
 #include "app/screen/window_events.h"
+#include "viz/picture/program_icon.h"
 
 namespace tact {
 namespace {
@@ -87,6 +88,16 @@ void make_cursors(Window& window) {
     set(ImGuiMouseCursor_ResizeNS, GLFW_VRESIZE_CURSOR);
     set(ImGuiMouseCursor_ResizeEW, GLFW_HRESIZE_CURSOR);
     set(ImGuiMouseCursor_Hand, GLFW_HAND_CURSOR);
+}
+
+// In the sizes that window managers ask for; they choose.
+void show_icon(GLFWwindow* glfw) {
+    std::array images{program_icon(16), program_icon(32), program_icon(48), program_icon(128)};
+    std::array<GLFWimage, images.size()> icons{};
+    for (std::size_t k = 0; k < images.size(); ++k) {
+        icons[k] = {images[k].width, images[k].height, images[k].rgba.data()};
+    }
+    glfwSetWindowIcon(glfw, static_cast<int>(icons.size()), icons.data());
 }
 
 void show_cursor(Window& window) {
@@ -271,6 +282,7 @@ Expected<Done> run_window(const WindowOptions& options, const WindowClient& clie
     glfwSwapInterval(1);
     listen(*window.glfw, window.events);
     make_cursors(window);
+    show_icon(window.glfw);
     const EscapeWatch escape_watch(window.glfw, client.escape);
 
     ImGuiContext* context = ImGui::CreateContext();

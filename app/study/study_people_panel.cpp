@@ -29,11 +29,8 @@ void small_text(Ui& ui, ImU32 colour, const std::string& text, const char* noted
 
 void draw_buttons(Ui& ui, const Workspace& work, Timeline& timeline, const ShownMap& shown_map,
                   PlayState& play, StudyState& studying) {
-    ImGui::PushStyleColor(ImGuiCol_Button,
-                          (ui.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110));
-    if (ImGui::Button("Run a participant..."))
+    if (primary_button(ui.theme, "Run a participant..."))
         begin_participant(ui, work, timeline, play, studying);
-    ImGui::PopStyleColor();
     note_item(ui.rects, "button:run participant");
     draw_tooltip(ui, "Fills the window: consent, instructions, training, trials.");
     flow_on(button_width("Simulate one"), ui.theme.gap_px);
@@ -64,7 +61,7 @@ void draw_device(Ui& ui, const PlayState& play, const StudyState& studying) {
                           "study:device");
     }
     small_text(ui, ui.theme.warning,
-               "No actuator: nothing will be felt. A run is a rehearsal, and its files say so.",
+               "No device: nothing will be felt. A run is a rehearsal, and its files say so.",
                "study:device");
 }
 

@@ -71,12 +71,10 @@ void draw_leave_out_dialog(Ui& ui, const Workspace& work, StudyState& studying) 
                     " not count? The reason is kept in the study's folder and stands wherever "
                     "results are told. No answer is lost: they can count again.");
     ImGui::Spacing();
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::InputTextWithHint("##because", "such as: wore gloves", &leaving.because);
     note_item(ui.rects, "leave out:because", leaving.because);
-    ImGui::PopStyleColor();
     const bool has_reason =
         std::ranges::any_of(leaving.because, [](unsigned char one) { return one > ' '; });
     if (!draw_ends(ui, "Leave out", has_reason)) return;
@@ -89,11 +87,11 @@ void draw_leave_out_dialog(Ui& ui, const Workspace& work, StudyState& studying) 
 void draw_conduct_dialog(Ui& ui, StudyState& studying) {
     ConductRule& rule = studying.rule.who.conduct;
     if (!begin_dialog(ui, "Rules on how people answered", 520.0F)) return;
-    wrapped(ui,
-            "Who falls by a rule does not count, and is named with the rule. Each is off until you "
-            "switch it on; state them before you look at the answers.");
+    wrapped(
+        ui,
+        "Whoever breaks a rule does not count, and is named with the rule. Each is off until you "
+        "switch it on; state them before you look at the answers.");
     ImGui::Spacing();
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
     draw_rule_row(ui,
                   {"fast_below_s", "Answers come too soon", 1.0, limits::kFastBelowS,
                    "s: sooner is too soon", "Counted from when both patterns of a pair were felt."},
@@ -113,7 +111,6 @@ void draw_conduct_dialog(Ui& ui, StudyState& studying) {
                   {"replays", "Too many replays", 5.0, limits::kReplays,
                    "a trial at most, on average", "Plays beyond the first of each side."},
                   rule.replays);
-    ImGui::PopStyleColor();
     end_dialog(ui);
 }
 

@@ -1,5 +1,7 @@
 #include "app/subset/picked_list.h"
 
+#include <algorithm>
+
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/document/pressing.h"
@@ -7,6 +9,7 @@
 #include "app/subset/subset_follow.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
 
 namespace tact {
 
@@ -16,8 +19,8 @@ void draw_member_menu(Ui& ui, Workspace& work, std::size_t place) {
     if (!ImGui::BeginPopupContextItem("member menu")) return;
     select_only(work, place);
     const bool locked = work.document.set.vibrations[place].locked;
-    if (ImGui::MenuItem(locked ? "Unlock" : "Lock: always pick it")) toggle_locked(ui, work);
-    if (ImGui::MenuItem("Drop: never pick it")) toggle_dropped(ui, work);
+    if (ImGui::MenuItem(locked ? "Unlock" : "Lock")) toggle_locked(ui, work);
+    if (ImGui::MenuItem("Drop")) toggle_dropped(ui, work);
     ImGui::EndPopup();
 }
 
@@ -30,9 +33,8 @@ void draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t n
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float s = ui.theme.scale;
     ImGui::PushID(static_cast<int>(number));
-    const std::string text = "          " + name + (vibration.locked ? "  (locked)" : "");
-    if (ImGui::Selectable(text.c_str(), work.selection.current == *place))
-        select_only(work, *place);
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (ImGui::Selectable("##member", work.selection.current == *place)) select_only(work, *place);
     note_item(ui.rects, "member:" + name, vibration.locked ? "locked" : "");
     if (ImGui::IsItemActive()) note_pressed(work, vibration);
     const bool has_key = number <= kPlayKeys;
@@ -46,6 +48,12 @@ void draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t n
     draw_pattern_mark(list, ui.theme,
                       {corner.x + 23.0F * s, corner.y + 0.5F * ImGui::GetTextLineHeight()},
                       5.0F * s, look_of(ui, work, *place), ui.theme.pane);
+    draw_state_signs(ui, vibration,
+                     {corner.x + width, corner.y + 0.5F * ImGui::GetTextLineHeight()});
+    const float begin = 36.0F * s;
+    const float room = width - begin - state_signs_px(ui.theme, vibration);
+    draw_text(list, ui.theme.fonts.regular, {corner.x + begin, corner.y}, ui.theme.text,
+              shortened(ui.theme.fonts.regular, name, std::max(0.0F, room)));
     draw_member_menu(ui, work, *place);
     ImGui::PopID();
 }

@@ -7,6 +7,7 @@
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_views.h"
 #include "app/ui/failure.h"
+#include "app/ui/progress_line.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 
@@ -27,7 +28,7 @@ void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
     const bool possible = pick != nullptr && !pick->request.by_ratings && !is_preview &&
                           pick->request.metric == Metric::pm && picking.stability_job;
     ImGui::BeginDisabled(busy || !possible);
-    if (ImGui::Button("Draw 100 models")) picking.stability_job->submit({picking.pick, 100});
+    if (ImGui::Button("Test 100 variants")) picking.stability_job->submit({picking.pick, 100});
     note_item(ui.rects, "button:draw models");
     ImGui::EndDisabled();
     draw_tooltip(ui,
@@ -35,15 +36,10 @@ void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
                  "weights near the trained ones: 100 models, and what each would pick.");
     if (busy) {
         ImGui::SameLine();
-        ImGui::AlignTextToFramePadding();
-        char text[32];
-        std::snprintf(text, sizeof text, "drawing, %d %%",
-                      static_cast<int>(100.0F * picking.stability_job->progress()));
-        dim_text(ui, text);
-        ImGui::SameLine();
-        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y);
-        if (link(ui, "cancel stability", "Cancel")) picking.stability_job->cancel();
-        note_item(ui.rects, "link:cancel stability");
+        if (draw_progress(ui, {"Testing variants", picking.stability_job->progress(), "stability"},
+                          true)) {
+            picking.stability_job->cancel();
+        }
     } else if (draw_failure(ui, "stability", failure_of(picking.stability_job))) {
         return;
     } else if (!possible) {
@@ -69,7 +65,7 @@ void draw_share(Ui& ui, const std::string& name, double share, bool is_member) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(bar.min, bar.max, theme.field, 2.0F * theme.scale);
     list.AddRectFilled(bar.min, {bar.min.x + width * static_cast<float>(share), bar.max.y},
-                       is_member ? theme.accent : theme.dim_text, 2.0F * theme.scale);
+                       is_member ? theme.series : theme.dim_text, 2.0F * theme.scale);
     draw_text(list, theme.fonts.small, {bar.max.x + theme.gap_px, corner.y}, theme.dim_text,
               percent(share));
     ImGui::Dummy({width, height});
@@ -99,7 +95,7 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
         const Rect area = rest_of_pane();
         if (area.empty()) return;
         draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "How sure is this subset?",
-                   "The model has numbers nobody knows exactly. Draw them at random, and see who "
+                   "The model has numbers nobody knows exactly. Vary them at random, and see who "
                    "stays picked and how far each point moves.");
         return;
     }

@@ -96,8 +96,9 @@ void draw_curve(Ui& ui, SubsetState& picking, const Rect& area) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (picking.curve && picking.curve->points.size() > 1) {
         draw_points(ui, picking, area);
-        const bool stale = picking.curve->request != picking.curve_asked;
-        if (stale) draw_stale(list, ui.theme, area, ImGui::GetTime());
+        const bool behind = picking.curve->request != picking.curve_asked;
+        if (looks_stale(ui, "curve", picking.curve, behind))
+            draw_stale(list, ui.theme, area, ImGui::GetTime());
         return;
     }
     if (!is_busy(picking)) return;

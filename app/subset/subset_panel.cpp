@@ -17,6 +17,7 @@
 #include "app/subset/subset_views.h"
 #include "app/ui/failure.h"
 #include "app/ui/number_field.h"
+#include "app/ui/progress_line.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -140,7 +141,7 @@ void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
     }
     if (is_pick_stale(work, shown_map, picking)) {
         text = map_state(work, shown_map) == MapState::stale ? "From before the last change."
-                                                             : "Of the question before.";
+                                                             : "By the settings before.";
         colour = ui.theme.warning;
     }
     // Beside the headline, or where it has no room there below it.
@@ -209,13 +210,8 @@ void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& 
 bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                      SubsetState& picking) {
     if (is_picking(picking)) {
-        char text[32];
-        std::snprintf(text, sizeof text, "picking, %d %%",
-                      static_cast<int>(100.0F * picking.pick_job->progress()));
-        dim_text(ui, text);
-        ImGui::SameLine();
-        if (link(ui, "cancel picking", "Cancel")) cancel_picking(picking);
-        note_item(ui.rects, "link:cancel picking");
+        if (draw_progress(ui, {"Picking", picking.pick_job->progress(), "picking"}))
+            cancel_picking(picking);
     } else if (picking.cancelled) {
         dim_text(ui, "Cancelled.");
         ImGui::SameLine();

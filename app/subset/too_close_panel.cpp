@@ -10,6 +10,7 @@
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_views.h"
 #include "app/ui/failure.h"
+#include "app/ui/progress_line.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
@@ -104,7 +105,7 @@ std::string summary_of(const SubsetState& picking, const TooClosePairs& pairs) {
         return "Click a pattern in the map, then another one, and take them.";
     }
     if (pairs.by == TooClose::felt && pairs.pairs.empty()) {
-        return "Every two differ by a felt step, in one number at least.";
+        return "No pair is too close: any two differ by a felt step in some number.";
     }
     if (pairs.pairs.empty()) return "No pair is too close.";
     const std::string total = grouped_digits(pairs.count) + (pairs.count == 1 ? " pair" : " pairs");
@@ -212,13 +213,8 @@ void draw_separation(Ui& ui, Workspace& work, SubsetState& picking, const FoundS
 }
 
 void draw_search(Ui& ui, SubsetState& picking) {
-    char text[32];
-    std::snprintf(text, sizeof text, "searching, %d %%",
-                  static_cast<int>(100.0F * picking.separation_job->progress()));
-    dim_text(ui, text);
-    ImGui::SameLine();
-    if (link(ui, "cancel separation", "Cancel")) picking.separation_job->cancel();
-    note_item(ui.rects, "link:cancel separation");
+    auto& job = *picking.separation_job;
+    if (draw_progress(ui, {"Separating", job.progress(), "separation"})) job.cancel();
 }
 
 void draw_found(Ui& ui, Workspace& work, SubsetState& picking, const SeparationRequest& asked) {

@@ -1,9 +1,12 @@
 #include "app/ui/dialog.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
+#include "viz/drawing/colour.h"
 
 namespace tact {
 
@@ -14,16 +17,51 @@ bool begin_dialog(const Ui& ui, const char* title, float width_px) {
     const float width = std::min(width_px * ui.theme.scale, screen.x * 0.9F);
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y * 0.9F});
     ImGui::SetNextWindowSize({width, 0.0F});
-    return ImGui::BeginPopupModal(
+    push_dialog_head(ui.theme);
+    const bool is_open = ImGui::BeginPopupModal(
         title, nullptr,
         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
+    pop_dialog_head();
+    return is_open;
+}
+
+void push_dialog_head(const Theme& theme) {
+    ImGui::PushFont(theme.fonts.title);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, theme.hairline_px);
+    // The title begins where the content does.
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().WindowPadding.x,
+                                                     1.5F * ImGui::GetStyle().FramePadding.y});
+}
+
+void pop_dialog_head() {
+    ImGui::PopStyleVar(2);
+    ImGui::PopFont();
+}
+
+void draw_shadows(const Theme& theme) {
+    constexpr int kRings = 14;
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+        const bool is_over = (window->Flags & (ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip |
+                                               ImGuiWindowFlags_Modal)) != 0;
+        if (!is_over || !window->Active || window->Hidden) continue;
+        ImDrawList& list = *window->DrawList;
+        list.PushClipRectFullScreen();
+        const ImVec2 low{0.0F, 4.0F * theme.scale};
+        for (int ring = 1; ring <= kRings; ++ring) {
+            const float out = (static_cast<float>(ring) - 0.5F) * theme.scale;
+            const float left = 1.0F - static_cast<float>(ring) / kRings;
+            list.AddRect(window->Pos + low * (1.0F - left) - ImVec2{out, out},
+                         window->Pos + window->Size + low * (1.0F - left) + ImVec2{out, out},
+                         faded(IM_COL32_BLACK, (theme.is_dark ? 0.28F : 0.10F) * left * left),
+                         window->WindowRounding + out, 0, theme.scale);
+        }
+        list.PopClipRect();
+    }
 }
 
 bool is_popup_open() {
     return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
-
-ImU32 dialog_field(const Theme& theme) { return theme.is_dark ? theme.pane : theme.field; }
 
 void end_dialog(Ui& ui) {
     ImGui::Spacing();
@@ -32,12 +70,10 @@ void end_dialog(Ui& ui) {
         ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !ui.escape_taken && !typing;
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !typing &&
                        !ui.rects.tab_order.is_on_button;
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
     if (ImGui::Button("Close") || escape || enter) {
         ui.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();
     }
-    ImGui::PopStyleColor();
     note_item(ui.rects, "button:close");
     ImGui::EndPopup();
 }
@@ -49,16 +85,14 @@ bool draw_ends(Ui& ui, const char* action, bool enabled) {
     };
     const bool enter = (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) &&
                        !ui.rects.tab_order.is_on_button;
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(ui.theme));
     ImGui::BeginDisabled(!enabled);
-    const bool go = ImGui::Button(action) || (enabled && enter);
+    const bool go = primary_button(ui.theme, action) || (enabled && enter);
     ImGui::EndDisabled();
     note_item(ui.rects, "button:choose");
     ImGui::SameLine();
     const bool escape = pressed(ImGuiKey_Escape) && !ui.escape_taken;
     const bool leave = ImGui::Button("Cancel") || escape;
     note_item(ui.rects, "button:cancel");
-    ImGui::PopStyleColor();
     if (go || leave) {
         ui.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();

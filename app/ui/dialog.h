@@ -10,12 +10,15 @@ namespace tact {
 // A dialog in the middle of the window; ImGui::EndPopup() where true.
 bool begin_dialog(const Ui& ui, const char* title, float width_px = 620.0F);
 
+// Around what begins a window that looks like one.
+void push_dialog_head(const Theme& theme);
+void pop_dialog_head();
+
 // Of any kind: a dialog, a menu, a list.
 bool is_popup_open();
 
-// Of fields on the ground of dialogs and lists that open: the stock one is that ground, in the
-// dark.
-ImU32 dialog_field(const Theme& theme);
+// Around all that lies over the panes: at the end of a frame.
+void draw_shadows(const Theme& theme);
 
 // Its last line, with Close; Esc and Enter do the same.
 void end_dialog(Ui& ui);

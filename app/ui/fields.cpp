@@ -8,6 +8,7 @@
 
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -16,7 +17,7 @@ namespace {
 constexpr float kLabelColumnPx = 104.0F;
 constexpr float kEntryWidthPx = 86.0F;
 constexpr float kShortEntryPx = 52.0F;
-constexpr float kLeastBarPx = 36.0F;
+constexpr float kLeastBarPx = 90.0F;
 
 float share_of(const Field& field, double value) {
     const auto [low, high] = field.slider;
@@ -42,7 +43,7 @@ void draw_fill(const Ui& ui, const Field& field, double value) {
 }
 
 double snapped(const Field& field, double value) {
-    if (field.snap > 0.0) value = std::round(value / field.snap) * field.snap;
+    if (field.snap > 0.0) value = multiple_of(field.snap, std::round(value / field.snap));
     return std::clamp(value, field.slider.low, field.slider.high);
 }
 
@@ -53,8 +54,8 @@ double nudged(const Field& field, double value, double step) {
     double to = value + step;
     if (field.snap > 0.0 && std::abs(step) >= field.snap) {
         const double multiples = to / field.snap;
-        to = field.snap *
-             (step > 0.0 ? std::floor(multiples + kSame) : std::ceil(multiples - kSame));
+        to = multiple_of(field.snap,
+                         step > 0.0 ? std::floor(multiples + kSame) : std::ceil(multiples - kSame));
     }
     return std::clamp(to, field.typed.low, field.typed.high);
 }

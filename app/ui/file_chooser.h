@@ -7,7 +7,7 @@
 //
 // Input     a folder to start in and the kinds of file wanted
 // Output    the path chosen, once
-// Left out  hidden files, sizes and dates, several files at once, making folders of folders.
+// Left out  hidden files, sizes, several files at once, making folders of folders.
 #pragma once
 
 #include <filesystem>
@@ -20,16 +20,18 @@
 
 namespace tact {
 
+struct Theme;
+
 enum class ChooserUse { open, save, save_folder };
 
 struct FileChooser {
     // What the caller wants; to be set before show().
     ChooserUse use = ChooserUse::open;
     std::string title = "Open";
-    std::vector<std::string> extensions;           // the first is added to a name saved without
-    bool folders_too = false;                      // a folder may be the answer
-    std::vector<std::string> file_names;           // that go into the folder of save_folder
-    std::vector<std::filesystem::path> bookmarks;  // besides the home folder
+    std::vector<std::string> extensions;        // the first is added to a name saved without
+    bool folders_too = false;                   // a folder may be the answer
+    std::vector<std::string> file_names;        // that go into the folder of save_folder
+    std::vector<std::filesystem::path> recent;  // folders that were worked in lately
 
     // What the person is doing.
     bool is_open = false;
@@ -41,6 +43,7 @@ struct FileChooser {
     bool scroll_to_cursor = false;
     bool focus_name = false;
     std::string remark;               // what was wrong with the last try
+    bool makes_folder = false;        // the name is that of a folder to be made here
     std::filesystem::path replacing;  // exists; waits for a yes
 };
 
@@ -48,6 +51,7 @@ struct FileChooser {
 void show(FileChooser& chooser, const std::filesystem::path& folder, const std::string& name = "");
 
 // Draws the dialog if it is open. The path chosen, in the frame in which it is.
-std::optional<std::filesystem::path> draw(FileChooser& chooser, WidgetRects& rects);
+std::optional<std::filesystem::path> draw(FileChooser& chooser, WidgetRects& rects,
+                                          const Theme& theme);
 
 }  // namespace tact

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <string_view>
 #include <utility>
 
@@ -29,6 +31,19 @@ bool comes_before(const FolderEntry& a, const FolderEntry& b) {
     return x == y ? a.name < b.name : naturally_before(x, y);
 }
 
+std::string changed_at(const fs::path& path) {
+    std::error_code failure;
+    const auto at = fs::last_write_time(path, failure);
+    if (failure) return {};
+    const auto of_system = std::chrono::file_clock::to_sys(at);
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(
+        std::chrono::time_point_cast<std::chrono::system_clock::duration>(of_system));
+    std::tm here{};
+    if (localtime_r(&seconds, &here) == nullptr) return {};
+    char text[32];
+    return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &here)};
+}
+
 }  // namespace
 
 bool has_extension(const std::string& name, const std::vector<std::string>& extensions) {
@@ -53,9 +68,10 @@ FolderListing list_folder(const fs::path& folder, const std::vector<std::string>
     std::error_code failure;
     for (fs::directory_iterator at(folder, failure), end; !failure && at != end;
          at.increment(failure)) {
-        FolderEntry entry{at->path().filename().string(), is_folder(at->path())};
+        FolderEntry entry{at->path().filename().string(), is_folder(at->path()), {}};
         if (entry.name.starts_with('.')) continue;
         if (entry.is_folder || has_extension(entry.name, extensions)) {
+            entry.changed = changed_at(at->path());
             listing.entries.push_back(std::move(entry));
         }
     }

@@ -1,7 +1,7 @@
 // What of a folder a person is shown to choose from.
 //
-// Output    folders and files by name; why there are none, as a sentence
-// Left out  hidden files, sizes and dates.
+// Output    folders and files by name, and when they were changed; why there are none, as a
+// sentence Left out  hidden files, sizes.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +13,7 @@ namespace tact {
 struct FolderEntry {
     std::string name;
     bool is_folder = false;
+    std::string changed{};  // "2026-11-23 18:40", by the clock on the wall; empty: not known
 
     bool operator==(const FolderEntry&) const = default;
 };

@@ -32,10 +32,9 @@ std::optional<std::size_t> draw_answers(Ui& ui, const Question& question) {
         const std::string& label = question.answers[k].label;
         const bool is_marked = k == question.marked;
         if (k > 0) ImGui::SameLine();
-        const ImU32 lit = (ui.theme.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110);
-        ImGui::PushStyleColor(ImGuiCol_Button, is_marked ? lit : dialog_field(ui.theme));
-        if (ImGui::Button(label.c_str())) chosen = k;
-        ImGui::PopStyleColor();
+        const bool pressed =
+            is_marked ? primary_button(ui.theme, label.c_str()) : ImGui::Button(label.c_str());
+        if (pressed) chosen = k;
         note_item(ui.rects, "answer:" + label, is_marked ? "marked" : "");
     }
     ImGui::PopItemFlag();

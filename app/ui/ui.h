@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -51,6 +53,20 @@ struct StatusLine {
     bool is_seen = false;  // somebody is there
 };
 
+// What a pane shows, and since when something newer is on its way.
+struct ShownAge {
+    std::shared_ptr<const void> of;
+    bool stale = false;
+    double since_s = 0.0;
+};
+
+// How far work was when it was drawn last, and since when it has been.
+struct ProgressSeen {
+    float share = 0.0F;
+    double since_s = 0.0;
+    double last_s = -100.0;
+};
+
 struct Ui {
     Theme theme;
     bool dark = true;
@@ -74,16 +90,25 @@ struct Ui {
     double time_s = 0.0;         // of the current frame
     double frame_s = 0.0;        // since the last one; short after a rest
     double hover_since_s = 0.0;  // when the mouse came to rest
+    bool has_pressed = false;    // since then: no tooltip over what was just pressed
     bool quit = false;
     WidgetRects rects;
     std::function<void()> wake;  // draws a frame soon; from any thread
     FieldEntry field;
     std::set<std::string> dismissed_hints;
+    std::map<std::string, ShownAge> ages;          // by pane
+    std::map<std::string, ProgressSeen> progress;  // by what is under way
 };
 
 // Says something at the foot of the window; complaints stay until something else is said.
 void say(Ui& ui, const std::string& text);
 void complain(Ui& ui, const std::string& text);
+
+// Whether what is shown, of an earlier state, is to look so: not before it is 0.3 s behind, as a
+// pane that follows a drag is always a little behind. A picture says it at once.
+bool looks_stale(Ui& ui, const std::string& pane, std::shared_ptr<const void> shown, bool stale);
+// Until the next of them is to look so, s.
+double aging_wake_s(const Ui& ui);
 
 // Looks, as of the next frame.
 void set_text_scale(Ui& ui, float scale);

@@ -18,6 +18,30 @@ constexpr float kChipPadPx = 5.0F;
 
 ImVec4 colour4(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
+constexpr float kTooltipPx = 320.0F;
+
+// Below what it speaks of, or above where the screen ends; of a row of a menu beside the menu:
+// never over anything that is about to be pressed. Of a whole picture it speaks where the mouse is.
+void place_tooltip(const Theme& theme, const char* text) {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    if (high.y - low.y > 3.0F * ImGui::GetFrameHeight()) return;
+    const ImVec2 pad = ImGui::GetStyle().WindowPadding;
+    const float width = kTooltipPx * theme.scale - pad.x;
+    const ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, width) + pad * 2.0F;
+    const ImVec2 room = ImGui::GetIO().DisplaySize - size;
+    const float gap = 0.5F * theme.gap_px;
+    const ImGuiWindow& window = *ImGui::GetCurrentWindowRead();
+    const auto kind = window.Flags & (ImGuiWindowFlags_Popup | ImGuiWindowFlags_Modal);
+    ImVec2 place{low.x, high.y + gap <= room.y ? high.y + gap : low.y - gap - size.y};
+    if (kind == ImGuiWindowFlags_Popup) {
+        const float beside = window.Pos.x + window.Size.x + gap;
+        place = {beside <= room.x ? beside : window.Pos.x - gap - size.x, low.y};
+    }
+    ImGui::SetNextWindowPos({std::clamp(place.x, 0.0F, std::max(0.0F, room.x)),
+                             std::clamp(place.y, 0.0F, std::max(0.0F, room.y))});
+}
+
 // The longest form that fits, or none: half a number would be a wrong one.
 std::string fitting(const std::vector<std::string>& forms, const ImFont* font, float room_px) {
     for (const std::string& form : forms) {
@@ -43,18 +67,20 @@ void draw_title_part(Ui& ui, const ImFont* font, ImVec2 corner, ImU32 colour,
 void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) {
     const Theme& theme = ui.theme;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 size{ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight()};
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, text_size(theme.fonts.title, "0").y};
     const Fonts& fonts = theme.fonts;
-    const std::string head = shortened(fonts.semibold, title.title, size.x);
-    float used = text_size(fonts.semibold, head).x + theme.gap_px;
-    draw_title_part(ui, fonts.semibold, corner, theme.text, head, "title text:" + title.title);
+    const std::string head = shortened(fonts.title, title.title, size.x);
+    float used = text_size(fonts.title, head).x + theme.gap_px;
+    draw_title_part(ui, fonts.title, corner, theme.text, head, "title text:" + title.title);
+    // On the line that the title stands on.
+    const float lower = 0.8F * (size.y - text_size(fonts.regular, "0").y);
     const std::string detail = cut(title.detail, fonts.regular, size.x - used);
-    draw_title_part(ui, fonts.regular, corner + ImVec2{used, 0.0F}, theme.dim_text, detail,
+    draw_title_part(ui, fonts.regular, corner + ImVec2{used, lower}, theme.dim_text, detail,
                     "title detail:" + title.title);
     if (!detail.empty()) used += text_size(fonts.regular, detail).x + 2.0F * theme.gap_px;
     const std::string right = fitting(title.right, fonts.regular, size.x - used);
     const float right_px = text_size(fonts.regular, right).x;
-    draw_title_part(ui, fonts.regular, corner + ImVec2{size.x - right_px, 0.0F}, theme.dim_text,
+    draw_title_part(ui, fonts.regular, corner + ImVec2{size.x - right_px, lower}, theme.dim_text,
                     right, "title right:" + title.title);
     ImGui::Dummy(size);
     const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, corner + size);
@@ -154,7 +180,7 @@ void draw_hint(Ui& ui, const char* id, const char* text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour4(ui.theme.dim_text));
     const float button = ImGui::GetContentRegionMax().x - button_width("\u00d7");
     ImGui::PushTextWrapPos(button - ui.theme.gap_px);
-    ImGui::PushFont(ui.theme.fonts.small);
+    ImGui::PushFont(ui.theme.fonts.fine);
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
     ImGui::PopTextWrapPos();
@@ -167,16 +193,54 @@ void draw_hint(Ui& ui, const char* id, const char* text) {
 }
 
 void draw_tooltip(const Ui& ui, const char* text) {
-    constexpr float kRestS = 0.6F;
+    constexpr double kRestS = 0.6;
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    if (ImGui::GetCurrentContext() == nullptr || ImGui::GetIO().MouseDown[0]) return;
+    if (ImGui::GetIO().MouseDown[0] || ui.has_pressed) return;
     if (ImGui::IsItemActive()) return;  // who types there knows, and has to see what is beside
-    if (ui.time_s - ui.hover_since_s < static_cast<double>(kRestS)) return;
+    if (ui.time_s - ui.hover_since_s < kRestS) return;
+    place_tooltip(ui.theme, text);
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(320.0F * ui.theme.scale);
+    ImGui::PushTextWrapPos(kTooltipPx * ui.theme.scale);
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+bool primary_button(const Theme& theme, const char* label, ImVec2 size) {
+    ImGui::PushStyleColor(ImGuiCol_Button, theme.accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, mixed(theme.accent, theme.text, 0.15F));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, mixed(theme.accent, theme.text, 0.30F));
+    ImGui::PushStyleColor(ImGuiCol_Text, readable_on(theme.accent));
+    const bool pressed = ImGui::Button(label, size);
+    ImGui::PopStyleColor(4);
+    return pressed;
+}
+
+void open_below_last_item(const Theme& theme) {
+    ImGui::SetNextWindowPos(
+        {ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 0.5F * theme.gap_px},
+        ImGuiCond_Appearing);
+}
+
+bool draw_menu_row(const Theme& theme, const MenuRow& row) {
+    // As wide as a sign: ImGui moves the words of all rows of the menu by it.
+    const char* room = row.icon ? "     " : nullptr;
+    const bool chosen = ImGui::MenuItemEx(row.words, room, row.keys, row.checked, row.enabled);
+    if (row.icon) {
+        const ImVec2 low = ImGui::GetItemRectMin();
+        const float middle = 0.5F * (low.y + ImGui::GetItemRectMax().y);
+        const float size = 11.0F * theme.scale;
+        draw_icon(*ImGui::GetWindowDrawList(), *row.icon,
+                  {low.x + 0.5F * (ImGui::GetStyle().ItemSpacing.x + size), middle}, size,
+                  row.enabled ? theme.text : theme.dim_text);
+    }
+    return chosen;
+}
+
+void right_aligned(const std::string& text) {
+    const float left = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    if (left > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left);
+    ImGui::TextUnformatted(text.c_str());
 }
 
 void dim_text(const Ui& ui, const std::string& text) {

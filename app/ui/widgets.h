@@ -11,6 +11,7 @@
 #include "app/ui/ui.h"
 #include "model/pattern/pattern.h"
 #include "viz/drawing/geometry.h"
+#include "viz/drawing/icons.h"
 
 namespace tact {
 
@@ -81,6 +82,26 @@ void draw_hint(Ui& ui, const char* id, const char* text);
 
 // A tooltip on the last item after a moment's rest.
 void draw_tooltip(const Ui& ui, const char* text);
+
+// What a dialog or a pane is there for; there is one of them.
+bool primary_button(const Theme& theme, const char* label, ImVec2 size = {0.0F, 0.0F});
+
+// For a popup that is begun next: below the last item, and not over it.
+void open_below_last_item(const Theme& theme);
+
+// An item of a menu with the sign that its button has elsewhere; none: its words stand below those
+// of the others.
+struct MenuRow {
+    const char* words;
+    const char* keys = "";
+    bool checked = false;
+    bool enabled = true;
+    std::optional<Icon> icon{};
+};
+bool draw_menu_row(const Theme& theme, const MenuRow& row);
+
+// A number at the right of its cell, or what heads a column of them.
+void right_aligned(const std::string& text);
 
 // A word to choose a view by: tabs and strips are made of them. True when pressed.
 bool draw_chip(const Ui& ui, const char* id, const char* text, bool lit);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/wave_strip/note_grips.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -18,7 +19,7 @@ constexpr float kFrequencyShare = 0.42F;
 constexpr float kNotePx = 8.0F;
 
 double snapped(double value, double step, bool free) {
-    return free ? value : std::round(value / step) * step;
+    return free ? value : multiple_of(step, std::round(value / step));
 }
 
 // The first note, whose ramps stand for those of all.

@@ -1,16 +1,20 @@
 #include "app/window/command_actions.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <array>
 
 #include "app/ask/gap_follow.h"
 #include "app/ask/maybes_follow.h"
 #include "app/ask/put_there.h"
+#include "app/candidates/candidate_rows.h"
 #include "app/compare/compare_state.h"
 #include "app/document/editing.h"
 #include "app/export/exports.h"
 #include "app/lesson/lesson.h"
 #include "app/lesson/presenting.h"
+#include "app/map/map_follow.h"
 #include "app/patterns/set_panel.h"
 #include "app/play/listening.h"
 #include "app/play/playing.h"
@@ -180,6 +184,31 @@ const char* what_lacks(const App& app, const Command& command) {
     if (command.enabled(app)) return nullptr;
     const auto found = std::ranges::find(kLacks, command.enabled, &Lack::has);
     return found == kLacks.end() ? "not now" : found->words;
+}
+
+// All digits, and only what is exact: a preview would lose its name on the way.
+void copy_shown_table(App& app) {
+    const auto& map = app.shown_map.transition.shown;
+    if (!map || map_state(app.work, app.shown_map) != MapState::exact) {
+        return complain(app.ui,
+                        "Not copied: the map is not exact yet, and its numbers would change.");
+    }
+    const bool selects = app.layout.arrangement == Arrangement::select;
+    const auto& comparison = app.comparing.comparison;
+    const auto copy = [&app](const std::string& csv, const std::string& what) {
+        ImGui::SetClipboardText(csv.c_str());
+        say(app.ui, "Copied " + what + " as CSV");
+    };
+    if (app.layout.bench == BenchTab::candidates || selects) {
+        copy(candidates_csv(app.work.document.set,
+                            candidate_rows(app.work, app.shown_map, app.candidates)),
+             "the table of candidates");
+    } else if (app.layout.bench == BenchTab::compare && comparison &&
+               comparison->request.map == map) {
+        copy(comparison_csv(*comparison), "the table of metrics");
+    } else {
+        copy(matrix_csv(*map), "the matrix of PM");
+    }
 }
 
 void tour_from_the_start(App& app) {

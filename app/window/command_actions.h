@@ -34,5 +34,6 @@ bool has_undo(const App& app);
 bool has_redo(const App& app);
 bool has_sound(const App& app);
 void tour_from_the_start(App& app);
+void copy_shown_table(App& app);
 
 }  // namespace tact

@@ -59,7 +59,7 @@ constexpr auto kOtherCommands = std::to_array<Command>({
      nullptr,
      "try actuator device 150 Hz"},
     {"Play", "Back to the start", special(key::kHome), has_selection, rewind, nullptr, "rewind"},
-    {"Play", "5 ms on", plain('.'), has_selection, step_playhead<1>, nullptr, "step forward"},
+    {"Play", "5 ms forward", plain('.'), has_selection, step_playhead<1>, nullptr, "step forward"},
     {"Play", "5 ms back", plain(','), has_selection, step_playhead<-1>, nullptr, "step back"},
     {"Play", "In real time", {}, always, set_speed_to<1>, has_speed<1>, "speed"},
     {"Play", "Ten times slower", {}, always, set_speed_to<10>, has_speed<10>, "speed slow motion"},

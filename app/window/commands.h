@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "app/screen/input_queue.h"
 #include "app/window/app.h"
@@ -51,11 +52,20 @@ std::string shortcut_text(const Shortcut& shortcut);
 // The name; of undoing and redoing with what they would undo.
 std::string item_text(const App& app, const Command& command);
 
+// Where it stands: "View > Map > Frame the selection in the space".
+std::string menu_path(const Command& command);
+
 // Runs the commands of this frame's key presses. While text is being typed only Ctrl combinations
 // count that text fields do not use themselves.
 void run_shortcuts(App& app, std::span<const KeyPress> pressed);
 
 void draw_menus(App& app);
+
+// A right click where nothing else in the pane takes it: what can be done with it as a whole.
+void draw_pane_menu(App& app, Pane pane);
+
+// The commands that begin a group in their menu, after a line.
+std::span<const std::string_view> menu_groups();
 
 // Every command by a few letters of its name; where it is open.
 void draw_palette(App& app, std::span<const KeyPress> pressed);

@@ -31,6 +31,7 @@
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "app/window/animation.h"
+#include "app/window/commands.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/recordings/recording.h"
@@ -50,41 +51,31 @@ constexpr const char* kAboutText =
     "adaptation, no noise and no differences between people; it was validated at 1 s.\n\n"
     "Source under the MIT licence. A binary linked with FFTW falls under the GPL.";
 
-constexpr auto kKeys = std::to_array<KeyRow>({
-    {"Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y", "undo, redo"},
-    {"Ctrl+O, Ctrl+S, Ctrl+Shift+S", "open, save, save as"},
-    {"Ctrl+N, Ctrl+D, Del", "new pattern, duplicate, delete"},
-    {"Ctrl+G", "generate candidates from levels and ranges"},
+// What is no command of a menu; those stand in front with the keys that they have.
+constexpr auto kKeys = std::to_array<std::pair<const char*, const char*>>({
+    {"Ctrl+Y", "Edit > Redo, too"},
+    {"Up, Down", "the pattern before, the next one"},
+    {"1 to 9", "play a picked pattern, by its number in Subset"},
+    {"Esc", "silences everything, at once; leaves what is open"},
+    {"F1; F1 again", "this list; the manual"},
     {"N, Shift+N", "choose the next point or transient, the one before"},
-    {"V", "eight neighbours of the pattern as rings in the map; V again, others"},
-    {"T", "tap a rhythm; each press is a note as long as it is held"},
-    {"Ctrl+C, Ctrl+V, Ctrl+A", "copy, paste, select all patterns"},
-    {"Ctrl+Shift+C", "copy a picture of the view, as it was exported last"},
-    {"Space; comma, full stop", "play or stop; 5 ms back, on"},
-    {"Esc", "silences everything, at once"},
     {"Double click on a point of the map", "play that pattern"},
     {"Hold a row, a point, a candidate (0.25 s)", "feel it as long as it is held"},
-    {"1 to 9", "play a picked pattern, by its number in Subset"},
-    {"X", "swap A and B"},
     {"Wheel, Ctrl+wheel in a plot", "move through time, zoom; all plots follow"},
-    {"Up, Down", "previous, next pattern"},
     {"Left, Right (Shift: five steps; Alt: a tenth)", "nudge the field with the ring"},
     {"*2, /4, -10%, +3dB in a number", "change what is there; 0,8 and 250 ms are understood, too"},
     {"Enter, Tab, Esc in a number", "take it, take it and go to the next, leave it as it was"},
-    {"F2, double click on a row", "rename a pattern"},
-    {"Tab, Enter", "go through the widgets by keyboard"},
-    {"Ctrl+1, Ctrl+2, Ctrl+3, Ctrl+4", "workspaces: design, select, physiology, study"},
+    {"Double click on a row", "rename the pattern"},
+    {"Tab, Shift+Tab, Enter", "go through the widgets by keyboard"},
+    {"Ctrl+Tab", "from pane to pane"},
     {"Double click on a pane's title", "maximise the pane; Esc puts it back"},
-    {"F1; F1 again", "this list; the manual"},
-    {"F5", "present the tour or the lesson on the whole screen"},
     {"Page Up, Page Down in a lesson", "a step back, on; so do a clicker's keys"},
     {"Arrows, Enter, Space; B; 1 to 9; M; N, presenting",
      "steps; blank screen; count hands; move the card; speaker's notes"},
     {"Shift+arrows where a place is asked for", "move the cross in the map"},
     {"Alt+Page Up, Alt+Page Down, writing a lesson", "move the step"},
-    {"Ctrl+P", "command palette"},
     {"Drag, wheel, right drag in the space", "turn, zoom, move"},
-    {"F; a click on D1, D2, D3", "fill the space with the selection; look along an axis"},
+    {"A click on D1, D2, D3", "look along an axis"},
     {"Shift+drag, Ctrl+Shift+drag in the space; Ctrl+click",
      "select by a box, by a lasso; add one"},
     {"Alt+drag of a point of the map, or the Move tool", "put it there: its pattern is searched"},
@@ -104,13 +95,11 @@ void draw_manual_button(App& app) {
     const bool again =
         !ImGui::IsWindowAppearing() &&
         (pressed(key::kF1) || (pressed(key::kEnter) && !app.ui.rects.tab_order.is_on_button));
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog_field(app.ui.theme));
     if (ImGui::Button("Open the manual") || again) {
         open_manual(app.ui, app.manual);
         app.ui.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();
     }
-    ImGui::PopStyleColor();
     note_item(app.ui.rects, "button:manual");
     ImGui::SameLine();
     dim_text(app.ui, "F1 or Enter: every pane, format and limit, in the browser");
@@ -120,19 +109,38 @@ void draw_manual_button(App& app) {
 void draw_keys(App& app) {
     if (!begin_dialog(app.ui, "Keys and mouse")) return;
     draw_manual_button(app);
-    for (const KeyRow& line : kKeys) {
-        ImGui::TextUnformatted(line.keys);
-        const float column = 290.0F * app.ui.theme.scale;
-        if (ImGui::GetItemRectSize().x < column) ImGui::SameLine(column);
-        ImGui::PushTextWrapPos(0.0F);
-        dim_text(app.ui, line.what);
-        ImGui::PopTextWrapPos();
+    const float room = ImGui::GetIO().DisplaySize.y * 0.9F - 5.0F * ImGui::GetFrameHeight();
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_ScrollY |
+                                       ImGuiTableFlags_NoSavedSettings;
+    if (ImGui::BeginTable("keys", 2, kFlags, {0.0F, room})) {
+        for (const KeyRow& line : keys_and_mouse()) {
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            ImGui::TextWrapped("%s", line.keys.c_str());
+            ImGui::TableNextColumn();
+            ImGui::PushTextWrapPos(0.0F);
+            dim_text(app.ui, line.what);
+            ImGui::PopTextWrapPos();
+        }
+        ImGui::EndTable();
     }
     end_dialog(app.ui);
 }
 
+std::vector<std::filesystem::path> recent_folders(const Session& session) {
+    constexpr std::size_t kMost = 6;
+    std::vector<std::filesystem::path> folders;
+    for (const RecentFile& file : recent_files(session)) {
+        const std::filesystem::path folder = file.path.parent_path();
+        const bool is_known = std::ranges::find(folders, folder) != folders.end();
+        if (folders.size() < kMost && !is_known && is_folder(folder)) folders.push_back(folder);
+    }
+    return folders;
+}
+
 void draw_chooser(App& app) {
-    const auto chosen = draw(app.ui.chooser, app.ui.rects);
+    if (app.ui.chooser.appears) app.ui.chooser.recent = recent_folders(app.work.session);
+    const auto chosen = draw(app.ui.chooser, app.ui.rects, app.ui.theme);
     if (!chosen) return;
     switch (app.ui.chooser_purpose) {
         case ChooserPurpose::open_document:
@@ -188,7 +196,19 @@ void draw_chooser(App& app) {
 
 }  // namespace
 
-std::span<const KeyRow> keys_and_mouse() { return kKeys; }
+std::span<const KeyRow> keys_and_mouse() {
+    static const std::vector<KeyRow> all = [] {
+        std::vector<KeyRow> rows;
+        for (const Command& command : commands()) {
+            const std::string keys = shortcut_text(command.shortcut);
+            if (keys.empty() || *command.menu == '\0') continue;
+            rows.push_back({keys, menu_path(command)});
+        }
+        for (const auto& [keys, what] : kKeys) rows.push_back({keys, what});
+        return rows;
+    }();
+    return all;
+}
 
 void draw_dialogs(App& app) {
     if (app.ui.question) return draw_question(app.ui);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "app/window/app.h"
@@ -13,8 +14,8 @@ void draw_dialogs(App& app);
 
 // What F1 lists, and the manual.
 struct KeyRow {
-    const char* keys;
-    const char* what;
+    std::string keys;
+    std::string what;
 };
 std::span<const KeyRow> keys_and_mouse();
 

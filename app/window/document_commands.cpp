@@ -6,6 +6,7 @@
 #include "app/ask/maybes_follow.h"
 #include "app/ask/pad_dialog.h"
 #include "app/ask/steps_follow.h"
+#include "app/document/copying.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/document/rating_files.h"
@@ -22,6 +23,16 @@
 namespace tact {
 
 namespace {
+
+bool is_current_locked(const App& app) {
+    const Vibration* current = current_vibration(app.work);
+    return current != nullptr && current->locked;
+}
+
+bool is_current_dropped(const App& app) {
+    const Vibration* current = current_vibration(app.work);
+    return current != nullptr && current->dropped;
+}
 
 template <GripKind kKind>
 void add_at_playhead(App& app) {
@@ -157,7 +168,7 @@ constexpr auto
                      nullptr,
                      "farthest from all picked propose empty corner"},
                     {"Edit",
-                     "Grow to as many as are to be picked",
+                     "Add patterns up to the number to pick",
                      {},
                      has_selection,
                      [](App& app) {
@@ -193,23 +204,31 @@ constexpr auto
                     {"Edit", "Next point of the pattern", plain('n'), has_editable_pattern,
                      choose_next_point<1>, nullptr, "transient curve choose"},
                     {"Edit",
-                     "Point before",
+                     "Previous point of the pattern",
                      {'n', key::kUnknown, false, true},
                      has_editable_pattern,
                      choose_next_point<-1>,
                      nullptr,
                      "transient curve choose previous"},
                     {"Edit", "Rename", special(key::kF1 + 1), has_selection, start_rename},
-                    {"Edit", "Lock or unlock", ctrl('l'), has_selection,
-                     [](App& app) { toggle_locked(app.ui, app.work); }},
-                    {"Edit", "Drop from subsets or not", ctrl('l', true), has_selection,
-                     [](App& app) { toggle_dropped(app.ui, app.work); }, nullptr,
-                     "exclude must not pick"},
+                    {"Edit", "Lock", ctrl('l'), has_selection,
+                     [](App& app) { toggle_locked(app.ui, app.work); }, is_current_locked,
+                     "unlock always pick subset keep"},
+                    {"Edit", "Drop", ctrl('l', true), has_selection,
+                     [](App& app) { toggle_dropped(app.ui, app.work); }, is_current_dropped,
+                     "exclude from subsets never pick take back"},
                     {"Edit", "Copy", ctrl('c'), has_selection,
                      [](App& app) { copy_selected(app.ui, app.work); }},
                     {"Edit", "Copy picture", ctrl('c', true), always,
                      [](App& app) { app.exports.copy_asked = true; }, nullptr,
                      "clipboard image view slides png"},
+                    {"Edit",
+                     "Copy table",
+                     {},
+                     has_pairs,
+                     copy_shown_table,
+                     nullptr,
+                     "clipboard csv numbers matrix candidates spreadsheet"},
                     {"Edit", "Paste", ctrl('v'), always, [](App& app) { paste(app.ui, app.work); }},
                     {"Edit", "Select all", ctrl('a'), has_selection,
                      [](App& app) { select_all(app.work); }},

@@ -35,6 +35,7 @@
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_marks.h"
 #include "app/subset/subset_state.h"
+#include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "app/window/animation.h"
 #include "app/window/columns.h"
@@ -181,6 +182,7 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     app.ui.field.nudges_on = false;
     const bool moved = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
     if (moved) app.ui.hover_since_s = app.ui.time_s;
+    app.ui.has_pressed = !moved && (app.ui.has_pressed || io.MouseClicked[0] || io.MouseClicked[1]);
     const bool acted = moved || io.MouseClicked[0] || io.MouseClicked[1] || !pressed.empty();
     if (acted && !app.ui.status.is_seen) {
         app.ui.status.is_seen = true;
@@ -281,6 +283,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     draw_dialogs(app);
     draw_palette(app, pressed);
     draw_over_presentation(app.ui, app.lesson);
+    draw_shadows(app.ui.theme);
     run_waiting(app);
     follow_changes(app);
     hear_edits(app.ui, app.work, app.timeline, app.play);
@@ -331,7 +334,7 @@ double next_wake_s(const App& app) {
         wake_s = 0.1;  // progress
     }
     if (app.work.autosave_pending || is_autosaving(app.work)) wake_s = std::min(wake_s, 0.5);
-    wake_s = std::min(wake_s, study_wake_s(app.ui, app.studying));
+    wake_s = std::min({wake_s, study_wake_s(app.ui, app.studying), aging_wake_s(app.ui)});
     // A little later than it fades, lest the clock's last digit asks for it twice.
     if (status_left_s(app) > 0.0) wake_s = std::min(wake_s, status_left_s(app) + 0.01);
     return wake_s;

@@ -111,7 +111,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     client.drop = [&app](const std::vector<std::filesystem::path>& paths) {
         drop_paths(app, paths);
     };
-    client.close = [&app] { return may_close(app); };
+    client.close = [&app] { return close_window(app); };
     client.build_fonts = [&app](float content_scale) {
         app.ui.content_scale = content_scale;
         make_theme(app);

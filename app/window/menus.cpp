@@ -3,34 +3,62 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/document/rating_files.h"
 #include "app/study/study_follow.h"
+#include "app/ui/folder_listing.h"
 #include "app/ui/widgets.h"
 #include "app/window/commands.h"
+#include "viz/drawing/icons.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
 
 namespace {
 
+// The signs of the bar and of the lists.
+std::optional<Icon> icon_of(const Command& command) {
+    constexpr auto kIcons = std::to_array<std::pair<std::string_view, Icon>>({
+        {"Play or stop", Icon::play},
+        {"Back to the start", Icon::to_start},
+        {"5 ms forward", Icon::forward},
+        {"5 ms back", Icon::back},
+        {"Loop", Icon::loop},
+        {"Lock", Icon::locked},
+        {"Drop", Icon::dropped},
+    });
+    const auto* found = std::ranges::find(kIcons, std::string_view(command.name),
+                                          &std::pair<std::string_view, Icon>::first);
+    return found == kIcons.end() ? std::nullopt : std::optional(found->second);
+}
+
+// "~/haptics": what a person calls their folder.
+std::string folder_text(const std::filesystem::path& file) {
+    const std::string folder = file.parent_path().string();
+    const std::string home = home_folder().string();
+    const bool is_below = folder == home || folder.starts_with(home + "/");
+    return is_below && home.size() > 1 ? "~" + folder.substr(home.size()) : folder;
+}
+
 void draw_item(App& app, const Command& command) {
     const bool checked = command.checked != nullptr && command.checked(app);
     const std::string text = item_text(app, command);
-    if (ImGui::MenuItem(text.c_str(), shortcut_text(command.shortcut).c_str(), checked,
-                        command.enabled(app))) {
+    const std::string keys = shortcut_text(command.shortcut);
+    if (draw_menu_row(app.ui.theme, {text.c_str(), keys.c_str(), checked, command.enabled(app),
+                                     icon_of(command)})) {
         carry_out(app, command);
     }
     note_item(app.ui.rects, std::string("menu:") + command.name);
     const char* lack = what_lacks(app, command);
-    if (lack != nullptr && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::SetTooltip("%s", lack);
-    }
+    if (lack != nullptr) draw_tooltip(app.ui, lack);
 }
 
 void draw_recent(App& app) {
@@ -38,12 +66,42 @@ void draw_recent(App& app) {
     // A copy: opening a file changes the list.
     const std::vector<RecentFile> recent = recent_files(app.work.session);
     for (const RecentFile& file : recent) {
-        const std::string text = file.path.string() + (file.missing ? "  (not found)" : "");
-        if (ImGui::MenuItem(text.c_str(), nullptr, false, !file.missing)) {
+        const std::string name = file.path.filename().string();
+        const std::string where = file.missing ? "not found" : folder_text(file.path);
+        ImGui::PushID(file.path.c_str());
+        if (ImGui::MenuItem(name.c_str(), where.c_str(), false, !file.missing)) {
             open_paths(app.ui, app.work, {file.path});
         }
+        ImGui::PopID();
     }
     ImGui::EndMenu();
+}
+
+// The newest step first; the one that the document stands at is ticked.
+void draw_history(App& app) {
+    const History<PatternSet>& history = app.work.history;
+    constexpr std::size_t kMost = 24;
+    const bool open = ImGui::BeginMenu("History", history.size() > 0);
+    note_item(app.ui.rects, "menu:History");
+    if (!open) return;
+    const std::size_t done = history.done();
+    const std::size_t last = std::min(history.size(), done + kMost / 2);
+    const std::size_t first = last > kMost ? last - kMost : 0;
+    std::optional<std::size_t> wanted;
+    for (std::size_t k = last; k > first; --k) {
+        ImGui::PushID(static_cast<int>(k));
+        if (ImGui::MenuItem(history.label(k - 1).c_str(), nullptr, k == done)) wanted = k;
+        note_item(app.ui.rects, "history:" + std::to_string(k), history.label(k - 1));
+        ImGui::PopID();
+    }
+    if (first == 0 && ImGui::MenuItem("As it was opened", nullptr, done == 0)) wanted = 0;
+    if (first == 0) note_item(app.ui.rects, "history:0");
+    ImGui::EndMenu();
+    if (!wanted) return;
+    app.ui.waiting.emplace_back([&app, step = *wanted] {
+        while (app.work.history.done() > step) undo(app.ui, app.work);
+        while (app.work.history.done() < step) redo(app.ui, app.work);
+    });
 }
 
 void draw_own_workspaces(App& app) {
@@ -90,7 +148,6 @@ constexpr auto kGroups = std::to_array<std::string_view>({"Save",
                                                           "Dark",
                                                           "Matrix",
                                                           "Intended and measured",
-                                                          "Larger text",
                                                           "Back to the start",
                                                           "In real time",
                                                           "Loop",
@@ -100,11 +157,46 @@ constexpr auto kGroups = std::to_array<std::string_view>({"Save",
                                                           "New lesson from this set",
                                                           "Student sheet...",
                                                           "Move the card",
+                                                          kBundledLessons[0].name,
                                                           "Manual",
                                                           "About tactspace"});
 
 bool begins_group(const Command& command) {
     return std::ranges::find(kGroups, std::string_view(command.name)) != kGroups.end();
+}
+
+// What one would do with a pane as a whole.
+std::span<const std::string_view> commands_of(Pane pane) {
+    static constexpr auto kOfPatterns = std::to_array<std::string_view>(
+        {"New pattern", "Paste", "Select all", "Generate candidates...", "Copy table"});
+    static constexpr auto kOfSpace =
+        std::to_array<std::string_view>({"Reset view of the space", "Lock the view of the space",
+                                         "Copy picture", "Export view..."});
+    static constexpr auto kOfMatrix =
+        std::to_array<std::string_view>({"Copy table", "Copy picture", "Export view..."});
+    static constexpr auto kOfStages =
+        std::to_array<std::string_view>({"Copy picture", "Export view...", "Export stage as CSV...",
+                                         "Stages in the middle", "Stages in one row", "No stages"});
+    static constexpr auto kOfEditor = std::to_array<std::string_view>({"Undo", "Redo", "Rename"});
+    static constexpr auto kOfStudy = std::to_array<std::string_view>(
+        {"Run a participant...", "Export answers as CSV...", "Folder for participants..."});
+    switch (pane) {
+        case Pane::patterns:
+            return kOfPatterns;
+        case Pane::editor:
+            return kOfEditor;
+        case Pane::physiology:
+            return kOfStages;
+        case Pane::space:
+            return kOfSpace;
+        case Pane::matrix:
+            return kOfMatrix;
+        case Pane::study_design:
+        case Pane::study_people:
+        case Pane::study_answers:
+            return kOfStudy;
+    }
+    return {};
 }
 
 // Commands of the View menu.
@@ -148,7 +240,35 @@ void draw_workspace_tabs(App& app) {
     }
 }
 
+// Long groups of View are menus within it, by the command that they begin with.
+const char* submenu_of(const Command& command) {
+    constexpr auto kSubmenus = std::to_array<std::pair<std::string_view, const char*>>({
+        {"Stages in the middle", "Stages"},
+        {"Reset view of the space", "Map"},
+        {"Matrix", "Panes"},
+        {"Intended and measured", "Intended and measured patterns"},
+        {"Dark", "Appearance"},
+    });
+    const auto* found = std::ranges::find(kSubmenus, std::string_view(command.name),
+                                          &std::pair<std::string_view, const char*>::first);
+    return found == kSubmenus.end() ? nullptr : found->second;
+}
+
 }  // namespace
+
+std::span<const std::string_view> menu_groups() { return kGroups; }
+
+std::string menu_path(const Command& command) {
+    std::string path = command.menu;
+    const char* submenu = nullptr;
+    for (const Command& other : commands()) {
+        if (std::string_view(other.menu) != command.menu) continue;
+        if (begins_group(other)) submenu = submenu_of(other);
+        if (&other == &command) break;
+    }
+    if (submenu != nullptr) path += std::string(" > ") + submenu;
+    return path + " > " + command.name;
+}
 
 std::string item_text(const App& app, const Command& command) {
     if (std::string_view(command.name) == "Undo") {
@@ -160,28 +280,75 @@ std::string item_text(const App& app, const Command& command) {
     return command.name;
 }
 
+void draw_pane_menu(App& app, Pane pane) {
+    constexpr ImGuiPopupFlags kWhere = ImGuiPopupFlags_MouseButtonRight |
+                                       ImGuiPopupFlags_NoOpenOverItems |
+                                       ImGuiPopupFlags_NoOpenOverExistingPopup;
+    if (!ImGui::BeginPopupContextWindow("pane menu", kWhere)) return;
+    auto& maximised = app.layout.maximised;
+    if (ImGui::MenuItem(maximised ? "Put back" : "Maximise"))
+        maximised = maximised ? std::nullopt : std::optional(pane);
+    note_item(app.ui.rects, "pane menu:maximise");
+    ImGui::Separator();
+    for (const std::string_view name : commands_of(pane)) {
+        draw_item(app, *std::ranges::find(commands(), name, &Command::name));
+    }
+    ImGui::EndPopup();
+}
+
+namespace {
+
+void draw_rows(App& app, std::string_view menu) {
+    bool within = false;  // a menu in the menu ...
+    bool open = false;    // ... and whether it is open
+    const auto leave = [&within, &open] {
+        if (within && open) ImGui::EndMenu();
+        within = false;
+    };
+    for (const Command& command : commands()) {
+        if (std::string_view(command.menu) != menu) continue;
+        if (begins_group(command)) {
+            leave();
+            if (const char* name = submenu_of(command)) {
+                if (std::string_view(name) == "Stages") ImGui::Separator();
+                within = true;
+                open = ImGui::BeginMenu(name);
+                note_item(app.ui.rects, std::string("menu:") + name);
+            } else {
+                ImGui::Separator();
+            }
+        }
+        if (within && !open) continue;
+        draw_item(app, command);
+        if (std::string_view(command.name) == "Redo") draw_history(app);
+        if (std::string_view(command.name) == "Save workspace as...") draw_own_workspaces(app);
+        if (std::string_view(command.name) != "Add to set...") continue;
+        draw_recent(app);
+        draw_examples(app);
+    }
+    leave();
+}
+
+}  // namespace
+
 void draw_menus(App& app) {
     if (!ImGui::BeginMainMenuBar()) return;
     for (const char* menu : {"File", "Edit", "View", "Play", "Study", "Lesson", "Help"}) {
         const bool open = ImGui::BeginMenu(menu);
         note_item(app.ui.rects, std::string("menu:") + menu);
         if (!open) continue;
-        for (const Command& command : commands()) {
-            if (std::string_view(command.menu) != menu) continue;
-            if (begins_group(command)) ImGui::Separator();
-            draw_item(app, command);
-            if (std::string_view(command.name) == "Save workspace as...") draw_own_workspaces(app);
-            if (std::string_view(command.name) != "Add to set...") continue;
-            draw_recent(app);
-            draw_examples(app);
-        }
+        draw_rows(app, menu);
         ImGui::EndMenu();
     }
     draw_workspace_tabs(app);
     const std::string title = document_title(app.work);
     const float right = ImGui::GetWindowWidth() - 2.0F * app.ui.theme.padding_px;
     const float room = right - ImGui::GetCursorPosX() - app.ui.theme.padding_px;
-    const std::string shown = shortened(app.ui.theme.fonts.regular, title, std::max(0.0F, room));
+    const std::string mark = title.substr(document_name(app.work).size());
+    const float mark_px = ImGui::CalcTextSize(mark.c_str()).x;
+    const std::string shown = shortened(app.ui.theme.fonts.regular, document_name(app.work),
+                                        std::max(0.0F, room - mark_px)) +
+                              mark;
     ImGui::SameLine(right - ImGui::CalcTextSize(shown.c_str()).x);
     dim_text(app.ui, shown);
     note_item(app.ui.rects, "document", title);

@@ -36,6 +36,7 @@
 #include "app/ui/widgets.h"
 #include "app/window/columns.h"
 #include "app/window/command_actions.h"
+#include "app/window/commands.h"
 #include "app/window/frame.h"
 #include "model/map/mds.h"
 
@@ -71,7 +72,7 @@ std::string map_state_text(const App& app) {
             std::snprintf(text, sizeof text, "preview; exact %d %%", percent);
             return text;
         case MapState::stale:
-            std::snprintf(text, sizeof text, "of an earlier state; computing, %d %%", percent);
+            std::snprintf(text, sizeof text, "before the edit; computing, %d %%", percent);
             return text;
     }
     return {};
@@ -87,7 +88,8 @@ std::vector<std::string> space_title_right(const App& app) {
     if (!app.shown_map.transition.shown || app.shown_map.transition.to.rows() < 2)
         return map_state_forms(app);
     const PerceptualSpace& space = app.shown_map.transition.shown->space;
-    if (space.verdict == MdsVerdict::constant) return map_state_forms(app);
+    if (space.verdict == MdsVerdict::constant || app.shown_map.has_headline)
+        return map_state_forms(app);
     char stress[32];
     std::snprintf(stress, sizeof stress, "stress-1 %.3f", space.stress1);
     const std::string worded = std::string(stress) + ", " + stress_label(space.stress1);
@@ -189,6 +191,12 @@ void draw_bench(App& app) {
         if (draw_chip(app.ui, name, name, app.layout.bench == which)) app.layout.bench = which;
         note_item(app.ui.rects, std::string("tab:") + name);
     };
+    // Where one selects, the others are in the View menu.
+    const bool selects = app.layout.arrangement == Arrangement::select;
+    const auto is_offered = [&](BenchTab which) {
+        return !selects || which == BenchTab::subset || which == BenchTab::matrix ||
+               which == BenchTab::why || which == app.layout.bench;
+    };
     tab(BenchTab::matrix, "Matrix");
     for (const auto& [which, name] : {std::pair{BenchTab::candidates, "Table"},
                                       {BenchTab::subset, "Subset"},
@@ -197,6 +205,7 @@ void draw_bench(App& app) {
                                       {BenchTab::why, "Why"},
                                       {BenchTab::model, "Model"},
                                       {BenchTab::device, "Device"}}) {
+        if (!is_offered(which)) continue;
         flow_on(chip_width(app.ui, name), 2.0F * app.ui.theme.scale);
         tab(which, name);
     }
@@ -353,8 +362,10 @@ MapMarks map_marks(App& app) {
 }
 
 void draw_pane_of(App& app, Pane pane, const Rect& area) {
-    draw_pane(app.ui, app.layout, pane, area, title_of(app, pane),
-              [&app, pane] { draw_content(app, pane); });
+    draw_pane(app.ui, app.layout, pane, area, title_of(app, pane), [&app, pane] {
+        draw_content(app, pane);
+        if (!app.ui.as_picture && !app.ui.presenting) draw_pane_menu(app, pane);
+    });
 }
 
 }  // namespace tact

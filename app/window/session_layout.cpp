@@ -187,8 +187,28 @@ bool may_close(App& app) {
     return false;
 }
 
+// Once for each person: they come back, and who has been told needs no question.
+bool tells_what_is_kept(App& app) {
+    constexpr const char* kTold = "quit keeps what is unsaved";
+    if (!app.work.unsaved || app.ui.dismissed_hints.contains(kTold)) return false;
+    const auto leave = [&app] {
+        app.ui.dismissed_hints.insert(kTold);
+        app.ui.quit = true;
+    };
+    ask(app.ui,
+        {.title = "Unsaved changes are kept",
+         .text = "The changes of " + document_name(app.work) +
+                 " are kept, and are here again at the next start. They are not in its "
+                 "file: that takes Save. This is said once.",
+         .answers = {
+             {"Quit", leave}, {"Save...", [&app] { save(app.ui, app.work); }}, {"Cancel"}}});
+    return true;
+}
+
+bool close_window(App& app) { return may_close(app) && !tells_what_is_kept(app); }
+
 void quit(App& app) {
-    if (may_close(app)) app.ui.quit = true;
+    if (close_window(app)) app.ui.quit = true;
 }
 
 void end_session(App& app) {

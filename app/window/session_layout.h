@@ -22,6 +22,8 @@ void end_session(App& app);
 // Whether the window may close: what is unsaved is kept for the next start. Where it cannot be, the
 // window stays and asks. A study under way ends first; its answers are on the disk.
 bool may_close(App& app);
+// The same when a person asks for it: who was never told that unsaved changes are kept is told.
+bool close_window(App& app);
 void quit(App& app);
 
 // What was wrong with the session at the start, and what was recovered: a notice.

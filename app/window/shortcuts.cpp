@@ -149,8 +149,6 @@ void draw_palette(App& app, std::span<const KeyPress> pressed) {
     ImGui::SetNextWindowSize({std::min(560.0F * app.ui.theme.scale, screen.x * 0.9F), 0.0F});
     ImGui::SetNextWindowFocus();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, app.ui.theme.hairline_px);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(app.ui.theme));
     if (ImGui::Begin("Command palette", &state.open,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoNav)) {
@@ -183,7 +181,6 @@ void draw_palette(App& app, std::span<const KeyPress> pressed) {
         }
     }
     ImGui::End();
-    ImGui::PopStyleColor(2);
     ImGui::PopStyleVar();
 }
 

@@ -154,9 +154,7 @@ void draw_workspace_dialog(Ui& ui, const Layout& layout, Workspaces& workspaces)
     draw_label(ui, "Name");
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0F);
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, dialog_field(ui.theme));
     ImGui::InputTextWithHint("##workspace", "such as: large map, no stages", &workspaces.typed);
-    ImGui::PopStyleColor();
     note_item(ui.rects, "workspace:name", workspaces.typed);
     const bool replaces = workspaces.own.contains(workspaces.typed);
     const bool odd =

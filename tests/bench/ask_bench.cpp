@@ -7,15 +7,10 @@
 
 #include "app/ask/maybes_follow.h"
 #include "app/ask/put_there.h"
+#include "app/window/jobs.h"
 #include "model/io/set/set_file.h"
 #include "tests/bench/owed.h"
-
-// Its checks are switched off here, and leave a variable behind.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
-#include "app/window/jobs.h"
 #include "tests/support/program.h"
-#pragma GCC diagnostic pop
 
 using namespace tact;
 using namespace tact::bench;

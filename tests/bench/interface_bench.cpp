@@ -14,16 +14,11 @@
 #include "app/map/map_follow.h"
 #include "app/screen/window.h"
 #include "app/subset/subset_state.h"
+#include "app/window/jobs.h"
 #include "model/common/random.h"
 #include "model/io/set/set_file.h"
 #include "tests/bench/owed.h"
-
-// Its checks are switched off here, and leave a variable behind.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
-#include "app/window/jobs.h"
 #include "tests/support/program.h"
-#pragma GCC diagnostic pop
 
 using namespace tact;
 using namespace tact::bench;

@@ -40,10 +40,17 @@ start() {
 quit() {
     local code=0
     key ctrl+q
-    until_true "the program has ended" is_gone "$pid"
+    until_true "the program has ended" is_gone_or_told
     wait "$pid" || code=$?
     pid=""
     [ "$code" -eq 0 ] || fail "exit code $code after Ctrl+Q"
+}
+
+# The first time it tells that what is unsaved is kept.
+is_gone_or_told() {
+    is_gone "$pid" && return
+    ! shows "answer:Quit" || key Return
+    return 1
 }
 
 crash() {
@@ -74,7 +81,7 @@ points() { grep '^point:' "$TACTSPACE_WIDGET_RECTS" | cut -f 1-3; }
 
 # How far maps, training and exports have come.
 progress() {
-    grep '^title:Perceptual space\|^train:progress\|^export progress' "$TACTSPACE_WIDGET_RECTS" \
+    grep '^title:Perceptual space\|^progress:training\|^export progress' "$TACTSPACE_WIDGET_RECTS" \
         2>/dev/null || true
 }
 

@@ -141,7 +141,7 @@ struct Program {
 
     // Frames until the map on screen is the exact one of the document.
     void wait_for_exact_map() {
-        const auto until = end_of_patience();
+        [[maybe_unused]] const auto until = end_of_patience();  // checks may be off
         while (map_state(app.work, app.shown_map) != MapState::exact) {
             REQUIRE(std::chrono::steady_clock::now() < until);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -152,7 +152,7 @@ struct Program {
     // Frames until the stages on screen are those of the patterns as they are; starts the jobs.
     void wait_for_stages() {
         if (!app.shown_map.full_job) make_jobs(app);
-        const auto until = end_of_patience();
+        [[maybe_unused]] const auto until = end_of_patience();  // checks may be off
         const auto arrived = [this] {
             if (!app.physiology.stages ||
                 app.physiology.stages->request != app.physiology.stages_asked)

@@ -73,8 +73,8 @@ TEST_CASE("snapshot: physiology is drawn at a time, of one stage, of two pattern
     const TemporaryFolder folder;
     const fs::path file = folder.path / "view.png";
     const auto draw = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> arguments{"snapshot", set.path, "--width", "400",
-                                           "--height", "500",    "--out",   file.string()};
+        std::vector<std::string> arguments{"snapshot", set.path, "--width", "500",
+                                           "--height", "600",    "--out",   file.string()};
         arguments.insert(arguments.end(), more.begin(), more.end());
         output_of(arguments);
         return bytes_of(file);

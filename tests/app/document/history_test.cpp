@@ -31,6 +31,17 @@ TEST_CASE("history: undo goes back value by value and redo forward again") {
     CHECK(history.redo() == nullptr);
 }
 
+TEST_CASE("history: its steps can be read, and how many of them are done") {
+    History<int> history;
+    REQUIRE(commit(history, 1, 2, "Double"));
+    REQUIRE(commit(history, 2, 3, "Add one"));
+    REQUIRE(history.undo() != nullptr);
+    CHECK(history.size() == 2);
+    CHECK(history.done() == 1);
+    CHECK(history.label(0) == "Double");
+    CHECK(history.label(1) == "Add one");
+}
+
 TEST_CASE("history: a gesture that changes nothing is no step and keeps redo") {
     History<int> history;
     REQUIRE(commit(history, 1, 2, "Double"));

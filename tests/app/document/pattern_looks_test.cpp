@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "app/document/copying.h"
 #include "app/document/files.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/program.h"

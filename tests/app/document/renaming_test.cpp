@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "app/document/copying.h"
 #include "app/measured/import_state.h"
 #include "app/study/study_follow.h"
 #include "app/subset/subset_state.h"

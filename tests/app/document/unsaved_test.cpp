@@ -185,6 +185,23 @@ TEST_CASE("unsaved: a window with the only copy stays open and asks") {
     CHECK(may_close(app));
 }
 
+TEST_CASE("unsaved: who quits is told once that changes are kept, and may stay or save") {
+    Edited program;
+    App& app = program.app;
+    program.press('q', true);
+    CHECK(contains(program.at("question").value, "are kept"));
+    program.press_key(key::kEscape);
+    CHECK_FALSE(app.ui.quit);
+    program.press('q', true);
+    program.press_key(key::kEnter);
+    CHECK(app.ui.quit);
+    // From then on it just ends.
+    app.ui.quit = false;
+    program.press('q', true);
+    CHECK_FALSE(program.shows("question"));
+    CHECK(app.ui.quit);
+}
+
 TEST_CASE("unsaved: only the word to discard discards, by keyboard too") {
     Edited program;
     program.fill_disk();

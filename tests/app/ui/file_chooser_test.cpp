@@ -52,7 +52,7 @@ struct Fixture {
     void settle() {
         window.settle([this] {
             WidgetRects rects;
-            if (const auto path = draw(chooser, rects)) {
+            if (const auto path = draw(chooser, rects, dark_theme(1.0F))) {
                 chosen = path;
                 ++answers;
             }
@@ -267,8 +267,9 @@ TEST_CASE("chooser: a double click on a row opens it") {
         if (std::string(window->Name).find("##list") != std::string::npos) list = window;
     }
     REQUIRE(list != nullptr);
-    const ImVec2 second{list->InnerClipRect.Min.x + 30.0F,
-                        list->DC.CursorStartPos.y + 1.5F * ImGui::GetTextLineHeightWithSpacing()};
+    // Below the names of the columns.
+    const float row = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
+    const ImVec2 second{list->InnerClipRect.Min.x + 30.0F, list->DC.CursorStartPos.y + 2.5F * row};
     f.window.click(second);
     f.settle();
     CHECK(f.chooser.name == "inner");

@@ -1,4 +1,4 @@
-#include "app/jobs/time_left.h"
+#include "app/ui/time_left.h"
 
 #include <doctest/doctest.h>
 

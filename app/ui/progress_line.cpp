@@ -1,0 +1,37 @@
+#include "app/ui/progress_line.h"
+
+#include <imgui.h>
+
+#include "app/ui/time_left.h"
+#include "app/ui/widgets.h"
+
+namespace tact {
+
+std::string progress_text(Ui& ui, const ProgressLine& line) {
+    ProgressSeen& seen = ui.progress[line.cancels];
+    // It begins again where it is less than it was, or was not drawn for a while.
+    constexpr double kAwayS = 5.0;
+    if (line.share < seen.share || ui.time_s - seen.last_s > kAwayS) seen.since_s = ui.time_s;
+    seen.share = line.share;
+    seen.last_s = ui.time_s;
+    const std::string left = time_left_text(ui.time_s - seen.since_s, double{line.share});
+    return std::string(line.doing) + ", " + std::to_string(static_cast<int>(100.0F * line.share)) +
+           " %" + (left.empty() ? "" : ", " + left);
+}
+
+bool draw_progress(Ui& ui, const ProgressLine& line, bool beside_buttons) {
+    constexpr const char* kCancel = "Cancel";
+    const std::string text = progress_text(ui, line);
+    if (beside_buttons) ImGui::AlignTextToFramePadding();
+    dim_text(ui, text);
+    note_item(ui.rects, std::string("progress:") + line.cancels, text);
+    const bool beside = flow_on(ImGui::CalcTextSize(kCancel).x, ui.theme.gap_px);
+    if (beside_buttons && beside)
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y);
+    const std::string id = std::string("cancel ") + line.cancels;
+    const bool cancelled = link(ui, id.c_str(), kCancel);
+    note_item(ui.rects, "link:" + id);
+    return cancelled;
+}
+
+}  // namespace tact
