@@ -1,0 +1,61 @@
+// Whatever is opened, at whatever size: no text is written over another one, none leaves its pane.
+
+#include "tests/support/drawn_texts.h"
+#include "tests/support/scenes.h"
+
+namespace text_test {
+
+using namespace tact;
+
+namespace {
+
+struct Screen {
+    ImVec2 size;
+    float scale;
+};
+
+// The drawing of shapes that can be read back from their triangles.
+void draw_exactly() {
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.AntiAliasedLines = false;
+    style.AntiAliasedLinesUseTex = false;
+    style.AntiAliasedFill = false;
+}
+
+// A slider that is there at all can be aimed at.
+void check_sliders(const SceneWindow& window) {
+    constexpr float kLeastPx = 90.0F;
+    for (const auto& [name, place] : window.places) {
+        if (!name.starts_with("slider:")) continue;
+        CAPTURE(name);
+        CHECK(place.max.x - place.min.x >= kLeastPx * window.app.ui.theme.scale - 1.0F);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("text: whatever is open, at any size, none is written over another or cut off") {
+    SceneWindow window;
+    for (const Screen& screen :
+         {Screen{{1280.0F, 720.0F}, 1.0F}, Screen{{1600.0F, 1000.0F}, 1.0F},
+          Screen{{2560.0F, 1440.0F}, 1.0F}, Screen{{3840.0F, 2160.0F}, 2.0F},
+          Screen{{1600.0F, 1000.0F}, 0.75F}, Screen{{1600.0F, 1000.0F}, 1.5F},
+          Screen{{1600.0F, 1000.0F}, 2.0F}}) {
+        CAPTURE(screen.size.x);
+        CAPTURE(screen.scale);
+        window.resize(screen.size, screen.scale);
+        for (const Scene& scene : scenes()) {
+            CAPTURE(scene.name);
+            window.show(scene);
+            draw_exactly();
+            window.frame();
+            const DrawnTexts drawn = texts_of(*ImGui::GetDrawData(), window.app.ui.theme.fonts);
+            CHECK(drawn.texts.size() > 10);
+            check_sliders(window);
+            for (const std::string& both : met(drawn)) FAIL_CHECK("written over: " << both);
+            for (const std::string& one : cut(drawn)) FAIL_CHECK("cut off: " << one);
+        }
+    }
+}
+
+}  // namespace text_test

@@ -1,0 +1,70 @@
+// photographs FOLDER [WORDS]: a PNG of every pane, tab, dialog, menu and popup, dark and light, at
+// four sizes of the window; of those only whose name has the words.
+//
+// The program's own frames, drawn without a screen.
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "tests/support/scenes.h"
+#include "viz/picture/picture.h"
+
+using namespace tact;
+
+namespace {
+
+struct Screen {
+    const char* name;
+    ImVec2 size;
+    float scale;
+};
+
+const Screen kScreens[] = {{"1280x720", {1280.0F, 720.0F}, 1.0F},
+                           {"1600x1000", {1600.0F, 1000.0F}, 1.0F},
+                           {"2560x1440", {2560.0F, 1440.0F}, 1.0F},
+                           {"3840x2160 at 2x", {3840.0F, 2160.0F}, 2.0F}};
+
+Image taken(const Theme& theme) {
+    const ImDrawData& frame = *ImGui::GetDrawData();
+    Image image = blank_image(static_cast<int>(frame.DisplaySize.x),
+                              static_cast<int>(frame.DisplaySize.y), theme.background);
+    const ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    rasterise(frame, {atlas.TexWidth, atlas.TexHeight, atlas.TexPixelsAlpha8}, image);
+    return image;
+}
+
+void take_all(SceneWindow& window, const std::filesystem::path& folder, const std::string& words) {
+    std::filesystem::create_directories(folder);
+    for (const Scene& scene : scenes()) {
+        if (scene.name.find(words) == std::string::npos) continue;
+        window.show(scene);
+        const auto written =
+            write_png((folder / (scene.name + ".png")).string(), taken(window.app.ui.theme));
+        if (!written) throw std::runtime_error(written.error().message);
+    }
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    if (count < 2) {
+        std::fprintf(stderr, "photographs FOLDER [WORDS]\n");
+        return 1;
+    }
+    try {
+        SceneWindow window;
+        for (const bool dark : {true, false}) {
+            for (const Screen& screen : kScreens) {
+                window.app.ui.dark = dark;
+                window.resize(screen.size, screen.scale);
+                take_all(window,
+                         std::filesystem::path(words[1]) / screen.name / (dark ? "dark" : "light"),
+                         count > 2 ? words[2] : "");
+            }
+        }
+    } catch (const std::exception& fault) {
+        std::fprintf(stderr, "photographs: %s\n", fault.what());
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,323 @@
+#include "tests/support/scenes.h"
+
+#include <array>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "app/lesson/lesson.h"
+#include "app/study/study_follow.h"
+#include "app/subset/subset_state.h"
+#include "app/window/commands.h"
+#include "model/io/set/set_file.h"
+#include "tests/support/places.h"
+
+namespace tact {
+
+namespace {
+
+PatternSet twelve_with_long_names() {
+    const auto loaded =
+        read_set_file(std::string(kAssetsDir) + "/sets/pm_2023_twelve.tactspace.json");
+    PatternSet set = loaded ? loaded->set : PatternSet{};
+    set.name = "Twelve patterns, under a name that is rather longer than it would have to be";
+    if (set.vibrations.size() < 12) return set;
+    set.vibrations[1].name = "an alarm that comes in waves and does not stop";
+    set.vibrations[7].name = "a slow heartbeat under a rising tone, second take";
+    set.vibrations[2].locked = true;
+    set.vibrations[4].dropped = true;
+    return set;
+}
+
+void wait_until(Program& program, const std::function<bool()>& is_so) {
+    const auto until = end_of_patience();
+    while (!is_so() && std::chrono::steady_clock::now() < until) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        program.frame();
+    }
+    program.settle();
+}
+
+void run(Program& program, std::string_view name) {
+    const auto command = std::ranges::find(commands(), name, &Command::name);
+    if (command == commands().end()) {
+        throw std::invalid_argument("There is no command " + std::string(name) + ".");
+    }
+    carry_out(program.app, *command);
+    program.settle();
+    program.settle();
+}
+
+// What has no room on a small screen cannot be pressed there.
+void click_if_there(Program& program, const std::string& name) {
+    if (!program.shows(name)) return;
+    program.click(name);
+    program.settle();
+}
+
+void right_click(Program& program, const std::string& name) {
+    if (!program.shows(name)) return;
+    program.hover(program.at(name).middle());
+    program.window.button(true, 1);
+    program.settle();
+    program.window.button(false, 1);
+    program.settle();
+}
+
+void rest_on(Program& program, const std::string& name) {
+    if (!program.shows(name)) return;
+    program.hover(program.at(name).middle());
+    for (int k = 0; k < 60; ++k) program.frame();
+}
+
+void show_bench(Program& program, BenchTab tab) {
+    program.app.layout.bench = tab;
+    program.settle();
+}
+
+void show_subset(Program& program, SubsetView view) {
+    program.app.picking.view = view;
+    show_bench(program, BenchTab::subset);
+    wait_until(program, [&] { return program.app.picking.pick != nullptr; });
+}
+
+void show_compare(Program& program, CompareView view) {
+    program.app.comparing.panel.view = view;
+    show_bench(program, BenchTab::compare);
+}
+
+void show_model(Program& program, ModelView view) {
+    program.app.model_bench.panel.view = view;
+    show_bench(program, BenchTab::model);
+}
+
+void show_dialog(Program& program, Dialog dialog) {
+    program.app.ui.dialog = dialog;
+    program.settle();
+    program.settle();
+}
+
+void maximise(Program& program, Pane pane) {
+    program.app.layout.maximised = pane;
+    program.settle();
+}
+
+void add_arrangements(std::vector<Scene>& all) {
+    all.push_back({"design", [](Program&) {}});
+    all.push_back({"design, stages open", [](Program& p) {
+                       p.app.layout.physiology = Fold::open;
+                       p.wait_for_stages();
+                   }});
+    all.push_back({"select", [](Program& p) {
+                       run(p, "Select");
+                       wait_until(p, [&p] { return p.app.picking.pick != nullptr; });
+                   }});
+    all.push_back({"physiology", [](Program& p) {
+                       run(p, "Physiology");
+                       p.wait_for_stages();
+                   }});
+    for (const Stage stage : kStages) {
+        all.push_back({"stage " + std::to_string(static_cast<int>(stage)), [stage](Program& p) {
+                           run(p, "Physiology");
+                           p.wait_for_stages();
+                           p.app.physiology.view.open = stage;
+                           p.settle();
+                       }});
+    }
+    all.push_back({"lesson", [](Program& p) { run(p, "Guided tour"); }});
+    all.push_back({"study, pairs", [](Program& p) {
+                       run(p, "Study");
+                       p.app.studying.kind = StudyKind::pairwise;
+                       p.settle();
+                   }});
+    all.push_back({"study, sorting", [](Program& p) {
+                       run(p, "Study");
+                       p.app.studying.kind = StudyKind::sorting;
+                       p.settle();
+                   }});
+    all.push_back({"maximised patterns", [](Program& p) { maximise(p, Pane::patterns); }});
+    all.push_back({"maximised editor", [](Program& p) { maximise(p, Pane::editor); }});
+    all.push_back({"maximised space", [](Program& p) { maximise(p, Pane::space); }});
+    all.push_back({"maximised matrix", [](Program& p) { maximise(p, Pane::matrix); }});
+}
+
+void add_bench(std::vector<Scene>& all) {
+    all.push_back({"candidates", [](Program& p) { show_bench(p, BenchTab::candidates); }});
+    all.push_back({"subset", [](Program& p) { show_subset(p, SubsetView::pick); }});
+    all.push_back({"too close", [](Program& p) { show_subset(p, SubsetView::confusable); }});
+    all.push_back({"how sure", [](Program& p) { show_subset(p, SubsetView::stability); }});
+    all.push_back({"compare", [](Program& p) { show_compare(p, CompareView::table); }});
+    all.push_back({"compare, scatter", [](Program& p) { show_compare(p, CompareView::scatter); }});
+    all.push_back(
+        {"compare, findings", [](Program& p) { show_compare(p, CompareView::findings); }});
+    all.push_back({"shepard", [](Program& p) { show_bench(p, BenchTab::shepard); }});
+    all.push_back({"why", [](Program& p) {
+                       choose_pair(p.app.work, 0, 1);
+                       show_bench(p, BenchTab::why);
+                   }});
+    all.push_back({"model", [](Program& p) { show_model(p, ModelView::parameters); }});
+    all.push_back({"training", [](Program& p) { show_model(p, ModelView::training); }});
+    all.push_back({"device", [](Program& p) { show_bench(p, BenchTab::device); }});
+}
+
+void add_states(std::vector<Scene>& all) {
+    all.push_back({"empty set", [](Program& p) {
+                       run(p, "New set");
+                       p.settle();
+                   }});
+    all.push_back({"three selected", [](Program& p) {
+                       select_only(p.app.work, 0);
+                       toggle_selected(p.app.work, 3);
+                       toggle_selected(p.app.work, 5);
+                       p.settle();
+                   }});
+    all.push_back({"locked", [](Program& p) {
+                       select_only(p.app.work, 2);
+                       p.settle();
+                   }});
+    all.push_back({"a search without a find", [](Program& p) {
+                       p.app.work.selection.search = "nothing of the kind";
+                       p.settle();
+                   }});
+    all.push_back({"a map of an earlier state", [](Program& p) {
+                       p.app.shown_map.cancelled = true;
+                       auto& first = p.app.work.document.set.vibrations.front();
+                       std::get<Pattern>(first.source).amplitude_g *= 2.0;
+                       ++p.app.work.revision;
+                       p.settle();
+                   }});
+    all.push_back({"an error", [](Program& p) {
+                       complain(p.app.ui,
+                                "alarm.tactspace.json, line 12: \"amplitude_g\" is a word; a "
+                                "number from 0 to 50 was expected.");
+                       p.settle();
+                   }});
+}
+
+void add_dialogs(std::vector<Scene>& all) {
+    constexpr auto kDialogs = std::to_array<std::pair<const char*, const char*>>(
+        {{"about", "About tactspace"},
+         {"keys", "Keys and mouse"},
+         {"palette", "Command palette"},
+         {"open", "Open..."},
+         {"save as", "Save as..."},
+         {"export view", "Export view..."},
+         {"export animation", "Export animation..."},
+         {"export vibrations", "Export vibrations..."},
+         {"generate", "Generate candidates..."},
+         {"steps", "Steps between..."},
+         {"tap a rhythm", "Tap a rhythm..."},
+         {"simulate measurement", "Simulate measurement..."},
+         {"import recordings", "Import recordings..."},
+         {"actuator maps", "Actuator maps..."},
+         {"devices", "Devices..."},
+         {"save workspace", "Save workspace as..."}});
+    for (const auto& [name, command] : kDialogs) {
+        all.push_back({std::string("dialog, ") + name, [command](Program& p) { run(p, command); }});
+    }
+    constexpr auto kOthers =
+        std::to_array<std::pair<const char*, Dialog>>({{"calibrate", Dialog::calibrate},
+                                                       {"import", Dialog::import_recordings},
+                                                       {"leave out", Dialog::leave_out},
+                                                       {"conduct rules", Dialog::conduct_rules}});
+    for (const auto& [name, dialog] : kOthers) {
+        all.push_back({std::string("dialog, ") + name,
+                       [which = dialog](Program& p) { show_dialog(p, which); }});
+    }
+}
+
+void add_menus(std::vector<Scene>& all) {
+    all.push_back({"dialog, pad", [](Program& p) {
+                       for (const std::size_t more : {1, 3}) toggle_selected(p.app.work, more);
+                       run(p, "Mix on a pad...");
+                   }});
+    for (const char* menu : {"File", "Edit", "View", "Play", "Study", "Lesson", "Help"}) {
+        all.push_back({std::string("menu ") + menu,
+                       [menu](Program& p) { click_if_there(p, std::string("menu:") + menu); }});
+    }
+    all.push_back({"menu of the history", [](Program& p) {
+                       for (const char* wave : {"Copy", "Paste", "Duplicate"}) run(p, wave);
+                       click_if_there(p, "menu:Edit");
+                       click_if_there(p, "menu:History");
+                   }});
+    all.push_back({"menu of examples", [](Program& p) {
+                       click_if_there(p, "menu:File");
+                       click_if_there(p, std::string("menu:") + kExampleMenu);
+                   }});
+    all.push_back({"menu of a row", [](Program& p) { right_click(p, "row name:L-0-half"); }});
+    all.push_back({"menu of looks", [](Program& p) {
+                       right_click(p, "row name:L-0-half");
+                       click_if_there(p, "row menu:Colour and mark");
+                   }});
+    all.push_back({"menu of a point", [](Program& p) { right_click(p, "point:L-0-half"); }});
+    for (const char* pane : {"Patterns", "Editor", "Perceptual space", "Matrix"}) {
+        all.push_back({std::string("menu of the pane ") + pane,
+                       [pane](Program& p) { right_click(p, std::string("title:") + pane); }});
+    }
+    all.push_back({"menu of devices", [](Program& p) { click_if_there(p, "device"); }});
+    for (const char* link :
+         {"link:map look", "link:free numbers", "link:rhythms", "compare with"}) {
+        all.push_back(
+            {std::string("popup ") + link, [link](Program& p) { click_if_there(p, link); }});
+    }
+    for (const char* thing :
+         {"transport:play", "entry:amplitude", "tab:Subset", "workspace:Select"}) {
+        all.push_back(
+            {std::string("tooltip of ") + thing, [thing](Program& p) { rest_on(p, thing); }});
+    }
+}
+
+std::vector<Scene> make_scenes() {
+    std::vector<Scene> all;
+    add_arrangements(all);
+    add_bench(all);
+    add_states(all);
+    add_dialogs(all);
+    add_menus(all);
+    return all;
+}
+
+}  // namespace
+
+SceneWindow::SceneWindow() : Program(twelve_with_long_names()) {
+    app.ui.motion = false;
+    compute_map();
+    settle();  // how the map lies is part of the document
+    document_ = app.work.document;
+}
+
+SceneWindow::~SceneWindow() { stop_jobs(app); }
+
+void SceneWindow::show(const Scene& scene) {
+    for (int k = 0; k < 3; ++k) press_key(key::kEscape);
+    app.ui.dialog = Dialog::none;
+    app.ui.chooser.is_open = false;
+    app.palette.open = false;
+    leave_lesson(hands_of(app), app.lesson);
+    close_study(app.studying);
+    app.layout = first_layout(Arrangement::design);
+    app.workspaces = {};
+    app.picking.view = SubsetView::pick;
+    app.physiology.view.open.reset();
+    app.ui.status = {};
+    app.shown_map.cancelled = false;
+    app.work.selection.search.clear();
+    select_only(app.work, 0);
+    if (!(app.work.document.set == document_.set)) {
+        app.work.document = document_;
+        app.work.committed = std::make_shared<const PatternSet>(document_.set);
+        ++app.work.revision;
+        request_maps(app.work, app.shown_map, app.rendered);
+    }
+    window.move({-100.0F, -100.0F});
+    wait_for_exact_map();
+    settle();
+    scene.show(*this);
+}
+
+const std::vector<Scene>& scenes() {
+    static const std::vector<Scene> all = make_scenes();
+    return all;
+}
+
+}  // namespace tact

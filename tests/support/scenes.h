@@ -1,0 +1,32 @@
+// Every pane, tab, dialog, menu and popup of the window, one after the other, as a person would
+// open them: for photographs, and for what must hold of all of them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/support/program.h"
+
+namespace tact {
+
+struct Scene {
+    std::string name;
+    std::function<void(Program&)> show;  // from the first window of the set
+};
+
+const std::vector<Scene>& scenes();
+
+// The twelve patterns of the paper with two long names, its exact map, and a subset picked.
+struct SceneWindow : Program {
+    SceneWindow();
+    ~SceneWindow();
+
+    // The first window again, then the scene.
+    void show(const Scene& scene);
+
+  private:
+    Document document_;
+};
+
+}  // namespace tact
