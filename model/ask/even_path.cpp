@@ -39,8 +39,7 @@ std::vector<double> values_of(const Steps& steps) {
         for (const Step& step : layer) values.push_back(step.distance);
     }
     std::ranges::sort(values);
-    const auto [first, last] = std::ranges::unique(values);
-    values.erase(first, last);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
     // More would take minutes, and bring nothing that the next round of narrowing does not.
     constexpr std::size_t kMost = 1500;
     if (values.size() <= kMost) return values;

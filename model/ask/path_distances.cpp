@@ -33,8 +33,7 @@ bool PathDistances::prepare(const std::vector<double>& shares) {
         if (!places_.contains(share)) missing.push_back(share);
     }
     std::ranges::sort(missing);
-    const auto [first, last] = std::ranges::unique(missing);
-    missing.erase(first, last);
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
     std::vector<Waveform> waveforms(missing.size());
     parallel_for(missing.size(), options_.threads, options_.stop,
                  [&](std::size_t k) { waveforms[k] = padded(render(at(missing[k])), samples_); });

@@ -30,8 +30,7 @@ std::vector<std::pair<double, double>> blended(const BentLine& a, const BentLine
         }
     }
     std::ranges::sort(places);
-    const auto [first, last] = std::ranges::unique(places);
-    places.erase(first, last);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
     const auto height = [&](double place) { return between(a.at(place), b.at(place), share, by); };
     std::vector<std::pair<double, double>> line;
     for (const double place : places) {
