@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -24,6 +25,8 @@
 #include "model/pattern/rhythm.h"
 #include "model/pattern/rhythm_edit.h"
 #include "model/physiology/mechanoreceptor.h"
+#include "model/text/numbers.h"
+#include "model/text/percent_code.h"
 #include "model/text/typed_number.h"
 #include "tests/fuzz/readers.h"
 
@@ -276,6 +279,28 @@ bool typed(std::string_view bytes) {
 
 Seeds typed_seeds() { return {"1.5", "+3dB", "*2", "-10%", "1,5 g", "0.8g"}; }
 
+// A value of the command line, and every number of a table.
+bool number(std::string_view bytes) {
+    const auto once = finite_number_in(bytes);
+    if (!once) return false;
+    hold(std::isfinite(*once), "a number is finite");
+    hold(finite_number_in(shortest_digits(*once)) == once, "a number's digits read back");
+    return true;
+}
+
+Seeds number_seeds() { return {"1.5", " +3e-2 ", "-0", "1e308", "010"}; }
+
+bool percent(std::string_view bytes) {
+    const std::string text(bytes);
+    hold(percent_decoded(percent_encoded(text)) == text, "any bytes can be a name");
+    const auto decoded = percent_decoded(text);
+    if (!decoded) return false;
+    hold(percent_decoded(percent_encoded(*decoded)) == decoded, "a name is kept");
+    return true;
+}
+
+Seeds percent_seeds() { return {"a.wav", "%25", "gr%C3%BCn", "\xc3\xbc"}; }
+
 bool tables(std::string_view bytes) {
     const bool slopes = is_read(parse_slopes(std::string(bytes)));
     return is_read(parse_thresholds(std::string(bytes))) || slopes;
@@ -311,6 +336,8 @@ std::span<const Reader> text_readers() {
           "\"timings\"", "\"PatternList\"", "\"m_vibration\"", "\"Curve\""}},
         {"rhythm", rhythm, rhythm_seeds, {"x", "-", "="}},
         {"typed_number", typed, typed_seeds, {"dB", "Hz", "ms", "%", "*", "/"}},
+        {"number", number, number_seeds, {"e-3", "inf", "nan", "0x"}},
+        {"percent", percent, percent_seeds, {"%25", "%zz"}},
         {"tables", tables, tables_seeds, {"merkel", "pacinian", "nan", "1e9"}}};
     return all;
 }
