@@ -180,6 +180,9 @@ void write_document(Ui& ui, Workspace& work, const std::filesystem::path& target
     work.document.saved = work.document.set;
     work.document.file_mark = content_mark(target);
     work.unsaved_revision = 0;  // look again
+    // What was kept before is older than the file: a crash must not bring it back.
+    wait_for_autosave(work);
+    (void)autosave(work.session, work.document);
     remember_file(work.session, target);
     std::string text = "Saved " + target.string() + ".";
     if (!hold_document(work.session, target)) text += kOpenTwice;

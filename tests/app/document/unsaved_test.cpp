@@ -105,6 +105,21 @@ TEST_CASE("unsaved: what is kept at the end comes after the autosave that was un
     CHECK(restored.document->set == app.work.document.set);
 }
 
+TEST_CASE("unsaved: a crash right after a save brings back what was saved, not what was kept before") {
+    Edited program;
+    App& app = program.app;
+    while (!is_autosaving(app.work)) program.frame();
+    program.edit();
+    save_as(app.ui, app.work, program.folder.path / "mine.tactspace.json");
+    REQUIRE_FALSE(app.ui.status.is_error);
+    Session later = app.work.session;
+    later.document = app.work.document.path;
+    const Restored restored = restore(later);
+    REQUIRE(restored.document);
+    CHECK(restored.document->set == app.work.document.set);
+    CHECK(restored.document->set == restored.document->saved);
+}
+
 TEST_CASE("unsaved: an autosave that the disk has no room for is told once it has failed") {
     Edited program;
     App& app = program.app;
