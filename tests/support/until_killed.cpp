@@ -15,6 +15,7 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/document/editing.h"
 #include "app/document/files.h"
@@ -68,9 +69,15 @@ void edit(App& app, long turn) {
     document_changed(app.work);
 }
 
+// Killed between the file's renaming and the end of what was kept before, the start after it has
+// what was kept, which a person may want or not: here they do.
 void save_to(App& app, const fs::path& file) {
-    if (app.work.document.path == file) return save(app.ui, app.work);
-    save_as(app.ui, app.work, file);
+    app.work.document.path == file ? save(app.ui, app.work) : save_as(app.ui, app.work, file);
+    const std::optional<Question> asked = std::exchange(app.ui.question, std::nullopt);
+    if (!asked) return;
+    for (const Answer& answer : asked->answers) {
+        if (answer.label == "Overwrite") answer.run();
+    }
 }
 
 // Frames until the change is kept.
@@ -113,7 +120,6 @@ int edit_on(const fs::path& folder, bool autosaves, long turns) {
         } else {
             keep(app);
         }
-        if (app.ui.question) return complain_of(app.ui.question->text);
         if (app.ui.status.is_error) return complain_of(app.ui.status.text);
         tell("wrote " + std::to_string(turn));
     }
