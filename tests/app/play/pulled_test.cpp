@@ -181,7 +181,7 @@ void check_that_it_can_come_back(Pulled& program) {
 
 TEST_CASE("pulled: in every state of playing it is said once, and nothing plays on") {
     for (const State& state : states()) {
-        CAPTURE(state.name);
+        CAPTURE(std::string(state.name));
         Pulled program;
         state.begin(program);
         program.app.ui.status = {};
@@ -194,7 +194,7 @@ TEST_CASE("pulled: in every state of playing it is said once, and nothing plays 
         program.app.ui.status = {};
         const int begun = program.coil->begun;
         program.wait(1.0);  // longer than any rest
-        CHECK(program.app.ui.status.text.empty());
+        CHECK(program.app.ui.status.text == "");
         CHECK(device_trouble(program.app.play) == kGone);
         CHECK(program.coil->begun == begun);
         check_that_it_can_come_back(program);
@@ -203,7 +203,7 @@ TEST_CASE("pulled: in every state of playing it is said once, and nothing plays 
 
 TEST_CASE("pulled: one that goes before a play is begun refuses it, in every state") {
     for (const State& state : states()) {
-        CAPTURE(state.name);
+        CAPTURE(std::string(state.name));
         Pulled program;
         program.coil->is_gone = true;
         program.settle();
