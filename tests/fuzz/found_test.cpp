@@ -18,7 +18,7 @@ TEST_CASE("fuzzed readers: seeds hold the laws, and so do accidents of them") {
         bool accepted = false;
         for (const std::string& seed : reader.seeds()) {
             accepted |= reader.read(seed);
-            for (int turn = 0; turn < 20; ++turn) reader.read(after_mishaps(seed, random));
+            for (int turn = 0; turn < 500; ++turn) reader.read(after_mishaps(seed, random));
         }
         CHECK_MESSAGE(accepted, std::string(reader.name));
     }

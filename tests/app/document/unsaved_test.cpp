@@ -105,7 +105,8 @@ TEST_CASE("unsaved: what is kept at the end comes after the autosave that was un
     CHECK(restored.document->set == app.work.document.set);
 }
 
-TEST_CASE("unsaved: a crash right after a save brings back what was saved, not what was kept before") {
+TEST_CASE(
+    "unsaved: a crash right after a save brings back what was saved, not what was kept before") {
     Edited program;
     App& app = program.app;
     while (!is_autosaving(app.work)) program.frame();
