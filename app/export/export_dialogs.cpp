@@ -175,7 +175,7 @@ void draw_slower(Ui& ui, ExportState& exports) {
     }
     note_item(ui.rects, "export:slower", significant_digits(slower, 4));
     ImGui::SameLine();
-    dim_text(ui, "times slower than it is felt");
+    dim_text(ui, "times slower than life");
 }
 
 void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) {

@@ -171,7 +171,9 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
                   "value; arrow keys nudge.");
     }
     if (vibration->locked) {
+        ImGui::PushTextWrapPos(0.0F);
         dim_text(ui, "Locked: picked in every subset, and not edited.");
+        ImGui::PopTextWrapPos();
         flow_on(ImGui::CalcTextSize("Unlock").x, ui.theme.gap_px);
         if (link(ui, "unlock", "Unlock")) {
             ui.waiting.emplace_back([&ui, &work] { toggle_locked(ui, work); });

@@ -47,7 +47,7 @@ std::string film_speed(const FrameSequence& sequence, double frames_per_s) {
     const double film_s = static_cast<double>(sequence.frames) / frames_per_s;
     const double slower = film_s / (sequence.to_s - sequence.from_s);
     if (std::abs(slower - 1.0) < 0.005) return "as fast as life";
-    return slower > 1.0 ? significant(slower) + " times slower"
+    return slower > 1.0 ? significant(slower) + " times slower than life"
                         : significant(1.0 / slower) + " times faster than life";
 }
 

@@ -28,7 +28,7 @@ struct FrameSequence {
 double time_of_frame_s(const FrameSequence& sequence, int k);
 std::filesystem::path path_of_frame(const FrameSequence& sequence, int k);
 
-// How a film of them goes: "20 times slower".
+// How a film of them goes: "20 times slower than life".
 std::string film_speed(const FrameSequence& sequence, double frames_per_s = kFilmFramesPerS);
 
 // Makes the folder. Frames of the same numbers will be replaced; an Error where there are others,

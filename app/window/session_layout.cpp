@@ -190,7 +190,8 @@ bool may_close(App& app) {
 // Once for each person: they come back, and who has been told needs no question.
 bool tells_what_is_kept(App& app) {
     constexpr const char* kTold = "quit keeps what is unsaved";
-    if (!app.work.unsaved || app.ui.dismissed_hints.contains(kTold)) return false;
+    const bool unsaved = !(app.work.document.set == app.work.document.saved);
+    if (!unsaved || app.ui.dismissed_hints.contains(kTold)) return false;
     const auto leave = [&app] {
         app.ui.dismissed_hints.insert(kTold);
         app.ui.quit = true;

@@ -87,9 +87,7 @@ MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixSce
     const float widest = widest_label_px(theme, scene);
     const float left = std::min(widest, area.width() * 0.3F) + theme.gap_px;
     const float right = scale_room_px(theme, scene);
-    // Rows name the same patterns with more room: of a long name its beginning will do here.
-    const float most_top = std::min(area.height() * 0.25F, 96.0F * theme.scale);
-    const float top = std::min(widest, most_top) + theme.gap_px;
+    const float top = std::min(widest, area.height() * 0.25F) + theme.gap_px;
     const ImVec2 value_px = widest_value_px(theme, scene);
     const auto sized = [&](bool with_scale) {
         const float width = area.width() - left - (with_scale ? right : 0.0F);

@@ -126,7 +126,7 @@ TEST_CASE("legible: a narrow transport bar keeps Play, the time and the map's bu
     program.app.shown_map.cancelled = true;
     program.settle();
     CHECK(program.shows("transport:back"));
-    CHECK(program.at("bar:computing").value == "map not computed");
+    CHECK(program.at("bar:computing").value == "Map not computed");
     program.resize({760.0F, 600.0F}, 2.0F);
     CHECK_FALSE(program.shows("bar:whole"));
     CHECK(program.shows("transport:play"));
