@@ -5,10 +5,10 @@
 
 #include "app/ask/steps_follow.h"
 #include "app/document/pressing.h"
+#include "app/progress/failure.h"
+#include "app/progress/progress_line.h"
 #include "app/ui/dialog.h"
-#include "app/ui/failure.h"
 #include "app/ui/number_field.h"
-#include "app/ui/progress_line.h"
 #include "app/ui/widgets.h"
 #include "model/ask/steps_set.h"
 #include "viz/drawing/marks.h"

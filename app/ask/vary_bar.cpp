@@ -6,8 +6,8 @@
 #include "app/ask/gap_follow.h"
 #include "app/ask/maybes_follow.h"
 #include "app/ask/put_there.h"
-#include "app/ui/failure.h"
-#include "app/ui/progress_line.h"
+#include "app/progress/failure.h"
+#include "app/progress/progress_line.h"
 #include "app/ui/widgets.h"
 
 namespace tact {

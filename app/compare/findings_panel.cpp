@@ -5,8 +5,8 @@
 
 #include "app/compare/check_findings.h"
 #include "app/compare/compare_panels.h"
-#include "app/ui/failure.h"
-#include "app/ui/progress_line.h"
+#include "app/progress/failure.h"
+#include "app/progress/progress_line.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 

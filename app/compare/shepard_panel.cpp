@@ -9,7 +9,7 @@
 #include "app/compare/people_text.h"
 #include "app/map/map_follow.h"
 #include "app/map/pair.h"
-#include "app/ui/failure.h"
+#include "app/progress/failure.h"
 #include "app/ui/widgets.h"
 #include "model/map/smacof.h"
 #include "viz/charts/scatter_view.h"

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/ui/time_left.h"
+#include "app/progress/time_left.h"
 #include "app/ui/widgets.h"
 
 namespace tact {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "app/document/pattern_looks.h"
+#include "app/progress/failure.h"
+#include "app/progress/progress_line.h"
 #include "app/ui/dialog.h"
-#include "app/ui/failure.h"
-#include "app/ui/progress_line.h"
 #include "app/ui/widgets.h"
 #include "model/export/loss_words.h"
 #include "viz/drawing/marks.h"

@@ -6,7 +6,7 @@
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/map/matrix_panel.h"
-#include "app/ui/failure.h"
+#include "app/progress/failure.h"
 #include "app/ui/widgets.h"
 #include "model/map/clusters.h"
 #include "viz/charts/matrix_view.h"

@@ -13,7 +13,7 @@
 #include "app/map/map_look.h"
 #include "app/map/space_panel.h"
 #include "app/map/unshifted_map.h"
-#include "app/ui/failure.h"
+#include "app/progress/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

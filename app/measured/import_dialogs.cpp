@@ -8,8 +8,8 @@
 
 #include "app/measured/import_follow.h"
 #include "app/measured/recording_fields.h"
+#include "app/progress/failure.h"
 #include "app/ui/dialog.h"
-#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/ui/failure.h"
+#include "app/progress/failure.h"
 #include "app/ui/file_question.h"
 #include "model/io/set/measured_files.h"
 #include "model/text/atomic_file.h"

@@ -9,13 +9,13 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/document/copying.h"
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/document/pressing.h"
 #include "app/patterns/effect_maps_dialog.h"
 #include "app/patterns/look_menu.h"
 #include "app/patterns/set_panel.h"
+#include "app/pictures/copying.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"

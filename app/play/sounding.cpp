@@ -4,7 +4,7 @@
 
 #include "app/play/calibrating.h"
 #include "app/play/playing.h"
-#include "app/ui/failure.h"
+#include "app/progress/failure.h"
 
 namespace tact {
 

@@ -10,7 +10,7 @@
 #include "app/play/alternate_button.h"
 #include "app/play/play_panels.h"
 #include "app/play/playing.h"
-#include "app/ui/time_left.h"
+#include "app/progress/time_left.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/icons.h"

@@ -4,9 +4,9 @@
 
 #include "app/compare/people_text.h"
 #include "app/document/pattern_looks.h"
+#include "app/progress/failure.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
-#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "model/map/procrustes.h"
 #include "viz/charts/matrix_view.h"

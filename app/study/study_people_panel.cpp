@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "app/compare/people_text.h"
+#include "app/progress/failure.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
-#include "app/ui/failure.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

@@ -4,10 +4,10 @@
 #include <cstdio>
 
 #include "app/document/editing.h"
+#include "app/progress/failure.h"
+#include "app/progress/progress_line.h"
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_views.h"
-#include "app/ui/failure.h"
-#include "app/ui/progress_line.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 

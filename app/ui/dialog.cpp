@@ -17,25 +17,28 @@ bool begin_dialog(const Ui& ui, const char* title, float width_px) {
     const float width = std::min(width_px * ui.theme.scale, screen.x * 0.9F);
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y * 0.9F});
     ImGui::SetNextWindowSize({width, 0.0F});
-    push_dialog_head(ui.theme);
+    ImFont* const before = push_dialog_head(ui.theme);
     const bool is_open = ImGui::BeginPopupModal(
         title, nullptr,
         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
-    pop_dialog_head();
+    pop_dialog_head(before);
     return is_open;
 }
 
-void push_dialog_head(const Theme& theme) {
-    ImGui::PushFont(theme.fonts.title);
+ImFont* push_dialog_head(const Theme& theme) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, theme.hairline_px);
     // The title begins where the content does.
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().WindowPadding.x,
                                                      1.5F * ImGui::GetStyle().FramePadding.y});
+    // Not PushFont: what it pushes belongs to the window that is current, which then is another.
+    ImFont* before = ImGui::GetFont();
+    if (theme.fonts.title != nullptr) ImGui::SetCurrentFont(theme.fonts.title);
+    return before;
 }
 
-void pop_dialog_head() {
+void pop_dialog_head(ImFont* before) {
+    ImGui::SetCurrentFont(before);
     ImGui::PopStyleVar(2);
-    ImGui::PopFont();
 }
 
 void draw_shadows(const Theme& theme) {

@@ -11,8 +11,8 @@ namespace tact {
 bool begin_dialog(const Ui& ui, const char* title, float width_px = 620.0F);
 
 // Around what begins a window that looks like one.
-void push_dialog_head(const Theme& theme);
-void pop_dialog_head();
+ImFont* push_dialog_head(const Theme& theme);  // the font before
+void pop_dialog_head(ImFont* before);
 
 // Of any kind: a dialog, a menu, a list.
 bool is_popup_open();

@@ -443,10 +443,10 @@ Chosen draw(FileChooser& chooser, WidgetRects& rects, const Theme& theme) {
                               std::min(kDialogHeight * em, 0.95F * screen.y)});
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
     Chosen chosen;
-    push_dialog_head(theme);
+    ImFont* const before = push_dialog_head(theme);
     const bool is_visible = ImGui::BeginPopupModal(
         label.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
-    pop_dialog_head();
+    pop_dialog_head(before);
     if (is_visible) {
         chosen = draw_content(chooser, rects, theme);
         if (chosen) chooser.is_open = false;

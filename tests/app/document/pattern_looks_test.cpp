@@ -5,8 +5,8 @@
 
 #include <map>
 
-#include "app/document/copying.h"
 #include "app/document/files.h"
+#include "app/pictures/copying.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include "app/document/copying.h"
 #include "app/measured/import_state.h"
+#include "app/pictures/copying.h"
 #include "app/study/study_follow.h"
 #include "app/subset/subset_state.h"
 #include "model/set/set_study.h"

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "tests/support/headless_window.h"
+#include "viz/drawing/theme.h"
 
 namespace file_chooser_test {
 

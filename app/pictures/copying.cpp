@@ -1,4 +1,4 @@
-#include "app/document/copying.h"
+#include "app/pictures/copying.h"
 
 #include <imgui.h>
 

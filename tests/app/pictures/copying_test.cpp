@@ -1,6 +1,6 @@
 // What is copied is text on the clipboard of the desktop, and what others put there can be pasted.
 
-#include "app/document/copying.h"
+#include "app/pictures/copying.h"
 
 #include <doctest/doctest.h>
 

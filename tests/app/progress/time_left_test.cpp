@@ -1,4 +1,4 @@
-#include "app/ui/time_left.h"
+#include "app/progress/time_left.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "app/ui/failure.h"
+#include "app/progress/failure.h"
 
 #include "app/ui/widgets.h"
 

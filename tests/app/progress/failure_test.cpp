@@ -3,7 +3,7 @@
 // GCC 12 takes a part of std::stop_source for one that is not set where a job is inlined whole.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include "app/ui/failure.h"
+#include "app/progress/failure.h"
 
 #include <stdexcept>
 

@@ -1,8 +1,8 @@
-#include "app/ui/progress_line.h"
+#include "app/progress/progress_line.h"
 
 #include <imgui.h>
 
-#include "app/ui/time_left.h"
+#include "app/progress/time_left.h"
 #include "app/ui/widgets.h"
 
 namespace tact {
