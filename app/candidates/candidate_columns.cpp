@@ -46,13 +46,16 @@ std::vector<ColumnSpan> column_places(float width_px, float scale) {
     const float spread = sum(&ColumnWidth::most_px) - least;
     const float share = std::clamp((width_px / scale - least) / std::max(spread, 1.0F), 0.0F, 1.0F);
     const float most = scale * sum(&ColumnWidth::most_px);
+    // What is left has no room either: all of it a little narrower, and nothing beyond the pane.
+    const float squeeze = std::min(1.0F, width_px / std::max(1.0F, scale * least));
     std::vector<ColumnSpan> places;
     float at = 0.0F;
     for (const ColumnWidth& column : shown) {
         const bool is_picture = column.column == CandidateColumn::picture;
         const float left_over = is_picture ? std::max(0.0F, width_px - most) : 0.0F;
         const float width =
-            left_over + scale * (column.least_px + share * (column.most_px - column.least_px));
+            left_over +
+            squeeze * scale * (column.least_px + share * (column.most_px - column.least_px));
         places.push_back({column.column, at, at + width});
         at += width;
     }

@@ -105,7 +105,7 @@ void draw_pair(Ui& ui, const ShownMap& shown_map, const Rect& area, std::optiona
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Theme& theme = ui.theme;
     if (!pair) {
-        const char* hint = "Point at a cell for its numbers; click one to select its row.";
+        const char* hint = "Point at a cell for its numbers; a click selects.";
         draw_text(list, theme.fonts.small, area.min, theme.dim_text,
                   shortened(theme.fonts.small, hint, area.width()));
         return;

@@ -181,7 +181,7 @@ TEST_CASE("candidates: a narrow table keeps name, numbers and who is picked") {
         CHECK(has(places, CandidateColumn::name));
         CHECK(has(places, CandidateColumn::nearest));
         CHECK(has(places, CandidateColumn::picked));
-        CHECK(places.back().end_px <= width + 25.0F);
+        CHECK(places.back().end_px <= width + 0.5F);
         if (width > 499.0F) CHECK(places.back().end_px > width - 1.0F);
         CHECK(has(places, CandidateColumn::picture) == (width > 499.0F));
     }
