@@ -2,15 +2,12 @@
 
 #include "app/document/unsaved.h"
 
-#include <sys/resource.h>
-
-#include <csignal>
-
 #include "app/document/files.h"
 #include "app/session/autosave.h"
 #include "app/window/session_layout.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
+#include "tests/support/no_more_than.h"
 #include "tests/support/program.h"
 #include "tests/support/state_home.h"
 #include "tests/support/temporary_folder.h"
@@ -21,21 +18,6 @@ using namespace tact;
 namespace fs = std::filesystem;
 
 namespace {
-
-// No file of this process grows.
-struct FullDisk {
-    FullDisk() {
-        ::getrlimit(RLIMIT_FSIZE, &before);
-        const rlimit none{0, before.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &none);
-    }
-    ~FullDisk() {
-        ::setrlimit(RLIMIT_FSIZE, &before);
-        std::signal(SIGXFSZ, handled);
-    }
-    rlimit before{};
-    void (*handled)(int) = std::signal(SIGXFSZ, SIG_IGN);
-};
 
 // A session that was begun in a folder of its own, with one change that is not saved.
 struct Edited : Program {
@@ -257,7 +239,7 @@ TEST_CASE("unsaved: a full disk does not cost what the last session left, when a
     Program program(short_patterns(1));
     App& app = program.app;
     {
-        const FullDisk full;
+        const NoMoreThan full(0);
         REQUIRE(start_session(app, {other}));
     }
     CHECK(app.work.document.set.vibrations.size() == 5);

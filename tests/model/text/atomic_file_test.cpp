@@ -1,16 +1,15 @@
 #include "model/text/atomic_file.h"
 
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <vector>
 
+#include "tests/support/no_more_than.h"
 #include "tests/support/temporary_folder.h"
 
 namespace atomic_file_test {
@@ -25,22 +24,6 @@ unsigned mode_of(const fs::path& path) {
     REQUIRE(::stat(path.c_str(), &about) == 0);
     return about.st_mode & 07777;
 }
-
-// While it lives, files cannot grow beyond some bytes: what a full disk is like.
-struct NoMoreThan {
-    rlimit old{};
-
-    explicit NoMoreThan(rlim_t bytes) {
-        std::signal(SIGXFSZ, SIG_IGN);
-        getrlimit(RLIMIT_FSIZE, &old);
-        const rlimit small{bytes, old.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &small);
-    }
-    ~NoMoreThan() {
-        setrlimit(RLIMIT_FSIZE, &old);
-        std::signal(SIGXFSZ, SIG_DFL);
-    }
-};
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 #include "model/common/random.h"
 #include "model/io/people/study_lines.h"
 #include "tests/support/mutations.h"
+#include "tests/support/no_more_than.h"
 #include "tests/support/temporary_folder.h"
 
 namespace study_file_test {
@@ -218,6 +219,29 @@ TEST_CASE("study file: torn anywhere in its last line, it loses that line alone 
         CHECK(after->answers.size() == (all ? 3 : 2));
         CHECK(after->answers.back() == kOther);
     }
+}
+
+TEST_CASE("study file: what the disk has no room for is refused, and the file ends where it did") {
+    const TemporaryFolder folder;
+    const auto path = folder.path / "P1.jsonl";
+    {
+        StudyLog log = begun(path);
+        REQUIRE(log.append(answer_line(header(), 0, kAnswer)));
+        const std::string before = bytes_of(path);
+        for (const std::size_t room : {0U, 1U, 20U}) {
+            const NoMoreThan full(before.size() + room);
+            const auto refused = log.append(answer_line(header(), 1, kOther));
+            REQUIRE_FALSE(refused);
+            CHECK(contains(refused.error().message, "P1.jsonl: cannot be written: "));
+            CHECK(bytes_of(path) == before);
+        }
+        REQUIRE(log.append(answer_line(header(), 1, kOther)));
+    }
+    CHECK(*read_study_file(path) == StudyRecord{header(), {kAnswer, kOther}, {}, false});
+    // Of a participant who could not be begun nothing is left.
+    const NoMoreThan full(20);
+    CHECK_FALSE(StudyLog::begin(folder.path / "P2.jsonl", header()));
+    CHECK_FALSE(std::filesystem::exists(folder.path / "P2.jsonl"));
 }
 
 TEST_CASE("study file: nobody's file is written over, or by two at once") {

@@ -1,13 +1,12 @@
 #include "model/io/tables/checkpoint.h"
 
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
-#include <csignal>
 #include <map>
 
 #include "tests/support/mutations.h"
+#include "tests/support/no_more_than.h"
 #include "tests/support/temporary_folder.h"
 
 namespace checkpoint_test {
@@ -23,24 +22,6 @@ std::vector<double> values_of(std::size_t tile) {
     for (std::size_t k = 0; k < values.size(); ++k) values[k] = 0.1 * static_cast<double>(k + tile);
     return values;
 }
-
-// Files of this process cannot grow beyond a size, as on a full disk.
-struct NoRoom {
-    rlimit before{};
-    void (*handler_before)(int) = std::signal(SIGXFSZ, SIG_IGN);
-
-    explicit NoRoom(rlim_t bytes) {
-        getrlimit(RLIMIT_FSIZE, &before);
-        const rlimit small{bytes, before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &small);
-    }
-    ~NoRoom() {
-        setrlimit(RLIMIT_FSIZE, &before);
-        std::signal(SIGXFSZ, handler_before);
-    }
-    NoRoom(const NoRoom&) = delete;
-    NoRoom& operator=(const NoRoom&) = delete;
-};
 
 using Tiles = std::map<std::size_t, std::vector<double>>;
 
@@ -238,7 +219,7 @@ TEST_CASE("checkpoint: a tile that finds no room is reported, and those before i
     {
         auto checkpoint = Checkpoint::open(path, kKey);
         REQUIRE(checkpoint);
-        const NoRoom no_room(std::filesystem::file_size(path) + 20);
+        const NoMoreThan no_room(std::filesystem::file_size(path) + 20);
         const auto appended = checkpoint->append(Part::oc, 0, values_of(0));
         REQUIRE_FALSE(appended);
         CHECK(contains(appended.error().message, "m.csv.tiles: cannot be written: "));
