@@ -93,7 +93,10 @@ void draw_cell(Ui& ui, Workspace& work, const CandidateRow& row, CandidateColumn
         default:
             break;
     }
-    const std::string words = cell_words(row, column);
+    std::string words = cell_words(row, column);
+    // Half a number would be a wrong one: without room the further carriers are a plus.
+    if (!row.further_hz.empty() && text_size(theme.fonts.regular, words).x > cell.width())
+        words = words.substr(0, words.find('+') + 1);
     const ImVec2 size = text_size(theme.fonts.regular, words);
     draw_text(*ImGui::GetWindowDrawList(), theme.fonts.regular,
               {cell.max.x - size.x, cell.centre().y - size.y / 2.0F}, theme.text, words);
