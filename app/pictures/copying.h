@@ -1,10 +1,8 @@
-// Patterns and tables on the clipboard of the desktop, as text: a set file, rows of CSV.
+// Patterns on the clipboard of the desktop, as text: a set file.
 //
 // What is copied here can be pasted into another window, a message or an editor; a set file that
 // was copied there can be pasted here.
 #pragma once
-
-#include <string>
 
 #include "app/document/workspace.h"
 #include "app/ui/ui.h"

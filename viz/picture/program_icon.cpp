@@ -45,6 +45,10 @@ float wave_at(float x) {
 }
 
 bool is_on_wave(Spot at) {
+    // Most of the icon is above it: nothing is to be looked for there.
+    constexpr float kTop = 62.0F;
+    constexpr float kFoot = 105.0F;
+    if (at.y < kTop - kWaveHalf || at.y > kFoot + kWaveHalf) return false;
     for (float x = at.x - kWaveHalf; x <= at.x + kWaveHalf; x += 0.5F) {
         const float on = std::clamp(x, kSwings.front().x, kSwings.back().x);
         if (std::hypot(at.x - on, at.y - wave_at(on)) <= kWaveHalf) return true;
