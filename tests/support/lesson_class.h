@@ -19,10 +19,14 @@ struct Class : ProgramWithStages {
         settle();
     }
 
-    // Until the numbers of the lesson are there.
+    // Until the numbers of the lesson as it is are there: while it is edited, older ones show.
     void wait_for_numbers() {
         const auto until = end_of_patience();
-        while (answers_of(app.lesson) == nullptr || !app.lesson.answered->with_pairs) {
+        const auto arrived = [this] {
+            const auto& answered = app.lesson.answered;
+            return answered && answered->with_pairs && answered->of == app.lesson.lesson;
+        };
+        while (!arrived()) {
             REQUIRE(std::chrono::steady_clock::now() < until);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
             frame();
