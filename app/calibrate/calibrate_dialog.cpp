@@ -52,7 +52,7 @@ void draw_kind(Ui& ui, CalibrateState& calibrating, bool& changed) {
     CalibrationParams& params = calibrating.params;
     draw_chips_label(ui, "Signal");
     const auto choice = [&](const char* id, const char* text, bool sweep, const char* tip) {
-        if (draw_chip(ui, id, text, params.is_sweep == sweep) && params.is_sweep != sweep) {
+        if (draw_switch(ui, id, text, params.is_sweep == sweep) && params.is_sweep != sweep) {
             params.is_sweep = sweep;
             changed = true;
         }

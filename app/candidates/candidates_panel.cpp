@@ -13,7 +13,6 @@
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/document/pressing.h"
-#include "app/map/similar.h"
 #include "app/ui/widgets.h"
 #include "model/design_space/candidates.h"
 #include "viz/drawing/colour.h"
@@ -37,7 +36,7 @@ void draw_table_tools(Ui& ui, Workspace& work, std::size_t listed) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float chip_px = text_size(ui.theme.fonts.small, only).y + 6.0F * ui.theme.scale;
     ImGui::SetCursorScreenPos({corner.x, corner.y + 0.5F * (ImGui::GetFrameHeight() - chip_px)});
-    if (draw_chip(ui, "only picked", only.c_str(), selection.only_picked)) {
+    if (draw_switch(ui, "only picked", only.c_str(), selection.only_picked)) {
         selection.only_picked = !selection.only_picked;
     }
     note_item(ui.rects, "candidates:only picked", selection.only_picked ? "on" : "off");
@@ -104,28 +103,15 @@ std::string row_words(const Workspace& work, const CandidateRow& row) {
     return words + "\n" + kHoldHelp + ".";
 }
 
-void draw_table_menu(Ui& ui, Workspace& work, const ShownMap& shown_map, std::size_t place) {
-    if (!ImGui::BeginPopupContextItem("table menu")) return;
-    const bool is_selected =
-        place == work.selection.current || work.selection.others.contains(place);
-    if (!is_selected) select_only(work, place);
-    const Vibration& vibration = work.document.set.vibrations[place];
-    // Once all rows are drawn: there may be others then.
-    const auto item = [&ui](const char* words, std::function<void()> act) {
-        if (ImGui::MenuItem(words)) ui.waiting.push_back(std::move(act));
-        note_item(ui.rects, std::string("table menu:") + words);
-    };
-    item(vibration.locked ? "Unlock" : "Lock", [&] { toggle_locked(ui, work); });
-    item(vibration.dropped ? "Take back" : "Drop", [&] { toggle_dropped(ui, work); });
-    item("Duplicate", [&] { duplicate_selected(ui, work); });
-    item("Find similar",
-         [&ui, &work, &shown_map, place] { select_similar(ui, work, shown_map, place); });
-    item("Delete", [&] { remove_selected(ui, work); });
+PatternDeed draw_table_menu(Ui& ui, Workspace& work, std::size_t place) {
+    if (!ImGui::BeginPopupContextItem("table menu")) return PatternDeed::none;
+    const PatternDeed deed = draw_pattern_menu(ui, work, place);
     ImGui::EndPopup();
+    return deed;
 }
 
-void draw_table_row(Ui& ui, Workspace& work, const ShownMap& shown_map, CandidatesState& state,
-                    const CandidateRow& row, const std::vector<ColumnSpan>& places) {
+PatternDeed draw_table_row(Ui& ui, Workspace& work, CandidatesState& state, const CandidateRow& row,
+                           const std::vector<ColumnSpan>& places) {
     const float s = ui.theme.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
@@ -138,7 +124,7 @@ void draw_table_row(Ui& ui, Workspace& work, const ShownMap& shown_map, Candidat
     if (ImGui::IsItemHovered()) work.selection.hovered = row.place;
     note_item(ui.rects, "candidate:" + vibration.name, row.picked ? "picked" : "");
     draw_tooltip(ui, row_words(work, row).c_str());
-    draw_table_menu(ui, work, shown_map, row.place);
+    const PatternDeed deed = draw_table_menu(ui, work, row.place);
     ImGui::PopID();
     draw_row_ground(ui, work, row.place, line);
     for (const ColumnSpan& place : places) {
@@ -146,6 +132,7 @@ void draw_table_row(Ui& ui, Workspace& work, const ShownMap& shown_map, Candidat
                         {line.min.x + place.end_px - 6.0F * s, line.max.y - 2.0F * s}};
         draw_cell(ui, work, row, place.column, cell);
     }
+    return deed;
 }
 
 void follow_current_row(const Workspace& work, const std::vector<CandidateRow>& rows,
@@ -162,8 +149,9 @@ void follow_current_row(const Workspace& work, const std::vector<CandidateRow>& 
 
 }  // namespace
 
-void draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
-                           CandidatesState& state) {
+PatternDeed draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
+                                  CandidatesState& state) {
+    PatternDeed deed = PatternDeed::none;
     const std::vector<CandidateRow>& rows = candidate_rows(work, shown_map, state);
     work.selection.table_order.clear();
     for (const CandidateRow& row : rows) work.selection.table_order.push_back(row.place);
@@ -179,8 +167,9 @@ void draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
         clipper.Begin(static_cast<int>(rows.size()));
         while (clipper.Step()) {
             for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
-                draw_table_row(ui, work, shown_map, state, rows[static_cast<std::size_t>(k)],
-                               places);
+                const CandidateRow& row = rows[static_cast<std::size_t>(k)];
+                const PatternDeed asked = draw_table_row(ui, work, state, row, places);
+                if (asked != PatternDeed::none) deed = asked;
             }
         }
         if (rows.empty()) {
@@ -192,6 +181,7 @@ void draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();
+    return deed;
 }
 
 }  // namespace tact

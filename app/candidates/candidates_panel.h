@@ -4,14 +4,15 @@
 #include "app/candidates/candidates_state.h"
 #include "app/document/workspace.h"
 #include "app/map/map_state.h"
+#include "app/patterns/pattern_menu.h"
 #include "app/ui/ui.h"
 
 namespace tact {
 
 // A click selects as in the list, through the order of the table; what is selected is locked and
 // dropped together.
-void draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
-                           CandidatesState& state);
+PatternDeed draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
+                                  CandidatesState& state);
 
 // Which columns a table of so many pixels has, and where each begins and ends. The picture takes
 // what is left over; in a narrow table it goes first, then the duration and the modulation.

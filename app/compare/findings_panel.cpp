@@ -40,13 +40,23 @@ void draw_finding(Ui& ui, const Finding& finding) {
 
 void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
     const bool busy = comparing.findings_job && comparing.findings_job->busy();
+    constexpr const char* kCheck = "Check findings";
+    const auto check = [&comparing](bool pressed) {
+        if (pressed && comparing.findings_job) comparing.findings_job->submit(0);
+    };
+    if (!busy && !comparing.findings && failure_of(comparing.findings_job).empty() &&
+        !area.empty()) {
+        check(draw_empty_with(ui, area, "Does the model find what people felt?",
+                              "What the paper found, checked on its own sets. It takes a minute.",
+                              kCheck));
+        note_item(ui.rects, "button:check findings");
+        return;
+    }
     ImGui::BeginDisabled(busy);
-    if (ImGui::Button("Check findings") && comparing.findings_job)
-        comparing.findings_job->submit(0);
+    check(ImGui::Button(kCheck));
     note_item(ui.rects, "button:check findings");
     ImGui::EndDisabled();
-    constexpr const char* kWhat = "what the paper found, checked on its own sets";
-    flow_on(ImGui::CalcTextSize(kWhat).x, ui.theme.gap_px);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
     ImGui::AlignTextToFramePadding();
     if (busy) {
         if (draw_progress(ui, {"Checking", comparing.findings_job->progress(), "findings"}, true))
@@ -60,9 +70,7 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
             comparing.findings->size());
         dim_text(ui, text);
     } else {
-        ImGui::PushTextWrapPos(0.0F);
-        dim_text(ui, kWhat);
-        ImGui::PopTextWrapPos();
+        ImGui::NewLine();
     }
     (void)draw_failure(ui, "findings", failure_of(comparing.findings_job));
     if (!comparing.findings || area.empty()) return;

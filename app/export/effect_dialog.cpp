@@ -129,7 +129,7 @@ void draw_which(Ui& ui, EffectExport& effects) {
 }  // namespace
 
 void draw_effect_dialog(Ui& ui, const Workspace& work, EffectExport& effects) {
-    follow_effects(ui, effects);
+    follow_effects(effects);
     if (!begin_dialog(ui, "Export vibrations", kEffectDialogPx)) return;
     draw_format(ui, effects.choice);
     if (is_sampled(effects.choice.format)) {

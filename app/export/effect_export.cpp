@@ -59,9 +59,8 @@ LossRequest loss_request(const ExportGround& ground, const EffectChoice& choice)
     return request;
 }
 
-void ask(const Ui& ui, EffectExport& effects) {
+void ask(EffectExport& effects) {
     effects.without = false;
-    effects.since_s = ui.time_s;
     if (effects.job) effects.job->submit(effects.request);
 }
 
@@ -128,7 +127,7 @@ void export_effects_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_
     ui.dialog = Dialog::export_effects;
 }
 
-void follow_effects(const Ui& ui, EffectExport& effects) {
+void follow_effects(EffectExport& effects) {
     const auto latest = effects.job ? effects.job->latest() : nullptr;
     if (latest && latest->request.number > effects.opened) effects.answer = latest;
     if (effects.asked == effects.choice) return;
@@ -145,10 +144,10 @@ void follow_effects(const Ui& ui, EffectExport& effects) {
         if (effects.job) effects.job->cancel();
         return;
     }
-    ask(ui, effects);
+    ask(effects);
 }
 
-void predict_anyway(const Ui& ui, EffectExport& effects) { ask(ui, effects); }
+void predict_anyway(EffectExport& effects) { ask(effects); }
 
 void stop_predicting(EffectExport& effects) {
     if (effects.job) effects.job->cancel();

@@ -74,7 +74,6 @@ struct EffectExport {
     std::uint64_t opened = 0;  // of requests up to this another set was asked about
     bool large = false;        // it would take minutes: predicted when that is asked for
     bool without = false;      // nothing is predicted: large, or stopped by the person
-    double since_s = 0.0;      // the request was made
     std::unique_ptr<LatestJob<LossRequest, LiveLoss>> job;  // null until the program has begun
     std::shared_ptr<const LiveLoss> answer;                 // may be of an earlier request
     SpaceCamera camera;
@@ -92,8 +91,8 @@ void export_effects_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_
                            SubsetObjective objective, EffectExport& effects);
 
 // Once a frame while the dialog is open: takes the answer, asks where the choice has changed.
-void follow_effects(const Ui& ui, EffectExport& effects);
-void predict_anyway(const Ui& ui, EffectExport& effects);
+void follow_effects(EffectExport& effects);
+void predict_anyway(EffectExport& effects);
 void stop_predicting(EffectExport& effects);
 bool is_predicting_loss(const EffectExport& effects);
 

@@ -48,7 +48,7 @@ void draw_views(Ui& ui, const Workspace& work, std::span<const PictureView> view
                 PictureView& chosen, PictureSize& size) {
     draw_label(ui, "View");
     for (const PictureView view : views) {
-        if (draw_chip(ui, name_of(view), label_of(view), chosen == view) && chosen != view) {
+        if (draw_switch(ui, name_of(view), label_of(view), chosen == view) && chosen != view) {
             chosen = view;
             suit(size, view, !work.selection.pinned.empty());
         }
@@ -104,7 +104,7 @@ void draw_presets(Ui& ui, PictureSize& size) {
     draw_label(ui, "16:9");
     for (const Preset& preset : kPresets) {
         const bool lit = size.width == preset.width && size.height == preset.height;
-        if (draw_chip(ui, preset.name, preset.name, lit)) {
+        if (draw_switch(ui, preset.name, preset.name, lit)) {
             size.width = preset.width;
             size.height = preset.height;
             size.scale = preset.scale;
@@ -148,7 +148,7 @@ void draw_formats(Ui& ui, ExportState& exports) {
          {std::optional(FilmFormat::gif), std::optional(FilmFormat::apng),
           std::optional(FilmFormat::mp4), std::optional<FilmFormat>()}) {
         const char* name = label_of(film);
-        if (draw_chip(ui, name, name, exports.film == film)) exports.film = film;
+        if (draw_switch(ui, name, name, exports.film == film)) exports.film = film;
         note_item(ui.rects, std::string("export as:") + name, exports.film == film ? "chosen" : "");
         if (film == FilmFormat::mp4) draw_tooltip(ui, "Made by ffmpeg, where that is installed");
         if (film == FilmFormat::gif) draw_tooltip(ui, "Plays everywhere; 255 colours a picture");

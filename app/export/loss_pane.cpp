@@ -172,7 +172,7 @@ void draw_state(Ui& ui, EffectExport& effects) {
         ImGui::AlignTextToFramePadding();
         dim_text(ui, effects.large ? "What it costs takes minutes to predict." : "Cancelled.");
         ImGui::SameLine();
-        if (ImGui::Button("Predict it")) predict_anyway(ui, effects);
+        if (ImGui::Button("Predict it")) predict_anyway(effects);
         note_item(ui.rects, "button:predict loss");
         ImGui::SameLine();
         dim_text(ui, "Without it the files are written alone.");

@@ -109,9 +109,7 @@ void draw_whole(Ui& ui, const std::string& id, int& value, Range allowed) {
 
 bool option_chip(Ui& ui, const std::string& id, const char* text, bool lit, const char* help) {
     const float top = ImGui::GetCursorPosY();
-    const float chip_px = text_size(ui.theme.fonts.small, text).y + 6.0F * ui.theme.scale;
-    ImGui::SetCursorPosY(top + (ImGui::GetFrameHeight() - chip_px) / 2.0F);
-    const bool pressed = draw_chip(ui, id.c_str(), text, lit);
+    const bool pressed = draw_switch(ui, id.c_str(), text, lit);
     note_item(ui.rects, "generate:" + id, lit ? "chosen" : "");
     draw_tooltip(ui, help);
     stay_in_row(2.0F * ui.theme.scale, top);

@@ -226,7 +226,8 @@ void draw_map_look(Ui& ui, ShownMap& shown_map) {
     if (link(ui, "map look", kLook)) ImGui::OpenPopup("map look");
     note_item(ui.rects, "link:map look");
     draw_tooltip(ui, "Colour, lines, filter and groups of the map.");
-    open_below_last_item(ui.theme);
+    constexpr float kWidthPx = 290.0F;
+    open_beside_pane(ui.theme, kWidthPx * ui.theme.scale);
     if (!ImGui::BeginPopup("map look")) return;
     MapLook& look = shown_map.look;
     if (!shown_map.transition.shown) {
@@ -295,48 +296,6 @@ void draw_map_legend(const Ui& ui, const ShownMap& shown_map, const Rect& area) 
                            colours((k + 0.5) / kPieces));
     }
     draw_text(list, theme.fonts.small, {x + bar + gap, y}, theme.dim_text, high);
-}
-
-PointDeed draw_point_menu(Ui& ui, Workspace& work, ShownMap& shown_map, const SpaceAction& action,
-                          const std::vector<std::optional<std::size_t>>& places) {
-    if (action.right_clicked && places[*action.right_clicked]) {
-        shown_map.menu_of = *places[*action.right_clicked];
-        ImGui::OpenPopup("point menu");
-    }
-    PointDeed deed = PointDeed::none;
-    if (!ImGui::BeginPopup("point menu")) return deed;
-    const std::size_t place = shown_map.menu_of;
-    if (place < work.document.set.vibrations.size()) {
-        const Vibration& vibration = work.document.set.vibrations[place];
-        const bool editable = editable_pattern(vibration) != nullptr;
-        const bool has_numbers = std::holds_alternative<Pattern>(vibration.source);
-        dim_text(ui, vibration.name);
-        const auto item = [&](const char* id, const char* words, PointDeed what, bool enabled) {
-            if (ImGui::MenuItem(words, nullptr, false, enabled)) deed = what;
-            note_item(ui.rects, std::string("menu:") + id);
-        };
-        item("play point", "Play", PointDeed::play, true);
-        ImGui::Separator();
-        const bool locks = draw_menu_row(ui.theme, {.words = vibration.locked ? "Unlock" : "Lock",
-                                                    .keys = "Ctrl+L",
-                                                    .icon = Icon::locked});
-        note_item(ui.rects, "menu:lock");
-        const bool drops =
-            draw_menu_row(ui.theme, {.words = vibration.dropped ? "Take back" : "Drop",
-                                     .keys = "Ctrl+Shift+L",
-                                     .icon = Icon::dropped});
-        note_item(ui.rects, "menu:drop");
-        ImGui::Separator();
-        item("duplicate point", "Duplicate", PointDeed::duplicate, true);
-        item("similar point", "Find similar", PointDeed::similar, true);
-        item("vary point", "Vary", PointDeed::vary, editable);
-        item("steps point", "Steps to...", PointDeed::steps, has_numbers);
-        if (locks || drops || deed != PointDeed::none) select_only(work, place);
-        if (locks) toggle_locked(ui, work);
-        if (drops) toggle_dropped(ui, work);
-    }
-    ImGui::EndPopup();
-    return deed;
 }
 
 }  // namespace tact

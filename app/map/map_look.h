@@ -54,10 +54,4 @@ void draw_map_look(Ui& ui, ShownMap& shown_map);
 // What the colours mean, in the upper right corner of the map.
 void draw_map_legend(const Ui& ui, const ShownMap& shown_map, const Rect& area);
 
-// The menu of a point. Lock and drop are done; the others are for the frame, of the pattern at
-// shown_map.menu_of.
-enum class PointDeed { none, play, duplicate, similar, vary, steps };
-PointDeed draw_point_menu(Ui& ui, Workspace& work, ShownMap& shown_map, const SpaceAction& action,
-                          const std::vector<std::optional<std::size_t>>& places);
-
 }  // namespace tact

@@ -56,20 +56,17 @@ void draw_overlay_choice(Ui& ui, const Workspace& work, ShownMap& shown_map) {
 
 void draw_move_tool(Ui& ui, ShownMap& shown_map) {
     const bool beside = flow_on(chip_width(ui, "Move"), 1.5F * ui.theme.gap_px);
-    ImVec2 corner = ImGui::GetCursorScreenPos();
-    if (beside) corner.y -= ImGui::GetStyle().FramePadding.y;  // the link before stands lower
-    const float chip_px = text_size(ui.theme.fonts.small, "Move").y + 6.0F * ui.theme.scale;
-    ImGui::SetCursorScreenPos({corner.x, corner.y + 0.5F * (ImGui::GetFrameHeight() - chip_px)});
-    if (draw_chip(ui, "move tool", "Move", shown_map.move_tool)) {
+    if (beside) {  // the link before stands lower
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        ImGui::SetCursorScreenPos({corner.x, corner.y - ImGui::GetStyle().FramePadding.y});
+    }
+    if (draw_switch(ui, "move tool", "Move", shown_map.move_tool)) {
         shown_map.move_tool = !shown_map.move_tool;
     }
     note_item(ui.rects, "tool:move", shown_map.move_tool ? "on" : "off");
     draw_tooltip(ui,
                  "A point that is dragged is put there: its pattern is searched. Without the tool "
                  "Alt and a drag do the same.");
-    ImGui::SameLine(0.0F, 0.0F);
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y});
-    ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
 }
 
 void draw_controls(Ui& ui, Workspace& work, ShownMap& shown_map) {
@@ -424,7 +421,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     SpacePaneAction done = taken(work, action, places);
     done.placed_at = action.placed_at;
     note_pair(ui, area, scene, action, labels);
-    if (!ui.as_picture) done.deed = draw_point_menu(ui, work, shown_map, action, places);
+    if (action.right_clicked) done.menu_asked = places[*action.right_clicked];
     draw_map_legend(ui, shown_map, area);
     note_points(ui, shown_map, area, labels, points);
     note_maybes(ui, shown_map, area, marks.maybes, points);

@@ -24,7 +24,7 @@ struct SpacePaneAction {
     Eigen::RowVectorXd moved_to{};
     bool move_ended = false;
     std::optional<Eigen::RowVectorXd> placed_at{};  // where marks take a place
-    PointDeed deed = PointDeed::none;               // with the pattern at shown_map.menu_of
+    std::optional<std::size_t> menu_asked{};        // of this point
     std::optional<std::size_t> proposal_pressed{};  // of the marks' proposals
     std::optional<std::size_t> proposal_clicked{};
     std::optional<std::pair<std::size_t, std::size_t>>

@@ -256,10 +256,11 @@ void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     const bool sound = is_sound(importing.actuator);
     if (changed && sound) look_at_simulation(ui, work, importing);
     draw_chips_label(ui, "Of");
-    if (draw_chip(ui, "all", "all patterns", importing.simulate_all)) importing.simulate_all = true;
+    if (draw_switch(ui, "all", "all patterns", importing.simulate_all))
+        importing.simulate_all = true;
     note_item(ui.rects, "import:all");
     ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
-    if (draw_chip(ui, "selected", "the selected ones", !importing.simulate_all)) {
+    if (draw_switch(ui, "selected", "the selected ones", !importing.simulate_all)) {
         importing.simulate_all = false;
     }
     note_item(ui.rects, "import:selected");

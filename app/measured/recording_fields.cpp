@@ -22,7 +22,7 @@ bool draw_unit(Ui& ui, AccelerationOptions& options) {
     draw_chips_label(ui, "Unit");
     const auto choice = [&](const char* id, const char* text,
                             std::optional<AccelerationUnit> unit) {
-        if (draw_chip(ui, id, text, options.unit == unit) && options.unit != unit) {
+        if (draw_switch(ui, id, text, options.unit == unit) && options.unit != unit) {
             options.unit = unit;
             changed = true;
         }
@@ -58,7 +58,7 @@ bool draw_axis(const Ui& ui, AccelerationOptions& options) {
     draw_chips_label(ui, "Axis");
     constexpr std::array<const char*, 4> kNames{"all as one", "1", "2", "3"};
     for (std::size_t axis = 0; axis < kNames.size(); ++axis) {
-        if (draw_chip(ui, kNames[axis], kNames[axis], options.axis == axis) &&
+        if (draw_switch(ui, kNames[axis], kNames[axis], options.axis == axis) &&
             options.axis != axis) {
             options.axis = axis;
             changed = true;

@@ -155,10 +155,9 @@ TrainingRequest training_request(const Workspace& work, ModelBench& model_bench)
     return request;
 }
 
-void begin_training(const Ui& ui, const Workspace& work, ModelBench& model_bench) {
+void begin_training(const Workspace& work, ModelBench& model_bench) {
     TrainingRequest request = training_request(work, model_bench);
     if (request.sets.empty() || !model_bench.training.job) return;
-    model_bench.training.since_s = ui.time_s;
     model_bench.training.job->submit(std::move(request));
 }
 

@@ -25,7 +25,7 @@ const OwnRatings& own_ratings(const Workspace& work, ModelBench& model_bench);
 
 // All sets that take part, the document first.
 TrainingRequest training_request(const Workspace& work, ModelBench& model_bench);
-void begin_training(const Ui& ui, const Workspace& work, ModelBench& model_bench);
+void begin_training(const Workspace& work, ModelBench& model_bench);
 void cancel_training(ModelBench& model_bench);
 
 // Whether the patterns, the ratings or the model's other choices have changed since.

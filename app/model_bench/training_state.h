@@ -85,7 +85,6 @@ struct TrainingState {
     bool kept_were_read = false;
 
     std::unique_ptr<LatestJob<TrainingRequest, FoundTraining>> job;  // null: a picture
-    double since_s = 0.0;                                            // when it began
     std::shared_ptr<const FoundTraining> found;
 };
 

@@ -142,19 +142,26 @@ void draw_note(const Ui& ui, const Workspace& work, const Vibration& vibration) 
     ImGui::PopStyleColor();
 }
 
+// Of a low pane, in which the strip stands among the fields.
+constexpr float kStripShare = 0.42F;
+
 void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const ShownMap& shown_map) {
     const Vibration* vibration = current_vibration(work);
     if (vibration == nullptr) {
-        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "Nothing to edit",
-                   "Press New above to make a pattern, or open a set.");
+        if (draw_empty_with(ui, rest_of_pane(), "Nothing to edit", "Make a pattern, or open a set.",
+                            "New pattern")) {
+            ui.waiting.emplace_back([&ui, &work] { add_pattern(ui, work); });
+        }
+        note_item(ui.rects, "button:new pattern");
         return;
     }
     // Over the fields, or where the pane is low among them, so that it scrolls away.
     const bool low =
         ImGui::GetContentRegionAvail().y < 2.2F * strip_height(ui, pattern_panes.strip);
+    const float strip_most_px = low ? kStripShare * ImGui::GetContentRegionAvail().y : 1e4F;
     const auto draw_strip = [&] {
         ImGui::BeginDisabled(vibration->locked);
-        draw_wave_strip(ui, work, pattern_panes.strip);
+        draw_wave_strip(ui, work, pattern_panes.strip, strip_most_px);
         ImGui::EndDisabled();
         vibration = current_vibration(work);
     };
@@ -230,7 +237,7 @@ std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
                                                  PatternPanes& pattern_panes,
                                                  const ShownMap& shown_map) {
     const auto neighbour = ui.as_picture ? std::nullopt : neighbour_of(work, shown_map);
-    const float card_px = neighbour ? neighbour_card_px(ui) : 0.0F;
+    const float card_px = neighbour ? neighbour_card_px(ui, work, shown_map, *neighbour) : 0.0F;
     const ImVec2 room = ImGui::GetContentRegionAvail();
     ImGui::BeginChild("editor", {room.x, std::max(1.0F, room.y - card_px)});
     draw_fields(ui, work, pattern_panes, shown_map);

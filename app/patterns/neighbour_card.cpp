@@ -43,24 +43,48 @@ ImU32 colour_of(const Ui& ui, PairVerdict verdict) {
     return verdict == PairVerdict::hard ? ui.theme.warning : ui.theme.dim_text;
 }
 
-void draw_words(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbour& pair) {
+constexpr const char* kPlay = "Play both";
+constexpr const char* kWhy = "Why";
+constexpr const char* kSeparate = "Separate";
+
+// Beside the links where there is room, else on a line of their own.
+bool pm_goes_beside(const Ui& ui, const std::string& pm, float room_px) {
+    const ImFont* font = ui.theme.fonts.regular;
+    const float links = text_size(font, kPlay).x + text_size(font, kWhy).x +
+                        text_size(font, kSeparate).x + 2.0F * 1.5F * ui.theme.gap_px;
+    return links + 2.0F * ui.theme.gap_px + text_size(ui.theme.fonts.small, pm).x <= room_px;
+}
+
+// In small type, on the line that is being written, at its right end or at the cursor.
+void draw_small(const Ui& ui, ImU32 colour, const std::string& text, float right) {
+    const ImFont* font = ui.theme.fonts.small;
+    const ImVec2 size = text_size(font, text);
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (right > 0.0F) corner.x = right - size.x;
+    const float lower = 0.8F * (ImGui::GetTextLineHeight() - size.y);
+    draw_text(*ImGui::GetWindowDrawList(), font, {corner.x, corner.y + lower}, colour, text);
+    ImGui::SetCursorScreenPos(corner);
+    ImGui::Dummy({size.x, ImGui::GetTextLineHeight()});
+}
+
+// Who it is, and at the right end what that means.
+void draw_name(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbour& pair,
+               float right) {
     const LiveMap& map = *shown_map.transition.shown;
     const PairVerdict verdict =
         pair_verdict(*map.request.set, map.prediction.pm, pair.own, pair.closest, largest_of(map));
     const std::string& name = map.request.set->vibrations[pair.closest].name;
-    const std::string pm = pm_words(work, shown_map, pair);
-    const float room = ImGui::GetContentRegionAvail().x;
     dim_text(ui, "Closest");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    const std::string shown = shortened(ui.theme.fonts.regular, name,
-                                        room - ImGui::GetItemRectSize().x - ui.theme.gap_px);
-    if (link(ui, "closest name", shown)) select_only(work, pair.place);
+    const float room = right - ImGui::GetCursorScreenPos().x - ui.theme.gap_px -
+                       text_size(ui.theme.fonts.small, words_of(verdict)).x;
+    if (link(ui, "closest name", shortened(ui.theme.fonts.regular, name, std::max(1.0F, room))))
+        select_only(work, pair.place);
     note_item(ui.rects, "neighbour:name", name);
     if (ImGui::IsItemHovered()) work.selection.hovered_pair = {work.selection.current, pair.place};
-    ImGui::PushFont(ui.theme.fonts.small);
-    coloured_text(colour_of(ui, verdict), std::string(words_of(verdict)) + "   " + pm);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    draw_small(ui, colour_of(ui, verdict), words_of(verdict), right);
     note_item(ui.rects, "neighbour:verdict", words_of(verdict));
-    ImGui::PopFont();
     draw_tooltip(ui, verdict_help().c_str());
 }
 
@@ -74,21 +98,26 @@ std::optional<Neighbour> neighbour_of(const Workspace& work, const ShownMap& sho
     return Neighbour{rows->first, rows->second, pair->partner};
 }
 
-float neighbour_card_px(const Ui& ui) {
-    const float small =
-        ui.theme.fonts.small != nullptr ? ui.theme.fonts.small->FontSize : ImGui::GetFontSize();
-    return 2.0F * ImGui::GetTextLineHeightWithSpacing() + small + 2.0F * ui.theme.gap_px;
+float neighbour_card_px(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                        const Neighbour& pair) {
+    const float room = ImGui::GetContentRegionAvail().x;
+    const bool beside = pm_goes_beside(ui, pm_words(work, shown_map, pair), room);
+    return (beside ? 2.0F : 3.0F) * ImGui::GetTextLineHeightWithSpacing() + ui.theme.gap_px;
 }
 
 std::optional<NeighbourAction> draw_neighbour_card(Ui& ui, Workspace& work,
                                                    const ShownMap& shown_map,
                                                    const Neighbour& pair) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float right = corner.x + ImGui::GetContentRegionAvail().x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float right = corner.x + room;
     ImGui::GetWindowDrawList()->AddLine(corner, {right, corner.y}, ui.theme.line,
                                         ui.theme.hairline_px);
     ImGui::SetCursorScreenPos({corner.x, corner.y + 0.5F * ui.theme.gap_px});
-    draw_words(ui, work, shown_map, pair);
+    draw_name(ui, work, shown_map, pair, right);
+    const std::string pm = pm_words(work, shown_map, pair);
+    const bool beside = pm_goes_beside(ui, pm, room);
+    if (!beside) draw_small(ui, ui.theme.dim_text, pm, 0.0F);
     std::optional<NeighbourAction> done;
     const auto deed = [&](const char* id, const char* words, NeighbourDeed what, const char* help,
                           bool first) {
@@ -97,11 +126,14 @@ std::optional<NeighbourAction> draw_neighbour_card(Ui& ui, Workspace& work,
         note_item(ui.rects, std::string("neighbour:") + id);
         draw_tooltip(ui, help);
     };
-    deed("play both", "Play both", NeighbourDeed::play_both, "This one, then the closest one.",
-         true);
-    deed("why closest", "Why", NeighbourDeed::why, "In what the two differ, to the model.", false);
-    deed("separate closest", "Separate", NeighbourDeed::separate,
+    deed("play both", kPlay, NeighbourDeed::play_both, "This one, then the closest one.", true);
+    deed("why closest", kWhy, NeighbourDeed::why, "In what the two differ, to the model.", false);
+    deed("separate closest", kSeparate, NeighbourDeed::separate,
          "The smallest felt change of one number that would part the two.", false);
+    if (beside) {
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
+        draw_small(ui, ui.theme.dim_text, pm, right);
+    }
     return done;
 }
 

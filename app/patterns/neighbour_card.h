@@ -26,7 +26,8 @@ struct Neighbour {
 std::optional<Neighbour> neighbour_of(const Workspace& work, const ShownMap& shown_map);
 
 // What the card takes of the pane.
-float neighbour_card_px(const Ui& ui);
+float neighbour_card_px(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                        const Neighbour& pair);
 
 std::optional<NeighbourAction> draw_neighbour_card(Ui& ui, Workspace& work,
                                                    const ShownMap& shown_map,

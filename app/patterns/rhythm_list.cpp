@@ -73,7 +73,7 @@ void draw_count(Ui& ui, const char* id, const char* label, int normal, int& valu
 }
 
 bool chip(Ui& ui, const char* text, bool lit, const char* help) {
-    const bool pressed = draw_chip(ui, text, text, lit);
+    const bool pressed = draw_switch(ui, text, text, lit);
     note_item(ui.rects, std::string("rhythm list:") + text, lit ? "chosen" : "");
     draw_tooltip(ui, help);
     return pressed;
@@ -96,15 +96,12 @@ void draw_kind(Ui& ui, RhythmChoice& choice) {
         flow_on(120.0F * ui.theme.scale, 2.0F * ui.theme.gap_px);
         draw_count(ui, "notes", "notes", RhythmChoice{}.notes, choice.notes, choice.steps);
     }
-    // On one line with the chips, whose text is smaller and padded.
-    const float top = ImGui::GetCursorPosY();
-    ImGui::SetCursorPosY(top + 2.0F * ui.theme.scale);
+    ImGui::AlignTextToFramePadding();
     dim_text(ui, "Notes of");
     const std::pair<const char*, int> lengths[] = {
         {"1 step", 1}, {"2 steps", 2}, {"3 steps", 3}, {"as long as can be", 0}};
     for (const auto& [text, steps] : lengths) {
-        const bool beside = flow_on(chip_width(ui, text), gap);
-        if (beside && steps == 1) ImGui::SetCursorPosY(top);
+        flow_on(chip_width(ui, text), steps == 1 ? ui.theme.gap_px : gap);
         if (chip(ui, text, choice.note_steps == steps,
                  "Every note is held so long, but never into the next.")) {
             choice.note_steps = steps;

@@ -13,9 +13,8 @@
 #include "app/document/pattern_looks.h"
 #include "app/document/pressing.h"
 #include "app/patterns/effect_maps_dialog.h"
-#include "app/patterns/look_menu.h"
+#include "app/patterns/pattern_menu.h"
 #include "app/patterns/set_panel.h"
-#include "app/pictures/copying.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
@@ -66,17 +65,11 @@ void draw_scale_switch(Ui& ui, Workspace& work) {
     const std::string text =
         own ? "own heights" : "\u00b1" + significant_digits(work.cache.reach_g, 3) + " g";
     flow_on(chip_width(ui, text.c_str()), ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float chip_px = text_size(ui.theme.fonts.small, text).y + 6.0F * ui.theme.scale;
-    ImGui::SetCursorScreenPos({corner.x, corner.y + 0.5F * (ImGui::GetFrameHeight() - chip_px)});
-    if (draw_chip(ui, "heights", text.c_str(), !own)) own = !own;
+    if (draw_switch(ui, "heights", text.c_str(), !own)) own = !own;
     note_item(ui.rects, "button:heights", text);
     draw_tooltip(ui, own ? "Each waveform fills its row. Press to draw all of them on one scale."
                          : "All waveforms are drawn on this one scale, so that what is stronger "
                            "looks stronger. Press to draw each to its own height.");
-    ImGui::SameLine(0.0F, 0.0F);
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y});
-    ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
 }
 
 void draw_toolbar(Ui& ui, Workspace& work) {
@@ -92,17 +85,10 @@ void draw_toolbar(Ui& ui, Workspace& work) {
     draw_scale_switch(ui, work);
     if (!work.selection.picked.empty()) {
         flow_on(chip_width(ui, "picked"), ui.theme.gap_px);
-        const ImVec2 corner = ImGui::GetCursorScreenPos();
-        const float chip_px = text_size(ui.theme.fonts.small, "picked").y + 6.0F * ui.theme.scale;
-        ImGui::SetCursorScreenPos(
-            {corner.x, corner.y + 0.5F * (ImGui::GetFrameHeight() - chip_px)});
         bool& only = work.selection.only_picked;
-        if (draw_chip(ui, "only picked", "picked", only)) only = !only;
+        if (draw_switch(ui, "only picked", "picked", only)) only = !only;
         note_item(ui.rects, "button:only picked", only ? "on" : "off");
         draw_tooltip(ui, "Only those of the most distinct subset, which have a bar at their left.");
-        ImGui::SameLine(0.0F, 0.0F);
-        ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y});
-        ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
     }
     flow_on(72.0F * ui.theme.scale, ui.theme.gap_px);
     ImGui::SetNextItemWidth(-1.0F);
@@ -147,39 +133,11 @@ void drag_row(Ui& ui, Workspace& work, std::size_t index, const Rect& row) {
     ImGui::EndDragDropTarget();
 }
 
-void draw_row_menu(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t index) {
-    if (!ImGui::BeginPopupContextItem("row menu")) return;
-    const float gap = ui.theme.gap_px;  // rows of the list stand closer
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, 0.75F * gap));
-    if (index != work.selection.current && !work.selection.others.contains(index)) {
-        select_only(work, index);
-    }
-    const Vibration& vibration = work.document.set.vibrations[index];
-    if (ImGui::MenuItem("Rename", "F2")) begin_rename(work, pattern_panes, index);
-    note_item(ui.rects, "row menu:Rename");
-    // Once all rows are drawn: there may be fewer of them then.
-    const auto item = [&](const char* text, const char* keys, std::function<void()> act,
-                          std::optional<Icon> icon = {}) {
-        if (draw_menu_row(ui.theme, {.words = text, .keys = keys, .icon = icon}))
-            ui.waiting.push_back(std::move(act));
-        note_item(ui.rects, std::string("row menu:") + text);
-    };
-    ImGui::Separator();
-    item(
-        vibration.locked ? "Unlock" : "Lock", "Ctrl+L", [&] { toggle_locked(ui, work); },
-        Icon::locked);
-    item(
-        vibration.dropped ? "Take back" : "Drop", "Ctrl+Shift+L", [&] { toggle_dropped(ui, work); },
-        Icon::dropped);
-    ImGui::Separator();
-    item("Duplicate", "Ctrl+D", [&] { duplicate_selected(ui, work); });
-    item("Copy", "Ctrl+C", [&] { copy_selected(ui, work); });
-    ImGui::Separator();
-    draw_look_menu(ui, work, index);
-    ImGui::Separator();
-    item("Delete", "Del", [&] { remove_selected(ui, work); });
-    ImGui::PopStyleVar();
+PatternDeed draw_row_menu(Ui& ui, Workspace& work, std::size_t index) {
+    if (!ImGui::BeginPopupContextItem("row menu")) return PatternDeed::none;
+    const PatternDeed deed = draw_pattern_menu(ui, work, index);
     ImGui::EndPopup();
+    return deed;
 }
 
 // The text field that stands in the row while it is renamed. Enter and leaving it take the name;
@@ -287,8 +245,8 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
               corner + text_size(theme.fonts.regular, shown), shown);
 }
 
-void draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t index,
-              const RowParts& parts) {
+PatternDeed draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t index,
+                     const RowParts& parts) {
     const float height = parts.height_px;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::PushID(static_cast<int>(index));
@@ -296,7 +254,7 @@ void draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t 
         pattern_panes.list.renaming_in == work.document_number) {
         draw_rename(ui, work, pattern_panes, index);
         ImGui::PopID();
-        return;
+        return PatternDeed::none;
     }
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
     const bool pressed = ImGui::InvisibleButton("row", {width, height});
@@ -318,9 +276,10 @@ void draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t 
     const Rect row = rect_at(corner, {width, height});
     note_rect(ui.rects, "row:" + work.document.set.vibrations[index].name, row.min, row.max);
     drag_row(ui, work, index, row);
-    draw_row_menu(ui, work, pattern_panes, index);
+    const PatternDeed deed = draw_row_menu(ui, work, index);
     draw_row_content(ui, work, index, row, parts);
     ImGui::PopID();
+    return deed;
 }
 
 void scroll_to_current(Workspace& work, const std::vector<std::size_t>& rows, float row_px) {
@@ -336,7 +295,8 @@ void scroll_to_current(Workspace& work, const std::vector<std::size_t>& rows, fl
     }
 }
 
-void draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
+PatternDeed draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
+    PatternDeed deed = PatternDeed::none;
     const std::vector<std::size_t> rows = listed_indices(work);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 1.0F));
     if (ImGui::BeginChild("rows")) {
@@ -347,7 +307,9 @@ void draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
         clipper.Begin(static_cast<int>(rows.size()));
         while (clipper.Step()) {
             for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
-                draw_row(ui, work, pattern_panes, rows[static_cast<std::size_t>(k)], parts);
+                const std::size_t row = rows[static_cast<std::size_t>(k)];
+                const PatternDeed asked = draw_row(ui, work, pattern_panes, row, parts);
+                if (asked != PatternDeed::none) deed = asked;
             }
         }
         if (rows.empty()) {
@@ -360,6 +322,7 @@ void draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();
+    return deed;
 }
 
 }  // namespace
@@ -371,10 +334,10 @@ void begin_rename(const Workspace& work, PatternPanes& pattern_panes, std::size_
     pattern_panes.list.rename_begun = false;
 }
 
-void draw_set_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
+PatternDeed draw_set_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
     draw_toolbar(ui, work);
     draw_effect_maps_line(ui, work);
-    draw_rows(ui, work, pattern_panes);
+    return draw_rows(ui, work, pattern_panes);
 }
 
 }  // namespace tact

@@ -2,12 +2,13 @@
 #pragma once
 
 #include "app/document/workspace.h"
+#include "app/patterns/pattern_menu.h"
 #include "app/patterns/patterns_state.h"
 #include "app/ui/ui.h"
 
 namespace tact {
 
-void draw_set_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes);
+PatternDeed draw_set_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes);
 
 // Its box takes the keyboard with the next frame.
 void begin_rename(const Workspace& work, PatternPanes& pattern_panes, std::size_t index);

@@ -148,7 +148,7 @@ void draw_view_choice(Ui& ui, Physiology& physiology, const Rect& area) {
     ImGui::SetCursorScreenPos(area.min);
     PhysiologyState& state = physiology.view;
     const auto choose = [&](const char* name, bool tilted) {
-        if (draw_chip(ui, name, name, state.tilted == tilted) && state.tilted != tilted) {
+        if (draw_switch(ui, name, name, state.tilted == tilted) && state.tilted != tilted) {
             state.tilted = tilted;
             state.tilt_since_s = ui.time_s;
         }

@@ -2,11 +2,16 @@
 
 #include <imgui.h>
 
+#include <string>
+
 #include "app/progress/time_left.h"
 #include "app/ui/widgets.h"
 
 namespace tact {
 
+namespace {
+
+// The words; the time left is told from when the work was first seen.
 std::string progress_text(Ui& ui, const ProgressLine& line) {
     ProgressSeen& seen = ui.progress[line.cancels];
     // It begins again where it is less than it was, or was not drawn for a while.
@@ -18,6 +23,8 @@ std::string progress_text(Ui& ui, const ProgressLine& line) {
     return std::string(line.doing) + ", " + std::to_string(static_cast<int>(100.0F * line.share)) +
            " %" + (left.empty() ? "" : ", " + left);
 }
+
+}  // namespace
 
 bool draw_progress(Ui& ui, const ProgressLine& line, bool beside_buttons) {
     constexpr const char* kCancel = "Cancel";

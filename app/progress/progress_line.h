@@ -2,8 +2,6 @@
 // and Cancel behind it.
 #pragma once
 
-#include <string>
-
 #include "app/ui/ui.h"
 
 namespace tact {
@@ -13,9 +11,6 @@ struct ProgressLine {
     float share = 0.0F;
     const char* cancels;  // "picking": its link is noted as "link:cancel picking"
 };
-
-// The words; the time left is told from when the work was first seen.
-std::string progress_text(Ui& ui, const ProgressLine& line);
 
 // True when it is to be cancelled. On a line of buttons the words stand as low as theirs.
 bool draw_progress(Ui& ui, const ProgressLine& line, bool beside_buttons = false);

@@ -11,8 +11,13 @@ namespace tact {
 
 namespace {
 
-// What another subset has that the best has not.
-std::string exchange_text(const Pick& pick, const Subset& other) {
+// What another subset has that the best has not, and what it has not.
+struct Exchange {
+    std::string in;
+    std::string out;
+};
+
+Exchange exchange_of(const Pick& pick, const Subset& other) {
     const Subset& best = pick.answer.best;
     std::string out;
     std::string in;
@@ -26,7 +31,19 @@ std::string exchange_text(const Pick& pick, const Subset& other) {
             in += (in.empty() ? "" : ", ") + name_of(pick, member);
         }
     }
-    return in + " for " + out;
+    return {in, out};
+}
+
+// Both sides of it are seen: what one does not need of its half the other has.
+std::string exchange_text(const ImFont* font, const Exchange& exchange, float room_px) {
+    constexpr const char* kFor = " for ";
+    const float room = std::max(0.0F, room_px - text_size(font, kFor).x);
+    const float in_px = text_size(font, exchange.in).x;
+    const float out_px = text_size(font, exchange.out).x;
+    if (in_px + out_px <= room) return exchange.in + kFor + exchange.out;
+    const float for_in = std::min(in_px, std::max(0.5F * room, room - out_px));
+    return shortened(font, exchange.in, for_in) + kFor +
+           shortened(font, exchange.out, room - for_in);
 }
 
 // Who comes for whom, and at the right how far the weakest pair is apart then.
@@ -35,7 +52,8 @@ void draw_alternative(Ui& ui, SubsetState& picking, const Pick& pick, std::size_
     const Subset& other = pick.answer.alternatives[k];
     const bool as_good = other.weakest_dissimilarity == pick.answer.best.weakest_dissimilarity;
     const std::string value = as_good ? "the same" : grouped(other.weakest_dissimilarity);
-    const std::string text = exchange_text(pick, other);
+    const Exchange exchange = exchange_of(pick, other);
+    const std::string text = exchange.in + " for " + exchange.out;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const float value_px = text_size(theme.fonts.regular, value).x;
@@ -43,7 +61,8 @@ void draw_alternative(Ui& ui, SubsetState& picking, const Pick& pick, std::size_
     if (ImGui::Selectable("##alternative", picking.alternative == k)) picking.alternative = k;
     ImGui::PopID();
     note_item(ui.rects, "alternative:" + std::to_string(k + 1), text + ": " + value);
-    const std::string shown = shortened(theme.fonts.regular, text, width - value_px - theme.gap_px);
+    const std::string shown =
+        exchange_text(theme.fonts.regular, exchange, width - value_px - theme.gap_px);
     if (shown != text) draw_tooltip(ui, text.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_text(list, theme.fonts.regular, corner, theme.text, shown);

@@ -105,9 +105,9 @@ std::string summary_of(const SubsetState& picking, const TooClosePairs& pairs) {
         return "Click a pattern in the map, then another one, and take them.";
     }
     if (pairs.by == TooClose::felt && pairs.pairs.empty()) {
-        return "No pair is too close: any two differ by a felt step in some number.";
+        return "Any two differ by a felt step in some number.";
     }
-    if (pairs.pairs.empty()) return "No pair is too close.";
+    if (pairs.pairs.empty()) return "None is closer than this.";
     const std::string total = grouped_digits(pairs.count) + (pairs.count == 1 ? " pair" : " pairs");
     const bool nobody =
         pairs.by == TooClose::ratings && has_synthetic(pairs.of->request.set->ratings);
@@ -117,25 +117,51 @@ std::string summary_of(const SubsetState& picking, const TooClosePairs& pairs) {
 }
 
 void draw_pair(Ui& ui, Workspace& work, SubsetState& picking, const TooClosePairs& pairs,
-               const ConfusablePair& pair, bool open) {
+               const ConfusablePair& pair, float column_px, bool open) {
     const std::string& a = name_of(pairs, pair.a);
     const std::string& b = name_of(pairs, pair.b);
-    const std::string text = grouped(pair.dissimilarity) + "   " + a + " \u2013 " + b;
+    const std::string value = grouped(pair.dissimilarity);
+    const std::string names = a + " \u2013 " + b;
+    const ImFont* font = ui.theme.fonts.regular;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float begin = column_px + 1.5F * ui.theme.gap_px;
     const std::string shown =
-        shortened(ui.theme.fonts.regular, text, ImGui::GetContentRegionAvail().x);
-    if (ImGui::Selectable(shown.c_str(), open)) open_pair(work, picking, a, b);
-    note_item(ui.rects, "too close:" + a + "|" + b, text);
-    if (shown != text) draw_tooltip(ui, text.c_str());
+        shortened(font, names, std::max(1.0F, ImGui::GetContentRegionAvail().x - begin));
+    if (ImGui::Selectable("##pair", open)) open_pair(work, picking, a, b);
+    note_item(ui.rects, "too close:" + a + "|" + b, value + "   " + names);
+    if (shown != names) draw_tooltip(ui, names.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_text(list, font, {corner.x + column_px - text_size(font, value).x, corner.y},
+              ui.theme.text, value);
+    draw_text(list, font, {corner.x + begin, corner.y}, ui.theme.text, shown);
+}
+
+// As wide as the widest of the numbers, which stand at its right.
+float value_column_px(const Ui& ui, const TooClosePairs& pairs) {
+    float widest = 0.0F;
+    for (const ConfusablePair& pair : pairs.pairs) {
+        widest = std::max(widest, text_size(ui.theme.fonts.regular, grouped(pair.dissimilarity)).x);
+    }
+    return widest;
 }
 
 void draw_pair_list(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetState& picking,
                     const TooClosePairs& pairs) {
-    ImGui::PushFont(ui.theme.fonts.small);
     const std::string summary = summary_of(picking, pairs);
+    if (pairs.pairs.empty()) {
+        const Rect area = rest_or_lines(3.0F);
+        const bool waits = (pairs.by == TooClose::picked && pairs.picked.size() < 2) ||
+                           (pairs.by == TooClose::reference && picking.reference_a.empty());
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area,
+                   waits ? "No pairs to show yet" : "No pair is too close", summary);
+        return note_rect(ui.rects, "too close", area.min, area.max, summary);
+    }
+    ImGui::PushFont(ui.theme.fonts.small);
     coloured_note(ui.theme.dim_text, summary);
     ImGui::PopFont();
     note_item(ui.rects, "too close", summary);
     const auto opened = opened_rows(shown_map, picking);
+    const float column_px = value_column_px(ui, pairs);
     ImGui::BeginChild("pairs");
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(pairs.pairs.size()));
@@ -143,7 +169,8 @@ void draw_pair_list(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
         for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
             ImGui::PushID(k);
             const ConfusablePair& pair = pairs.pairs[static_cast<std::size_t>(k)];
-            draw_pair(ui, work, picking, pairs, pair, opened == std::pair(pair.a, pair.b));
+            draw_pair(ui, work, picking, pairs, pair, column_px,
+                      opened == std::pair(pair.a, pair.b));
             ImGui::PopID();
         }
     }

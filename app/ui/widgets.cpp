@@ -78,9 +78,20 @@ void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) 
     draw_title_part(ui, fonts.regular, corner + ImVec2{used, lower}, theme.dim_text, detail,
                     "title detail:" + title.title);
     if (!detail.empty()) used += text_size(fonts.regular, detail).x + 2.0F * theme.gap_px;
-    const std::string right = fitting(title.right, fonts.regular, size.x - used);
+    float end_px = size.x;
+    constexpr const char* kRestore = "Restore";
+    if (layout.maximised == pane) {
+        end_px -= text_size(fonts.regular, kRestore).x;
+        ImGui::SetCursorScreenPos(corner + ImVec2{end_px, lower});
+        if (link(ui, "restore", kRestore)) layout.maximised.reset();
+        note_item(ui.rects, "link:restore");
+        draw_tooltip(ui, "All panes again. A double click on the title does it, too.");
+        end_px -= 2.0F * theme.gap_px;
+        ImGui::SetCursorScreenPos(corner);
+    }
+    const std::string right = fitting(title.right, fonts.regular, end_px - used);
     const float right_px = text_size(fonts.regular, right).x;
-    draw_title_part(ui, fonts.regular, corner + ImVec2{size.x - right_px, lower}, theme.dim_text,
+    draw_title_part(ui, fonts.regular, corner + ImVec2{end_px - right_px, lower}, theme.dim_text,
                     right, "title right:" + title.title);
     ImGui::Dummy(size);
     const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, corner + size);
@@ -222,6 +233,19 @@ void open_below_last_item(const Theme& theme) {
         ImGuiCond_Appearing);
 }
 
+void open_beside_pane(const Theme& theme, float width_px) {
+    const ImGuiWindow* pane = ImGui::GetCurrentWindowRead()->RootWindow;
+    const float top = ImGui::GetItemRectMin().y;
+    const float gap = theme.gap_px;
+    const bool at_left = pane->Pos.x - width_px - gap >= 0.0F;
+    const float right = pane->Pos.x + pane->Size.x + gap;
+    if (!at_left && right + width_px > ImGui::GetIO().DisplaySize.x) {
+        return open_below_last_item(theme);
+    }
+    ImGui::SetNextWindowPos({at_left ? pane->Pos.x - gap : right, top}, ImGuiCond_Appearing,
+                            {at_left ? 1.0F : 0.0F, 0.0F});
+}
+
 bool draw_menu_row(const Theme& theme, const MenuRow& row) {
     // As wide as a sign: ImGui moves the words of all rows of the menu by it.
     const char* room = row.icon ? "     " : nullptr;
@@ -286,6 +310,44 @@ bool draw_chip(const Ui& ui, const char* id, const char* text, bool lit) {
               text);
     if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     return pressed;
+}
+
+bool draw_switch(const Ui& ui, const char* id, const char* text, bool on) {
+    const Theme& theme = ui.theme;
+    const ImVec2 words = text_size(theme.fonts.small, text);
+    const ImVec2 size{words.x + 2.0F * kChipPadPx * theme.scale, ImGui::GetFrameHeight()};
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(id, size);
+    const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    // GetColorU32 fades what is disabled.
+    const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
+    const ImVec2 inset{0.0F, std::round(0.5F * (size.y - words.y) - 3.0F * theme.scale)};
+    const Rect plate{corner + inset, corner + size - inset};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (on || over) {
+        list.AddRectFilled(plate.min, plate.max, ink(on ? faded(theme.accent, 0.28F) : theme.hover),
+                           theme.rounding_px);
+    }
+    list.AddRect(plate.min, plate.max, on ? ink(theme.accent) : ImGui::GetColorU32(ImGuiCol_Border),
+                 theme.rounding_px, 0, theme.hairline_px);
+    draw_text(list, theme.fonts.small,
+              {corner.x + kChipPadPx * theme.scale, corner.y + 0.5F * (size.y - words.y)},
+              ink(on || over ? theme.text : theme.dim_text), text);
+    if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    return pressed;
+}
+
+bool draw_empty_with(const Ui& ui, const Rect& area, const char* title, const std::string& reason,
+                     const char* button) {
+    const Theme& theme = ui.theme;
+    const float below = ImGui::GetFrameHeight() + 1.5F * theme.gap_px;
+    const Rect words{area.min, {area.max.x, std::max(area.min.y + 1.0F, area.max.y - below)}};
+    draw_empty(*ImGui::GetWindowDrawList(), theme, words, title, reason);
+    const auto lines = wrapped(theme.fonts.small, reason, area.width()).size();
+    const float words_px = static_cast<float>(lines) * text_size(theme.fonts.small, "0").y;
+    ImGui::SetCursorScreenPos({words.centre().x - 0.5F * button_width(button),
+                               words.centre().y + words_px + 1.5F * theme.gap_px});
+    return ImGui::Button(button);
 }
 
 void coloured_text(ImU32 colour, const std::string& text) {

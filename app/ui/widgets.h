@@ -89,6 +89,10 @@ bool primary_button(const Theme& theme, const char* label, ImVec2 size = {0.0F, 
 // For a popup that is begun next: below the last item, and not over it.
 void open_below_last_item(const Theme& theme);
 
+// For a popup about so wide that is begun next: beside the pane, whose picture it changes, at the
+// height of the last item; below that item where no side has room.
+void open_beside_pane(const Theme& theme, float width_px);
+
 // An item of a menu with the sign that its button has elsewhere; none: its words stand below those
 // of the others.
 struct MenuRow {
@@ -106,6 +110,14 @@ void right_aligned(const std::string& text);
 // A word to choose a view by: tabs and strips are made of them. True when pressed.
 bool draw_chip(const Ui& ui, const char* id, const char* text, bool lit);
 float chip_width(const Ui& ui, const char* text);
+
+// A setting that is on or off, or one of a few, in a row of fields: it has an edge, and its words
+// stand on their line. True when pressed.
+bool draw_switch(const Ui& ui, const char* id, const char* text, bool on);
+
+// What a pane says while it has nothing to show, and below that what helps. True when pressed.
+bool draw_empty_with(const Ui& ui, const Rect& area, const char* title, const std::string& reason,
+                     const char* button);
 
 // Text in the theme's dim colour.
 void dim_text(const Ui& ui, const std::string& text);

@@ -18,6 +18,7 @@ namespace tact {
 namespace {
 
 constexpr float kReachPx = 7.0F;
+constexpr float kLeastHeightPx = 96.0F;
 constexpr float kClickPx = 3.0F;  // moved less, a press is a click
 constexpr double kBeyond = 1.06;  // the end is seen, and can be taken
 
@@ -167,7 +168,7 @@ void follow_wheel(StripState& strip, bool hovered) {
 
 }  // namespace
 
-void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip) {
+void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, float most_px) {
     const Vibration* vibration = current_vibration(work);
     const auto* source = vibration == nullptr ? nullptr : std::get_if<Pattern>(&vibration->source);
     if (source == nullptr) return;
@@ -175,9 +176,10 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip) {
     follow_pattern(strip, vibration->name);
     if (strip.chosen && !exists(pattern, *strip.chosen)) strip.chosen.reset();
     const Waveform* waveform = waveform_in_time(work.cache, *vibration);
-    const Rect area =
-        rect_at(ImGui::GetCursorScreenPos(),
-                {ImGui::GetContentRegionAvail().x, std::round(strip.height * ui.theme.scale)});
+    const float least_px = kLeastHeightPx * ui.theme.scale;
+    const float height_px = std::min(strip.height * ui.theme.scale, std::max(least_px, most_px));
+    const Rect area = rect_at(ImGui::GetCursorScreenPos(),
+                              {ImGui::GetContentRegionAvail().x, std::round(height_px)});
     const double peak = peak_in_time(work.cache, *vibration);
     const StripScale scale = strip.held ? strip.held->scale
                                         : strip_scale(pattern, peak, area, ui.theme,

@@ -7,8 +7,9 @@
 
 namespace tact {
 
-// As wide as what is left of the pane; nothing without a parametric pattern.
-void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip);
+// As wide as what is left of the pane, and lower than the person made it where only `most_px` are
+// free; nothing without a parametric pattern.
+void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, float most_px);
 
 // With the bar under it, px.
 float strip_height(const Ui& ui, const StripState& strip);

@@ -109,6 +109,25 @@ std::string side_detail(const App& app) {
     return shown_side(app.work) == Side::both ? "" : shown_patterns_text(app.work);
 }
 
+void do_with_pattern(App& app, PatternDeed deed) {
+    const std::size_t current = app.work.selection.current;
+    switch (deed) {
+        case PatternDeed::none:
+            return;
+        case PatternDeed::play:
+            return play_once(app.ui, app.work, app.timeline, app.play, current);
+        case PatternDeed::rename:
+            app.work.selection.scroll_to_current = true;
+            return begin_rename(app.work, app.pattern_panes, current);
+        case PatternDeed::similar:
+            return select_similar(app.ui, app.work, app.shown_map, current);
+        case PatternDeed::vary:
+            return vary(app.ui, app.work, app.maybes);
+        case PatternDeed::steps:
+            return open_steps(app.ui, app.work, app.steps, {}, {});
+    }
+}
+
 PaneTitle bench_title(const App& app) {
     switch (app.layout.bench) {
         case BenchTab::matrix:
@@ -213,7 +232,8 @@ void draw_bench(App& app) {
         case BenchTab::matrix:
             return draw_matrix_panel(app.ui, app.work, app.shown_map);
         case BenchTab::candidates:
-            return draw_candidates_panel(app.ui, app.work, app.shown_map, app.candidates);
+            return do_with_pattern(
+                app, draw_candidates_panel(app.ui, app.work, app.shown_map, app.candidates));
         case BenchTab::subset:
             draw_subset_panel(app.ui, app.work, app.timeline, app.shown_map, app.play, app.picking);
             if (std::exchange(app.picking.grow_asked, false)) {
@@ -248,21 +268,18 @@ void take_proposal(App& app, const SpacePaneAction& done) {
     if (done.proposal_clicked) take_variant(app.ui, app.work, app.maybes, *done.proposal_clicked);
 }
 
-void do_with_point(App& app, PointDeed deed) {
-    switch (deed) {
-        case PointDeed::none:
-            return;
-        case PointDeed::play:
-            return play_once(app.ui, app.work, app.timeline, app.play, app.work.selection.current);
-        case PointDeed::duplicate:
-            return duplicate_selected(app.ui, app.work);
-        case PointDeed::similar:
-            return select_similar(app.ui, app.work, app.shown_map, app.work.selection.current);
-        case PointDeed::vary:
-            return vary(app.ui, app.work, app.maybes);
-        case PointDeed::steps:
-            return open_steps(app.ui, app.work, app.steps, {}, {});
+// Beside the point and its name.
+void draw_point_menu(App& app, std::optional<std::size_t> asked) {
+    if (asked) {
+        app.shown_map.menu_of = *asked;
+        const ImVec2 away{2.0F * app.ui.theme.gap_px, 2.0F * app.ui.theme.gap_px};
+        ImGui::SetNextWindowPos(ImGui::GetIO().MousePos + away);
+        ImGui::OpenPopup("point menu");
     }
+    if (!ImGui::BeginPopup("point menu")) return;
+    const PatternDeed deed = draw_pattern_menu(app.ui, app.work, app.shown_map.menu_of);
+    ImGui::EndPopup();
+    do_with_pattern(app, deed);
 }
 
 void draw_space(App& app) {
@@ -273,7 +290,7 @@ void draw_space(App& app) {
         play_once(app.ui, app.work, app.timeline, app.play, *done.double_clicked);
     take_proposal(app, done);
     take_place(app.lesson, done);
-    do_with_point(app, done.deed);
+    if (!app.ui.as_picture) draw_point_menu(app, done.menu_asked);
     if (done.moved) {
         move_point(app.ui, app.work, app.shown_map, app.maybes,
                    {*done.moved, done.moved_to, done.move_ended});
@@ -330,8 +347,9 @@ void draw_content(App& app, Pane pane) {
     switch (pane) {
         case Pane::patterns:
             if (app.layout.arrangement == Arrangement::select)
-                return draw_candidates_panel(app.ui, app.work, app.shown_map, app.candidates);
-            return draw_set_panel(app.ui, app.work, app.pattern_panes);
+                return do_with_pattern(
+                    app, draw_candidates_panel(app.ui, app.work, app.shown_map, app.candidates));
+            return do_with_pattern(app, draw_set_panel(app.ui, app.work, app.pattern_panes));
         case Pane::editor:
             return draw_editor(app);
         case Pane::physiology:

@@ -94,29 +94,29 @@ std::string word_of(const Pattern& pattern, Factor factor) {
     const Modulation& modulation = pattern.modulation;
     switch (factor.parameter) {
         case Parameter::amplitude:
-            return digits(pattern.amplitude_g) + "g";
+            return digits(pattern.amplitude_g) + " g";
         case Parameter::frequency:
-            return joined(pattern, &Carrier::frequency_hz, "+") + "Hz";
+            return joined(pattern, &Carrier::frequency_hz, "+") + " Hz";
         case Parameter::weight:
-            return "w" + joined(pattern, &Carrier::weight, ":");
+            return "w " + joined(pattern, &Carrier::weight, ":");
         case Parameter::mix:
-            return "mix" + digits(pattern.carriers[1].weight);
+            return "mix " + digits(pattern.carriers[1].weight);
         case Parameter::kind:
             return modulation.kind == ModulationKind::am ? "am" : "product";
         case Parameter::modulation:
-            return "mod" + digits(modulation.frequency_hz) + "Hz";
+            return "mod " + digits(modulation.frequency_hz) + " Hz";
         case Parameter::depth:
-            return "depth" + digits(modulation.depth);
+            return "depth " + digits(modulation.depth);
         case Parameter::rhythm:
             return pattern.rhythm.text.empty() ? "steady" : pattern.rhythm.text;
         case Parameter::unit:
-            return "step" + digits(1000.0 * pattern.rhythm.unit_s) + "ms";
+            return "step " + digits(1000.0 * pattern.rhythm.unit_s) + " ms";
         case Parameter::attack:
-            return "attack" + digits(1000.0 * pattern.attack_s) + "ms";
+            return "attack " + digits(1000.0 * pattern.attack_s) + " ms";
         case Parameter::release:
-            return "release" + digits(1000.0 * pattern.release_s) + "ms";
+            return "release " + digits(1000.0 * pattern.release_s) + " ms";
         case Parameter::duration:
-            return digits(pattern.duration_s) + "s";
+            return digits(pattern.duration_s) + " s";
     }
     return {};
 }

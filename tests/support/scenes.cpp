@@ -255,13 +255,22 @@ void add_menus(std::vector<Scene>& all) {
                        [pane](Program& p) { right_click(p, std::string("title:") + pane); }});
     }
     all.push_back({"menu of devices", [](Program& p) { click_if_there(p, "device"); }});
-    for (const char* link :
-         {"link:map look", "link:free numbers", "link:rhythms", "compare with"}) {
-        all.push_back(
-            {std::string("popup ") + link, [link](Program& p) { click_if_there(p, link); }});
-    }
+    all.push_back(
+        {"popup look of the map", [](Program& p) { click_if_there(p, "link:map look"); }});
+    all.push_back({"popup rhythms", [](Program& p) {
+                       maximise(p, Pane::editor);
+                       click_if_there(p, "link:rhythms");
+                   }});
+    all.push_back({"popup compare with", [](Program& p) {
+                       run(p, "Physiology");
+                       click_if_there(p, "compare with");
+                   }});
+    all.push_back({"popup free numbers", [](Program& p) {
+                       run(p, "Vary");
+                       click_if_there(p, "link:free numbers");
+                   }});
     for (const char* thing :
-         {"transport:play", "entry:amplitude", "tab:Subset", "workspace:Select"}) {
+         {"transport:play", "entry:amplitude_g", "button:duplicate", "workspace:Select"}) {
         all.push_back(
             {std::string("tooltip of ") + thing, [thing](Program& p) { rest_on(p, thing); }});
     }

@@ -26,23 +26,6 @@ const ImVec4& disc_uv_for(const Fonts& fonts, float radius_px, float& baked_px) 
     return fonts.disc_uv[i];
 }
 
-// The text in lines that fit; a word that does not is cut.
-std::vector<std::string> wrapped(const ImFont* font, std::string_view text, float width_px) {
-    std::vector<std::string> lines;
-    while (!text.empty()) {
-        std::size_t kept = 0;
-        for (std::size_t at = 0; at < text.size();) {
-            const std::size_t end = std::min(text.find(' ', at), text.size());
-            if (kept > 0 && text_size(font, text.substr(0, end)).x > width_px) break;
-            kept = end;
-            at = end + 1;
-        }
-        lines.push_back(shortened(font, text.substr(0, kept), width_px));
-        text.remove_prefix(std::min(kept + 1, text.size()));
-    }
-    return lines;
-}
-
 }  // namespace
 
 const ImFont& font_or_current(const ImFont* font) {
@@ -207,6 +190,22 @@ void draw_stale(ImDrawList& list, const Theme& theme, const Rect& area, double t
         list.AddLine({x, area.max.y}, {x + area.height(), area.min.y}, colour, theme.hairline_px);
     }
     list.PopClipRect();
+}
+
+std::vector<std::string> wrapped(const ImFont* font, std::string_view text, float width_px) {
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        std::size_t kept = 0;
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t end = std::min(text.find(' ', at), text.size());
+            if (kept > 0 && text_size(font, text.substr(0, end)).x > width_px) break;
+            kept = end;
+            at = end + 1;
+        }
+        lines.push_back(shortened(font, text.substr(0, kept), width_px));
+        text.remove_prefix(std::min(kept + 1, text.size()));
+    }
+    return lines;
 }
 
 void draw_empty(ImDrawList& list, const Theme& theme, const Rect& area, std::string_view title,

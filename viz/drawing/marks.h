@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/physiology/mechanoreceptor.h"
 #include "viz/drawing/geometry.h"
@@ -63,6 +64,9 @@ void draw_receptor_mark(ImDrawList& list, const Theme& theme, ImVec2 centre, flo
 // Drawn over content that a running computation will replace: leaves 45 % of it, under a diagonal
 // hatch that drifts slowly with `time_s` (constant: stands still).
 void draw_stale(ImDrawList& list, const Theme& theme, const Rect& area, double time_s);
+
+// The text in lines no wider than that, broken at spaces; a word that is wider is cut.
+std::vector<std::string> wrapped(const ImFont* font, std::string_view text, float width_px);
 
 // What a pane says while it has nothing to show: what it is, why it is empty, what to do.
 void draw_empty(ImDrawList& list, const Theme& theme, const Rect& area, std::string_view title,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -178,8 +179,11 @@ void draw_axes(ImDrawList& list, const Theme& theme, const Plot& plot, const Plo
     if (labels.y_grid) {
         const float right = area.min.x - theme.gap_px * 0.75F;
         const std::vector<double> ticks = ticks_apart(plot.y, 1.4F * text_px);
+        std::optional<float> below;  // a low plot has room for one number
         for (const double tick : ticks) {
             const float y = to_pixel(plot.y, tick);
+            if (below && std::abs(*below - y) < text_px) continue;
+            below = y;
             draw_level_line(list, y, area.min.x, area.max.x, theme.hairline_px,
                             faded(theme.line, 0.7F));
             const std::string text = tick_text(tick, step_between(plot.y, ticks));

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "viz/drawing/body_cache.h"
+#include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 #include "viz/drawing/wave_body.h"
@@ -105,7 +106,21 @@ void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
     draw_strip(list, strip, colour);
 }
 
-// From zero to each value for as long as it lasts: bars, with upright sides on whole pixels.
+// The edge that faces away from zero, a stroke wide: what the height of a bar is read at.
+std::vector<StripColumn> edge_of(std::span<const StripColumn> strip, float zero_px,
+                                 float stroke_px) {
+    std::vector<StripColumn> edge(strip.begin(), strip.end());
+    for (StripColumn& column : edge) {
+        if (column.top < zero_px)
+            column.bottom = std::min(column.bottom, column.top + stroke_px);
+        else
+            column.top = std::max(column.top, column.bottom - stroke_px);
+    }
+    return edge;
+}
+
+// From zero to each value for as long as it lasts: bars, with upright sides on whole pixels. Faint
+// below their edge: a signal that stays high is no slab.
 void draw_steps(ImDrawList& list, const Theme& theme, const Plot& plot,
                 std::span<const double> samples, double rate_hz, ImU32 colour) {
     std::vector<StripColumn> strip;
@@ -135,7 +150,10 @@ void draw_steps(ImDrawList& list, const Theme& theme, const Plot& plot,
             add(columns.from_s(plot.x, c), columns.from_s(plot.x, c + 1), (*columns.extremes)[c]);
         }
     }
-    draw_strip(list, strip, colour);
+    constexpr float kGround = 0.4F;
+    draw_strip(list, strip, faded(colour, kGround));
+    const float zero_px = std::round(to_pixel(plot.y, 0.0));
+    draw_strip(list, edge_of(strip, zero_px, theme.trace_px), colour);
 }
 
 void draw_polyline(ImDrawList& list, const Theme& theme, const Plot& plot,

@@ -143,12 +143,12 @@ TEST_CASE(
     };
     program.app.work.selection.others = {3};
     open_menu("candidate:p4");
-    program.click("table menu:Drop");
+    program.click("row menu:Drop");
     const auto& all = program.app.work.document.set.vibrations;
     CHECK(all[1].dropped);
     CHECK(all[3].dropped);
     open_menu("candidate:p1");
-    program.click("table menu:Lock");
+    program.click("row menu:Lock");
     CHECK(all[0].locked);
     CHECK_FALSE(all[1].locked);
 }

@@ -66,9 +66,9 @@ TEST_CASE("candidates: a full factorial has every combination once, the last par
     CHECK(found.combinations == 24);
     CHECK(found.doubles == 0);
     REQUIRE(found.kept.size() == 24);
-    CHECK(found.kept[0].name == "0.5g 60Hz mod0Hz steady");
-    CHECK(found.kept[1].name == "0.5g 60Hz mod0Hz x=--");
-    CHECK(found.kept[23].name == "1g 240Hz mod8Hz x=--");
+    CHECK(found.kept[0].name == "0.5 g 60 Hz mod 0 Hz steady");
+    CHECK(found.kept[1].name == "0.5 g 60 Hz mod 0 Hz x=--");
+    CHECK(found.kept[23].name == "1 g 240 Hz mod 8 Hz x=--");
     std::set<double> frequencies;
     std::set<std::string> names;
     for (const Candidate& candidate : found.kept) {
@@ -97,7 +97,8 @@ TEST_CASE("candidates: counts are products of levels, whatever the parameters") 
     space.duration_s = levels({0.5, 1.0});
     const Candidates found = made(space);
     CHECK(found.kept.size() == 2 * 3 * 3 * 2 * 2 * 2 * 2 * 3 * 2);
-    CHECK(found.kept[0].name == "60+150Hz mix0.25 product mod4Hz x- attack10ms release0ms 0.5s");
+    CHECK(found.kept[0].name ==
+          "60+150 Hz mix 0.25 product mod 4 Hz x- attack 10 ms release 0 ms 0.5 s");
 }
 
 TEST_CASE("candidates: combinations that make no difference are doubles, counted once") {
@@ -248,7 +249,7 @@ TEST_CASE("candidates: added behind what a set has, under free names, none twice
     CHECK(fresh.size() == 2);
     const PatternSet more = *with_candidates(set, space, fresh, Before::kept);
     CHECK(names_of(more) == std::vector<std::string>{"1g", "mine", "A01", "A02"});
-    CHECK(level_words(space, std::get<Pattern>(more.vibrations[3].source)) == "1.5g");
+    CHECK(level_words(space, std::get<Pattern>(more.vibrations[3].source)) == "1.5 g");
     CHECK(more.generator == space);
     CHECK_FALSE(more.vibrations[1].generated);
     CHECK(more.vibrations[3].generated);

@@ -1,0 +1,110 @@
+#include "app/patterns/pattern_menu.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
+#include "app/pictures/copying.h"
+#include "app/ui/widgets.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+// Room for a mark before the words of an item.
+constexpr const char* kIndent = "      ";
+
+// True where it is chosen, by mouse or keyboard.
+bool look_item(Ui& ui, const std::string& text, const PatternLook& look, bool is_now) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool chosen = ImGui::MenuItem((kIndent + text).c_str(), nullptr, is_now);
+    note_item(ui.rects, "row menu:" + text, is_now ? "chosen" : "");
+    const float s = ui.theme.scale;
+    draw_pattern_mark(*ImGui::GetWindowDrawList(), ui.theme,
+                      {corner.x + 9.0F * s, corner.y + 0.5F * ImGui::GetTextLineHeight()}, 5.5F * s,
+                      look, ImGui::GetColorU32(ImGuiCol_PopupBg));
+    return chosen;
+}
+
+void draw_look_menu(Ui& ui, Workspace& work, std::size_t index) {
+    const bool is_open = ImGui::BeginMenu("Colour and mark");
+    note_item(ui.rects, "row menu:Colour and mark");
+    if (!is_open) return;
+    const Vibration& vibration = work.document.set.vibrations[index];
+    const PatternLook now = look_of(ui, work, index);
+    const auto choose = [&](std::string colour, bool ring) {
+        ui.waiting.emplace_back([&ui, &work, colour = std::move(colour), ring] {
+            change_look(ui, work, colour, ring);
+        });
+    };
+    const auto place = palette_place(vibration.colour);
+    for (std::size_t k = 0; k < kPatternColourCount; ++k) {
+        const PatternLook look{ui.theme.pattern[k], vibration.ring};
+        const PatternColour& colour = kPatternColours[k];
+        if (look_item(ui, colour.name, look, place == k)) choose(colour.hex, vibration.ring);
+    }
+    ImGui::Separator();
+    for (const bool ring : {false, true}) {
+        if (look_item(ui, ring ? "Ring" : "Disc", {now.colour, ring}, vibration.ring == ring)) {
+            choose(vibration.colour, ring);
+        }
+    }
+    ImGui::EndMenu();
+}
+
+}  // namespace
+
+PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index) {
+    if (index >= work.document.set.vibrations.size()) return PatternDeed::none;
+    const float gap = ui.theme.gap_px;  // rows of a list stand closer
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, 0.75F * gap));
+    if (index != work.selection.current && !work.selection.others.contains(index)) {
+        select_only(work, index);
+    }
+    const Vibration& vibration = work.document.set.vibrations[index];
+    PatternDeed deed = PatternDeed::none;
+    const auto row = [&ui](const MenuRow& menu_row) {
+        const bool pressed = draw_menu_row(ui.theme, menu_row);
+        note_item(ui.rects, std::string("row menu:") + menu_row.words);
+        return pressed;
+    };
+    const auto asks = [&](const char* words, const char* keys, PatternDeed what, bool enabled,
+                          std::optional<Icon> icon = {}) {
+        if (row({.words = words, .keys = keys, .enabled = enabled, .icon = icon})) deed = what;
+    };
+    // Once all rows are drawn: there may be fewer of them then.
+    const auto does = [&](const char* words, const char* keys, std::function<void()> act,
+                          std::optional<Icon> icon = {}) {
+        if (row({.words = words, .keys = keys, .icon = icon})) ui.waiting.push_back(std::move(act));
+    };
+    const bool has_numbers = std::holds_alternative<Pattern>(vibration.source);
+    asks("Play", "", PatternDeed::play, true, Icon::play);
+    asks("Rename", "F2", PatternDeed::rename, true);
+    ImGui::Separator();
+    does(
+        vibration.locked ? "Unlock" : "Lock", "Ctrl+L", [&] { toggle_locked(ui, work); },
+        Icon::locked);
+    does(
+        vibration.dropped ? "Take back" : "Drop", "Ctrl+Shift+L", [&] { toggle_dropped(ui, work); },
+        Icon::dropped);
+    ImGui::Separator();
+    does("Duplicate", "Ctrl+D", [&] { duplicate_selected(ui, work); });
+    does("Copy", "Ctrl+C", [&] { copy_selected(ui, work); });
+    ImGui::Separator();
+    asks("Find similar", "", PatternDeed::similar, true);
+    asks("Vary", "", PatternDeed::vary, editable_pattern(vibration) != nullptr);
+    asks("Steps to...", "", PatternDeed::steps, has_numbers);
+    ImGui::Separator();
+    draw_look_menu(ui, work, index);
+    ImGui::Separator();
+    does("Delete", "Del", [&] { remove_selected(ui, work); });
+    ImGui::PopStyleVar();
+    return deed;
+}
+
+}  // namespace tact

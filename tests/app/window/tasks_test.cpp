@@ -1,0 +1,221 @@
+// How many actions the commonest tasks take: clicks, drags, key chords, and fields that are typed
+// into. Every task is done to its end, which is checked. Where a designer counted an earlier state
+// (47, 24, 24 and 6 for those named first), it must be fewer; otherwise no more than it was.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "app/window/animation.h"
+#include "app/window/frame.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tasks_test {
+
+using namespace tact;
+
+namespace {
+
+struct Counted : Program {
+    int actions = 0;
+
+    explicit Counted(std::size_t patterns) : Program(short_patterns(patterns)) {
+        patterns < 2 ? make_jobs(app) : compute_map();
+    }
+    ~Counted() { stop_jobs(app); }
+
+    void clicks(const std::string& name, bool shift = false) {
+        ++actions;
+        if (shift) hold(key::kLeftShift, true);
+        click(name);
+        if (shift) hold(key::kLeftShift, false);
+    }
+    void right_clicks(const std::string& name) {
+        ++actions;
+        window.move(at(name).middle());
+        window.button(true, 1);
+        window.button(false, 1);
+        settle();
+    }
+    void drags(const std::string& from, const std::string& to) {
+        ++actions;
+        drag(at(from).middle(), at(to).middle(), 4);
+    }
+    void chord(char32_t sign, bool shift = false) {
+        ++actions;
+        press(sign, true, shift);
+    }
+    void keys(int code) {
+        ++actions;
+        press_key(code);
+    }
+    // Where the cursor is, instead of what stands there.
+    void types(const std::string& text) {
+        ++actions;
+        press('a', true);
+        type(text);
+        press_key(key::kEnter);
+    }
+    void fills(const std::string& field, const std::string& text) {
+        click(field);
+        types(text);
+    }
+
+    template <class IsSo>
+    void wait_until(IsSo is_so) {
+        const auto until = end_of_patience();
+        while (!is_so()) {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            frame();
+            continue_exports(app);  // as the window's loop does
+        }
+        settle();
+    }
+
+    const std::vector<Vibration>& all() const { return app.work.document.set.vibrations; }
+
+  private:
+    void hold(int which, bool down) {
+        push(window.input, {window.now_s, KeyChange{which, down, false, 0}});
+        settle();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("tasks: five patterns from nothing, named, each with numbers of its own") {
+    Counted program(0);
+    for (int k = 1; k <= 5; ++k) {
+        program.chord('n');
+        program.keys(key::kF1 + 1);
+        program.types("alert " + std::to_string(k));
+        program.fills("entry:amplitude_g", "0." + std::to_string(k));
+        program.fills("entry:carrier_1_hz", std::to_string(60 * k));
+        program.fills("entry:modulation_hz", std::to_string(k));
+        program.fills("rhythm", "x-x=--x-");
+    }
+    REQUIRE(program.all().size() == 5);
+    CHECK(program.all()[4].name == "alert 5");
+    const Pattern& last = program.pattern(4);
+    CHECK(last.amplitude_g == doctest::Approx(0.5));
+    CHECK(last.carriers[0].frequency_hz == doctest::Approx(300.0));
+    CHECK(last.modulation.frequency_hz == doctest::Approx(5.0));
+    CHECK(last.rhythm.text == "x-x=--x-");
+    CHECK(program.actions == 35);  // 47 before
+}
+
+TEST_CASE("tasks: several changed at once, doubled, moved, locked, found, deleted, taken back") {
+    Counted program(5);
+    program.clicks("row:p1");
+    program.clicks("row:p3", true);
+    program.fills("entry:amplitude_g", "1.25");
+    for (const std::size_t k : {0U, 1U, 2U}) CHECK(program.pattern(k).amplitude_g == 1.25);
+    program.chord('d');
+    CHECK(program.all().size() == 8);
+    program.drags("row:p5", "row:p1");
+    CHECK(program.all()[0].name == "p5");
+    program.chord('l');
+    CHECK(program.all()[0].locked);
+    program.fills("search", "p4");
+    program.clicks("row:p4");
+    program.keys(key::kDelete);
+    CHECK(program.all().size() == 7);
+    program.chord('z');
+    CHECK(program.all().size() == 8);
+    CHECK(program.actions == 10);  // 24 before
+}
+
+TEST_CASE("tasks: candidates, the most distinct of them with one kept and one left out, exported") {
+    const TemporaryFolder folder;
+    Counted program(1);
+    program.chord('g');
+    program.fills("generate:amplitude", "0.6, 1.3");
+    program.fills("generate:carrier 1 steps", "3");
+    program.fills("generate:modulation", "0, 11");
+    program.wait_until([&] { return program.at("generate:count").value == "12 patterns"; });
+    program.clicks("button:add candidates");
+    program.clicks("workspace:Select");
+    program.wait_for_exact_map();
+    program.clicks("candidate:" + program.all()[1].name);
+    program.chord('l');
+    program.clicks("candidate:" + program.all()[2].name);
+    program.chord('l', true);
+    program.wait_for_exact_map();
+    program.wait_until([&] { return program.shows("subset:weakest"); });
+    program.clicks("link:export subset");
+    program.types((folder.path / "chosen").string());
+    program.wait_until([&] { return !program.app.ui.chooser.is_open; });
+    CHECK(program.all()[1].locked);
+    CHECK(program.all()[2].dropped);
+    program.wait_until([&] { return std::filesystem::exists(folder.path / "chosen"); });
+    CHECK(program.actions == 12);  // 24 before
+}
+
+TEST_CASE("tasks: a picture of the map in a file") {
+    const TemporaryFolder folder;
+    Counted program(3);
+    program.chord('e');
+    program.clicks("export view:space");
+    program.clicks("button:choose");
+    program.types((folder.path / "map.svg").string());
+    program.wait_until([&] { return std::filesystem::exists(folder.path / "map.svg"); });
+    CHECK(program.actions == 4);  // 6 before
+}
+
+TEST_CASE("tasks: the closest pair parted by what is suggested") {
+    Counted program(4);
+    program.wait_until([&] { return program.shows("neighbour:separate closest"); });
+    const auto before = program.app.work.document.set;
+    program.clicks("neighbour:separate closest");
+    program.wait_until([&] { return program.shows("apply:0"); });
+    program.clicks("apply:0");
+    CHECK_FALSE(program.app.work.document.set == before);
+    CHECK(program.actions == 2);
+}
+
+TEST_CASE("tasks: a rhythm from the list, patterns like one, two compared stage by stage") {
+    Counted program(4);
+    program.resize({1600.0F, 1400.0F}, 1.0F);
+    SUBCASE("a rhythm") {
+        program.clicks("link:rhythms");
+        program.clicks("rhythm list:Euclidean");
+        const auto row = std::ranges::find_if(program.places, [](const auto& place) {
+            return place.first.starts_with("rhythm:") && place.first != "rhythm:";
+        });
+        REQUIRE(row != program.places.end());
+        const std::string name = row->first;
+        program.clicks(name);
+        CHECK("rhythm:" + program.pattern(0).rhythm.text == name);
+        CHECK(program.actions == 3);
+    }
+    SUBCASE("patterns like one") {
+        program.right_clicks("row:p2");
+        program.clicks("row menu:Find similar");
+        CHECK(program.app.work.selection.current == 1);
+        CHECK_FALSE(program.app.work.selection.others.empty());
+        CHECK(program.actions == 2);
+    }
+    SUBCASE("two compared") {
+        program.clicks("workspace:Physiology");
+        program.clicks("compare with");
+        program.clicks("pin:p3");
+        CHECK(program.app.work.selection.pinned == "p3");
+        CHECK(program.actions == 3);
+    }
+    SUBCASE("one locked from the map, and another renamed there") {
+        program.right_clicks("point:p2");
+        program.clicks("row menu:Lock");
+        CHECK(program.all()[1].locked);
+        program.right_clicks("point:p4");
+        program.clicks("row menu:Rename");
+        program.types("knock");
+        CHECK(program.all()[3].name == "knock");
+        CHECK(program.actions == 5);
+    }
+}
+
+}  // namespace tasks_test
