@@ -53,6 +53,12 @@ bool has_editable_pattern(const App& app) {
 void start_rename(App& app) {
     // Names are typed in the list, which the table takes the place of.
     if (app.layout.arrangement == Arrangement::select) show_workspace(app, Arrangement::design);
+    if (app.layout.maximised != Pane::patterns) app.layout.maximised.reset();
+    const std::vector<std::size_t> rows = listed_indices(app.work);
+    if (std::ranges::find(rows, app.work.selection.current) == rows.end()) {
+        app.work.selection.search.clear();
+        app.work.selection.only_picked = false;
+    }
     begin_rename(app.work, app.pattern_panes, app.work.selection.current);
     app.work.selection.scroll_to_current = true;
 }

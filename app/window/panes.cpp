@@ -117,8 +117,8 @@ void do_with_pattern(App& app, PatternDeed deed) {
         case PatternDeed::play:
             return play_once(app.ui, app.work, app.timeline, app.play, current);
         case PatternDeed::rename:
-            app.work.selection.scroll_to_current = true;
-            return begin_rename(app.work, app.pattern_panes, current);
+            app.ui.waiting.emplace_back([&app] { start_rename(app); });
+            return;
         case PatternDeed::similar:
             return select_similar(app.ui, app.work, app.shown_map, current);
         case PatternDeed::vary:

@@ -206,6 +206,23 @@ TEST_CASE("tasks: a rhythm from the list, patterns like one, two compared stage 
         CHECK(program.app.work.selection.pinned == "p3");
         CHECK(program.actions == 3);
     }
+    SUBCASE("one renamed in the map that a search hides from the list") {
+        program.fills("search", "p1");
+        program.right_clicks("point:p3");
+        program.clicks("row menu:Rename");
+        program.types("knock");
+        CHECK(program.all()[2].name == "knock");
+        CHECK(program.shows("row:knock"));
+        CHECK(program.actions == 4);
+    }
+    SUBCASE("one renamed in the table of candidates") {
+        program.clicks("workspace:Select");
+        program.right_clicks("candidate:p2");
+        program.clicks("row menu:Rename");
+        program.types("knock");
+        CHECK(program.all()[1].name == "knock");
+        CHECK(program.actions == 4);
+    }
     SUBCASE("one locked from the map, and another renamed there") {
         program.right_clicks("point:p2");
         program.clicks("row menu:Lock");
