@@ -50,7 +50,7 @@ double signal_s(const CalibrationParams& params) {
 
 void draw_kind(Ui& ui, CalibrateState& calibrating, bool& changed) {
     CalibrationParams& params = calibrating.params;
-    draw_chips_label(ui, "Signal");
+    draw_label(ui, "Signal");
     const auto choice = [&](const char* id, const char* text, bool sweep, const char* tip) {
         if (draw_switch(ui, id, text, params.is_sweep == sweep) && params.is_sweep != sweep) {
             params.is_sweep = sweep;

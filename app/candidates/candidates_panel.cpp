@@ -33,16 +33,10 @@ void draw_table_tools(Ui& ui, Workspace& work, std::size_t listed) {
     const std::string count = std::to_string(selection.picked.size());
     const std::string only = selection.picked.empty() ? "only picked" : "only picked: " + count;
     flow_on(chip_width(ui, only.c_str()), ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float chip_px = text_size(ui.theme.fonts.small, only).y + 6.0F * ui.theme.scale;
-    ImGui::SetCursorScreenPos({corner.x, corner.y + 0.5F * (ImGui::GetFrameHeight() - chip_px)});
     if (draw_switch(ui, "only picked", only.c_str(), selection.only_picked)) {
         selection.only_picked = !selection.only_picked;
     }
     note_item(ui.rects, "candidates:only picked", selection.only_picked ? "on" : "off");
-    ImGui::SameLine(0.0F, 0.0F);
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y});
-    ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
     const Vibration* current = current_vibration(work);
     const auto deed = [&](const char* id, const char* words, auto act) {
         flow_on(button_width(words), ui.theme.gap_px);

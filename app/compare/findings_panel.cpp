@@ -56,8 +56,10 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
     check(ImGui::Button(kCheck));
     note_item(ui.rects, "button:check findings");
     ImGui::EndDisabled();
-    ImGui::SameLine(0.0F, ui.theme.gap_px);
-    ImGui::AlignTextToFramePadding();
+    if (busy || comparing.findings) {
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
+        ImGui::AlignTextToFramePadding();
+    }
     if (busy) {
         if (draw_progress(ui, {"Checking", comparing.findings_job->progress(), "findings"}, true))
             comparing.findings_job->cancel();
@@ -69,8 +71,6 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
             std::ranges::count(*comparing.findings, FindingStatus::fails, &Finding::status),
             comparing.findings->size());
         dim_text(ui, text);
-    } else {
-        ImGui::NewLine();
     }
     (void)draw_failure(ui, "findings", failure_of(comparing.findings_job));
     if (!comparing.findings || area.empty()) return;

@@ -255,7 +255,7 @@ void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     const bool changed = draw_actuator(ui, importing.actuator);
     const bool sound = is_sound(importing.actuator);
     if (changed && sound) look_at_simulation(ui, work, importing);
-    draw_chips_label(ui, "Of");
+    draw_label(ui, "Of");
     if (draw_switch(ui, "all", "all patterns", importing.simulate_all))
         importing.simulate_all = true;
     note_item(ui.rects, "import:all");

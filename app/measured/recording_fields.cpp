@@ -19,7 +19,7 @@ constexpr float kNumberPx = 90.0F;
 
 bool draw_unit(Ui& ui, AccelerationOptions& options) {
     bool changed = false;
-    draw_chips_label(ui, "Unit");
+    draw_label(ui, "Unit");
     const auto choice = [&](const char* id, const char* text,
                             std::optional<AccelerationUnit> unit) {
         if (draw_switch(ui, id, text, options.unit == unit) && options.unit != unit) {
@@ -55,7 +55,7 @@ bool draw_unit(Ui& ui, AccelerationOptions& options) {
 
 bool draw_axis(const Ui& ui, AccelerationOptions& options) {
     bool changed = false;
-    draw_chips_label(ui, "Axis");
+    draw_label(ui, "Axis");
     constexpr std::array<const char*, 4> kNames{"all as one", "1", "2", "3"};
     for (std::size_t axis = 0; axis < kNames.size(); ++axis) {
         if (draw_switch(ui, kNames[axis], kNames[axis], options.axis == axis) &&
@@ -99,12 +99,6 @@ bool draw_recording_fields(Ui& ui, RecordingFields& fields, bool has_wave) {
                                    fields.full_scale);
     }
     return changed;
-}
-
-void draw_chips_label(const Ui& ui, const char* label) {
-    draw_label(ui, label);
-    const float chip = text_size(ui.theme.fonts.small, label).y + 6.0F * ui.theme.scale;
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5F * (ImGui::GetFrameHeight() - chip));
 }
 
 bool draw_number_row(Ui& ui, const NumberRow& row, double& value) {

@@ -19,9 +19,6 @@ AccelerationOptions options_of(const RecordingFields& fields);
 // True when one of them was changed. `has_wave`: full scale is asked for as well.
 bool draw_recording_fields(Ui& ui, RecordingFields& fields, bool has_wave);
 
-// A row's label, and the cursor where chips beside it stand level with it.
-void draw_chips_label(const Ui& ui, const char* label);
-
 // A number with its label, its default and its unit.
 struct NumberRow {
     const char* id;  // also its name for tests

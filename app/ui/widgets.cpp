@@ -15,6 +15,7 @@ namespace tact {
 namespace {
 
 constexpr float kChipPadPx = 5.0F;
+constexpr float kChipPadYPx = 3.0F;
 
 ImVec4 colour4(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
@@ -294,47 +295,45 @@ float chip_width(const Ui& ui, const char* text) {
     return text_size(ui.theme.fonts.small, text).x + 2.0F * kChipPadPx * ui.theme.scale;
 }
 
-bool draw_chip(const Ui& ui, const char* id, const char* text, bool lit) {
+namespace {
+
+// A word in small type on a plate that lights up, in the middle of so many pixels of height.
+bool draw_plate(const Ui& ui, const char* id, const char* text, bool lit, float height_px,
+                bool has_edge) {
     const Theme& theme = ui.theme;
-    const ImVec2 pad{kChipPadPx * theme.scale, 3.0F * theme.scale};
-    const ImVec2 size = text_size(theme.fonts.small, text) + pad * 2.0F;
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::InvisibleButton(id, size);
+    const ImVec2 pad{kChipPadPx * theme.scale, kChipPadYPx * theme.scale};
+    const ImVec2 plate = text_size(theme.fonts.small, text) + pad * 2.0F;
+    const ImVec2 top = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(id, {plate.x, height_px});
     const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    const ImVec2 corner{top.x, top.y + std::round(0.5F * (height_px - plate.y))};
+    // GetColorU32 fades what is disabled.
+    const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (lit || over) {
-        list.AddRectFilled(corner, corner + size, lit ? faded(theme.accent, 0.28F) : theme.hover,
-                           theme.rounding_px);
+        list.AddRectFilled(corner, corner + plate,
+                           ink(lit ? faded(theme.accent, 0.28F) : theme.hover), theme.rounding_px);
     }
-    draw_text(list, theme.fonts.small, corner + pad, lit || over ? theme.text : theme.dim_text,
+    if (has_edge) {
+        list.AddRect(corner, corner + plate,
+                     lit ? ink(theme.accent) : ImGui::GetColorU32(ImGuiCol_Border),
+                     theme.rounding_px, 0, theme.hairline_px);
+    }
+    draw_text(list, theme.fonts.small, corner + pad, ink(lit || over ? theme.text : theme.dim_text),
               text);
     if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     return pressed;
 }
 
+}  // namespace
+
+bool draw_chip(const Ui& ui, const char* id, const char* text, bool lit) {
+    const float words_px = text_size(ui.theme.fonts.small, text).y;
+    return draw_plate(ui, id, text, lit, words_px + 2.0F * kChipPadYPx * ui.theme.scale, false);
+}
+
 bool draw_switch(const Ui& ui, const char* id, const char* text, bool on) {
-    const Theme& theme = ui.theme;
-    const ImVec2 words = text_size(theme.fonts.small, text);
-    const ImVec2 size{words.x + 2.0F * kChipPadPx * theme.scale, ImGui::GetFrameHeight()};
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::InvisibleButton(id, size);
-    const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
-    // GetColorU32 fades what is disabled.
-    const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
-    const ImVec2 inset{0.0F, std::round(0.5F * (size.y - words.y) - 3.0F * theme.scale)};
-    const Rect plate{corner + inset, corner + size - inset};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (on || over) {
-        list.AddRectFilled(plate.min, plate.max, ink(on ? faded(theme.accent, 0.28F) : theme.hover),
-                           theme.rounding_px);
-    }
-    list.AddRect(plate.min, plate.max, on ? ink(theme.accent) : ImGui::GetColorU32(ImGuiCol_Border),
-                 theme.rounding_px, 0, theme.hairline_px);
-    draw_text(list, theme.fonts.small,
-              {corner.x + kChipPadPx * theme.scale, corner.y + 0.5F * (size.y - words.y)},
-              ink(on || over ? theme.text : theme.dim_text), text);
-    if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    return pressed;
+    return draw_plate(ui, id, text, on, ImGui::GetFrameHeight(), true);
 }
 
 bool draw_empty_with(const Ui& ui, const Rect& area, const char* title, const std::string& reason,

@@ -152,8 +152,7 @@ void draw_steps(ImDrawList& list, const Theme& theme, const Plot& plot,
     }
     constexpr float kGround = 0.4F;
     draw_strip(list, strip, faded(colour, kGround));
-    const float zero_px = std::round(to_pixel(plot.y, 0.0));
-    draw_strip(list, edge_of(strip, zero_px, theme.trace_px), colour);
+    draw_strip(list, edge_of(strip, to_pixel(plot.y, 0.0), theme.trace_px), colour);
 }
 
 void draw_polyline(ImDrawList& list, const Theme& theme, const Plot& plot,

@@ -116,6 +116,7 @@ TEST_CASE("wave: a bar is a rectangle at any size of text and width of the pane"
                 const int free = count_pixels(image, row, pixel(image, 5, 30));
                 CHECK(static_cast<float>(free) < 0.9F * width);
                 CHECK(free > 0);
+                CHECK(count_pixels(image, area, ink) > width / 10.0F);  // the edge at their tops
             }
         }
     }
