@@ -47,8 +47,7 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
     if (!busy && !comparing.findings && failure_of(comparing.findings_job).empty() &&
         !area.empty()) {
         check(draw_empty_with(ui, area, "Does the model find what people felt?",
-                              "What the paper found, checked on its own sets. It takes a minute.",
-                              kCheck));
+                              "What the paper found, checked on its own sets.", kCheck));
         note_item(ui.rects, "button:check findings");
         return;
     }
