@@ -89,6 +89,7 @@ struct Counted : Program {
 
 TEST_CASE("tasks: five patterns from nothing, named, each with numbers of its own") {
     Counted program(0);
+    program.resize({1600.0F, 1400.0F}, 1.0F);  // all fields are in sight, whenever the card comes
     for (int k = 1; k <= 5; ++k) {
         program.chord('n');
         program.keys(key::kF1 + 1);
