@@ -69,7 +69,7 @@ TEST_CASE("export: samples are read back at their one full scale, recordings amo
         const double steps = encoding == WaveEncoding::int16 ? 32768.0 : 8388608.0;
         for (std::size_t k = 0; k < loss.patterns.size(); ++k) {
             CHECK_FALSE(loss.patterns[k].recording);
-            CHECK(contains({loss.beside[k]}, "\"scale_g\":"));
+            CHECK(contains(std::vector{loss.beside[k]}, "\"scale_g\":"));
             CHECK(loss.patterns[k].rms_error_g <= 0.5 * full_g / steps);
         }
         const auto back = exported_set(set, target);
