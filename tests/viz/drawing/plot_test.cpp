@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/drawn_svg.h"
+#include "tests/support/svg_elements.h"
+#include "viz/drawing/marks.h"
+
 namespace tact::plot_test {
 
 TEST_CASE("plot: any range gets three to five ticks, all inside it and evenly spaced") {
@@ -147,6 +151,39 @@ TEST_CASE("plot: a place is read to a fraction of what is in view, early and lat
         }
     }
     CHECK(stepped(3.0, 0.0) == "3");
+}
+
+// The last number has the unit, and gives way to the left where the plot ends.
+TEST_CASE(
+    "plot: however narrow it is, no number along it runs into the next, and the unit is told") {
+    for (float width = 40.0F; width < 200.0F; width += 3.0F) {
+        std::map<std::string, float> widths;
+        const std::string svg = drawn_svg([&](ImDrawList& list, const Theme& theme) {
+            const PlotLabels labels{.x_unit = "Hz", .y_unit = "", .y_grid = false};
+            const Axis x{.low = 0.5, .high = 1000.0, .scale = Scale::logarithmic};
+            const Plot plot = plot_within({{0.0F, 0.0F}, {width, 90.0F}}, theme, x,
+                                          {.low = 0.0, .high = 1.0}, labels);
+            draw_axes(list, theme, plot, labels);
+            for (const double tick : round_ticks(x.low, x.high, x.scale)) {
+                for (const std::string unit : {"", " Hz"}) {
+                    const std::string text = tick_text(tick) + unit;
+                    widths[text] = text_size(theme.fonts.small, text).x;
+                }
+            }
+        });
+        double end = -1.0;
+        const auto texts = elements_of(svg, "text");
+        std::vector<std::pair<double, std::string>> places;
+        for (const SvgElement& text : texts) places.emplace_back(text.number("x"), text.text);
+        std::ranges::sort(places);
+        REQUIRE_FALSE(places.empty());
+        CHECK(places.back().second.ends_with("Hz"));
+        for (const auto& [left, words] : places) {
+            CAPTURE(words);
+            CHECK(left > end);
+            end = left + static_cast<double>(widths.at(words));
+        }
+    }
 }
 
 }  // namespace tact::plot_test
