@@ -17,9 +17,9 @@ namespace tact {
 
 namespace fs = std::filesystem;
 
-using What = StudyEvent::What;
-
 namespace {
+
+using What = StudyEvent::What;
 
 constexpr double kLookS = 0.01;  // between two looks at a device that still plays
 
