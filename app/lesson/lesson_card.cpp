@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 #include "app/lesson/lesson_place.h"
 #include "app/lesson/lesson_question.h"
@@ -19,17 +20,28 @@ constexpr Range kCardShare{0.15, 0.5};
 
 bool is_upright(DockSide side) { return side == DockSide::left || side == DockSide::right; }
 
-// Wide enough to read, and never more than half of the window.
+// A larger hand for those at the back.
+constexpr float kPresentedText = 1.15F;
+
+constexpr float kMeasure = 60.0F;  // letters on a line, beyond which lines are lost
+
+// Of a line that is read with ease.
+float measure_px(const Ui& ui, const LessonState& state) {
+    constexpr std::string_view kLetters = "the quick brown fox jumps over the lazy dog";
+    const float letter =
+        text_size(ui.theme.fonts.regular, kLetters).x / static_cast<float>(kLetters.size());
+    return kMeasure * letter * (state.presenting ? kPresentedText : 1.0F);
+}
+
+// Wide enough to read, no wider than that, and never more than half of the window.
 float card_px(const Ui& ui, const LessonState& state, const Rect& area) {
     const bool upright = is_upright(state.dock);
     const float all = upright ? area.width() : area.height();
     const float least = (upright ? 250.0F : 130.0F) * ui.theme.scale;
-    return std::round(std::min(std::max(state.card_share * all, least),
-                               static_cast<float>(kCardShare.high) * all));
+    const float most = static_cast<float>(kCardShare.high) * all;
+    const float lines = upright ? measure_px(ui, state) + 2.0F * ui.theme.padding_px : most;
+    return std::round(std::min({std::max(state.card_share * all, least), lines, most}));
 }
-
-// A larger hand for those at the back.
-constexpr float kPresentedText = 1.15F;
 
 std::string text_in(const LessonState& state, const std::string& text) {
     const LessonAnswers* answers = answers_of(state);
@@ -152,12 +164,16 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
     ImGui::SetNextWindowSize(card.size());
     ImGui::PushStyleColor(ImGuiCol_Border, theme.accent);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, theme.hairline_px * 1.5F);
+    // Along the top or the foot, too, though there by half as long again: it is low.
+    const float line = 1.5F * measure_px(ui, state);
+    const bool is_wide = !is_upright(state.dock) && !state.editing;
+    if (is_wide && card.width() > line) ImGui::SetNextWindowContentSize({line, 0.0F});
     if (ImGui::Begin("tour", nullptr,
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
         if (state.presenting) ImGui::SetWindowFontScale(kPresentedText);
-        const float width = ImGui::GetWindowContentRegionMax().x;
+        const float width = card.width() - ImGui::GetStyle().WindowPadding.x;
         draw_head(ui, state, step, width);
         if (state.editing) {
             draw_step_editor(hands, state);

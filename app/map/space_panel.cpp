@@ -156,7 +156,6 @@ SpaceScene scene_of(const Ui& ui, const Workspace& work, const ShownMap& shown_m
     scene.quantity = "PM";
     scene.point_hint = shown_map.move_tool ? "drag it to where it should be" : kHoldHelp;
     scene.moves = shown_map.move_tool;
-    scene.stale = false;  // a drag would flicker; the title says what state the map is in
     return scene;
 }
 
@@ -399,6 +398,11 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     SpaceScene scene = scene_of(ui, work, shown_map, words, looks, points, places);
     const std::vector<std::size_t> selected_too = rows_selected_too(work, places);
     scene.selected_too = selected_too;
+    // Of another set it is so at once: not one of its names is in the list.
+    const bool is_of_another =
+        std::ranges::none_of(places, [](const auto& at) { return at.has_value(); });
+    scene.stale = looks_stale(ui, "space", shown_map.transition.shown, state == MapState::stale) ||
+                  is_of_another;
     decorate(decor, scene);
     const auto& people = marks.people;
     if (people) {
