@@ -207,7 +207,10 @@ PaneTitle title_of(const App& app, Pane pane) {
 
 void draw_bench(App& app) {
     const auto tab = [&app](BenchTab which, const char* name) {
-        if (draw_chip(app.ui, name, name, app.layout.bench == which)) app.layout.bench = which;
+        // Not by its word alone, which may be that of something within the tab.
+        const std::string id = std::string("tab ") + name;
+        if (draw_chip(app.ui, id.c_str(), name, app.layout.bench == which))
+            app.layout.bench = which;
         note_item(app.ui.rects, std::string("tab:") + name);
     };
     // Where one selects, the others are in the View menu.
