@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "viz/drawing/colour.h"
@@ -197,7 +198,9 @@ void draw_axes(ImDrawList& list, const Theme& theme, const Plot& plot, const Plo
     }
     if (labels.x_unit.empty()) return;
     const auto ticks = ticks_apart(plot.x, 4.0F * text_px);
-    for (std::size_t i = 0; i < ticks.size(); ++i) {
+    // From the last one, which has the unit: it may have to stand where the one before it would.
+    float next_left = std::numeric_limits<float>::infinity();
+    for (std::size_t i = ticks.size(); i-- > 0;) {
         std::string text = tick_text(ticks[i], step_between(plot.x, ticks));
         const float number_px = text_size(font, text).x;
         if (i + 1 == ticks.size()) text += " " + std::string{labels.x_unit};
@@ -205,7 +208,9 @@ void draw_axes(ImDrawList& list, const Theme& theme, const Plot& plot, const Plo
         const float left = std::min(x - number_px / 2.0F, area.max.x - text_size(font, text).x);
         draw_upright_line(list, x, area.max.y, area.max.y + 3.0F * theme.scale, theme.hairline_px,
                           theme.line);
+        if (left + text_size(font, text).x > next_left) continue;
         draw_text(list, font, {left, area.max.y + 5.0F * theme.scale}, theme.dim_text, text);
+        next_left = left - 0.25F * text_px;
     }
 }
 
