@@ -96,7 +96,9 @@ void draw_signal_part(Ui& ui, const Workspace& work, Timeline& timeline, PlaySta
     ImGui::EndDisabled();
     if (changed) look_at_recording(ui, calibrating);
     const std::string most = percent(calibrating.params.levels.back());
-    wrapped_dim(ui, significant(signal_s(calibrating.params), 3) + " s on " + device_text(play) +
+    const bool has_device = can_be_calibrated(play);
+    wrapped_dim(ui, significant(signal_s(calibrating.params), 3) + " s on " +
+                        (has_device ? device_text(play) : "an audio output, once one is chosen") +
                         ", up to " + most + " of full scale whatever the level of the bar. Begin " +
                         "recording before it, and end after it.");
     if (calibrating.is_playing) return draw_playing(ui, timeline, play, calibrating);
@@ -104,6 +106,7 @@ void draw_signal_part(Ui& ui, const Workspace& work, Timeline& timeline, PlaySta
     if (ImGui::Button("Play the signal")) play_calibration_signal(ui, timeline, play, calibrating);
     ImGui::EndDisabled();
     note_item(ui.rects, "button:play signal");
+    if (!can_sound(play)) draw_tooltip(ui, "Choose an audio output in Play > Devices... first");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     if (ImGui::Button("Save as WAV...")) save_calibration_signal_dialog(ui, work, calibrating);
     note_item(ui.rects, "button:save signal");
@@ -238,8 +241,10 @@ void draw_parts(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& pl
     const float most = 0.9F * ImGui::GetIO().DisplaySize.y - 4.0F * ImGui::GetFrameHeight();
     const float height = content_px > 0.0F ? std::min(content_px, most) : most;
     ImGui::BeginChild("parts", {0.0F, height});
-    wrapped_dim(ui, "How many g the actuator on " + device_text(play) +
-                        " gives at each frequency, by an accelerometer fixed to it");
+    const std::string actuator =
+        can_be_calibrated(play) ? "the actuator on " + device_text(play) : "an actuator";
+    wrapped_dim(ui, "How many g " + actuator +
+                        " gives at each frequency, by an accelerometer fixed to it.");
     draw_signal_part(ui, work, timeline, play, calibrating);
     draw_recording_part(ui, work, calibrating);
     draw_result_part(ui, calibrating);

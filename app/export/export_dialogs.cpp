@@ -67,29 +67,6 @@ NumberEntry entry_of(const Ui& ui, const char* id, const char* label, Range allo
             .width_px = 90.0F * ui.theme.scale};
 }
 
-void draw_size(Ui& ui, const Workspace& work, PictureView view, PictureSize& size) {
-    draw_label(ui, "Size");
-    if (is_reset_asked(ui)) suit(size, view, !work.selection.pinned.empty());
-    enter_whole(ui, entry_of(ui, "width", "Width", kPixels), size.width);
-    note_item(ui.rects, "export:width", std::to_string(size.width));
-    ImGui::SameLine();
-    dim_text(ui, "\u00d7");
-    ImGui::SameLine();
-    enter_whole(ui, entry_of(ui, "height", "Height", kPixels), size.height);
-    note_item(ui.rects, "export:height", std::to_string(size.height));
-    ImGui::SameLine();
-    dim_text(ui, "pixels");
-    draw_label(ui, "Text");
-    double scale = static_cast<double>(size.scale);
-    if (reset_by_label(ui, 1.0, scale)) size.scale = PictureSize{}.scale;
-    if (enter_number(ui, entry_of(ui, "scale", "Text", kTextScale), scale)) {
-        size.scale = static_cast<float>(scale);
-    }
-    note_item(ui.rects, "export:scale", std::to_string(size.scale));
-    ImGui::SameLine();
-    dim_text(ui, "times as large as usual");
-}
-
 // Of screens and projectors.
 void draw_presets(Ui& ui, PictureSize& size) {
     struct Preset {
@@ -115,11 +92,34 @@ void draw_presets(Ui& ui, PictureSize& size) {
     ImGui::NewLine();
 }
 
+void draw_size(Ui& ui, const Workspace& work, PictureView view, PictureSize& size) {
+    draw_label(ui, "Size");
+    if (is_reset_asked(ui)) suit(size, view, !work.selection.pinned.empty());
+    enter_whole(ui, entry_of(ui, "width", "Width", kPixels), size.width);
+    note_item(ui.rects, "export:width", std::to_string(size.width));
+    ImGui::SameLine();
+    dim_text(ui, "\u00d7");
+    ImGui::SameLine();
+    enter_whole(ui, entry_of(ui, "height", "Height", kPixels), size.height);
+    note_item(ui.rects, "export:height", std::to_string(size.height));
+    ImGui::SameLine();
+    dim_text(ui, "pixels");
+    draw_presets(ui, size);
+    draw_label(ui, "Text");
+    double scale = static_cast<double>(size.scale);
+    if (reset_by_label(ui, 1.0, scale)) size.scale = PictureSize{}.scale;
+    if (enter_number(ui, entry_of(ui, "scale", "Text", kTextScale), scale)) {
+        size.scale = static_cast<float>(scale);
+    }
+    note_item(ui.rects, "export:scale", std::to_string(size.scale));
+    ImGui::SameLine();
+    dim_text(ui, "times as large as usual");
+}
+
 void draw_view_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
     if (!begin_dialog(ui, "Export view")) return;
     draw_views(ui, work, kPictureViews, exports.view, exports.picture_size);
     draw_size(ui, work, exports.view, exports.picture_size);
-    draw_presets(ui, exports.picture_size);
     dim_text(ui, "PNG for pixels, SVG to magnify and to edit: chosen beside the file's name.");
     if (!draw_ends(ui, "Choose a file...", true)) return;
     choose_picture(ui, work, exports);
@@ -195,10 +195,8 @@ void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) 
                          exports.frames <= kMostFrames;
     char text[128];
     if (is_good) {
-        const FrameSequence sequence{{}, exports.from_s, exports.to_s, exports.frames};
-        std::snprintf(text, sizeof text, "a film of %.3g s, %s",
-                      exports.frames / frames_per_s(exports),
-                      film_speed(sequence, frames_per_s(exports)).c_str());
+        std::snprintf(text, sizeof text, "a film of %.3g s",
+                      exports.frames / frames_per_s(exports));
     } else {
         std::snprintf(text, sizeof text, "times from 0 to %.4g s, frames from 1 to %d", duration_s,
                       kMostFrames);
@@ -206,7 +204,6 @@ void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) 
     ImGui::SameLine();
     dim_text(ui, text);
     draw_size(ui, work, exports.moving_view, exports.frame_size);
-    draw_presets(ui, exports.frame_size);
     draw_formats(ui, exports);
     const char* choose = exports.film ? "Choose a file..." : "Choose a folder...";
     if (!draw_ends(ui, choose, is_good)) return;

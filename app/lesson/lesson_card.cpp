@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 #include "app/lesson/lesson_place.h"
 #include "app/lesson/lesson_question.h"
@@ -19,17 +20,28 @@ constexpr Range kCardShare{0.15, 0.5};
 
 bool is_upright(DockSide side) { return side == DockSide::left || side == DockSide::right; }
 
-// Wide enough to read, and never more than half of the window.
+// A larger hand for those at the back.
+constexpr float kPresentedText = 1.15F;
+
+constexpr float kMeasure = 60.0F;  // letters on a line, beyond which lines are lost
+
+// Of a line that is read with ease.
+float measure_px(const Ui& ui, const LessonState& state) {
+    constexpr std::string_view kLetters = "the quick brown fox jumps over the lazy dog";
+    const float letter =
+        text_size(ui.theme.fonts.regular, kLetters).x / static_cast<float>(kLetters.size());
+    return kMeasure * letter * (state.presenting ? kPresentedText : 1.0F);
+}
+
+// Wide enough to read, no wider than that, and never more than half of the window.
 float card_px(const Ui& ui, const LessonState& state, const Rect& area) {
     const bool upright = is_upright(state.dock);
     const float all = upright ? area.width() : area.height();
     const float least = (upright ? 250.0F : 130.0F) * ui.theme.scale;
-    return std::round(std::min(std::max(state.card_share * all, least),
-                               static_cast<float>(kCardShare.high) * all));
+    const float most = static_cast<float>(kCardShare.high) * all;
+    const float lines = upright ? measure_px(ui, state) + 2.0F * ui.theme.padding_px : most;
+    return std::round(std::min({std::max(state.card_share * all, least), lines, most}));
 }
-
-// A larger hand for those at the back.
-constexpr float kPresentedText = 1.15F;
 
 std::string text_in(const LessonState& state, const std::string& text) {
     const LessonAnswers* answers = answers_of(state);
@@ -68,25 +80,59 @@ void draw_source(Ui& ui, LessonState& state, const LessonStep& step) {
     ImGui::PopFont();
 }
 
-void draw_way(const LessonHands& hands, LessonState& state) {
+struct WayWords {
+    const char* on;  // none: there is nothing to go on to
+    const char* leave;
+};
+
+WayWords way_words(const LessonState& state) {
+    const bool last = *state.step + 1 == state.lesson->steps.size();
+    const bool hides = hides_answer(state);
+    return {hides  ? "Reveal"
+            : last ? nullptr
+                   : "Next",
+            last            ? "Finish"
+            : state.is_tour ? "Leave the tour"
+                            : "Leave the lesson"};
+}
+
+constexpr const char* kBack = "Back";
+
+float way_width(const Ui& ui, const WayWords& words) {
+    const float on = words.on == nullptr ? 0.0F : ui.theme.gap_px + button_width(words.on);
+    return button_width(kBack) + on + ui.theme.gap_px + button_width(words.leave);
+}
+
+// In one row, or in as many as the card needs.
+void draw_way(const LessonHands& hands, LessonState& state, bool in_one_row) {
     Ui& ui = hands.ui;
-    ImGui::Spacing();
+    const WayWords words = way_words(state);
+    const bool last = *state.step + 1 == state.lesson->steps.size();
+    const auto beside = [&](const char* next) {
+        if (in_one_row) return ImGui::SameLine(0.0F, ui.theme.gap_px);
+        flow_on(button_width(next), ui.theme.gap_px);
+    };
     ImGui::BeginDisabled(*state.step == 0);
-    if (ImGui::Button("Back")) step_back(hands, state);
+    if (ImGui::Button(kBack)) step_back(hands, state);
     note_item(ui.rects, "tour:back");
     ImGui::EndDisabled();
-    const bool last = *state.step + 1 == state.lesson->steps.size();
-    const char* on = hides_answer(state) ? "Reveal" : "Next";
-    if (!last || hides_answer(state)) {
-        flow_on(button_width(on), ui.theme.gap_px);
-        if (ImGui::Button(on)) step_on(hands, state);
-        note_item(ui.rects, "tour:next", on);
+    if (words.on != nullptr) {
+        beside(words.on);
+        if (ImGui::Button(words.on)) step_on(hands, state);
+        note_item(ui.rects, "tour:next", words.on);
     }
-    const char* leave = last ? "Finish" : state.is_tour ? "Leave the tour" : "Leave the lesson";
-    flow_on(button_width(leave), ui.theme.gap_px);
-    if (ImGui::Button(leave))
+    beside(words.leave);
+    if (ImGui::Button(words.leave))
         ui.waiting.emplace_back([hands, &state] { leave_lesson(hands, state); });
     note_item(ui.rects, last ? "tour:finish" : "tour:leave");
+}
+
+// A low card has them beside its head, in sight whatever there is to read.
+void draw_way_at_head(const LessonHands& hands, LessonState& state, float right) {
+    const Theme& theme = hands.ui.theme;
+    const float left = right - way_width(hands.ui, way_words(state));
+    ImGui::SetCursorPos({left, theme.padding_px});
+    draw_way(hands, state, true);
 }
 
 // Its inner edge, dragged.
@@ -152,12 +198,19 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
     ImGui::SetNextWindowSize(card.size());
     ImGui::PushStyleColor(ImGuiCol_Border, theme.accent);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, theme.hairline_px * 1.5F);
+    // Along the top or the foot, too, though there by half as long again: it is low.
+    const float line = 1.5F * measure_px(ui, state);
+    const bool is_low = !is_upright(state.dock) && card.width() > 1.5F * line;
+    if (is_low && !state.editing) ImGui::SetNextWindowContentSize({line, 0.0F});
     if (ImGui::Begin("tour", nullptr,
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
         if (state.presenting) ImGui::SetWindowFontScale(kPresentedText);
-        const float width = ImGui::GetWindowContentRegionMax().x;
+        const float bar = ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F;
+        const float width = card.width() - ImGui::GetStyle().WindowPadding.x - bar;
+        // On the line of the buttons beside it.
+        if (is_low) ImGui::SetCursorPosY(theme.padding_px + ImGui::GetStyle().FramePadding.y);
         draw_head(ui, state, step, width);
         if (state.editing) {
             draw_step_editor(hands, state);
@@ -167,7 +220,13 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
         }
         if (step.question) draw_lesson_question(hands, state, *step.question);
         draw_source(ui, state, step);
-        draw_way(hands, state);
+        if (is_low) {
+            const float move_px = text_size(theme.fonts.regular, "Move").x;
+            draw_way_at_head(hands, state, width - move_px - 2.0F * theme.gap_px);
+        } else {
+            ImGui::Spacing();
+            draw_way(hands, state, false);
+        }
         char count[32];
         std::snprintf(count, sizeof count, "%zu of %zu", at + 1, state.lesson->steps.size());
         note_rect(ui.rects, "tour", card.min, card.max, count);

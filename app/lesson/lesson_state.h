@@ -92,7 +92,7 @@ struct LessonState {
     std::uint64_t edited_at = 0;  // the document's revision then
     bool shows_source = false;
     DockSide dock = DockSide::right;
-    float card_share = 0.27F;                 // of the window's width, or of its height
+    float card_share = 0.24F;                 // of the window's width, or of its height
     float present_scale = kPresentScale;      // of text while presenting
     std::filesystem::path sheet_to;           // a student sheet is wanted there ...
     std::vector<std::string> sheet_pictures;  // ... and these of its steps are drawn

@@ -106,7 +106,9 @@ void draw_as_shown(Ui& ui, const LessonState& state) {
 
 bool edit_text(Ui& ui, const char* id, const char* label, int lines, std::string& text) {
     ImGui::PushFont(ui.theme.fonts.small);
-    dim_text(ui, label);
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
+    wrapped_text(label);
+    ImGui::PopStyleColor();
     ImGui::PopFont();
     const float height = (static_cast<float>(lines) + 0.6F) * ImGui::GetTextLineHeight();
     ImGui::InputTextMultiline(id, &text, {-1.0F, height});
@@ -126,8 +128,7 @@ void draw_step_editor(const LessonHands& hands, LessonState& state) {
     };
     const std::array<Text, 4> texts{
         {{"##title", "Title", "Title", 1, step.title},
-         {"##text", "Text; numbers of the model in braces, such as {nc | A | B}", "Text", 6,
-          step.text},
+         {"##text", "Text; the model's numbers as {nc | A | B}", "Text", 6, step.text},
          {"##note", "Note for who speaks", "Note", 2, step.note},
          {"##source", "Source of what the text says of the body", "Source", 2, step.source}}};
     for (const Text& text : texts) {

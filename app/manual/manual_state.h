@@ -26,6 +26,8 @@ struct ManualState {
     std::unique_ptr<LatestJob<ManualRequest, ManualMade>> job;
     std::shared_ptr<const ManualMade> shown;  // the last that was opened
     std::vector<int> openers;                 // processes that opened it, until they have ended
+    std::string wanted_keys;                  // what the list of keys is searched for
+    float keys_height_px = 0.0F;              // of the whole list, as it was drawn last
 };
 
 }  // namespace tact

@@ -197,6 +197,12 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     scene.labels = labels;
     scene.quantity = quantity_name(shown_map.quantity);
     scene.largest = shown_largest(shown_map);
+    const bool is_of_another = std::ranges::none_of(labels, [&work](const std::string& name) {
+        return place_named(work.document.set, name).has_value();
+    });
+    scene.stale = looks_stale(ui, "matrix", shown_map.transition.shown,
+                              map_state(work, shown_map) == MapState::stale) ||
+                  is_of_another;
     const Vibration* current = current_vibration(work);
     if (current != nullptr) scene.selected = place_named(mapped, current->name);
     if (scene.selected) scene.selected = drawn_row(shown_map, *scene.selected);

@@ -156,7 +156,6 @@ SpaceScene scene_of(const Ui& ui, const Workspace& work, const ShownMap& shown_m
     scene.quantity = "PM";
     scene.point_hint = shown_map.move_tool ? "drag it to where it should be" : kHoldHelp;
     scene.moves = shown_map.move_tool;
-    scene.stale = false;  // a drag would flicker; the title says what state the map is in
     return scene;
 }
 
@@ -376,7 +375,11 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
         return {};
     }
     const auto places = places_in_document(work, shown_map);
-    const float headline_px = draw_headline(ui, work, shown_map, area, places);
+    // Not one of its names is in the list: it looks stale at once, and its numbers go.
+    const bool is_of_another =
+        std::ranges::none_of(places, [](const auto& at) { return at.has_value(); });
+    const float headline_px =
+        is_of_another ? 0.0F : draw_headline(ui, work, shown_map, area, places);
     shown_map.has_headline = headline_px > 0.0F;
     area.min.y += headline_px;
     std::vector<std::string> labels;
@@ -399,6 +402,8 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     SpaceScene scene = scene_of(ui, work, shown_map, words, looks, points, places);
     const std::vector<std::size_t> selected_too = rows_selected_too(work, places);
     scene.selected_too = selected_too;
+    scene.stale = looks_stale(ui, "space", shown_map.transition.shown, state == MapState::stale) ||
+                  is_of_another;
     decorate(decor, scene);
     const auto& people = marks.people;
     if (people) {

@@ -53,7 +53,7 @@ bool draw_unit(Ui& ui, AccelerationOptions& options) {
     return changed;
 }
 
-bool draw_axis(const Ui& ui, AccelerationOptions& options) {
+bool draw_axis(Ui& ui, AccelerationOptions& options) {
     bool changed = false;
     draw_label(ui, "Axis");
     constexpr std::array<const char*, 4> kNames{"all as one", "1", "2", "3"};
@@ -63,6 +63,8 @@ bool draw_axis(const Ui& ui, AccelerationOptions& options) {
             options.axis = axis;
             changed = true;
         }
+        note_item(ui.rects, std::string("import:axis ") + kNames[axis],
+                  options.axis == axis ? "chosen" : "");
         if (axis == 0) {
             draw_tooltip(ui,
                          "Three axes are made one of the same energy (DFT321): the skin "

@@ -124,7 +124,7 @@ const TrainingEstimate& estimate(ModelBench& model_bench, const TrainingRequest&
     return known;
 }
 
-void draw_training(Ui& ui, ModelBench& model_bench) {
+void draw_search(Ui& ui, ModelBench& model_bench) {
     const float share = model_bench.training.job->progress();
     const Rect bar = rect_at(ImGui::GetCursorScreenPos(),
                              {ImGui::GetContentRegionAvail().x, 3.0F * ui.theme.scale});
@@ -165,7 +165,7 @@ void draw_training(Ui& ui, Workspace& work, ModelBench& model_bench) {
     draw_sets(ui, work, model_bench);
     draw_settings(ui, model_bench);
     if (is_training(model_bench)) {
-        draw_training(ui, model_bench);
+        draw_search(ui, model_bench);
     } else if (model_bench.training.job) {
         draw_begin(ui, work, model_bench);
         (void)draw_failure(ui, "training", failure_of(model_bench.training.job));

@@ -92,16 +92,18 @@ void draw_rhythm_grid(Ui& ui, Workspace& work, PatternPanes& pattern_panes, cons
     ImGui::Dummy({width, 2.0F * theme.scale});
 }
 
-// The list opens beside the field and stays open while one rhythm after the other is tried.
+// The list opens beside the pane and stays open while one rhythm after the other is tried.
 void draw_rhythm_popup(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                        const Pattern& pattern) {
     const float width = 340.0F * ui.theme.scale;
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, 1e4F});
+    open_beside_pane(ui.theme, width);
     if (!ImGui::BeginPopup("rhythm list")) return;
     const auto chosen = [&pattern](const std::string& text) { return text == pattern.rhythm.text; };
     const RhythmListAction action =
         draw_rhythm_list(ui, pattern_panes.editor.rhythms, pattern, chosen);
     if (action.pressed) set_rhythm(ui, work, *action.pressed);
+    keep_on_screen(ui.theme);
     ImGui::EndPopup();
 }
 

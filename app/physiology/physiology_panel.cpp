@@ -229,26 +229,28 @@ PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
     fit_time(work, timeline);
     const float links = button_width("All stages");
     const Rect rest = rest_of_pane();
+    const std::vector<ShownStages> patterns = shown_patterns(ui, work, physiology);
+    const Rect row{rest.min, {rest.max.x - links - ui.theme.gap_px, rest.max.y}};
+    const bool failed = draw_failure(ui, "physiology", failure_of(physiology.stages_job));
+    if (!failed && patterns.empty()) {
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, row, "Computing",
+                   "The receptors and nerves of " + vibration->name + " are on their way.");
+    }
+    physiology.view.open.reset();
+    if (!failed && !patterns.empty()) {
+        draw_row(ui, work, timeline, physiology, {patterns.front()}, row);
+    }
+    // Last, as they stand at the right end: Tab goes from left to right.
     ImGui::SetCursorScreenPos({rest.max.x - links, rest.min.y});
     ImGui::BeginGroup();
-    PhysiologyDeed deed = PhysiologyDeed::none;
+    PhysiologyDeed deed = physiology.view.open ? PhysiologyDeed::unfold : PhysiologyDeed::none;
     if (link(ui, "unfold", "All stages")) deed = PhysiologyDeed::unfold;
     note_item(ui.rects, "stages:unfold");
     if (link(ui, "close stages", "Close")) deed = PhysiologyDeed::close;
     note_item(ui.rects, "stages:close");
     draw_tooltip(ui, "They come back by Stages in one row, in the View menu");
     ImGui::EndGroup();
-    const std::vector<ShownStages> patterns = shown_patterns(ui, work, physiology);
-    const Rect row{rest.min, {rest.max.x - links - ui.theme.gap_px, rest.max.y}};
-    if (draw_failure(ui, "physiology", failure_of(physiology.stages_job))) return deed;
-    if (patterns.empty()) {
-        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, row, "Computing",
-                   "The receptors and nerves of " + vibration->name + " are on their way.");
-        return deed;
-    }
-    physiology.view.open.reset();
-    draw_row(ui, work, timeline, physiology, {patterns.front()}, row);
-    return physiology.view.open ? PhysiologyDeed::unfold : deed;
+    return deed;
 }
 
 PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline,

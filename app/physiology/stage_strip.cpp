@@ -53,12 +53,31 @@ void draw_strip(Ui& ui, Physiology& physiology) {
     if (difference.a) ImGui::Dummy({1.0F, 1.0F * ui.theme.scale});
 }
 
+namespace {
+
+// Below the link that opens it.
+void draw_pin_list(Ui& ui, Workspace& work) {
+    open_below_last_item(ui.theme);
+    if (!ImGui::BeginPopup("compare with")) return;
+    for (const Vibration& vibration : work.document.set.vibrations) {
+        if (&vibration == current_vibration(work)) continue;
+        if (ImGui::Selectable(vibration.name.c_str(), work.selection.pinned == vibration.name)) {
+            work.selection.pinned = vibration.name;
+        }
+        note_item(ui.rects, "pin:" + vibration.name);
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace
+
 bool draw_pin_choice(Ui& ui, Workspace& work, bool tour_begun) {
     const bool pinned = !work.selection.pinned.empty();
     const std::string text =
         pinned ? "compared with " + work.selection.pinned : "Compare with\u2026";
     if (link(ui, "compare", text)) ImGui::OpenPopup("compare with");
     note_item(ui.rects, "compare with");
+    draw_pin_list(ui, work);
     if (pinned) {
         ImGui::SameLine();
         if (link(ui, "unpin", "\u00d7")) work.selection.pinned.clear();
@@ -68,15 +87,6 @@ bool draw_pin_choice(Ui& ui, Workspace& work, bool tour_begun) {
     ImGui::SameLine(0.0F, 2.0F * ui.theme.padding_px);
     const bool tour_asked = link(ui, "tour", tour_begun ? "Resume the tour" : "Tour");
     note_item(ui.rects, "start tour");
-    if (!ImGui::BeginPopup("compare with")) return tour_asked;
-    for (const Vibration& vibration : work.document.set.vibrations) {
-        if (&vibration == current_vibration(work)) continue;
-        if (ImGui::Selectable(vibration.name.c_str(), work.selection.pinned == vibration.name)) {
-            work.selection.pinned = vibration.name;
-        }
-        note_item(ui.rects, "pin:" + vibration.name);
-    }
-    ImGui::EndPopup();
     return tour_asked;
 }
 

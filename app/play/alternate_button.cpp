@@ -15,7 +15,7 @@ namespace tact {
 namespace {
 
 constexpr float kSides = 1.5F;    // width of the letters alone, of its height
-constexpr float kNamePx = 84.0F;  // a longer name ends in three dots
+constexpr float kNamePx = 84.0F;  // of every name: a longer one ends in three dots
 constexpr float kMarkPx = 4.5F;   // radius
 
 // "A", mark and name, "|", and the same of B.
@@ -47,15 +47,7 @@ float letter_width(const Ui& ui, const char* letter) {
 
 float mark_room(const Ui& ui) { return (2.0F * kMarkPx + 9.0F) * ui.theme.scale; }
 
-float width_of(const Ui& ui, const std::optional<Sides>& sides) {
-    const float letters = kSides * ImGui::GetFrameHeight();
-    if (!sides) return letters;
-    float width = letters + ui.theme.gap_px;
-    for (const std::string& name : sides->names) {
-        width += mark_room(ui) + text_size(ui.theme.fonts.regular, name).x;
-    }
-    return width;
-}
+float name_room(const Ui& ui) { return mark_room(ui) + kNamePx * ui.theme.scale; }
 
 // Which side sounds now.
 std::optional<std::size_t> sounding_side(const PlayState& play) {
@@ -64,13 +56,27 @@ std::optional<std::size_t> sounding_side(const PlayState& play) {
     return sounding->at;
 }
 
-void draw_sides(const Ui& ui, const PlayState& play, const std::optional<Sides>& sides,
+// Its mark and name; a dash where there is none.
+void draw_name(const Ui& ui, const std::optional<Sides>& sides, std::size_t side, ImVec2 corner,
+               ImU32 ink) {
+    const Theme& theme = ui.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 text{corner.x + mark_room(ui), corner.y + ImGui::GetStyle().FramePadding.y};
+    if (!sides) return draw_text(list, theme.fonts.regular, text, theme.dim_text, "\u2013");
+    draw_pattern_mark(list, theme,
+                      {corner.x + 0.5F * mark_room(ui), corner.y + 0.5F * ImGui::GetFrameHeight()},
+                      kMarkPx * theme.scale, sides->looks[side], theme.pane);
+    draw_text(list, theme.fonts.regular, text, ink, sides->names[side]);
+}
+
+void draw_sides(const Ui& ui, const PlayState& play, const std::optional<Sides>& sides, bool names,
                 ImVec2 corner, float width) {
     const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool in_turn = play.sounding && play.sounding->names.size() == 2;
     const auto sounds = sounding_side(play);
-    float inner = width_of(ui, sides) - kSides * ImGui::GetFrameHeight();
+    const float gap = names ? 0.75F * theme.gap_px : 0.0F;
+    float inner = 2.0F * gap + (names ? 2.0F * name_room(ui) : 0.0F);
     for (const char* letter : {"A", "|", "B"}) inner += letter_width(ui, letter);
     float x = corner.x + 0.5F * (width - inner);
     const float y = corner.y + ImGui::GetStyle().FramePadding.y;
@@ -80,36 +86,30 @@ void draw_sides(const Ui& ui, const PlayState& play, const std::optional<Sides>&
         const char* letter = k == 0 ? "A" : "B";
         draw_text(list, theme.fonts.semibold, {x, y}, ink, letter);
         x += letter_width(ui, letter);
-        if (sides) {
-            const ImVec2 mark{x + 0.5F * mark_room(ui), corner.y + 0.5F * ImGui::GetFrameHeight()};
-            draw_pattern_mark(list, theme, mark, kMarkPx * theme.scale, sides->looks[k],
-                              theme.pane);
-            x += mark_room(ui);
-            draw_text(list, theme.fonts.regular, {x, y},
-                      in_turn && sounds != k ? theme.dim_text : theme.text, sides->names[k]);
-            x += text_size(theme.fonts.regular, sides->names[k]).x;
+        if (names) {
+            draw_name(ui, sides, k, {x, corner.y},
+                      in_turn && sounds != k ? theme.dim_text : theme.text);
+            x += name_room(ui);
         }
         if (k == 1) break;
-        if (sides) x += 0.5F * theme.gap_px;
-        draw_text(list, theme.fonts.semibold, {x, y}, theme.dim_text, "|");
-        x += letter_width(ui, "|") + (sides ? 0.5F * theme.gap_px : 0.0F);
+        draw_text(list, theme.fonts.semibold, {x + gap, y}, theme.dim_text, "|");
+        x += letter_width(ui, "|") + 2.0F * gap;
     }
 }
 
 }  // namespace
 
-AlternateWidths alternate_widths(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
-                                 const PlayState& play) {
-    return {width_of(ui, std::nullopt), width_of(ui, sides_of(ui, work, shown_map, play))};
+float alternate_width(const Ui& ui, bool names) {
+    const float letters = kSides * ImGui::GetFrameHeight();
+    return names ? letters + 1.5F * ui.theme.gap_px + 2.0F * name_room(ui) : letters;
 }
 
 void draw_alternate(Ui& ui, const Workspace& work, const ShownMap& shown_map, PlayState& play,
                     bool names) {
     const Theme& theme = ui.theme;
     const auto known = sides_of(ui, work, shown_map, play);
-    const auto sides = names ? known : std::nullopt;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 size{width_of(ui, sides), ImGui::GetFrameHeight()};
+    const ImVec2 size{alternate_width(ui, names), ImGui::GetFrameHeight()};
     if (ImGui::InvisibleButton("alternate", size)) toggle_alternating(play);
     const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
     note_item(ui.rects, "transport:A|B", play.alternates ? "on" : "off");
@@ -128,7 +128,7 @@ void draw_alternate(Ui& ui, const Workspace& work, const ShownMap& shown_map, Pl
                            play.alternates ? faded(theme.accent, 0.28F) : theme.hover,
                            theme.rounding_px);
     }
-    draw_sides(ui, play, sides, corner, size.x);
+    draw_sides(ui, play, known, names, corner, size.x);
     ImGui::SameLine(0.0F, theme.gap_px * 0.5F);
 }
 

@@ -8,14 +8,10 @@
 
 namespace tact {
 
-struct AlternateWidths {
-    float letters = 0.0F;     // px
-    float with_names = 0.0F;  // as much where there are not two patterns
-};
-AlternateWidths alternate_widths(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
-                                 const PlayState& play);
+// px; the same whatever the names are.
+float alternate_width(const Ui& ui, bool names);
 
-// `names`: with both patterns' marks and names, where there are two.
+// `names`: with both patterns' marks and names, or dashes where there are not two.
 void draw_alternate(Ui& ui, const Workspace& work, const ShownMap& shown_map, PlayState& play,
                     bool names);
 

@@ -1,5 +1,7 @@
 // The transport bar's part that is felt: which device, how strong, and whether it was too strong.
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,6 +22,8 @@ constexpr float kLevelWidthPx = 176.0F;
 constexpr float kMeterWidthPx = 64.0F;
 constexpr float kLightPx = 10.0F;
 constexpr double kQuietestDb = -48.0;
+
+constexpr const char* kPlays = "What plays: at 1\u00d7 it is felt.";
 
 bool is_device_chosen(const PlayState& play) { return !play.choice.id.empty(); }
 
@@ -75,20 +79,18 @@ void draw_device_button(Ui& ui, Timeline& timeline, PlayState& play, bool wide) 
     const std::string text = device_text(play);
     note_item(ui.rects, "device", text);
     const std::string trouble = device_trouble(play);
-    draw_tooltip(ui, trouble.empty() ? "What plays: at 1\u00d7 it is felt" : trouble.c_str());
+    draw_tooltip(ui, (text + ". " + (trouble.empty() ? kPlays : trouble)).c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float arrow = 4.0F * theme.scale;
-    const float pad = ImGui::GetStyle().FramePadding.x;
-    const ImVec2 tip{corner.x + size.x - pad - arrow, corner.y + size.y * 0.5F};
-    list.AddTriangleFilled({tip.x - arrow, tip.y - arrow * 0.5F}, {tip.x, tip.y + arrow * 0.6F},
-                           {tip.x + arrow, tip.y - arrow * 0.5F}, theme.dim_text);
+    const ImVec2 pad = ImGui::GetStyle().FramePadding;
+    // As and where a combo of ImGui has it.
+    ImGui::RenderArrow(&list, {corner.x + size.x - size.y + pad.y, corner.y + pad.y}, theme.text,
+                       ImGuiDir_Down);
     const bool is_lost = is_device_chosen(play) && !trouble.empty();
     const ImU32 ink = is_lost                  ? theme.warning
                       : is_device_chosen(play) ? theme.text
                                                : theme.dim_text;
-    draw_text(list, theme.fonts.regular,
-              {corner.x + pad, corner.y + ImGui::GetStyle().FramePadding.y}, ink,
-              shortened(theme.fonts.regular, text, size.x - 3.0F * pad - 2.0F * arrow));
+    draw_text(list, theme.fonts.regular, corner + pad, ink,
+              shortened(theme.fonts.regular, text, size.x - size.y - pad.x));
     draw_device_menu(ui, timeline, play);
 }
 

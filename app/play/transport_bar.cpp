@@ -128,44 +128,70 @@ constexpr std::array<bool BarParts::*, 10> kFirstToGo{&BarParts::computing_in_fu
                                                       &BarParts::loop,
                                                       &BarParts::computing};
 
+constexpr std::array<bool BarParts::*, 5> kButtonsToGo{&BarParts::pair_names, &BarParts::level,
+                                                       &BarParts::speeds, &BarParts::steps,
+                                                       &BarParts::wide_device};
+
 constexpr const char* kShowAll = "Show all";
 
-float bar_width(const Ui& ui, const Workspace& work, const Timeline& timeline,
-                const ShownMap& shown_map, const PlayState& play, const AlternateWidths& alternate,
-                const BarParts& parts) {
+float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+
+// Of the playhead's time, so that what stands after it does not move as it runs.
+float time_slot(const Ui& ui, const TimeTexts& time) {
+    const ImFont* font = ui.theme.fonts.semibold;
+    return std::max(text_size(font, time.at).x, text_size(font, "00.000 s").x);
+}
+
+// What stands before the time, whatever is played and computed.
+float buttons_width(const Ui& ui, const PlayState& play, const BarParts& parts) {
     const float gap = ui.theme.gap_px;
-    const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
     const float icon = 1.15F * ImGui::GetFrameHeight() + 0.5F * gap;
-    const TimeTexts time = time_texts(work, timeline);
-    const ComputingTexts computing = computing_texts(ui, work, shown_map);
     float sum = icon * (1.0F + (parts.steps ? 3.0F : 0.0F) + (parts.loop ? 1.0F : 0.0F));
-    if (parts.loop) {
-        sum += (parts.pair_names ? alternate.with_names : alternate.letters) + 0.5F * gap;
-    }
+    if (parts.loop) sum += alternate_width(ui, parts.pair_names) + 0.5F * gap;
     if (parts.speeds) {
         sum += ui.theme.padding_px;
         for (const Speed& speed : kSpeeds) sum += button_width(speed.text) + 0.5F * gap;
     }
-    sum += ui.theme.padding_px + sound_controls_width(ui, play, {parts.level, parts.wide_device});
-    sum += ui.theme.padding_px + text_size(ui.theme.fonts.semibold, time.at).x;
-    if (parts.whole) sum += 0.75F * gap + width(time.whole);
+    return sum + ui.theme.padding_px +
+           sound_controls_width(ui, play, {parts.level, parts.wide_device});
+}
+
+// The time and what comes after it, which comes and goes.
+float texts_width(const Ui& ui, const TimeTexts& time, const ComputingTexts& computing,
+                  const BarParts& parts) {
+    const float gap = ui.theme.gap_px;
+    float sum = ui.theme.padding_px + time_slot(ui, time);
+    if (parts.whole) sum += 0.75F * gap + width_of(time.whole);
     if (!time.range.empty()) {
-        sum += ui.theme.padding_px + width(kShowAll);
-        if (parts.range) sum += gap + width(time.range);
+        sum += ui.theme.padding_px + width_of(kShowAll);
+        if (parts.range) sum += gap + width_of(time.range);
     }
     if (parts.computing && !computing.full.empty()) {
-        sum += 2.0F * gap + width(parts.computing_in_full ? computing.full : computing.brief) +
-               gap + width(computing.action);
+        sum += 2.0F * gap + width_of(parts.computing_in_full ? computing.full : computing.brief) +
+               gap + width_of(computing.action);
     }
     return sum;
 }
 
+// First the buttons, beside the texts at their shortest, whether those are there or not: so they
+// stay where they are while a map is computed or the time is zoomed. Then the texts.
 BarParts fitting_parts(const Ui& ui, const Workspace& work, const Timeline& timeline,
                        const ShownMap& shown_map, const PlayState& play, float room_px) {
-    const AlternateWidths alternate = alternate_widths(ui, work, shown_map, play);
+    const TimeTexts time = time_texts(work, timeline);
+    const TimeTexts zoomed{time.at, {}, kShowAll};
+    const ComputingTexts halted{"No map", "No map", "Compute"};
     BarParts parts;
+    parts.computing_in_full = parts.whole = parts.range = false;
+    for (const auto part : kButtonsToGo) {
+        if (buttons_width(ui, play, parts) + texts_width(ui, zoomed, halted, parts) <= room_px)
+            break;
+        parts.*part = false;
+    }
+    parts.computing_in_full = parts.whole = parts.range = true;
+    const ComputingTexts computing = computing_texts(ui, work, shown_map);
     for (const auto part : kFirstToGo) {
-        if (bar_width(ui, work, timeline, shown_map, play, alternate, parts) <= room_px) break;
+        if (buttons_width(ui, play, parts) + texts_width(ui, time, computing, parts) <= room_px)
+            break;
         parts.*part = false;
     }
     return parts;
@@ -184,6 +210,9 @@ void draw_time(Ui& ui, const Workspace& work, Timeline& timeline, const BarParts
     ImGui::TextUnformatted(time.at.c_str());
     ImGui::PopFont();
     note_item(ui.rects, "playhead", time.at);
+    const float rest_px = time_slot(ui, time) - ImGui::GetItemRectSize().x;
+    ImGui::SameLine(0.0F, 0.0F);
+    ImGui::Dummy({rest_px, 1.0F});
     if (parts.whole) {
         ImGui::SameLine(0.0F, ui.theme.gap_px * 0.75F);
         dim_text(ui, time.whole);

@@ -71,8 +71,10 @@ void end_dialog(Ui& ui) {
     const bool typing = is_number_typed(ui);  // whose keys these are then
     const bool escape =
         ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !ui.escape_taken && !typing;
+    // Enter in a field of text has been taken by that.
+    const bool in_text = ImGui::GetCurrentContext()->ActiveIdPreviousFrame != 0;
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !typing &&
-                       !ui.rects.tab_order.is_on_button;
+                       !in_text && !ui.rects.tab_order.is_on_button;
     if (ImGui::Button("Close") || escape || enter) {
         ui.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();

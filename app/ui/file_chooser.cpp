@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/ui/chooser_answer.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 
@@ -21,99 +22,6 @@ constexpr float kDialogHeight = 30.0F;
 constexpr float kPlacesWidth = 9.0F;
 constexpr float kChangedWidth = 8.5F;
 constexpr float kFormatWidth = 9.0F;
-
-bool is_there(const fs::path& path) {
-    std::error_code none;
-    return fs::exists(path, none);
-}
-
-void go(FileChooser& chooser, const fs::path& folder) {
-    // "a/" and "a" are one folder; the root keeps its slash.
-    fs::path there = folder.lexically_normal();
-    if (!there.has_filename() && there.has_relative_path()) there = there.parent_path();
-    chooser.listing = list_folder(there, chooser.extensions);
-    chooser.cursor.reset();
-    chooser.name = chooser.offered;
-    chooser.remark.clear();
-    chooser.focus_name = true;
-}
-
-fs::path typed_path(const FileChooser& chooser, const std::string& text) {
-    if (text == "~" || text.starts_with("~/")) {
-        return (home_folder() / text.substr(std::min<std::size_t>(2, text.size())))
-            .lexically_normal();
-    }
-    return (chooser.listing.folder / text).lexically_normal();  // an absolute one replaces it
-}
-
-Chosen accept_to_open(FileChooser& chooser, const fs::path& path) {
-    if (is_there(path)) return path;
-    chooser.remark = "There is no file " + path.string() + ".";
-    chooser.focus_name = true;
-    return std::nullopt;
-}
-
-Chosen accept_to_save(FileChooser& chooser, fs::path path) {
-    if (!has_extension(path.filename().string(), chooser.extensions)) {
-        path += chooser.extensions.front();
-    }
-    if (!is_folder(path.parent_path())) {
-        chooser.remark = "There is no folder " + path.parent_path().string() + ".";
-        chooser.focus_name = true;
-        return std::nullopt;
-    }
-    if (!is_there(path)) return path;
-    chooser.replacing = path;
-    return std::nullopt;
-}
-
-// Asks before a file in the folder is replaced.
-Chosen accept_folder(FileChooser& chooser, const fs::path& folder) {
-    for (const std::string& name : chooser.file_names) {
-        if (!is_there(folder / name)) continue;
-        chooser.replacing = folder / name;
-        return std::nullopt;
-    }
-    return folder;
-}
-
-Chosen accept_new_folder(FileChooser& chooser, const fs::path& path) {
-    if (!is_there(path) && is_folder(path.parent_path())) return path;
-    chooser.remark = is_there(path) ? path.string() + " is a file."
-                                    : "There is no folder " + path.parent_path().string() + ".";
-    chooser.focus_name = true;
-    return std::nullopt;
-}
-
-// What Enter does with the name as it stands.
-Chosen accept(FileChooser& chooser) {
-    chooser.remark.clear();
-    if (chooser.name.empty() && chooser.use == ChooserUse::save_folder) {
-        return accept_folder(chooser, chooser.listing.folder);
-    }
-    if (chooser.name.empty()) {
-        chooser.remark = "Type a name, or pick one from the list.";
-        chooser.focus_name = true;
-        return std::nullopt;
-    }
-    const fs::path path = typed_path(chooser, chooser.name);
-    if (is_folder(path)) {
-        go(chooser, path);
-        // Of a folder that was saved into before, and not of one of the same name in it.
-        const bool again = path.filename() == chooser.offered;
-        if (chooser.use == ChooserUse::save_folder && again) chooser.name.clear();
-        return std::nullopt;
-    }
-    switch (chooser.use) {
-        case ChooserUse::open:
-            return accept_to_open(chooser, path);
-        case ChooserUse::save:
-            return accept_to_save(chooser, path);
-        case ChooserUse::save_folder:
-            return accept_new_folder(chooser, path);
-    }
-    return std::nullopt;
-}
 
 void move_cursor(FileChooser& chooser, bool down) {
     const std::size_t count = chooser.listing.entries.size();
@@ -138,37 +46,36 @@ int on_history(ImGuiInputTextCallbackData* field) {
     return 0;
 }
 
-bool button(TabOrder& order, const char* label) {
+bool button(Ui& ui, const char* label) {
     const bool pressed = ImGui::Button(label);
-    note_stop(order);
+    note_stop(ui.rects.tab_order);
     return pressed;
 }
 
-void note_place(TabOrder& order, FileChooser& chooser, const char* label, const fs::path& place) {
+void draw_place(Ui& ui, const char* label, const fs::path& place) {
     ImGui::PushID(place.c_str());
-    const bool here = chooser.listing.folder == place;
-    if (ImGui::Selectable(label, here, ImGuiSelectableFlags_DontClosePopups)) go(chooser, place);
-    note_stop(order);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", place.c_str());
+    const bool here = ui.chooser.listing.folder == place;
+    if (ImGui::Selectable(label, here, ImGuiSelectableFlags_DontClosePopups))
+        go_to_folder(ui.chooser, place);
+    note_stop(ui.rects.tab_order);
+    draw_tooltip(ui, place.c_str());
     ImGui::PopID();
 }
 
 // The folders of the desktop, and those that were worked in lately.
-void draw_places(FileChooser& chooser, TabOrder& order, float height_px) {
+void draw_places(Ui& ui, float height_px) {
     ImGui::BeginChild("##places", {kPlacesWidth * ImGui::GetFontSize(), height_px});
-    note_place(order, chooser, "Home", home_folder());
+    draw_place(ui, "Home", home_folder());
     for (const char* name : {"Desktop", "Documents", "Downloads"}) {
-        if (is_folder(home_folder() / name)) note_place(order, chooser, name, home_folder() / name);
+        if (is_folder(home_folder() / name)) draw_place(ui, name, home_folder() / name);
     }
-    note_place(order, chooser, "Computer", "/");
-    if (!chooser.recent.empty()) {
+    draw_place(ui, "Computer", "/");
+    const std::vector<fs::path> recent = ui.chooser.recent;
+    if (!recent.empty()) {
         ImGui::Spacing();
         ImGui::TextDisabled("Recent");
     }
-    const std::vector<fs::path> recent = chooser.recent;
-    for (const fs::path& place : recent) {
-        note_place(order, chooser, place.filename().c_str(), place);
-    }
+    for (const fs::path& place : recent) draw_place(ui, place.filename().c_str(), place);
     ImGui::EndChild();
 }
 
@@ -183,12 +90,14 @@ std::string end_of(const std::string& path, float room_px) {
     return shown;
 }
 
-void draw_way(FileChooser& chooser, TabOrder& order) {
-    const fs::path here = chooser.listing.folder;
-    if (button(order, "Up")) go(chooser, here.parent_path());
+void draw_way(Ui& ui) {
+    const fs::path here = ui.chooser.listing.folder;
+    if (button(ui, "Up")) go_to_folder(ui.chooser, here.parent_path());
+    draw_tooltip(ui, "To the folder that this one is in (Backspace in an empty name)");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(end_of(here.string(), ImGui::GetContentRegionAvail().x).c_str());
+    draw_tooltip(ui, here.c_str());
 }
 
 // One row; true if it was double-clicked.
@@ -238,19 +147,20 @@ void draw_entries(FileChooser& chooser, bool& opened) {
             opened |= draw_entry(chooser, static_cast<std::size_t>(row));
         }
     }
+    if (const std::string lack = lack_of_files(chooser); !lack.empty()) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", lack.c_str());
+    }
     ImGui::EndTable();
 }
 
-const char* nothing_there(ChooserUse use) {
-    return use == ChooserUse::open ? "Nothing here that can be opened."
-                                   : "No folder and no file of this kind yet.";
-}
-
-Chosen draw_list(FileChooser& chooser, TabOrder& order) {
+Chosen draw_list(Ui& ui) {
+    FileChooser& chooser = ui.chooser;
     const float below =
         2.0F * ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
     bool opened = false;
-    draw_places(chooser, order, -below);
+    draw_places(ui, -below);
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
     const bool is_visible =
@@ -258,27 +168,20 @@ Chosen draw_list(FileChooser& chooser, TabOrder& order) {
     ImGui::PopStyleColor();
     if (is_visible) {
         if (chooser.listing.entries.empty()) {
-            ImGui::SetCursorPos(ImGui::GetStyle().WindowPadding);
             const std::string& fault = chooser.listing.fault;
-            ImGui::TextWrapped("%s", fault.empty() ? nothing_there(chooser.use) : fault.c_str());
+            ImGui::SetCursorPos(ImGui::GetStyle().WindowPadding);
+            wrapped_text(fault.empty() ? lack_of_files(chooser) : fault);
+            note_rect(ui.rects, "nothing to choose", ImGui::GetItemRectMin(),
+                      ImGui::GetItemRectMax(), fault.empty() ? lack_of_files(chooser) : fault);
         } else {
             draw_entries(chooser, opened);
         }
     }
     ImGui::EndChild();
-    return opened ? accept(chooser) : std::nullopt;
+    return opened ? accept_name(chooser) : std::nullopt;
 }
 
 bool is_pressed(ImGuiKey which) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false); }
-
-// The folder itself, where that may be an answer.
-Chosen whole_folder(FileChooser& chooser) {
-    if (!chooser.folders_too || !chooser.listing.fault.empty()) return std::nullopt;
-    if (chooser.use == ChooserUse::save_folder) {
-        return accept_folder(chooser, chooser.listing.folder);
-    }
-    return chooser.listing.folder;
-}
 
 const char* name_hint(const FileChooser& chooser) {
     if (chooser.makes_folder) return "Name of a folder to make here";
@@ -291,18 +194,6 @@ const char* name_hint(const FileChooser& chooser) {
             return "New folder's name or path";
     }
     return "";
-}
-
-// The folder that was named, made here and gone to.
-void make_folder(FileChooser& chooser) {
-    const fs::path path = typed_path(chooser, chooser.name);
-    std::error_code failure;
-    const bool made = !chooser.name.empty() && fs::create_directory(path, failure);
-    chooser.makes_folder = false;
-    if (made) return go(chooser, path);
-    chooser.name = chooser.offered;
-    chooser.remark = failure ? path.string() + " was not made: " + failure.message() + "."
-                             : "No folder was made: there is one of this name.";
 }
 
 // Where a file may be of several kinds: the ending of its name, by choice.
@@ -322,7 +213,8 @@ void draw_format(FileChooser& chooser) {
     ImGui::EndCombo();
 }
 
-Chosen draw_name(FileChooser& chooser, WidgetRects& rects) {
+Chosen draw_name(Ui& ui) {
+    FileChooser& chooser = ui.chooser;
     const bool was_empty = chooser.name.empty();
     const bool has_formats =
         chooser.use == ChooserUse::save && chooser.extensions.size() > 1 && !chooser.makes_folder;
@@ -333,68 +225,80 @@ Chosen draw_name(FileChooser& chooser, WidgetRects& rects) {
                                                       ImGuiInputTextFlags_CallbackHistory |
                                                       ImGuiInputTextFlags_AutoSelectAll,
                                                   on_history, &chooser);
-    note_item(rects, "file name", chooser.name);
+    note_item(ui.rects, "file name", chooser.name);
     const bool goes_up = was_empty && ImGui::IsItemActive() && is_pressed(ImGuiKey_Backspace);
     if (has_formats) draw_format(chooser);
-    if (goes_up) go(chooser, chooser.listing.folder.parent_path());
+    if (goes_up) go_to_folder(chooser, chooser.listing.folder.parent_path());
     if (!entered) return std::nullopt;
     chooser.focus_name = true;  // Enter takes the focus from the field
     if (chooser.makes_folder) {
         make_folder(chooser);
         return std::nullopt;
     }
-    return ImGui::GetIO().KeyCtrl && chooser.folders_too ? whole_folder(chooser) : accept(chooser);
+    return ImGui::GetIO().KeyCtrl && chooser.folders_too ? accept_folder(chooser)
+                                                         : accept_name(chooser);
 }
 
 // For a folder that is made here: the two buttons, and back to choosing.
-void draw_making(FileChooser& chooser, TabOrder& order) {
-    if (button(order, "Make the folder")) make_folder(chooser);
+void draw_making(Ui& ui) {
+    FileChooser& chooser = ui.chooser;
+    if (button(ui, "Make the folder")) make_folder(chooser);
     ImGui::SameLine();
-    if (!button(order, "Back") && !is_pressed(ImGuiKey_Escape)) return;
+    if (!button(ui, "Back") && !is_pressed(ImGuiKey_Escape)) return;
     chooser.makes_folder = false;
     chooser.name = chooser.offered;
     chooser.focus_name = true;
 }
 
-Chosen draw_buttons(FileChooser& chooser, TabOrder& order, const Theme& theme) {
-    Chosen chosen;
-    if (primary_button(theme, chooser.use == ChooserUse::open ? "Open" : "Save"))
-        chosen = accept(chooser);
-    note_stop(order);
-    if (chooser.folders_too) {
-        ImGui::SameLine();
-        const bool saves = chooser.use == ChooserUse::save_folder;
-        if (button(order, saves ? "Save into this folder" : "Open this folder")) {
-            chosen = whole_folder(chooser);
-        }
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s (Ctrl-Enter)",
-                              saves ? "Makes no new folder in it" : "All files of the folder");
-        }
-    }
+// Opens or saves what is named; with nothing named it says what is missing.
+Chosen draw_choose(Ui& ui) {
+    FileChooser& chooser = ui.chooser;
+    const std::string lack = lack_of_name(chooser);
+    ImGui::BeginDisabled(!lack.empty());
+    const bool pressed =
+        primary_button(ui.theme, chooser.use == ChooserUse::open ? "Open" : "Save");
+    ImGui::EndDisabled();
+    note_item(ui.rects, "button:choose", lack);
+    if (!lack.empty()) draw_tooltip(ui, lack.c_str());
+    return pressed ? accept_name(chooser) : std::nullopt;
+}
+
+Chosen draw_whole_folder(Ui& ui) {
     ImGui::SameLine();
-    if (button(order, "Cancel") || is_pressed(ImGuiKey_Escape)) chooser.is_open = false;
+    const bool saves = ui.chooser.use == ChooserUse::save_folder;
+    const bool pressed = button(ui, saves ? "Save into this folder" : "Open this folder");
+    draw_tooltip(ui, saves ? "Makes no new folder in it (Ctrl+Enter)"
+                           : "All files of the folder (Ctrl+Enter)");
+    return pressed ? accept_folder(ui.chooser) : std::nullopt;
+}
+
+Chosen draw_buttons(Ui& ui) {
+    FileChooser& chooser = ui.chooser;
+    Chosen chosen = draw_choose(ui);
+    if (chooser.folders_too && !chosen) chosen = draw_whole_folder(ui);
+    ImGui::SameLine();
+    if (button(ui, "Cancel") || is_pressed(ImGuiKey_Escape)) chooser.is_open = false;
     if (chooser.use == ChooserUse::open) return chosen;
-    const float width =
-        ImGui::CalcTextSize("New folder...").x + 2.0F * ImGui::GetStyle().FramePadding.x;
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
-    if (button(order, "New folder...")) {
+    constexpr const char* kNew = "New folder...";
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button_width(kNew));
+    if (button(ui, kNew)) {
         chooser.makes_folder = chooser.focus_name = true;
         chooser.name.clear();
     }
     return chosen;
 }
 
-Chosen draw_replace_question(FileChooser& chooser, TabOrder& order) {
+Chosen draw_replace_question(Ui& ui) {
+    FileChooser& chooser = ui.chooser;
     const fs::path path = chooser.replacing;
     const bool of_folder = chooser.use == ChooserUse::save_folder;
     ImGui::TextWrapped(of_folder ? "%s exists there. Replace it, and others of this export?"
                                  : "%s exists. Replace it?",
                        path.filename().c_str());
-    const bool enter = is_pressed(ImGuiKey_Enter) && !order.is_on_button;
-    const bool yes = button(order, "Replace") || enter;
+    const bool enter = is_pressed(ImGuiKey_Enter) && !ui.rects.tab_order.is_on_button;
+    const bool yes = button(ui, "Replace") || enter;
     ImGui::SameLine();
-    const bool no = button(order, "Keep it") || is_pressed(ImGuiKey_Escape);
+    const bool no = button(ui, "Keep it") || is_pressed(ImGuiKey_Escape);
     if (yes || no) {
         chooser.replacing.clear();
         chooser.focus_name = true;
@@ -403,19 +307,19 @@ Chosen draw_replace_question(FileChooser& chooser, TabOrder& order) {
     return of_folder ? path.parent_path() : path;
 }
 
-Chosen draw_content(FileChooser& chooser, WidgetRects& rects, const Theme& theme) {
-    TabOrder& order = rects.tab_order;
+Chosen draw_content(Ui& ui) {
+    FileChooser& chooser = ui.chooser;
     const bool asks = !chooser.replacing.empty();
     ImGui::BeginDisabled(asks);
-    draw_way(chooser, order);
-    Chosen chosen = draw_list(chooser, order);
-    if (!asks && !chosen) chosen = draw_name(chooser, rects);
+    draw_way(ui);
+    Chosen chosen = draw_list(ui);
+    if (!asks && !chosen) chosen = draw_name(ui);
     ImGui::EndDisabled();
-    if (asks) return draw_replace_question(chooser, order);
+    if (asks) return draw_replace_question(ui);
     ImGui::TextWrapped("%s", chooser.remark.c_str());
     if (chooser.makes_folder) {
-        draw_making(chooser, order);
-    } else if (const Chosen pressed = draw_buttons(chooser, order, theme)) {
+        draw_making(ui);
+    } else if (const Chosen pressed = draw_buttons(ui)) {
         chosen = pressed;
     }
     return chosen;
@@ -429,11 +333,12 @@ void show(FileChooser& chooser, const fs::path& folder, const std::string& name)
     chooser.is_open = chooser.appears = true;
     chooser.replacing.clear();
     chooser.makes_folder = false;
-    go(chooser, is_folder(absolute) ? absolute : home_folder());
+    go_to_folder(chooser, is_folder(absolute) ? absolute : home_folder());
     chooser.name = chooser.offered = name;
 }
 
-Chosen draw(FileChooser& chooser, WidgetRects& rects, const Theme& theme) {
+Chosen draw_file_chooser(Ui& ui) {
+    FileChooser& chooser = ui.chooser;
     if (!chooser.is_open) return std::nullopt;
     const std::string label = chooser.title + "###file chooser";
     if (std::exchange(chooser.appears, false)) ImGui::OpenPopup(label.c_str());
@@ -442,17 +347,15 @@ Chosen draw(FileChooser& chooser, WidgetRects& rects, const Theme& theme) {
     ImGui::SetNextWindowSize({std::min(kDialogWidth * em, 0.95F * screen.x),
                               std::min(kDialogHeight * em, 0.95F * screen.y)});
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
-    Chosen chosen;
-    ImFont* const before = push_dialog_head(theme);
+    ImFont* const before = push_dialog_head(ui.theme);
     const bool is_visible = ImGui::BeginPopupModal(
         label.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
     pop_dialog_head(before);
-    if (is_visible) {
-        chosen = draw_content(chooser, rects, theme);
-        if (chosen) chooser.is_open = false;
-        if (!chooser.is_open) ImGui::CloseCurrentPopup();
-        ImGui::EndPopup();
-    }
+    if (!is_visible) return std::nullopt;
+    const Chosen chosen = draw_content(ui);
+    if (chosen) chooser.is_open = false;
+    if (!chooser.is_open) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
     return chosen;
 }
 

@@ -2,7 +2,7 @@
 //
 // Typing always goes into the name field, so that everything works by keyboard: up and down walk
 // through the folder, Enter opens, Backspace in the empty field goes to the parent, Esc leaves;
-// a typed path may be absolute, relative or start with ~. Ctrl-Enter takes the folder itself. Tab
+// a typed path may be absolute, relative or start with ~. Ctrl+Enter takes the folder itself. Tab
 // goes to the buttons.
 //
 // Input     a folder to start in and the kinds of file wanted
@@ -16,11 +16,10 @@
 #include <vector>
 
 #include "app/ui/folder_listing.h"
-#include "app/ui/widget_rects.h"
 
 namespace tact {
 
-struct Theme;
+struct Ui;
 
 enum class ChooserUse { open, save, save_folder };
 
@@ -47,11 +46,10 @@ struct FileChooser {
     std::filesystem::path replacing;  // exists; waits for a yes
 };
 
-// Opens the dialog with the next draw(). A folder that is not there becomes the home folder.
+// Opens the dialog with the next frame. A folder that is not there becomes the home folder.
 void show(FileChooser& chooser, const std::filesystem::path& folder, const std::string& name = "");
 
 // Draws the dialog if it is open. The path chosen, in the frame in which it is.
-std::optional<std::filesystem::path> draw(FileChooser& chooser, WidgetRects& rects,
-                                          const Theme& theme);
+std::optional<std::filesystem::path> draw_file_chooser(Ui& ui);
 
 }  // namespace tact

@@ -242,10 +242,13 @@ bool enter_whole_with_buttons(Ui& ui, const NumberEntry& entry, int& value) {
     ImGui::BeginGroup();
     ImGui::PushID(entry.id.c_str());
     enter_whole(ui, narrow, value);
+    note_stop(ui.rects.tab_order);  // the group is none, and the buttons are its arrow keys
     ImGui::PushButtonRepeat(true);
     for (const int step : {-1, 1}) {
         ImGui::SameLine(0.0F, gap);
         if (ImGui::Button(step < 0 ? "-" : "+", {button, button})) value += step;
+        note_rect(ui.rects, "stepper:" + entry.id + (step < 0 ? " less" : " more"),
+                  ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     }
     ImGui::PopButtonRepeat();
     value = std::clamp(value, static_cast<int>(low), static_cast<int>(high));

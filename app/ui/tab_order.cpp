@@ -105,7 +105,9 @@ void note_stop(TabOrder& order) {
     constexpr ImGuiItemFlags kNone =
         ImGuiItemFlags_Disabled | ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop;
     ImGuiWindow* window = imgui.CurrentWindow;
-    if (item.ID == 0 || (item.InFlags & kNone) != 0) return;
+    // A field of several lines has the flags of a group while it is typed in.
+    const bool is_none = (item.InFlags & kNone) != 0 && item.ID != imgui.ActiveId;
+    if (item.ID == 0 || is_none) return;
     const bool is_typed_in = (item.InFlags & ImGuiItemFlags_Inputable) != 0;
     // Windows with keys of their own have fields of text alone.
     if (!is_typed_in && (window->Flags & ImGuiWindowFlags_NoNavInputs) != 0) return;

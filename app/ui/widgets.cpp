@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <utility>
 
 #include "viz/drawing/colour.h"
@@ -64,6 +63,11 @@ void draw_title_part(Ui& ui, const ImFont* font, ImVec2 corner, ImU32 colour,
     note_rect(ui.rects, noted, corner, corner + text_size(font, text), text);
 }
 
+// Where the workspace itself has but this pane nothing was maximised: *Fold* leads to the others.
+bool is_alone(const Layout& layout, Pane pane) {
+    return layout.arrangement == Arrangement::physiology && pane == Pane::physiology;
+}
+
 // The title goes first; the detail has what it leaves, the right end what both leave.
 void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) {
     const Theme& theme = ui.theme;
@@ -81,7 +85,7 @@ void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) 
     if (!detail.empty()) used += text_size(fonts.regular, detail).x + 2.0F * theme.gap_px;
     float end_px = size.x;
     constexpr const char* kRestore = "Restore";
-    if (layout.maximised == pane) {
+    if (layout.maximised == pane && !is_alone(layout, pane)) {
         end_px -= text_size(fonts.regular, kRestore).x;
         ImGui::SetCursorScreenPos(corner + ImVec2{end_px, lower});
         if (link(ui, "restore", kRestore)) layout.maximised.reset();
@@ -219,6 +223,9 @@ void draw_tooltip(const Ui& ui, const char* text) {
 }
 
 bool primary_button(const Theme& theme, const char* label, ImVec2 size) {
+    // What cannot be pressed does not call for it.
+    const ImGuiItemFlags flags = ImGui::GetCurrentContext()->CurrentItemFlags;
+    if ((flags & ImGuiItemFlags_Disabled) != 0) return ImGui::Button(label, size);
     ImGui::PushStyleColor(ImGuiCol_Button, theme.accent);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, mixed(theme.accent, theme.text, 0.15F));
     ImGui::PushStyleColor(ImGuiCol_ButtonActive, mixed(theme.accent, theme.text, 0.30F));
@@ -241,10 +248,19 @@ void open_beside_pane(const Theme& theme, float width_px) {
     const bool at_left = pane->Pos.x - width_px - gap >= 0.0F;
     const float right = pane->Pos.x + pane->Size.x + gap;
     if (!at_left && right + width_px > ImGui::GetIO().DisplaySize.x) {
-        return open_below_last_item(theme);
+        // Over the end of the pane: what is pressed and changed stands where it begins.
+        return ImGui::SetNextWindowPos({right - 2.0F * gap, top}, ImGuiCond_Appearing,
+                                       {1.0F, 0.0F});
     }
     ImGui::SetNextWindowPos({at_left ? pane->Pos.x - gap : right, top}, ImGuiCond_Appearing,
                             {at_left ? 1.0F : 0.0F, 0.0F});
+}
+
+void keep_on_screen(const Theme& theme) {
+    const float below = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y + 0.5F * theme.gap_px -
+                        ImGui::GetIO().DisplaySize.y;
+    if (below <= 0.0F) return;
+    ImGui::SetWindowPos({ImGui::GetWindowPos().x, std::max(0.0F, ImGui::GetWindowPos().y - below)});
 }
 
 bool draw_menu_row(const Theme& theme, const MenuRow& row) {
@@ -275,20 +291,14 @@ void dim_text(const Ui& ui, const std::string& text) {
 }
 
 void wrapped_text(const std::string& text) {
-    const float room = ImGui::GetContentRegionAvail().x;
+    // The window may scale the font, of which the lines are measured unscaled.
+    const float scale = ImGui::GetFontSize() / ImGui::GetFont()->FontSize;
     std::string lines;
-    std::string line;
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
-        const std::string longer = line.empty() ? word : line + " " + word;
-        if (line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= room) {
-            line = longer;
-            continue;
-        }
-        lines += line + "\n";
-        line = word;
+    for (const std::string& line :
+         wrapped(ImGui::GetFont(), text, ImGui::GetContentRegionAvail().x / scale)) {
+        lines += (lines.empty() ? "" : "\n") + line;
     }
-    ImGui::TextUnformatted((lines + line).c_str());
+    ImGui::TextUnformatted(lines.c_str());
 }
 
 float chip_width(const Ui& ui, const char* text) {

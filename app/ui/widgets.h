@@ -83,15 +83,18 @@ void draw_hint(Ui& ui, const char* id, const char* text);
 // A tooltip on the last item after a moment's rest.
 void draw_tooltip(const Ui& ui, const char* text);
 
-// What a dialog or a pane is there for; there is one of them.
+// What a dialog or a pane is there for; there is one of them. Disabled it looks as any other.
 bool primary_button(const Theme& theme, const char* label, ImVec2 size = {0.0F, 0.0F});
 
 // For a popup that is begun next: below the last item, and not over it.
 void open_below_last_item(const Theme& theme);
 
 // For a popup about so wide that is begun next: beside the pane, whose picture it changes, at the
-// height of the last item; below that item where no side has room.
+// height of the last item; over the right end of the pane where no side has room.
 void open_beside_pane(const Theme& theme, float width_px);
+
+// Within an open popup: up where it would end below the window.
+void keep_on_screen(const Theme& theme);
 
 // An item of a menu with the sign that its button has elsewhere; none: its words stand below those
 // of the others.
@@ -122,7 +125,8 @@ bool draw_empty_with(const Ui& ui, const Rect& area, const char* title, const st
 // Text in the theme's dim colour.
 void dim_text(const Ui& ui, const std::string& text);
 
-// Text with its lines broken at spaces alone, where ImGui breaks numbers at their points, too.
+// Text with its lines broken at spaces alone (wrapped() in viz/drawing/marks.h), where ImGui breaks
+// numbers at their points, too.
 void wrapped_text(const std::string& text);
 
 // Text in a colour, wrapped at the pane's edge.

@@ -17,7 +17,6 @@
 #include "app/export/exports.h"
 #include "app/generate/generate_dialog.h"
 #include "app/lesson/lesson_edit.h"
-#include "app/manual/open_manual.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/kept_models.h"
 #include "app/model_bench/training_follow.h"
@@ -51,79 +50,46 @@ constexpr const char* kAboutText =
     "adaptation, no noise and no differences between people; it was validated at 1 s.\n\n"
     "Source under the MIT licence. A binary linked with FFTW falls under the GPL.";
 
-// What is no command of a menu; those stand in front with the keys that they have.
-constexpr auto kKeys = std::to_array<std::pair<const char*, const char*>>({
-    {"Ctrl+Y", "Edit > Redo, too"},
-    {"Up, Down", "the pattern before, the next one"},
-    {"1 to 9", "play a picked pattern, by its number in Subset"},
-    {"Esc", "silences everything, at once; leaves what is open"},
-    {"F1; F1 again", "this list; the manual"},
-    {"N, Shift+N", "choose the next point or transient, the one before"},
-    {"Double click on a point of the map", "play that pattern"},
-    {"Hold a row, a point, a candidate (0.25 s)", "feel it as long as it is held"},
-    {"Wheel, Ctrl+wheel in a plot", "move through time, zoom; all plots follow"},
-    {"Left, Right (Shift: five steps; Alt: a tenth)", "nudge the field with the ring"},
-    {"*2, /4, -10%, +3dB in a number", "change what is there; 0,8 and 250 ms are understood, too"},
-    {"Enter, Tab, Esc in a number", "take it, take it and go to the next, leave it as it was"},
-    {"Double click on a row", "rename the pattern"},
-    {"Tab, Shift+Tab, Enter", "go through the widgets by keyboard"},
-    {"Ctrl+Tab", "from pane to pane"},
-    {"Double click on a pane's title", "maximise the pane; Esc puts it back"},
-    {"Page Up, Page Down in a lesson", "a step back, on; so do a clicker's keys"},
-    {"Arrows, Enter, Space; B; 1 to 9; M; N, presenting",
-     "steps; blank screen; count hands; move the card; speaker's notes"},
-    {"Shift+arrows where a place is asked for", "move the cross in the map"},
-    {"Alt+Page Up, Alt+Page Down, writing a lesson", "move the step"},
-    {"Drag, wheel, right drag in the space", "turn, zoom, move"},
-    {"A click on D1, D2, D3", "look along an axis"},
-    {"Shift+drag, Ctrl+Shift+drag in the space; Ctrl+click",
-     "select by a box, by a lasso; add one"},
-    {"Alt+drag of a point of the map, or the Move tool", "put it there: its pattern is searched"},
-    {"Ctrl+drag from a point of the map to another", "even steps between the two"},
-    {"Drop files or a folder on the window", "open them"},
+// What is no command of a menu; those stand in front of their group.
+struct Gesture {
+    const char* group;
+    const char* keys;
+    const char* what;
+};
+constexpr auto kGestures = std::to_array<Gesture>({
+    {"Edit", "Ctrl+Y", "Edit > Redo, too"},
+    {"Patterns", "Up, Down", "the pattern before, the next one"},
+    {"Patterns", "Double click on a row", "rename the pattern"},
+    {"Patterns", "Hold a row, a point, a candidate (0.25 s)", "feel it as long as it is held"},
+    {"Patterns", "1 to 9", "play a picked pattern, by its number in Subset"},
+    {"Patterns", "N, Shift+N", "choose the next point or transient, the one before"},
+    {"Numbers", "Left, Right (Shift: five steps; Alt: a tenth)", "nudge the field with the ring"},
+    {"Numbers", "*2, /4, -10%, +3dB", "change what is there; 0,8 and 250 ms are understood, too"},
+    {"Numbers", "Enter, Tab, Esc",
+     "take the number, take it and go to the next, leave it as it was"},
+    {"Plots", "Wheel, Ctrl+wheel", "move through time, zoom; all plots follow"},
+    {"Map", "Drag, wheel, right drag", "turn, zoom, move"},
+    {"Map", "A click on D1, D2, D3", "look along an axis"},
+    {"Map", "Double click on a point", "play that pattern"},
+    {"Map", "Shift+drag, Ctrl+Shift+drag; Ctrl+click", "select by a box, by a lasso; add one"},
+    {"Map", "Alt+drag of a point, or the Move tool", "put it there: its pattern is searched"},
+    {"Map", "Ctrl+drag from a point to another", "even steps between the two"},
+    {"Window", "Esc", "silences everything, at once; leaves what is open"},
+    {"Window", "F1; F1 again", "this list; the manual"},
+    {"Window", "Tab, Shift+Tab, Enter", "go through the widgets by keyboard"},
+    {"Window", "Ctrl+Tab", "from pane to pane"},
+    {"Window", "Double click on a pane's title", "maximise the pane; Esc puts it back"},
+    {"Window", "Drop files or a folder", "open them"},
+    {"Lesson", "Page Up, Page Down", "a step back, on; so do a clicker's keys"},
+    {"Lesson", "Arrows, Enter, Space; B; 1 to 9; M; N",
+     "presenting: steps; blank screen; count hands; move the card; speaker's notes"},
+    {"Lesson", "Shift+arrows", "move the cross in the map, where a place is asked for"},
+    {"Lesson", "Alt+Page Up, Alt+Page Down", "move the step that is written"},
 });
 
 void draw_about(App& app) {
     if (!begin_dialog(app.ui, "About tactspace")) return;
     ImGui::TextWrapped("%s", kAboutText);
-    end_dialog(app.ui);
-}
-
-// F1 has opened the list in this very frame, or opens the manual.
-void draw_manual_button(App& app) {
-    const auto pressed = [](int code) { return ImGui::IsKeyPressed(code, false); };
-    const bool again =
-        !ImGui::IsWindowAppearing() &&
-        (pressed(key::kF1) || (pressed(key::kEnter) && !app.ui.rects.tab_order.is_on_button));
-    if (ImGui::Button("Open the manual") || again) {
-        open_manual(app.ui, app.manual);
-        app.ui.dialog = Dialog::none;
-        ImGui::CloseCurrentPopup();
-    }
-    note_item(app.ui.rects, "button:manual");
-    ImGui::SameLine();
-    dim_text(app.ui, "F1 or Enter: every pane, format and limit, in the browser");
-    ImGui::Spacing();
-}
-
-void draw_keys(App& app) {
-    if (!begin_dialog(app.ui, "Keys and mouse")) return;
-    draw_manual_button(app);
-    const float room = ImGui::GetIO().DisplaySize.y * 0.9F - 5.0F * ImGui::GetFrameHeight();
-    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_ScrollY |
-                                       ImGuiTableFlags_NoSavedSettings;
-    if (ImGui::BeginTable("keys", 2, kFlags, {0.0F, room})) {
-        for (const KeyRow& line : keys_and_mouse()) {
-            ImGui::TableNextRow();
-            ImGui::TableNextColumn();
-            ImGui::TextWrapped("%s", line.keys.c_str());
-            ImGui::TableNextColumn();
-            ImGui::PushTextWrapPos(0.0F);
-            dim_text(app.ui, line.what);
-            ImGui::PopTextWrapPos();
-        }
-        ImGui::EndTable();
-    }
     end_dialog(app.ui);
 }
 
@@ -140,7 +106,7 @@ std::vector<std::filesystem::path> recent_folders(const Session& session) {
 
 void draw_chooser(App& app) {
     if (app.ui.chooser.appears) app.ui.chooser.recent = recent_folders(app.work.session);
-    const auto chosen = draw(app.ui.chooser, app.ui.rects, app.ui.theme);
+    const auto chosen = draw_file_chooser(app.ui);
     if (!chosen) return;
     switch (app.ui.chooser_purpose) {
         case ChooserPurpose::open_document:
@@ -202,9 +168,13 @@ std::span<const KeyRow> keys_and_mouse() {
         for (const Command& command : commands()) {
             const std::string keys = shortcut_text(command.shortcut);
             if (keys.empty() || *command.menu == '\0') continue;
-            rows.push_back({keys, menu_path(command)});
+            rows.push_back({command.menu, keys, menu_path(command)});
         }
-        for (const auto& [keys, what] : kKeys) rows.push_back({keys, what});
+        for (const auto& [group, keys, what] : kGestures) {
+            const auto last = std::find_if(rows.rbegin(), rows.rend(),
+                                           [&](const KeyRow& row) { return row.group == group; });
+            rows.insert(last == rows.rend() ? rows.end() : last.base(), {group, keys, what});
+        }
         return rows;
     }();
     return all;
@@ -218,7 +188,7 @@ void draw_dialogs(App& app) {
     if (std::exchange(app.exports.cancel_asked, false)) cancel_animation(app);
     draw_import_dialogs(app.ui, app.work, app.importing);
     if (app.ui.dialog == Dialog::about) draw_about(app);
-    if (app.ui.dialog == Dialog::keys) draw_keys(app);
+    if (app.ui.dialog == Dialog::keys) draw_keys_dialog(app.ui, app.manual, keys_and_mouse());
     if (app.ui.dialog == Dialog::generate) draw_generate_dialog(app.ui, app.work, app.generating);
     if (app.ui.dialog == Dialog::pad) draw_pad_dialog(app.ui, app.work, app.pad);
     if (app.ui.dialog == Dialog::steps) draw_steps_dialog(app.ui, app.work, app.steps);

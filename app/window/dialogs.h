@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/manual/keys_dialog.h"
 #include "app/window/app.h"
 
 namespace tact {
@@ -13,10 +14,6 @@ namespace tact {
 void draw_dialogs(App& app);
 
 // What F1 lists, and the manual.
-struct KeyRow {
-    std::string keys;
-    std::string what;
-};
 std::span<const KeyRow> keys_and_mouse();
 
 // What was dropped on the window: tables of ratings or of accelerations go to the open set, all

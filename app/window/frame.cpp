@@ -44,6 +44,7 @@
 #include "app/window/jobs.h"
 #include "model/map/mds.h"
 #include "viz/drawing/body_cache.h"
+#include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -61,16 +62,53 @@ double status_left_s(const App& app) {
     return std::max(0.0, app.ui.status.since_s + kStatusFadeS - app.ui.time_s);
 }
 
-void draw_status_line(App& app, const Rect& area, ImDrawList& list) {
+// A triangle with a "!", as errors are not told by their colour alone; how wide it is.
+float draw_error_sign(const Theme& theme, ImVec2 left_middle) {
+    const float half = 0.5F * ImGui::GetTextLineHeight();
+    const ImVec2 at{left_middle.x + half, left_middle.y};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddTriangleFilled({at.x, at.y - half}, {at.x + half, at.y + 0.8F * half},
+                           {at.x - half, at.y + 0.8F * half}, theme.error);
+    const ImVec2 size = text_size(theme.fonts.small, "!");
+    draw_text(list, theme.fonts.small, {at.x - 0.5F * size.x, at.y + 0.1F * half - 0.5F * size.y},
+              readable_on(theme.error), "!");
+    return 2.0F * half + theme.gap_px;
+}
+
+// What was said, cut where there is no room for it, and what puts it away.
+void draw_said(App& app, const Rect& area) {
+    Ui& ui = app.ui;
+    const Theme& theme = ui.theme;
+    const ImFont* font = theme.fonts.regular;
+    float x = area.min.x;
+    if (ui.status.is_error) x += draw_error_sign(theme, {x, area.centre().y});
+    const float button = ImGui::GetFrameHeight();
+    const std::string shown = shortened(font, ui.status.text, area.max.x - x - button);
+    const ImVec2 size = text_size(font, shown);
+    ImGui::SetCursorScreenPos({x, area.centre().y - 0.5F * size.y});
+    draw_text(*ImGui::GetWindowDrawList(), font, ImGui::GetCursorScreenPos(),
+              ui.status.is_error ? theme.error : theme.dim_text, shown);
+    ImGui::Dummy(size);
+    if (shown != ui.status.text) draw_tooltip(ui, ui.status.text.c_str());
+    note_rect(ui.rects, "status", area.min, area.max, ui.status.text);
+    if (!ui.status.is_error) return;
+    ImGui::SetCursorScreenPos({x + size.x + theme.gap_px, area.centre().y - 0.5F * button});
+    ImGui::PushStyleColor(ImGuiCol_Button, 0);
+    ImGui::PushStyleColor(ImGuiCol_Border, 0);
+    const bool away = ImGui::Button("\u00d7", {button, button});
+    ImGui::PopStyleColor(2);
+    note_item(ui.rects, "status:dismiss");
+    draw_tooltip(ui, "Dismiss (Esc)");
+    if (away) ui.status = {};
+}
+
+void draw_status_line(App& app, const Rect& area) {
     const Theme& theme = app.ui.theme;
-    const float y = area.centre().y - ImGui::GetTextLineHeight() / 2.0F;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
     const float width = is_computing(app) ? 160.0F * theme.scale : 0.0F;
-    const float room = area.width() - width - 3.0F * theme.padding_px;
     if (!app.ui.status.text.empty() && status_left_s(app) > 0.0) {
-        draw_text(list, theme.fonts.regular, {area.min.x + theme.padding_px, y},
-                  app.ui.status.is_error ? theme.error : theme.dim_text,
-                  shortened(theme.fonts.regular, app.ui.status.text, room));
-        note_rect(app.ui.rects, "status", area.min, area.max, app.ui.status.text);
+        draw_said(app, {{area.min.x + theme.padding_px, area.min.y},
+                        {area.max.x - width - 2.0F * theme.padding_px, area.max.y}});
     }
     if (!is_computing(app)) return;
     const ImVec2 min{area.max.x - width - theme.padding_px, area.centre().y - 2.0F * theme.scale};
@@ -84,12 +122,15 @@ void draw_status_line(App& app, const Rect& area, ImDrawList& list) {
 void draw_status(App& app, const Rect& area) {
     ImGui::SetNextWindowPos(area.min);
     ImGui::SetNextWindowSize(area.size());
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
     ImGui::Begin("status", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    draw_status_line(app, area, *ImGui::GetWindowDrawList());
+    draw_status_line(app, area);
     ImGui::End();
+    ImGui::PopStyleVar();
 }
 
 void take_row_click(App& app) {

@@ -87,6 +87,8 @@ std::vector<std::string> map_state_forms(const App& app) {
 std::vector<std::string> space_title_right(const App& app) {
     if (!app.shown_map.transition.shown || app.shown_map.transition.to.rows() < 2)
         return map_state_forms(app);
+    // Stress of an earlier state would be read as that of this one.
+    if (map_state(app.work, app.shown_map) == MapState::stale) return map_state_forms(app);
     const PerceptualSpace& space = app.shown_map.transition.shown->space;
     if (space.verdict == MdsVerdict::constant || app.shown_map.has_headline)
         return map_state_forms(app);
@@ -207,7 +209,10 @@ PaneTitle title_of(const App& app, Pane pane) {
 
 void draw_bench(App& app) {
     const auto tab = [&app](BenchTab which, const char* name) {
-        if (draw_chip(app.ui, name, name, app.layout.bench == which)) app.layout.bench = which;
+        // Not by its word alone, which may be that of something within the tab.
+        const std::string id = std::string("tab ") + name;
+        if (draw_chip(app.ui, id.c_str(), name, app.layout.bench == which))
+            app.layout.bench = which;
         note_item(app.ui.rects, std::string("tab:") + name);
     };
     // Where one selects, the others are in the View menu.

@@ -171,6 +171,8 @@ void draw_palette(App& app, std::span<const KeyPress> pressed) {
             if (draw_palette_row(app, command, k == state.choice)) chosen = &command;
         }
         if (found.empty()) dim_text(app.ui, "No command has this in its name.");
+        const int more = last + 1 - std::min(last + 1, first + shown);
+        if (more > 0) dim_text(app.ui, std::to_string(more) + " more: go down, or type some of it");
         if (was_pressed(pressed, key::kEnter) && !found.empty()) {
             chosen = found[static_cast<std::size_t>(state.choice)];
         }

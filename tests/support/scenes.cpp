@@ -125,6 +125,19 @@ void add_arrangements(std::vector<Scene>& all) {
                        }});
     }
     all.push_back({"lesson", [](Program& p) { run(p, "Guided tour"); }});
+    all.push_back({"lesson at the foot", [](Program& p) {
+                       run(p, "Guided tour");
+                       click_if_there(p, "lesson:move");
+                   }});
+    all.push_back({"lesson, written", [](Program& p) {
+                       run(p, "New lesson from this set");
+                       p.wait_for_stages();
+                   }});
+    all.push_back({"presenting", [](Program& p) {
+                       run(p, "Guided tour");
+                       run(p, "Present");
+                       p.wait_for_stages();
+                   }});
     all.push_back({"study, pairs", [](Program& p) {
                        run(p, "Study");
                        p.app.studying.kind = StudyKind::pairwise;
@@ -220,6 +233,13 @@ void add_dialogs(std::vector<Scene>& all) {
                                                        {"import", Dialog::import_recordings},
                                                        {"leave out", Dialog::leave_out},
                                                        {"conduct rules", Dialog::conduct_rules}});
+    all.push_back({"dialog, question", [](Program& p) {
+                       ask(p.app.ui,
+                           {.title = "Save the changes?",
+                            .text = "Twelve patterns has changes that are in no file yet.",
+                            .answers = {{"Save"}, {"Do not save"}, {"Cancel"}}});
+                       p.settle();
+                   }});
     for (const auto& [name, dialog] : kOthers) {
         all.push_back({std::string("dialog, ") + name,
                        [which = dialog](Program& p) { show_dialog(p, which); }});
@@ -300,9 +320,11 @@ SceneWindow::~SceneWindow() { stop_jobs(app); }
 void SceneWindow::show(const Scene& scene) {
     for (int k = 0; k < 3; ++k) press_key(key::kEscape);
     app.ui.dialog = Dialog::none;
+    app.ui.question.reset();
     app.ui.chooser.is_open = false;
     app.palette.open = false;
     leave_lesson(hands_of(app), app.lesson);
+    app.lesson.dock = DockSide::right;
     close_study(app.studying);
     app.layout = first_layout(Arrangement::design);
     app.workspaces = {};

@@ -197,10 +197,11 @@ std::vector<std::string> wrapped(const ImFont* font, std::string_view text, floa
     while (!text.empty()) {
         std::size_t kept = 0;
         for (std::size_t at = 0; at < text.size();) {
-            const std::size_t end = std::min(text.find(' ', at), text.size());
+            const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
             if (kept > 0 && text_size(font, text.substr(0, end)).x > width_px) break;
             kept = end;
             at = end + 1;
+            if (end < text.size() && text[end] == '\n') break;
         }
         lines.push_back(shortened(font, text.substr(0, kept), width_px));
         text.remove_prefix(std::min(kept + 1, text.size()));

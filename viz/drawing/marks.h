@@ -65,7 +65,8 @@ void draw_receptor_mark(ImDrawList& list, const Theme& theme, ImVec2 centre, flo
 // hatch that drifts slowly with `time_s` (constant: stands still).
 void draw_stale(ImDrawList& list, const Theme& theme, const Rect& area, double time_s);
 
-// The text in lines no wider than that, broken at spaces; a word that is wider is cut.
+// The text in lines no wider than that, broken at spaces and where it breaks itself; a word that is
+// wider is cut.
 std::vector<std::string> wrapped(const ImFont* font, std::string_view text, float width_px);
 
 // What a pane says while it has nothing to show: what it is, why it is empty, what to do.

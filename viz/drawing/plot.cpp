@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "viz/drawing/colour.h"
@@ -197,19 +198,19 @@ void draw_axes(ImDrawList& list, const Theme& theme, const Plot& plot, const Plo
     }
     if (labels.x_unit.empty()) return;
     const auto ticks = ticks_apart(plot.x, 4.0F * text_px);
-    std::optional<float> after;  // in a narrow plot the last one, with its unit, takes more room
+    // From the last one, which has the unit: it may have to stand where the one before it would.
+    float next_left = std::numeric_limits<float>::infinity();
     for (std::size_t i = ticks.size(); i-- > 0;) {
         std::string text = tick_text(ticks[i], step_between(plot.x, ticks));
         const float number_px = text_size(font, text).x;
         if (i + 1 == ticks.size()) text += " " + std::string{labels.x_unit};
         const float x = to_pixel(plot.x, ticks[i]);
-        const float text_width_px = text_size(font, text).x;
-        const float left = std::min(x - number_px / 2.0F, area.max.x - text_width_px);
-        if (after && left + text_width_px > *after) continue;
-        after = left - 0.5F * theme.gap_px;
+        const float left = std::min(x - number_px / 2.0F, area.max.x - text_size(font, text).x);
         draw_upright_line(list, x, area.max.y, area.max.y + 3.0F * theme.scale, theme.hairline_px,
                           theme.line);
+        if (left + text_size(font, text).x > next_left) continue;
         draw_text(list, font, {left, area.max.y + 5.0F * theme.scale}, theme.dim_text, text);
+        next_left = left - 0.25F * text_px;
     }
 }
 

@@ -7,8 +7,9 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "app/ui/chooser_answer.h"
+#include "app/ui/ui.h"
 #include "tests/support/headless_window.h"
-#include "viz/drawing/theme.h"
 
 namespace file_chooser_test {
 
@@ -21,7 +22,8 @@ namespace {
 struct Fixture {
     fs::path folder;
     HeadlessWindow window;
-    FileChooser chooser;
+    Ui ui;
+    FileChooser& chooser = ui.chooser;
     std::optional<fs::path> chosen;
     int answers = 0;
 
@@ -36,6 +38,7 @@ struct Fixture {
                                  "inner/deep.wav", "set.tactspace.json", "other.json"}) {
             std::ofstream(folder / file) << file;
         }
+        ui.theme = dark_theme(1.0F);
         chooser.extensions = {".wav", ".tactspace.json"};
     }
     ~Fixture() {
@@ -52,8 +55,8 @@ struct Fixture {
     }
     void settle() {
         window.settle([this] {
-            WidgetRects rects;
-            if (const auto path = draw(chooser, rects, dark_theme(1.0F))) {
+            ui.rects = {};
+            if (const auto path = draw_file_chooser(ui)) {
                 chosen = path;
                 ++answers;
             }
@@ -186,6 +189,21 @@ TEST_CASE("chooser: a name that is not there is said and can be mended") {
     f.press(key::kEnter);
     REQUIRE(f.chosen.has_value());
     CHECK(*f.chosen == f.folder / "b2.wav");
+}
+
+TEST_CASE("chooser: with nothing named it says so, and a folder without such files names them") {
+    Fixture f;
+    f.chooser.extensions = {".csv", ".flac"};
+    f.open();
+    CHECK(lack_of_files(f.chooser) == "No .csv, .flac here.");
+    CHECK_FALSE(std::string(lack_of_name(f.chooser)).empty());
+    f.type("b2.wav");
+    CHECK(std::string(lack_of_name(f.chooser)).empty());
+    f.chooser.extensions = {".wav"};
+    f.open();
+    CHECK(lack_of_files(f.chooser).empty());
+    f.chooser.use = ChooserUse::save_folder;  // the folder itself may be meant
+    CHECK(std::string(lack_of_name(f.chooser)).empty());
 }
 
 TEST_CASE("chooser: Esc leaves without an answer") {

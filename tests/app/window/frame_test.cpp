@@ -210,4 +210,51 @@ TEST_CASE("window: locking is an edit, and what is locked is not deleted") {
     CHECK(program.app.work.document.set.vibrations.size() == 1);
 }
 
+TEST_CASE("window: an error at the foot goes by its x and by Esc, what is no error has no x") {
+    Program program(short_patterns(2));
+    for (const bool by_mouse : {true, false}) {
+        complain(program.app.ui, "There is no such file.");
+        program.settle();
+        if (by_mouse) program.click("status:dismiss");
+        if (!by_mouse) program.press_key(key::kEscape);
+        CHECK(program.app.ui.status.text.empty());
+    }
+    say(program.app.ui, "Saved.");
+    program.settle();
+    CHECK(program.shows("status"));
+    CHECK_FALSE(program.shows("status:dismiss"));
+}
+
+TEST_CASE("window: the bar stays where it is, whatever is named, zoomed or computed") {
+    Program program(short_patterns(3));
+    choose_pair(program.app.work, 0, 1);
+    for (const ImVec2 size : {ImVec2{1280.0F, 720.0F}, ImVec2{1000.0F, 720.0F}}) {
+        CAPTURE(size.x);
+        program.resize(size, 1.0F);
+        const auto before = program.places;
+        const auto check = [&](const char* change) {
+            CAPTURE(change);
+            program.settle();
+            for (const char* name :
+                 {"transport:loop", "transport:A|B", "device", "speed:1\u00d7", "playhead"}) {
+                CAPTURE(name);
+                CHECK(program.shows(name) == before.contains(name));
+                if (!program.shows(name)) continue;
+                CHECK(program.at(name).min.x == before.at(name).min.x);
+            }
+        };
+        auto& all = program.app.work.document.set.vibrations;
+        all[0].name = "a name that is rather longer than it would have to be";
+        check("a long name");
+        program.app.timeline.range = {0.0, 0.05};
+        check("a zoomed time");
+        program.app.shown_map.cancelled = true;
+        check("a map that is not computed");
+        all[0].name = "p1";
+        program.app.timeline.range = {};
+        program.app.shown_map.cancelled = false;
+        program.settle();
+    }
+}
+
 }  // namespace frame_test

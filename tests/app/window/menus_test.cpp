@@ -42,6 +42,26 @@ TEST_CASE("menus: the list of keys has that of every command") {
     CHECK(count > 30);
 }
 
+TEST_CASE("menus: the list of keys needs no scroll bar in a small window, and is searched") {
+    Program program(short_patterns(2));
+    program.resize({1280.0F, 720.0F}, 1.0F);
+    program.press_key(key::kF1);
+    program.settle();
+    for (const KeyRow& row : keys_and_mouse()) {
+        CAPTURE(row.group);
+        CHECK(program.at("keys:" + row.group).max.y < program.at("button:close").min.y);
+    }
+    CHECK(program.app.manual.keys_height_px <=
+          program.at("button:close").min.y - program.at("keys:File").min.y);
+    program.type("lasso");
+    CHECK(program.shows("keys:Map"));
+    CHECK_FALSE(program.shows("keys:File"));
+    program.press_key(key::kEnter);  // is the search's own
+    CHECK(program.app.ui.dialog == Dialog::keys);
+    program.press_key(key::kEscape);
+    CHECK(program.app.ui.dialog == Dialog::none);
+}
+
 TEST_CASE("menus: every group that a menu has begins with a command that there is") {
     for (const std::string_view name : menu_groups()) {
         CAPTURE(std::string(name));

@@ -1,0 +1,182 @@
+// Everything that the mouse can press is reached by Tab, or has keys of its own; and Tab goes as
+// one reads.
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tests/support/scenes.h"
+
+namespace keyboard_test {
+
+using namespace tact;
+
+namespace {
+
+// What is no stop, by how its name begins, and what does the same.
+constexpr auto kOtherwise = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"menu:", "Ctrl+P finds every command of the menus"},
+    {"workspace:", "Ctrl+1 to Ctrl+4, F5"},
+    {"slider:", "the entry beside it"},
+    {"stepper:", "Up and Down in the entry before it"},
+    {"row:", "arrows within the list"},
+    {"point:", "the rows of the list"},
+    {"view:", "the rows of the list; a tab of its own for a pair"},
+    {"plot:", "comma, full stop and Home move through time"},
+    {"strip:", "N and Shift+N choose a point, its fields change it"},
+    {"grip:", "the fields of attack and release"},
+    {"grid ", "the names of the stages open it large"},
+    {"network ", "the names of the receptors"},
+    {"curve ", "the number of patterns to pick"},
+    {"generate:preview ", "Space plays it, once it is in the list"},
+    {"answer:", "Tab and arrows move the mark along the answers, Enter takes it"},
+    {"splitter:", "nothing is beyond a pane that cannot be scrolled to"},
+});
+
+bool has_other_way(const std::set<std::string>& names) {
+    return std::ranges::any_of(names, [](const std::string& name) {
+        return std::ranges::any_of(kOtherwise,
+                                   [&](const auto& way) { return name.starts_with(way.first); });
+    });
+}
+
+std::string listed(const std::set<std::string>& names) {
+    std::string all;
+    for (const std::string& name : names) all += name + " ";
+    return all;
+}
+
+// The names at whose middle the mouse would press one and the same thing, of each such thing.
+std::map<ImGuiID, std::set<std::string>> pressable(Program& program) {
+    const std::map<std::string, Place> places = program.places;
+    const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+    const ImGuiWindow* over = popups.empty() ? nullptr : popups.back().Window;
+    const ImRect within = over != nullptr ? over->Rect() : ImRect({}, ImGui::GetIO().DisplaySize);
+    std::map<ImGuiID, std::set<std::string>> found;
+    for (const auto& [name, place] : places) {
+        const ImVec2 at = place.middle();
+        const bool is_area = name == "pointer" || name.starts_with("pane:");
+        if (is_area || !within.Contains(at)) continue;
+        program.window.move(at);
+        program.frame();
+        const ImGuiContext& imgui = *ImGui::GetCurrentContext();
+        if (imgui.HoveredId != 0 && !imgui.HoveredIdDisabled) found[imgui.HoveredId].insert(name);
+    }
+    program.window.move({-100.0F, -100.0F});
+    program.settle();
+    return found;
+}
+
+struct Stop {
+    ImGuiID id = 0;
+    const ImGuiWindow* pane = nullptr;
+    Place place;
+};
+
+// What Tab comes by, once around; a stop without a frame around it is not seen.
+std::vector<Stop> round_trip(Program& program, std::vector<std::string>& faults) {
+    std::vector<Stop> stops;
+    std::set<ImGuiID> seen;
+    constexpr int kMost = 300;
+    for (int k = 0; k < kMost; ++k) {
+        program.window.press(key::kTab);
+        while (pending(program.window.input)) program.frame();
+        program.frame();
+        const ImGuiContext& imgui = *ImGui::GetCurrentContext();
+        if (imgui.NavWindow == nullptr || !program.shows("focus")) {
+            faults.push_back("the focus is not seen after Tab " + std::to_string(k + 1));
+            return stops;
+        }
+        if (!seen.insert(imgui.NavId).second) break;
+        stops.push_back({imgui.NavId, imgui.NavWindow->RootWindow, program.at("focus")});
+    }
+    return stops;
+}
+
+// In the same row and to the right, further down, or at the top of the next column.
+bool follows(const Place& a, const Place& b) {
+    const bool same_row = std::min(a.max.y, b.max.y) - std::max(a.min.y, b.min.y) >
+                          0.5F * std::min(a.max.y - a.min.y, b.max.y - b.min.y);
+    if (same_row) return b.min.x >= a.min.x;
+    return b.min.y > a.min.y || b.min.x >= a.max.x;
+}
+
+std::vector<std::string> faults_of(SceneWindow& window, const Scene& scene,
+                                   std::optional<Pane> alone) {
+    window.show(scene);
+    if (alone) window.app.layout.maximised = alone;
+    window.settle();
+    std::vector<std::string> faults;
+    const auto things = pressable(window);
+    const std::vector<Stop> stops = round_trip(window, faults);
+    const auto name_of = [&](const Stop& stop) {
+        const auto found = things.find(stop.id);
+        const ImVec2 at = stop.place.min;
+        return (found == things.end() ? std::string("something ") : listed(found->second)) + "at " +
+               std::to_string(static_cast<int>(at.x)) + ", " +
+               std::to_string(static_cast<int>(at.y));
+    };
+    for (const auto& [id, names] : things) {
+        const bool reached = std::ranges::find(stops, id, &Stop::id) != stops.end();
+        if (!reached && !has_other_way(names)) faults.push_back("not reached: " + listed(names));
+    }
+    for (std::size_t k = 1; k < stops.size(); ++k) {
+        const bool same_pane = stops[k - 1].pane == stops[k].pane;
+        if (same_pane && !follows(stops[k - 1].place, stops[k].place)) {
+            faults.push_back("out of order: " + name_of(stops[k - 1]) + " before " +
+                             name_of(stops[k]));
+        }
+    }
+    return faults;
+}
+
+bool is_of(const Scene& scene, std::initializer_list<std::string_view> beginnings) {
+    return std::ranges::any_of(beginnings, [&](std::string_view one) {
+        return std::string_view(scene.name).starts_with(one);
+    });
+}
+
+// High enough that nothing scrolls while Tab goes through it: places stay where they are.
+struct HighWindow : SceneWindow {
+    HighWindow() { resize({1600.0F, 2600.0F}, 1.0F); }
+
+    // `alone`: one pane, where the others are as in other scenes.
+    void check(std::initializer_list<std::string_view> beginnings,
+               std::optional<Pane> alone = std::nullopt) {
+        for (const Scene& scene : scenes()) {
+            // Of the palette letters and arrows are the way.
+            if (!is_of(scene, beginnings) || scene.name == "dialog, palette") continue;
+            CAPTURE(scene.name);
+            for (const std::string& fault : faults_of(*this, scene, alone)) {
+                CAPTURE(fault);
+                CHECK(fault.empty());
+            }
+        }
+    }
+};
+
+}  // namespace
+
+TEST_CASE("keyboard: in every workspace Tab reaches what can be pressed, as one reads") {
+    HighWindow().check({"design", "select", "physiology", "study, ", "lesson", "presenting"});
+}
+
+TEST_CASE("keyboard: on every tab of the bench Tab reaches what can be pressed, as one reads") {
+    HighWindow().check({"candidates", "subset", "too close", "how sure", "compare", "shepard",
+                        "why", "model", "training", "device"},
+                       Pane::matrix);
+}
+
+TEST_CASE("keyboard: in every dialog and popup Tab reaches what can be pressed, as one reads") {
+    HighWindow().check({"dialog, ", "popup "});
+}
+
+}  // namespace keyboard_test
