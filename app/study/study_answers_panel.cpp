@@ -27,9 +27,7 @@ void draw_choice(Ui& ui, StudyState& studying) {
     choose(StudyShow::map, "Map");
     if (!studying.shown) return;
     flow_on(ImGui::CalcTextSize("Show the mean").x, 2.0F * ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    if (link(ui, "show mean", "Show the mean")) studying.shown.reset();
+    if (row_link(ui, "show mean", "Show the mean")) studying.shown.reset();
     note_item(ui.rects, "link:show mean");
 }
 

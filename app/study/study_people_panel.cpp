@@ -41,9 +41,7 @@ void draw_buttons(Ui& ui, const Workspace& work, Timeline& timeline, const Shown
                  "synthetic in its file and everywhere else.");
     const std::string folder = study_folder(work, studying).filename().string();
     flow_on(ImGui::CalcTextSize(folder.c_str()).x, 2.0F * ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    if (link(ui, "study folder", folder.empty() ? "Choose a folder..." : folder)) {
+    if (row_link(ui, "study folder", folder.empty() ? "Choose a folder..." : folder)) {
         choose_study_folder(ui, work, studying);
     }
     note_item(ui.rects, "link:study folder", study_folder(work, studying).string());
@@ -139,9 +137,7 @@ void draw_rule(Ui& ui, StudyState& studying) {
     }
     const std::string rules = conduct_summary(rule.who.conduct);
     flow_on(ImGui::CalcTextSize(rules.c_str()).x, 1.5F * ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    if (link(ui, "conduct rules", rules)) ui.dialog = Dialog::conduct_rules;
+    if (row_link(ui, "conduct rules", rules)) ui.dialog = Dialog::conduct_rules;
     note_item(ui.rects, "link:conduct rules", rules);
     draw_tooltip(ui, "Speed, agreement of repetitions, replays: who does not count by them.");
 }
@@ -162,8 +158,7 @@ void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, C
                    "These answers are about other patterns than the set now has.",
                    "study:other patterns");
     }
-    // The link to the rules, lower than its line by a padding, pushes what follows down.
-    const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().FramePadding.y;
+    const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing();
     const float height = std::max(ImGui::GetContentRegionAvail().y - foot, 60.0F * ui.theme.scale);
     ImGui::BeginChild("participants", {0.0F, height});
     draw_people_table(ui, work, timeline, play, studying, answers);
