@@ -15,20 +15,19 @@ namespace tact {
 
 namespace {
 
-void draw_member_menu(Ui& ui, Workspace& work, std::size_t place) {
-    if (!ImGui::BeginPopupContextItem("member menu")) return;
-    select_only(work, place);
-    const bool locked = work.document.set.vibrations[place].locked;
-    if (ImGui::MenuItem(locked ? "Unlock" : "Lock")) toggle_locked(ui, work);
-    if (ImGui::MenuItem("Drop")) toggle_dropped(ui, work);
+// What only a member has is its number, which is the key that plays it.
+PatternDeed draw_member_menu(Ui& ui, Workspace& work, std::size_t place, const std::string& key) {
+    if (!ImGui::BeginPopupContextItem("member menu")) return PatternDeed::none;
+    const PatternDeed deed = draw_pattern_menu(ui, work, place, key.c_str());
     ImGui::EndPopup();
+    return deed;
 }
 
 }  // namespace
 
-void draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number) {
+PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number) {
     const auto place = place_named(work.document.set, name);
-    if (!place) return;
+    if (!place) return PatternDeed::none;
     const Vibration& vibration = work.document.set.vibrations[*place];
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float s = ui.theme.scale;
@@ -42,6 +41,7 @@ void draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t n
     draw_tooltip(ui,
                  ((has_key ? "Key " + key + " plays it. " : std::string()) + kHoldHelp).c_str());
     if (ImGui::IsItemHovered()) work.selection.hovered = place;
+    const PatternDeed deed = draw_member_menu(ui, work, *place, key);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_text(list, ui.theme.fonts.regular, {corner.x + 2.0F * s, corner.y}, ui.theme.dim_text,
               key);
@@ -54,8 +54,8 @@ void draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t n
     const float room = width - begin - state_signs_px(ui.theme, vibration);
     draw_text(list, ui.theme.fonts.regular, {corner.x + begin, corner.y}, ui.theme.text,
               shortened(ui.theme.fonts.regular, name, std::max(0.0F, room)));
-    draw_member_menu(ui, work, *place);
     ImGui::PopID();
+    return deed;
 }
 
 void play_picked(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,

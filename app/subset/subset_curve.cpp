@@ -32,6 +32,20 @@ void draw_counts(const Ui& ui, const Plot& plot, const PickCurve& curve) {
     draw_text(list, font, {unit_left, y}, ui.theme.dim_text, unit);
 }
 
+// Beside the point that is chosen, on the side where the curve is not: it falls.
+void draw_chosen(Ui& ui, const Plot& plot, const CurvePoint& point, ImVec2 at) {
+    const Theme& theme = ui.theme;
+    const std::string text = std::to_string(point.count) + " picked, " + grouped(point.weakest);
+    const ImVec2 size = text_size(theme.fonts.semibold, text);
+    const float away = 0.75F * theme.gap_px;
+    const ImVec2 corner{std::clamp(at.x + away, plot.area.min.x,
+                                   std::max(plot.area.min.x, plot.area.max.x - size.x)),
+                        std::max(plot.area.min.y, at.y - size.y - away)};
+    draw_text_halo(*ImGui::GetWindowDrawList(), theme.fonts.semibold, corner, theme.text,
+                   theme.pane, 2.0F * theme.scale, text);
+    note_rect(ui.rects, "curve chosen", corner, corner + size, text);
+}
+
 // How far apart the weakest pair is for each k; a click chooses k.
 void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
     const PickCurve& curve = *picking.curve;
@@ -41,7 +55,7 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
     for (const CurvePoint& point : curve.points) most = std::max(most, point.bound);
     const auto first = static_cast<double>(curve.points.front().count);
     const auto last = static_cast<double>(curve.points.back().count);
-    const PlotLabels labels{"", "", true};
+    const PlotLabels labels{"", "weakest pair", true};
     const float foot = ImGui::GetTextLineHeight();
     const Rect above{area.min, {area.max.x, area.max.y - foot}};
     const Plot plot =
@@ -68,15 +82,20 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
         }
     }
     draw_path(list, line, theme.dim_text, theme.trace_px);
+    std::optional<std::size_t> chosen_one;
     for (std::size_t k = 0; k < line.size(); ++k) {
         const bool chosen = curve.points[k].count == static_cast<std::size_t>(picking.count);
+        if (chosen) chosen_one = k;
         const bool lit = chosen || hovered == k;
         draw_disc(list, theme, line[k], (lit ? 5.0F : 3.0F) * theme.scale,
                   lit ? theme.accent : theme.dim_text);
         note_rect(ui.rects, "curve point:" + std::to_string(curve.points[k].count), line[k],
                   line[k]);
     }
-    if (!hovered) return;
+    if (!hovered) {
+        if (chosen_one) draw_chosen(ui, plot, curve.points[*chosen_one], line[*chosen_one]);
+        return;
+    }
     const CurvePoint& point = curve.points[*hovered];
     const std::vector<std::string> lines{std::to_string(point.count) + " picked",
                                          "weakest pair " + grouped(point.weakest),

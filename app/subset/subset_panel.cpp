@@ -52,16 +52,11 @@ void draw_grow(Ui& ui, const Workspace& work, SubsetState& picking) {
     if (there == 0 || there >= picking.count) return;
     const std::string words = "Grow to " + std::to_string(picking.count);
     flow_on(ImGui::CalcTextSize(words.c_str()).x, ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    picking.grow_asked = link(ui, "grow", words);
+    picking.grow_asked = row_link(ui, "grow", words);
     note_item(ui.rects, "link:grow");
     draw_tooltip(ui,
                  "Adds as many as are missing, each as far from all others as can be: of the set's "
                  "design space, else of patterns drawn around these.");
-    ImGui::SameLine(0.0F, 0.0F);
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y});
-    ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
 }
 
 void draw_count(Ui& ui, SubsetState& picking) {
@@ -258,13 +253,14 @@ void coloured_note(ImU32 colour, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
-void draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
-                    PlayState& play, SubsetState& picking) {
+PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                           PlayState& play, SubsetState& picking) {
     draw_count(ui, picking);
     draw_grow(ui, work, picking);
     draw_objective(ui, picking);
     draw_source(ui, work, picking);
-    if (!draw_pick_state(ui, work, shown_map, picking)) return;
+    PatternDeed deed = PatternDeed::none;
+    if (!draw_pick_state(ui, work, shown_map, picking)) return deed;
     const std::shared_ptr<const Pick> pick = picking.pick;  // kept while it is drawn
     draw_headline(ui, work, timeline, shown_map, play, picking, *pick,
                   *shown_subset(shown_map, picking));
@@ -273,22 +269,27 @@ void draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap&
     const float left = wide && has_curve(picking) ? 0.48F * area.width() : area.width();
     ImGui::BeginChild("members", {left, area.height()});
     std::size_t number = 0;
-    for (const std::size_t member : shown_subset(shown_map, picking)->members)
-        draw_member(ui, work, name_of(*pick, member), ++number);
+    for (const std::size_t member : shown_subset(shown_map, picking)->members) {
+        const PatternDeed asked = draw_member(ui, work, name_of(*pick, member), ++number);
+        if (asked != PatternDeed::none) deed = asked;
+    }
     draw_alternatives(ui, picking, *pick);
     ImGui::EndChild();
-    if (left == area.width()) return;
-    draw_curve(ui, picking, {{area.min.x + left + ui.theme.gap_px, area.min.y}, area.max});
+    if (left < area.width()) {
+        draw_curve(ui, picking, {{area.min.x + left + ui.theme.gap_px, area.min.y}, area.max});
+    }
+    return deed;
 }
 
-void draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
-                       PlayState& play, SubsetState& picking) {
+PatternDeed draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline,
+                              const ShownMap& shown_map, PlayState& play, SubsetState& picking) {
+    PatternDeed deed = PatternDeed::none;
     draw_views(ui, work, shown_map, picking);
     ImGui::Dummy({1.0F, 1.0F});
     ImGui::BeginChild("view");  // scrolls where the pane is low
     switch (picking.view) {
         case SubsetView::pick:
-            draw_pick_view(ui, work, timeline, shown_map, play, picking);
+            deed = draw_pick_view(ui, work, timeline, shown_map, play, picking);
             break;
         case SubsetView::confusable:
             draw_too_close_view(ui, work, shown_map, picking);
@@ -298,6 +299,7 @@ void draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline, const ShownM
             break;
     }
     ImGui::EndChild();
+    return deed;
 }
 
 }  // namespace tact
