@@ -16,6 +16,9 @@ namespace tact {
 
 inline constexpr std::size_t kPlayKeys = 9;  // 1 to 9
 
+// A row in a list of that width: with a picture of the waveform where there is room for one.
+float member_row_px(const Ui& ui, float width_px);
+
 // Of the pattern of that name, the `number`-th one from 1 on. Its menu is that of every pattern.
 PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number);
 

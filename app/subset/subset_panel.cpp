@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/compare/compare_follow.h"
+#include "app/compare/metric_choice.h"
 #include "app/compare/people_text.h"
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
@@ -21,6 +22,7 @@
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
+#include "viz/drawing/words_and_picture.h"
 
 namespace tact {
 
@@ -103,13 +105,16 @@ void draw_source(Ui& ui, const Workspace& work, SubsetState& picking) {
                 picking.metric = metric;
                 picking.by_ratings = false;
             }
+            draw_tooltip(ui, metric_help(metric).c_str());
         }
         if (has_ratings && ImGui::Selectable("Ratings", picking.by_ratings))
             picking.by_ratings = true;
         ImGui::EndCombo();
     }
     note_item(ui.rects, "subset:source", shown);
-    draw_tooltip(ui, "What says how far apart two patterns are.");
+    const std::string help = picking.by_ratings && has_ratings ? "Ratings: what people said."
+                                                               : metric_help(picking.metric);
+    draw_tooltip(ui, ("What says how far apart two patterns are. " + help).c_str());
 }
 
 std::string quantity_of(const Pick& pick) {
@@ -247,7 +252,8 @@ Rect rest_or_lines(float lines) {
 
 void coloured_note(ImU32 colour, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::PushTextWrapPos(0.0F);
+    const float width = std::min(ImGui::GetContentRegionAvail().x, 52.0F * ImGui::GetFontSize());
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
@@ -264,20 +270,25 @@ PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const Sh
     const std::shared_ptr<const Pick> pick = picking.pick;  // kept while it is drawn
     draw_headline(ui, work, timeline, shown_map, play, picking, *pick,
                   *shown_subset(shown_map, picking));
+    const Subset& subset = *shown_subset(shown_map, picking);
     const Rect area = rest_or_lines(5.0F);
-    const bool wide = area.width() > 320.0F * ui.theme.scale;
-    const float left = wide && has_curve(picking) ? 0.48F * area.width() : area.width();
-    ImGui::BeginChild("members", {left, area.height()});
+    const float s = ui.theme.scale;
+    const float list_px =
+        member_row_px(ui, area.width()) * static_cast<float>(subset.members.size());
+    const WordsWanted list{150.0F * s, 560.0F * s, list_px + alternatives_px(ui, picking, *pick)};
+    WordsAndPicture parts{area, {area.max, area.max}};
+    if (has_curve(picking)) {
+        parts = words_and_picture(area, list, {90.0F * s, 120.0F * s}, 1.5F * ui.theme.gap_px);
+    }
+    ImGui::BeginChild("members", parts.words.size());
     std::size_t number = 0;
-    for (const std::size_t member : shown_subset(shown_map, picking)->members) {
+    for (const std::size_t member : subset.members) {
         const PatternDeed asked = draw_member(ui, work, name_of(*pick, member), ++number);
         if (asked != PatternDeed::none) deed = asked;
     }
     draw_alternatives(ui, picking, *pick);
     ImGui::EndChild();
-    if (left < area.width()) {
-        draw_curve(ui, picking, {{area.min.x + left + ui.theme.gap_px, area.min.y}, area.max});
-    }
+    if (!parts.picture.empty()) draw_curve(ui, picking, parts.picture);
     return deed;
 }
 
