@@ -258,7 +258,9 @@ void draw_text_row(Ui& ui, Workspace& work, StudyState& studying, const TextRow&
     if (is_edited) {
         draw_text_field(ui, work, row, shown);
     } else {
-        ImGui::PushTextWrapPos(0.0F);
+        const float width =
+            std::min(ImGui::GetContentRegionAvail().x, 52.0F * ImGui::GetFontSize());
+        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
         ImGui::TextUnformatted(shown.c_str());
         ImGui::PopTextWrapPos();
     }
