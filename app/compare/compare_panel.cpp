@@ -9,6 +9,7 @@
 #include "app/compare/compare_panels.h"
 #include "app/compare/metric_choice.h"
 #include "app/compare/people_text.h"
+#include "app/compare/reading_text.h"
 #include "app/document/rating_files.h"
 #include "app/document/shown_side.h"
 #include "app/measured/import_follow.h"
@@ -43,16 +44,6 @@ void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
     draw_tooltip(ui,
                  "A CSV of what people said of these patterns: a square with names, or a line a "
                  "rating with the participant. Names must be those of the patterns.");
-}
-
-// In lines that can be read, however wide the pane.
-void reading_text(ImU32 colour, const std::string& text) {
-    const float width = std::min(ImGui::GetContentRegionAvail().x, 52.0F * ImGui::GetFontSize());
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
 }
 
 // What is the same for all metrics: who was asked, how far they can be relied on, chance.

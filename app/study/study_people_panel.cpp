@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/compare/people_text.h"
+#include "app/compare/reading_text.h"
 #include "app/progress/failure.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
@@ -19,12 +20,7 @@ namespace {
 
 void small_text(Ui& ui, ImU32 colour, const std::string& text, const char* noted) {
     ImGui::PushFont(ui.theme.fonts.small);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    const float width = std::min(ImGui::GetContentRegionAvail().x, 64.0F * ImGui::GetFontSize());
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);  // lines that can be read
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
+    reading_text(colour, text);
     ImGui::PopFont();
     note_item(ui.rects, noted, text);
 }

@@ -6,6 +6,7 @@
 #include "app/compare/compare_follow.h"
 #include "app/compare/metric_choice.h"
 #include "app/compare/people_text.h"
+#include "app/compare/reading_text.h"
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/play/playing.h"
@@ -151,7 +152,7 @@ void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);
     }
     ImGui::PushFont(ui.theme.fonts.small);
-    coloured_note(colour, text);
+    reading_text(colour, text);
     ImGui::PopFont();
     note_item(ui.rects, "subset:proof", text);
 }
@@ -248,15 +249,6 @@ Rect rest_or_lines(float lines) {
     area.max.y = std::max(area.max.y, area.min.y + least);
     area.max.x = std::max(area.max.x, area.min.x + 1.0F);
     return area;
-}
-
-void coloured_note(ImU32 colour, const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    const float width = std::min(ImGui::GetContentRegionAvail().x, 52.0F * ImGui::GetFontSize());
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
 }
 
 PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,

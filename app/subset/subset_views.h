@@ -25,7 +25,4 @@ void draw_curve(Ui& ui, SubsetState& picking, const Rect& area);
 // What is left of the pane, or where that is less so many lines, which scroll.
 Rect rest_or_lines(float lines);
 
-// Text in a colour, in lines that can be read: no wider than the pane.
-void coloured_note(ImU32 colour, const std::string& text);
-
 }  // namespace tact

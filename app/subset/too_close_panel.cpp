@@ -5,6 +5,7 @@
 
 #include "app/compare/compare_follow.h"
 #include "app/compare/people_text.h"
+#include "app/compare/reading_text.h"
 #include "app/document/editing.h"
 #include "app/map/pair.h"
 #include "app/progress/failure.h"
@@ -157,7 +158,7 @@ void draw_pair_list(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
         return note_rect(ui.rects, "too close", area.min, area.max, summary);
     }
     ImGui::PushFont(ui.theme.fonts.small);
-    coloured_note(ui.theme.dim_text, summary);
+    reading_text(ui.theme.dim_text, summary);
     ImGui::PopFont();
     note_item(ui.rects, "too close", summary);
     const auto opened = opened_rows(shown_map, picking);
@@ -232,9 +233,9 @@ void draw_separation(Ui& ui, Workspace& work, SubsetState& picking, const FoundS
             changed.name, with_value(*own, separation.parameter, separation.to), text};
     }
     ImGui::PushFont(ui.theme.fonts.small);
-    coloured_note(ui.theme.dim_text, felt_steps_text(separation.steps) + "; then " +
-                                         grouped(separation.nearest) + " from its closest, " +
-                                         set.vibrations[separation.nearest_to].name);
+    reading_text(ui.theme.dim_text, felt_steps_text(separation.steps) + "; then " +
+                                        grouped(separation.nearest) + " from its closest, " +
+                                        set.vibrations[separation.nearest_to].name);
     ImGui::PopFont();
     ImGui::PopID();
 }
@@ -248,9 +249,9 @@ void draw_found(Ui& ui, Workspace& work, SubsetState& picking, const SeparationR
     const std::shared_ptr<const FoundSeparations> found = picking.separations;
     if (!found || found->request != asked) return;
     if (found->all.empty()) {
-        coloured_note(ui.theme.dim_text,
-                      "No change of a single number is enough, up to 16 felt steps of it. Change "
-                      "the rhythm, or add a carrier.");
+        reading_text(ui.theme.dim_text,
+                     "No change of a single number is enough, up to 16 felt steps of it. Change "
+                     "the rhythm, or add a carrier.");
         note_item(ui.rects, "separations", "none");
         return;
     }
@@ -279,7 +280,7 @@ void draw_open_pair(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
                       ". PM depends on the set: it is ranked anew with each change.")
                          .c_str());
     if (!obstacle.empty()) {
-        coloured_note(ui.theme.dim_text, obstacle);
+        reading_text(ui.theme.dim_text, obstacle);
         note_item(ui.rects, "separation obstacle", obstacle);
     }
     (void)draw_failure(ui, "separation", failure_of(picking.separation_job));
