@@ -151,18 +151,18 @@ std::string sentence_on(const FoundGap& found) {
 
 void fill_the_gap(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state) {
     std::vector<std::size_t> picked = picked_places(work);
-    if (picked.empty()) return complain(ui, "There is no pattern yet to be far from.");
+    if (picked.empty()) return say(ui, "There is no pattern yet to be far from.");
     ask_for(ui, work, shown_map, state, std::move(picked), 1);
 }
 
 void grow_to(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state,
              std::size_t count) {
     std::vector<std::size_t> all = not_dropped(work);
-    if (all.empty()) return complain(ui, "There is no pattern yet to be far from.");
+    if (all.empty()) return say(ui, "There is no pattern yet to be far from.");
     if (all.size() >= count) {
-        return complain(ui, "The set has " + std::to_string(all.size()) +
-                                " patterns, and Subset picks " + std::to_string(count) +
-                                ": none is missing. Raise that number to grow.");
+        return say(ui, "The set has " + std::to_string(all.size()) +
+                           " patterns, and Subset picks " + std::to_string(count) +
+                           ": none is missing. Raise that number to grow.");
     }
     const std::size_t missing = count - all.size();
     ask_for(ui, work, shown_map, state, std::move(all), missing);
@@ -173,7 +173,7 @@ void follow_gap(Ui& ui, Workspace& work, MaybesState& state) {
     if (!gap.asked || !gap.job) return;
     if (gap.asked->revision != work.revision) {
         stop_filling(state);
-        return complain(ui, "The set has changed meanwhile: ask again what would fill the gap.");
+        return say(ui, "The set has changed meanwhile: ask again what would fill the gap.");
     }
     const auto found = gap.job->latest();
     if (!found || !(found->request == *gap.asked)) {
@@ -184,9 +184,9 @@ void follow_gap(Ui& ui, Workspace& work, MaybesState& state) {
     }
     gap.asked.reset();
     if (found->chosen.empty()) {
-        return complain(ui,
-                        "Nothing is left that could fill a gap: all of the design space is "
-                        "picked, or no number may change.");
+        return say(ui,
+                   "Nothing is left that could fill a gap: all of the design space is "
+                   "picked, or no number may change.");
     }
     take_gap(ui, work, *found);
 }

@@ -143,13 +143,19 @@ MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state) {
     return shown;
 }
 
+bool can_vary(const Workspace& work) {
+    const Vibration* current = current_vibration(work);
+    return current != nullptr && editable_pattern(*current) != nullptr &&
+           work.document.set.vibrations.size() >= 3;
+}
+
 void vary(Ui& ui, const Workspace& work, MaybesState& state) {
     const Vibration* current = current_vibration(work);
     if (current == nullptr || editable_pattern(*current) == nullptr) {
-        return complain(ui, "Only a pattern made of parameters that is not locked can be varied.");
+        return say(ui, "Only a pattern made of parameters that is not locked can be varied.");
     }
     if (work.document.set.vibrations.size() < 3) {
-        return complain(ui, "Neighbours are shown in the map: it needs three patterns.");
+        return say(ui, "Neighbours are shown in the map: it needs three patterns.");
     }
     const bool again = state.varied == current->name;
     if (again) ++state.vary_seed;

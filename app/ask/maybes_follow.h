@@ -21,6 +21,10 @@ bool is_asking(const MaybesState& state);
 // What of it is known by now, for the map on screen.
 MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state);
 
+// Whether there are neighbours to ask for: of a pattern that can be edited, in a map, which takes
+// three.
+bool can_vary(const Workspace& work);
+
 // Neighbours of the pattern in the editor are asked for; again: others.
 void vary(Ui& ui, const Workspace& work, MaybesState& state);
 void stop_varying(MaybesState& state);

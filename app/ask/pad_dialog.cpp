@@ -136,23 +136,29 @@ void add_mix(Ui& ui, Workspace& work, const PadState& pad) {
 
 }  // namespace
 
-void open_pad(Ui& ui, const Workspace& work, PadState& pad) {
-    pad.corners.clear();
+std::vector<std::string> pad_corners(const Workspace& work) {
     std::vector<std::size_t> places{work.selection.current};
     for (const std::size_t other : selected_indices(work)) {
         if (other != work.selection.current) places.push_back(other);
     }
+    std::vector<std::string> corners;
     for (const std::size_t place : places) {
+        if (place >= work.document.set.vibrations.size()) continue;
         const Vibration& vibration = work.document.set.vibrations[place];
-        const bool has_room = pad.corners.size() < kMostCorners;
+        const bool has_room = corners.size() < kMostCorners;
         if (has_room && std::holds_alternative<Pattern>(vibration.source)) {
-            pad.corners.push_back(vibration.name);
+            corners.push_back(vibration.name);
         }
     }
+    return corners;
+}
+
+void open_pad(Ui& ui, const Workspace& work, PadState& pad) {
+    pad.corners = pad_corners(work);
     if (pad.corners.size() < 2) {
-        return complain(ui,
-                        "Select two to four patterns made of parameters first: they become the "
-                        "corners.");
+        return say(ui,
+                   "Select two to four patterns made of parameters first: they become the "
+                   "corners.");
     }
     pad.right = 0.5;
     pad.down = pad.corners.size() > 2 ? 0.5 : 0.0;

@@ -1,13 +1,19 @@
 // The pad: a square with patterns in its corners; inside it is their mix, seen and felt.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "app/ask/pad_state.h"
 #include "app/document/workspace.h"
 #include "app/ui/ui.h"
 
 namespace tact {
 
-// On what is selected: two to four patterns made of parameters, the one in the editor first.
+// What is selected and made of parameters, four at most, the one in the editor first.
+std::vector<std::string> pad_corners(const Workspace& work);
+
+// On these, where there are two at least.
 void open_pad(Ui& ui, const Workspace& work, PadState& pad);
 
 // Enter adds the mix behind the first corner: one step of undo. Esc leaves the set as it is.

@@ -50,7 +50,7 @@ void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, Maybes
     const Vibration& vibration = work.document.set.vibrations[move.place];
     const Pattern* pattern = editable_pattern(vibration);
     if (pattern == nullptr) {
-        return complain(ui, "Only a pattern made of parameters that is not locked can be moved.");
+        return say(ui, "Only a pattern made of parameters that is not locked can be moved.");
     }
     put.name = vibration.name;
     put.wanted = move.to;

@@ -14,21 +14,14 @@ namespace tact {
 
 namespace {
 
-// Links stand as low as the words in a line of fields.
-void lower_in_row(float row_y) {
-    if (ImGui::GetCursorPosY() != row_y) return;
-    ImGui::SetCursorPosY(row_y + ImGui::GetStyle().FramePadding.y);
-}
-
 // Which numbers varying and moving may change.
-void draw_free_numbers(Ui& ui, MaybesState& state, float row_y) {
+void draw_free_numbers(Ui& ui, MaybesState& state) {
     const std::string words = state.held.empty()
                                   ? "May change: all"
                                   : "Held: " + std::to_string(state.held.size()) +
                                         (state.held.size() == 1 ? " number" : " numbers");
     flow_on(ImGui::CalcTextSize(words.c_str()).x, 1.5F * ui.theme.gap_px);
-    lower_in_row(row_y);
-    if (link(ui, "free numbers", words)) ImGui::OpenPopup("free numbers");
+    if (row_link(ui, "free numbers", words)) ImGui::OpenPopup("free numbers");
     note_item(ui.rects, "link:free numbers");
     draw_tooltip(ui,
                  "Which numbers may change, here and when a point is put somewhere (Alt+drag).");
@@ -66,7 +59,6 @@ void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
     draw_gap_bar(ui, state);
     if (state.varied.empty()) return;
     if (!place_named(work.document.set, state.varied)) return stop_varying(state);
-    const float row_y = ImGui::GetCursorPosY();
     ImGui::AlignTextToFramePadding();
     dim_text(ui, "Neighbours of " + state.varied);
     const float width = 230.0F * ui.theme.scale;
@@ -85,14 +77,13 @@ void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
     note_item(ui.rects, "vary:how far");
     const auto word = [&](const char* id, const char* text, const char* help) {
         flow_on(ImGui::CalcTextSize(text).x, 1.5F * ui.theme.gap_px);
-        lower_in_row(row_y);
-        const bool pressed = link(ui, id, text);
+        const bool pressed = row_link(ui, id, text);
         note_item(ui.rects, std::string("link:") + id);
         draw_tooltip(ui, help);
         return pressed;
     };
     if (word("vary again", "Others (V)", "Eight others, as far away.")) ++state.vary_seed;
-    draw_free_numbers(ui, state, row_y);
+    draw_free_numbers(ui, state);
     if (word("vary stop", "Done", "The pattern stays as it is.")) return stop_varying(state);
     const auto found = found_variants(state);
     flow_on(120.0F * ui.theme.scale, 1.5F * ui.theme.gap_px);

@@ -5,6 +5,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -23,7 +24,13 @@ namespace tact {
 
 namespace {
 
-constexpr float kTableRowPx = 24.0F;
+// Few rows share what room there is: their pictures grow.
+float table_row_px(const Ui& ui, float room_px, std::size_t rows) {
+    const float least = 24.0F * ui.theme.scale;
+    const float most = 36.0F * ui.theme.scale;
+    const auto count = static_cast<float>(std::max<std::size_t>(rows, 1));
+    return std::clamp(std::floor(room_px / count), least, most);
+}
 
 void draw_table_tools(Ui& ui, Workspace& work, std::size_t listed) {
     Selection& selection = work.selection;
@@ -105,11 +112,11 @@ PatternDeed draw_table_menu(Ui& ui, Workspace& work, std::size_t place) {
 }
 
 PatternDeed draw_table_row(Ui& ui, Workspace& work, CandidatesState& state, const CandidateRow& row,
-                           const std::vector<ColumnSpan>& places) {
+                           const std::vector<ColumnSpan>& places, float row_px) {
     const float s = ui.theme.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
-    const Rect line = rect_at(corner, {width, kTableRowPx * s});
+    const Rect line = rect_at(corner, {width, row_px});
     const Vibration& vibration = work.document.set.vibrations[row.place];
     ImGui::PushID(static_cast<int>(row.place));
     ImGui::InvisibleButton("row", line.size());
@@ -156,13 +163,14 @@ PatternDeed draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown
     draw_headings(ui, state, places);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
     if (ImGui::BeginChild("candidates")) {
-        follow_current_row(work, rows, kTableRowPx * ui.theme.scale);
+        const float row_px = table_row_px(ui, ImGui::GetContentRegionAvail().y, rows.size());
+        follow_current_row(work, rows, row_px);
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(rows.size()));
         while (clipper.Step()) {
             for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
                 const CandidateRow& row = rows[static_cast<std::size_t>(k)];
-                const PatternDeed asked = draw_table_row(ui, work, state, row, places);
+                const PatternDeed asked = draw_table_row(ui, work, state, row, places, row_px);
                 if (asked != PatternDeed::none) deed = asked;
             }
         }

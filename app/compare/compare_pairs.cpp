@@ -8,10 +8,12 @@
 #include "app/compare/compare_panels.h"
 #include "app/compare/metric_choice.h"
 #include "app/compare/people_text.h"
+#include "app/document/rating_files.h"
 #include "app/ui/widgets.h"
 #include "viz/charts/scatter_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
+#include "viz/drawing/words_and_picture.h"
 
 namespace tact {
 
@@ -25,16 +27,19 @@ void draw_disagreement(Ui& ui, Workspace& work, Layout& layout, const Comparison
     const bool closer = apart.ratings_rank < apart.metric_rank;
     const std::string felt = has_nobody(comparison) ? "synthetic ratings say " : "felt ";
     ImGui::PushID(static_cast<int>(apart.pair));
-    if (ImGui::Selectable(names.c_str())) {
+    const ImFont* regular = ui.theme.fonts.regular;
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (ImGui::Selectable(shortened(regular, names, room).c_str())) {
         choose_pair(work, i, j);
         layout.bench = BenchTab::why;
     }
     note_item(ui.rects, "disagreement:" + vibrations[i].name + "|" + vibrations[j].name);
-    draw_tooltip(ui, "Why does the model tell them as it does?");
+    draw_tooltip(ui, (names + ": why does the model tell them as it does?").c_str());
     ImGui::PushFont(ui.theme.fonts.small);
-    dim_text(ui, felt + (closer ? "closer" : "farther") + ": rank " +
-                     significant(apart.ratings_rank) + ", predicted " +
-                     significant(apart.metric_rank));
+    const std::string ranks = felt + (closer ? "closer" : "farther") + ": rank " +
+                              significant(apart.ratings_rank) + ", predicted " +
+                              significant(apart.metric_rank);
+    dim_text(ui, shortened(ui.theme.fonts.small, ranks, room));
     ImGui::PopFont();
     ImGui::PopID();
 }
@@ -53,22 +58,12 @@ void draw_list(Ui& ui, Workspace& work, Layout& layout, const Comparison& compar
 
 }  // namespace
 
-void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_map,
-                         Comparing& comparing, const Comparison& comparison) {
-    draw_metric_choice(ui, work, comparing, false);
-    const Rect area = rest_of_pane();
-    if (area.width() < 40.0F || area.height() < 40.0F) return;
-    if (!comparison.people) {
-        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "No ratings to compare with",
-                   "Load what people said: each pair is then a point, prediction against rating.");
-        return;
-    }
+void draw_pairs_scatter(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
+                        const Comparison& comparison, const Rect& area) {
     const ComparedMetric& row =
         comparison.metrics[static_cast<std::size_t>(comparing.panel.metric)];
     const Dissimilarity& people = comparison.people->said.rated.people.dissimilarity;
     const std::vector<double>& rank = row.ranks;
-    const float list_px = std::min(0.42F * area.width(), 220.0F * ui.theme.scale);
-    const Rect left{area.min, {area.max.x - list_px - ui.theme.gap_px, area.max.y}};
     const bool synthetic = has_nobody(comparison);
     std::string corner = of_people("rho ", synthetic) + digits(row.evaluation->rho, 2);
     const double ceiling = comparison.people->said.ceilings.of_mean;
@@ -92,15 +87,45 @@ void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap
     };
     const ShownComparison shown = shown_comparison(work, shown_map, comparing);
     scene.stale = looks_stale(ui, "pairs", shown.comparison, shown.is_stale);
-    const ScatterAction action = draw_scatter("pairs", ui.theme, left, scene);
-    note_rect(ui.rects, "view:Pairs", left.min, left.max, y_title + ", " + corner);
+    const ScatterAction action = draw_scatter("pairs", ui.theme, area, scene);
+    note_rect(ui.rects, "view:Pairs", area.min, area.max, y_title + ", " + corner);
     for (std::size_t k = 0; k < rank.size() && !ui.rects.file.empty() && rank.size() < 200; ++k) {
-        const ImVec2 at = scatter_point(ui.theme, left, scene, k);
+        const ImVec2 at = scatter_point(ui.theme, area, scene, k);
         note_rect(ui.rects, "pair point:" + std::to_string(k), at, at);
     }
     choose_clicked(work, vibrations, action.clicked);
-    draw_list(ui, work, layout, comparison, row,
-              {{left.max.x + ui.theme.gap_px, area.min.y}, area.max});
+}
+
+void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_map,
+                         Comparing& comparing, const Comparison& comparison) {
+    if (!comparison.people) {
+        const Rect area = rest_of_pane();
+        if (area.empty()) return;
+        if (draw_empty_with(ui, area, "No ratings to compare with",
+                            "Load what people said: each pair is then a point, prediction against "
+                            "rating.",
+                            "Load ratings...")) {
+            load_ratings_dialog(ui, work);
+        }
+        return note_item(ui.rects, "button:load ratings");
+    }
+    draw_metric_choice(ui, work, comparing, false);
+    const Rect area = rest_of_pane();
+    if (area.width() < 40.0F || area.height() < 40.0F) return;
+    const ComparedMetric& row =
+        comparison.metrics[static_cast<std::size_t>(comparing.panel.metric)];
+    const float s = ui.theme.scale;
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    // The list scrolls before the picture becomes a strip.
+    const float rows = 1.0F + 2.0F * static_cast<float>(row.farthest.size());
+    const float list_px = std::min(rows * line, 0.45F * area.height());
+    const float least = std::min(0.42F * area.width(), 220.0F * s);
+    const WordsAndPicture parts =
+        words_and_picture(area, {least, std::max(least, 320.0F * s), list_px},
+                          {180.0F * s, 120.0F * s}, ui.theme.gap_px);
+    const Rect& picture = parts.picture.empty() ? area : parts.picture;
+    draw_pairs_scatter(ui, work, shown_map, comparing, comparison, picture);
+    if (!parts.picture.empty()) draw_list(ui, work, layout, comparison, row, parts.words);
 }
 
 }  // namespace tact

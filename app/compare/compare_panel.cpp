@@ -9,6 +9,7 @@
 #include "app/compare/compare_panels.h"
 #include "app/compare/metric_choice.h"
 #include "app/compare/people_text.h"
+#include "app/compare/reading_text.h"
 #include "app/document/rating_files.h"
 #include "app/document/shown_side.h"
 #include "app/measured/import_follow.h"
@@ -18,6 +19,7 @@
 #include "viz/charts/scatter_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
+#include "viz/drawing/words_and_picture.h"
 
 namespace tact {
 
@@ -57,13 +59,13 @@ void draw_people(Ui& ui, const Comparison& comparison) {
     if (!single.empty()) ceiling += " " + single;
     const std::string unrated = remark_on_unrated(people.unrated, set.vibrations.size());
     ImGui::PushFont(ui.theme.fonts.small);
-    coloured_text(people.synthetic ? ui.theme.warning : ui.theme.dim_text, text);
+    reading_text(people.synthetic ? ui.theme.warning : ui.theme.dim_text, text);
     note_item(ui.rects, "compare:people", text);
     if (!unrated.empty()) {
-        coloured_text(ui.theme.warning, unrated + ".");
+        reading_text(ui.theme.warning, unrated + ".");
         note_item(ui.rects, "compare:unrated", unrated);
     }
-    coloured_text(ui.theme.dim_text, ceiling);
+    reading_text(ui.theme.dim_text, ceiling);
     note_item(ui.rects, "compare:ceiling", ceiling);
     ImGui::PopFont();
 }
@@ -88,15 +90,15 @@ Best best_of(const Comparison& comparison) {
     return best;
 }
 
-// Where many share the best, as with the least p of so many draws, they are in bold alone.
+// The best stands on a ground of its own. Where many share it, as with the least p of so many
+// draws, they are in bold alone.
 enum class Mark { none, best, shared };
 
 void draw_cell(const Ui& ui, const std::string& text, Mark mark) {
     ImGui::TableNextColumn();
     if (mark != Mark::none) ImGui::PushFont(ui.theme.fonts.semibold);
-    if (mark == Mark::best) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.accent);
+    if (mark == Mark::best) ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, ui.theme.hover);
     right_aligned(text);
-    if (mark == Mark::best) ImGui::PopStyleColor();
     if (mark != Mark::none) ImGui::PopFont();
 }
 
@@ -114,21 +116,34 @@ std::string row_value(const ComparedMetric& row) {
     return text;
 }
 
+std::string interval_text(const Evaluation& e) {
+    return digits(e.rho_interval.low, 2) + " to " + digits(e.rho_interval.high, 2);
+}
+
 std::string tip_of(const ComparedMetric& row, bool synthetic) {
-    const MetricTraits& metric = traits(row.metric);
-    std::string tip = std::string(metric.name) + ": " + metric.description + ". " + metric.source;
-    if (!row.evaluation) return tip + ".";
+    std::string tip = metric_help(row.metric);
+    if (!row.evaluation) return tip;
     const Evaluation& e = *row.evaluation;
-    tip += ".\n" + of_people("tau-b ", synthetic) + digits(e.tau_b, 3) +
-           ", K over maps that fit as well " + digits(e.k_spread.low, 2) + " to " +
-           digits(e.k_spread.high, 2) + ", 1 - K/chance " + digits(e.k_corrected, 2) +
+    tip += "\n" + of_people("rho ", synthetic) + digits(e.rho, 2) + ", 95 % " + interval_text(e) +
+           ", p of K " + digits(e.k_p, 4) + ".\n" + of_people("tau-b ", synthetic) +
+           digits(e.tau_b, 3) + ", K over maps that fit as well " + digits(e.k_spread.low, 2) +
+           " to " + digits(e.k_spread.high, 2) + ", 1 - K/chance " + digits(e.k_corrected, 2) +
            ", stress-1 " + digits(e.stress1, 3);
     for (const std::string& remark : e.remarks) tip += "\n" + remark;
     return tip;
 }
 
+// With people, and where there is room also how sure rho is and how likely K by chance: elsewhere
+// the tooltip of a row tells these two.
+enum class Columns { few, with_people, all };
+
+int count_of(Columns columns) {
+    if (columns == Columns::few) return 2;
+    return columns == Columns::with_people ? 5 : 7;
+}
+
 void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Best& best,
-              bool synthetic) {
+              bool synthetic, Columns columns) {
     const MetricTraits& metric = traits(row.metric);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -139,7 +154,7 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     }
     note_item(ui.rects, std::string("metric:") + metric.key, row_value(row));
     draw_tooltip(ui, tip_of(row, synthetic).c_str());
-    if (metric.is_reference) {
+    if (metric.is_reference && columns != Columns::with_people) {
         ImGui::SameLine();
         ImGui::PushFont(ui.theme.fonts.small);
         dim_text(ui, "ours");
@@ -149,42 +164,43 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
         const Evaluation& e = *row.evaluation;
         const auto best_if = [](bool is_best, Mark mark) { return is_best ? mark : Mark::none; };
         draw_cell(ui, digits(e.rho, 2), best_if(e.rho == best.rho, Mark::best));
-        draw_cell(ui, digits(e.rho_interval.low, 2) + " to " + digits(e.rho_interval.high, 2),
-                  Mark::none);
+        if (columns == Columns::all) draw_cell(ui, interval_text(e), Mark::none);
         draw_cell(ui, digits(e.rho_p, 4), best_if(e.rho_p == best.rho_p, Mark::shared));
         draw_cell(ui, e.is_failed_map ? "no map" : digits(e.k, 2),
                   best_if(e.k == best.k, Mark::best));
-        draw_cell(ui, digits(e.k_p, 4), best_if(e.k_p == best.k_p, Mark::shared));
+        if (columns == Columns::all)
+            draw_cell(ui, digits(e.k_p, 4), best_if(e.k_p == best.k_p, Mark::shared));
     }
     draw_cell(ui, digits(row.rho_with_pm, 2), Mark::none);
 }
 
-void draw_head(Ui& ui, bool has_people, bool synthetic) {
+void draw_head(Ui& ui, Columns columns, bool synthetic) {
     struct Column {
         const char* name;
         const char* tip;
-        bool of_people;
+        Columns from;  // on
     };
     constexpr std::array<Column, 7> kColumns{
-        {{"metric", "Click one for its pairs and its Shepard diagram.", false},
+        {{"metric", "Click one for its pairs and its Shepard diagram.", Columns::few},
          {"rho", "Spearman's rank correlation with the ratings, pair by pair: 1 the same order.",
-          true},
+          Columns::with_people},
          {"95 %", "Interval of rho if other patterns had been drawn: bootstrap over patterns.",
-          true},
-         {"p", "How often patterns under exchanged names agree as well: Mantel's test.", true},
+          Columns::all},
+         {"p", "How often patterns under exchanged names agree as well: Mantel's test.",
+          Columns::with_people},
          {"K", "Alienation of the two maps: 0 one shape; unrelated maps have about .5, not 1.",
-          true},
-         {"p of K", "How often maps under exchanged names are as close in shape.", true},
+          Columns::with_people},
+         {"p of K", "How often maps under exchanged names are as close in shape.", Columns::all},
          {"with PM", "Spearman's rank correlation with PM: how much the metric is another one.",
-          false}}};
+          Columns::few}}};
     ImGui::TableSetupScrollFreeze(1, 1);
     for (const Column& column : kColumns) {
-        if (has_people || !column.of_people) ImGui::TableSetupColumn(column.name);
+        if (column.from <= columns) ImGui::TableSetupColumn(column.name);
     }
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::PushFont(ui.theme.fonts.small);
     for (const Column& column : kColumns) {
-        if (!has_people && column.of_people) continue;
+        if (column.from > columns) continue;
         ImGui::TableNextColumn();
         // An interval and a p stand to the right of what they belong to.
         const std::string name = column.name;
@@ -217,28 +233,27 @@ void draw_remarks(Ui& ui, const Comparison& comparison) {
                "So few patterns fit any map: K and stress say little.";
     }
     if (!all.empty()) {
-        coloured_text(ui.theme.dim_text, all);
+        reading_text(ui.theme.dim_text, all);
         note_item(ui.rects, "compare:remarks", all.substr(0, all.find('\n')));
     }
     ImGui::PopFont();
 }
 
-void draw_table(Ui& ui, Comparing& comparing, const Comparison& comparison) {
-    const std::string verdict = verdict_on_pm(comparison);
+void draw_table(Ui& ui, Comparing& comparing, const Comparison& comparison, const Rect& area) {
     const bool synthetic = has_nobody(comparison);
-    if (!verdict.empty()) {
-        coloured_text(ui.theme.warning, verdict);
-        note_item(ui.rects, "compare:verdict", verdict);
-    }
-    const bool has_people = comparison.people.has_value();
+    const bool is_wide = area.width() >= 540.0F * ui.theme.scale;
+    const Columns columns = !comparison.people ? Columns::few
+                            : is_wide          ? Columns::all
+                                               : Columns::with_people;
     const Best best = best_of(comparison);
-    ImGui::BeginChild("metrics", ImGui::GetContentRegionAvail());
+    ImGui::SetCursorScreenPos(area.min);
+    ImGui::BeginChild("metrics", area.size());
     constexpr ImGuiTableFlags kFlags =
         ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
-    if (ImGui::BeginTable("metrics", has_people ? 7 : 2, kFlags)) {
-        draw_head(ui, has_people, synthetic);
+    if (ImGui::BeginTable("metrics", count_of(columns), kFlags)) {
+        draw_head(ui, columns, synthetic);
         for (const ComparedMetric& row : comparison.metrics) {
-            draw_row(ui, comparing, row, best, synthetic);
+            draw_row(ui, comparing, row, best, synthetic, columns);
         }
         ImGui::EndTable();
     }
@@ -246,13 +261,55 @@ void draw_table(Ui& ui, Comparing& comparing, const Comparison& comparison) {
     ImGui::EndChild();
 }
 
+// What the chosen row is made of: its pairs against the ratings, without any how well its map fits.
+void draw_chosen_metric(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
+                        const Comparison& comparison, Rect area) {
+    const Fonts& fonts = ui.theme.fonts;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string name = traits(comparing.panel.metric).name;
+    const bool has_people = comparison.people.has_value();
+    const char* what = has_people ? "pair by pair" : "how well its map keeps its order";
+    draw_text(list, fonts.semibold, area.min, ui.theme.text, name);
+    const float used = text_size(fonts.semibold, name).x + ui.theme.gap_px;
+    const float lower = 0.8F * (text_size(fonts.semibold, "0").y - text_size(fonts.small, "0").y);
+    draw_text(list, fonts.small, area.min + ImVec2{used, lower}, ui.theme.dim_text,
+              shortened(fonts.small, what, std::max(0.0F, area.width() - used)));
+    area.min.y += ImGui::GetTextLineHeightWithSpacing();
+    if (has_people) return draw_pairs_scatter(ui, work, shown_map, comparing, comparison, area);
+    draw_shepard_diagram(ui, work, shown_map, comparing, area);
+}
+
+void draw_table_view(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
+                     const Comparison& comparison) {
+    const std::string verdict = verdict_on_pm(comparison);
+    if (!verdict.empty()) {
+        reading_text(ui.theme.warning, verdict);
+        note_item(ui.rects, "compare:verdict", verdict);
+    }
+    const Rect area = rest_of_pane();
+    if (area.empty()) return;
+    const float s = ui.theme.scale;
+    const float row_px = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
+    const bool has_people = comparison.people.has_value();
+    // Head and rows; with people remarks follow.
+    const float lines =
+        2.0F + static_cast<float>(comparison.metrics.size()) + (has_people ? 4.0F : 0.0F);
+    const WordsWanted table{(has_people ? 420.0F : 220.0F) * s, (has_people ? 640.0F : 420.0F) * s,
+                            lines * row_px};
+    const WordsAndPicture parts =
+        words_and_picture(area, table, {300.0F * s, 260.0F * s}, 2.0F * ui.theme.gap_px);
+    draw_table(ui, comparing, comparison, parts.words);
+    if (parts.picture.empty()) return;
+    draw_chosen_metric(ui, work, shown_map, comparing, comparison, parts.picture);
+}
+
 // People rate intended patterns: beside their twins each of the two sides can be held against that.
 void draw_sides(Ui& ui, Workspace& work) {
     const bool has_twins = std::ranges::any_of(work.document.set.vibrations, measures_another);
     if (shown_side(work) != Side::both || !has_twins) return;
-    coloured_text(ui.theme.dim_text,
-                  "Patterns and their measured twins are shown together. Compare either side with "
-                  "the ratings of the patterns:");
+    reading_text(ui.theme.dim_text,
+                 "Patterns and their measured twins are shown together. Compare either side with "
+                 "the ratings of the patterns:");
     if (ImGui::Button("Intended only")) show_side(work, Side::intended);
     note_item(ui.rects, "button:intended only");
     flow_on(button_width("Measured only"), ui.theme.gap_px);
@@ -262,11 +319,12 @@ void draw_sides(Ui& ui, Workspace& work) {
 
 void draw_no_ratings(Ui& ui, Workspace& work, const Comparison& comparison) {
     if (!comparison.fault.empty()) {
-        coloured_text(ui.theme.warning, "The ratings do not fit the set: " + comparison.fault);
+        reading_text(ui.theme.warning, "The ratings do not fit the set: " + comparison.fault);
         note_item(ui.rects, "compare:fault", comparison.fault);
         return draw_sides(ui, work);
     }
-    ImGui::TextWrapped(
+    reading_text(
+        ui.theme.text,
         "What did people say of these patterns? With their ratings this table tells which metric "
         "agrees with them best. Until then: how much each agrees with PM.");
     if (ImGui::Button("Load ratings...")) load_ratings_dialog(ui, work);
@@ -319,8 +377,11 @@ void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap&
         draw_people(ui, *comparison);
         if (!comparison->people->said.unrated.empty()) draw_sides(ui, work);
     }
-    if (!comparison->people) draw_no_ratings(ui, work, *comparison);
-    if (comparing.panel.view == CompareView::table) return draw_table(ui, comparing, *comparison);
+    const bool is_table = comparing.panel.view == CompareView::table;
+    if (!comparison->people && (is_table || !comparison->fault.empty())) {
+        draw_no_ratings(ui, work, *comparison);
+    }
+    if (is_table) return draw_table_view(ui, work, shown_map, comparing, *comparison);
     draw_compared_pairs(ui, work, layout, shown_map, comparing, *comparison);
 }
 

@@ -16,9 +16,15 @@ void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap&
 void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing);
 void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
                     const ShownMap& shown_map, const Comparing& comparing);
+// Of the chosen metric, or of the ratings, without the choice; in `area`.
+void draw_shepard_diagram(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
+                          const Rect& area);
 ShepardFit shepard_fit(const FitRequest& request);  // sorts all pairs
 void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_map,
                          Comparing& comparing, const Comparison& comparison);
+// Rating against the chosen metric, a point a pair; there must be people.
+void draw_pairs_scatter(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
+                        const Comparison& comparison, const Rect& area);
 void draw_findings(Ui& ui, Comparing& comparing, const Rect& area);
 
 }  // namespace tact

@@ -15,12 +15,13 @@ namespace tact {
 namespace {
 
 ImU32 colour_of(const Theme& theme, FindingStatus status) {
-    if (status == FindingStatus::holds) return theme.accent;
+    if (status == FindingStatus::holds) return theme.text;
     if (status == FindingStatus::fails) return theme.warning;
     return theme.dim_text;
 }
 
-void draw_finding(Ui& ui, const Finding& finding) {
+// The evidence below the claim, or in a column of its own.
+void draw_finding(Ui& ui, const Finding& finding, bool is_wide) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(ui.theme, finding.status));
@@ -28,11 +29,12 @@ void draw_finding(Ui& ui, const Finding& finding) {
     ImGui::PopStyleColor();
     note_item(ui.rects, "finding:" + finding.id, word_of(finding.status));
     ImGui::TableNextColumn();
-    ImGui::TextWrapped("%s", finding.claim.c_str());
+    wrapped_text(finding.claim);
+    if (is_wide) ImGui::TableNextColumn();
     ImGui::PushFont(ui.theme.fonts.small);
-    ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, finding.id + ", " + finding.source + ": " + finding.evidence);
-    ImGui::PopTextWrapPos();
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
+    wrapped_text(finding.id + ", " + finding.source + ": " + finding.evidence);
+    ImGui::PopStyleColor();
     ImGui::PopFont();
 }
 
@@ -74,10 +76,15 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
     (void)draw_failure(ui, "findings", failure_of(comparing.findings_job));
     if (!comparing.findings || area.empty()) return;
     ImGui::BeginChild("findings", ImGui::GetContentRegionAvail());
-    if (ImGui::BeginTable("findings", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) {
-        ImGui::TableSetupColumn("status", ImGuiTableColumnFlags_WidthFixed, 96.0F * ui.theme.scale);
+    const float scale = ui.theme.scale;
+    const float width = std::min(ImGui::GetContentRegionAvail().x, 1240.0F * scale);
+    const bool is_wide = width > 820.0F * scale;
+    if (ImGui::BeginTable("findings", is_wide ? 3 : 2,
+                          ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings, {width, 0.0F})) {
+        ImGui::TableSetupColumn("status", ImGuiTableColumnFlags_WidthFixed, 96.0F * scale);
         ImGui::TableSetupColumn("claim");
-        for (const Finding& finding : *comparing.findings) draw_finding(ui, finding);
+        if (is_wide) ImGui::TableSetupColumn("evidence");
+        for (const Finding& finding : *comparing.findings) draw_finding(ui, finding, is_wide);
         ImGui::EndTable();
     }
     ImGui::EndChild();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/compare/compare_state.h"
@@ -10,6 +11,9 @@
 #include "app/ui/ui.h"
 
 namespace tact {
+
+// "Msm: spectral matching, ... Park & Kuchenbecker 2019.": what its short name stands for.
+std::string metric_help(Metric metric);
 
 // A list to choose from; `with_people`: the ratings' own map too.
 void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, bool with_people);

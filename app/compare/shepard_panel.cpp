@@ -143,6 +143,11 @@ void choose_clicked(Workspace& work, const std::vector<Vibration>& vibrations,
     choose_pair(work, i, j);
 }
 
+std::string metric_help(Metric metric) {
+    const MetricTraits& about = traits(metric);
+    return std::string(about.name) + ": " + about.description + ". " + about.source + ".";
+}
+
 void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, bool with_people) {
     const bool people = with_people && comparing.panel.shepard_of_people;
     ImGui::SetNextItemWidth(170.0F * ui.theme.scale);
@@ -155,6 +160,7 @@ void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, boo
                 comparing.panel.shepard_of_people = false;
             }
             note_item(ui.rects, std::string("choose:") + traits(metric).key);
+            draw_tooltip(ui, metric_help(metric).c_str());
         }
         if (with_people && !work.document.set.ratings.empty()) {
             if (ImGui::Selectable("Ratings", people)) comparing.panel.shepard_of_people = true;
@@ -163,6 +169,25 @@ void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, boo
         ImGui::EndCombo();
     }
     note_item(ui.rects, "combo:metric", shown);
+    draw_tooltip(
+        ui, people ? "The map of what people said." : metric_help(comparing.panel.metric).c_str());
+}
+
+void draw_shepard_diagram(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
+                          const Rect& area) {
+    if (area.width() < 40.0F || area.height() < 40.0F) return;
+    // Both are kept while they are drawn.
+    const std::shared_ptr<const Comparison> comparison = comparing.comparison;
+    const std::shared_ptr<const LiveMap> map = shown_map.transition.shown;
+    const auto fit = map ? shown_fit(work, shown_map, comparing, comparison) : std::nullopt;
+    if (!fit) return;
+    if (fit->space->points.rows() != static_cast<Eigen::Index>(fit->matrix->size)) {
+        return draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "No map of this metric",
+                          "All pairs are equally alike by it: any map fits, so none is made.");
+    }
+    const bool is_pm = fit->matrix == &map->prediction.pm;
+    const LiveMap& of = is_pm ? *map : *comparison->request.map;
+    draw_fit(ui, work, shown_map, comparing, *fit, of.request.set->vibrations, area);
 }
 
 void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing) {
@@ -178,11 +203,8 @@ void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
                    "how far apart the map puts it.");
         return;
     }
-    // Both are kept while they are drawn.
-    const std::shared_ptr<const Comparison> comparison = comparing.comparison;
-    const std::shared_ptr<const LiveMap> map = shown_map.transition.shown;
-    const auto fit = shown_fit(work, shown_map, comparing, comparison);
-    if (!fit) {
+    const bool is_there = shown_fit(work, shown_map, comparing, comparing.comparison).has_value();
+    if (!is_there) {
         (void)draw_comparison_state(ui, work, shown_map, comparing);
         return;
     }
@@ -192,16 +214,7 @@ void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
     dim_text(ui, shortened(ui.theme.fonts.small, "points on the line are in perfect order",
                            ImGui::GetContentRegionAvail().x));
     ImGui::PopFont();
-    const Rect area = rest_of_pane();
-    if (area.width() < 40.0F || area.height() < 40.0F) return;
-    if (fit->space->points.rows() != static_cast<Eigen::Index>(fit->matrix->size)) {
-        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "No map of this metric",
-                   "All pairs are equally alike by it: any map fits, so none is made.");
-        return;
-    }
-    const bool is_pm = fit->matrix == &map->prediction.pm;
-    const LiveMap& of = is_pm ? *map : *comparison->request.map;
-    draw_fit(ui, work, shown_map, comparing, *fit, of.request.set->vibrations, area);
+    draw_shepard_diagram(ui, work, shown_map, comparing, rest_of_pane());
 }
 
 }  // namespace tact

@@ -9,6 +9,7 @@
 #include "app/compare/compare_panels.h"
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
+#include "app/document/vibration_cache.h"
 #include "app/map/map_follow.h"
 #include "app/map/pair.h"
 #include "app/physiology/live_stages.h"
@@ -172,7 +173,36 @@ void draw_channels(Ui& ui, const LiveDifference& live) {
     }
 }
 
-void draw_when(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDifference& live) {
+// The two as they are, on one scale of g: where there is room to look at them, too.
+void draw_vibrations(Ui& ui, Workspace& work, Timeline& timeline, const ChosenPair& pair,
+                     float row_px) {
+    draw_heading(ui, "Vibrations", "both on one scale");
+    const auto& all = work.document.set.vibrations;
+    const std::array<std::size_t, 2> who{pair.current, pair.partner};
+    std::array<const Waveform*, 2> waves{};
+    double most_g = 0.0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        waves[side] = waveform_in_time(work.cache, all[who[side]]);
+        if (waves[side] != nullptr) most_g = std::max(most_g, peak_g(*waves[side]));
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+        const float room = ImGui::GetContentRegionAvail().x;
+        ImGui::PushFont(ui.theme.fonts.small);
+        dim_text(ui, shortened(ui.theme.fonts.small, all[who[side]].name, room));
+        ImGui::PopFont();
+        const Rect area = take_row(row_px);
+        if (waves[side] == nullptr) continue;
+        TimeRow row{.id = side == 0 ? "why first" : "why second",
+                    .samples = waves[side]->samples_g,
+                    .rate_hz = waves[side]->rate_hz,
+                    .colour = look_of(ui, work, who[side]).colour};
+        row.largest = most_g;
+        draw_time_row(ui, work, timeline, area, row);
+    }
+}
+
+void draw_when(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDifference& live,
+               float row_px) {
     draw_heading(ui, "When", "the brain waveforms differ, squared");
     TimeRow row{.id = "why apart",
                 .samples = live.apart,
@@ -180,7 +210,7 @@ void draw_when(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDiff
                 .colour = ui.theme.series,
                 .style = TraceStyle::filled};
     row.signed_values = false;
-    draw_time_row(ui, work, timeline, take_row(46.0F * ui.theme.scale), row);
+    draw_time_row(ui, work, timeline, take_row(row_px), row);
 }
 
 // Both envelopes, and lines between the moments that are taken for one another.
@@ -256,23 +286,34 @@ void draw_rhythm(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDi
     take_time_gesture(work, timeline, area, gesture);
 }
 
-// Channels beside what is over time, or above it where the pane is narrow.
-void draw_live(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDifference& live,
+// What is over time, higher where the pane is; the two themselves where it is high.
+void draw_times(Ui& ui, Workspace& work, Timeline& timeline, const LiveDifference& live,
+                const ChosenPair& pair) {
+    const float s = ui.theme.scale;
+    const float room = ImGui::GetContentRegionAvail().y;
+    if (room > 480.0F * s) {
+        draw_vibrations(ui, work, timeline, pair, std::clamp(0.1F * room, 48.0F * s, 110.0F * s));
+    }
+    draw_when(ui, work, timeline, live, std::clamp(0.18F * room, 46.0F * s, 200.0F * s));
+    draw_rhythm(ui, work, timeline, live, pair);
+}
+
+// Channels beside what is over time where the pane is wide or low, else above it.
+void draw_live(Ui& ui, Workspace& work, Timeline& timeline, const LiveDifference& live,
                const ChosenPair& pair) {
-    constexpr float kLeastSideBySidePx = 440.0F;
+    const float s = ui.theme.scale;
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const bool beside = room.x >= kLeastSideBySidePx * ui.theme.scale;
+    const bool beside = room.x >= 900.0F * s || (room.x >= 440.0F * s && room.y < 520.0F * s);
     if (!beside) {
         draw_channels(ui, live);
     } else {
-        ImGui::BeginChild("channels", {0.42F * room.x, room.y});
+        ImGui::BeginChild("channels", {std::min(0.42F * room.x, 460.0F * s), room.y});
         draw_channels(ui, live);
         ImGui::EndChild();
-        ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
+        ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
         ImGui::BeginChild("times", {0.0F, room.y});
     }
-    draw_when(ui, work, timeline, live);
-    draw_rhythm(ui, work, timeline, live, pair);
+    draw_times(ui, work, timeline, live, pair);
     if (beside) ImGui::EndChild();
 }
 

@@ -19,12 +19,6 @@ namespace {
 
 constexpr float kNumberWidthPx = 62.0F;
 
-// The next item comes beside the last one, at the top of their row.
-void stay_in_row(float gap_px, float top) {
-    ImGui::SameLine(0.0F, gap_px);
-    ImGui::SetCursorPosY(top);
-}
-
 }  // namespace
 
 Unit unit_of(Parameter parameter) {
@@ -108,20 +102,17 @@ void draw_whole(Ui& ui, const std::string& id, int& value, Range allowed) {
 }
 
 bool option_chip(Ui& ui, const std::string& id, const char* text, bool lit, const char* help) {
-    const float top = ImGui::GetCursorPosY();
     const bool pressed = draw_switch(ui, id.c_str(), text, lit);
     note_item(ui.rects, "generate:" + id, lit ? "chosen" : "");
     draw_tooltip(ui, help);
-    stay_in_row(2.0F * ui.theme.scale, top);
+    ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     return pressed;
 }
 
-bool row_link(Ui& ui, const char* id, const char* text) {
-    const float top = ImGui::GetCursorPosY();
-    ImGui::SetCursorPosY(top + ImGui::GetStyle().FramePadding.y);
-    const bool pressed = link(ui, id, text);
+bool option_link(Ui& ui, const char* id, const char* text) {
+    const bool pressed = row_link(ui, id, text);
     note_item(ui.rects, std::string("generate:") + id);
-    stay_in_row(2.0F * ui.theme.gap_px, top);
+    ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
     return pressed;
 }
 

@@ -33,9 +33,9 @@ void draw_number(Ui& ui, const std::string& id, double& value, Range allowed,
                  const Unit& unit = {"", 1.0});
 void draw_whole(Ui& ui, const std::string& id, int& value, Range allowed);
 
-// A chip, and a link, in the middle of a row's height; the next item stands beside them.
+// A switch, and a link; the next item stands beside them.
 bool option_chip(Ui& ui, const std::string& id, const char* text, bool lit, const char* help);
-bool row_link(Ui& ui, const char* id, const char* text);
+bool option_link(Ui& ui, const char* id, const char* text);
 
 // A little room before the next item of a row.
 void leave_gap(const Ui& ui);

@@ -205,7 +205,7 @@ void draw_rhythms(Ui& ui, GenerateState& generating) {
     const std::size_t count = rhythms.size();
     draw_remark(ui, generating, count == 1 ? "fixed" : std::to_string(count) + " levels", fault);
     ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
-    if (row_link(ui, "choose rhythms", "Choose...")) ImGui::OpenPopup("rhythms");
+    if (option_link(ui, "choose rhythms", "Choose...")) ImGui::OpenPopup("rhythms");
     ImGui::NewLine();
     draw_rhythm_popup(ui, generating);
 }
@@ -225,10 +225,10 @@ void draw_carrier_links(Ui& ui, GenerateState& generating) {
     DesignSpace& space = generating.draft;
     draw_label(ui, "");
     const std::size_t before = space.carriers.size();
-    if (before < limits::kMaxCarriers && row_link(ui, "add carrier", "Add carrier")) {
+    if (before < limits::kMaxCarriers && option_link(ui, "add carrier", "Add carrier")) {
         space.carriers.emplace_back();
     }
-    if (before > 1 && row_link(ui, "remove carrier", "Remove")) space.carriers.pop_back();
+    if (before > 1 && option_link(ui, "remove carrier", "Remove")) space.carriers.pop_back();
     ImGui::NewLine();
     if (space.carriers.size() == before) return;
     space.mix.reset();

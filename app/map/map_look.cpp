@@ -221,9 +221,7 @@ void decorate(const MapDecor& decor, SpaceScene& scene) {
 void draw_map_look(Ui& ui, ShownMap& shown_map) {
     constexpr const char* kLook = "Look...";
     flow_on(ImGui::CalcTextSize(kLook).x, 2.0F * ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    if (link(ui, "map look", kLook)) ImGui::OpenPopup("map look");
+    if (row_link(ui, "map look", kLook)) ImGui::OpenPopup("map look");
     note_item(ui.rects, "link:map look");
     draw_tooltip(ui, "Colour, lines, filter and groups of the map.");
     constexpr float kWidthPx = 290.0F;

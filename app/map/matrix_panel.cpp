@@ -5,6 +5,7 @@
 
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
+#include "app/map/map_rows.h"
 #include "app/map/matrix_panel.h"
 #include "app/progress/failure.h"
 #include "app/ui/widgets.h"
@@ -60,6 +61,19 @@ std::size_t drawn_row(const ShownMap& shown_map, std::size_t row) {
 
 std::size_t row_of_map(const ShownMap& shown_map, std::size_t drawn) {
     return shown_map.clustered_matrix ? shown_map.order.order[drawn] : drawn;
+}
+
+// All that are selected, as drawn.
+std::vector<std::size_t> selected_rows(const Workspace& work, const ShownMap& shown_map) {
+    const RowPlaces places = places_in_document(work, shown_map);
+    std::vector<std::size_t> rows;
+    for (std::size_t drawn = 0; drawn < places.size(); ++drawn) {
+        const auto place = places[row_of_map(shown_map, drawn)];
+        const bool selected =
+            place && (*place == work.selection.current || work.selection.others.contains(*place));
+        if (selected) rows.push_back(drawn);
+    }
+    return rows;
 }
 
 const char* quantity_name(MatrixQuantity quantity) {
@@ -197,15 +211,11 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     scene.labels = labels;
     scene.quantity = quantity_name(shown_map.quantity);
     scene.largest = shown_largest(shown_map);
-    const bool is_of_another = std::ranges::none_of(labels, [&work](const std::string& name) {
-        return place_named(work.document.set, name).has_value();
-    });
     scene.stale = looks_stale(ui, "matrix", shown_map.transition.shown,
                               map_state(work, shown_map) == MapState::stale) ||
-                  is_of_another;
-    const Vibration* current = current_vibration(work);
-    if (current != nullptr) scene.selected = place_named(mapped, current->name);
-    if (scene.selected) scene.selected = drawn_row(shown_map, *scene.selected);
+                  is_of_another_set(places_in_document(work, shown_map));
+    const std::vector<std::size_t> selected = selected_rows(work, shown_map);
+    scene.selected = selected;
     scene.pointed = pair_in_map(work, mapped);
     if (scene.pointed) {
         scene.pointed = Pair{drawn_row(shown_map, scene.pointed->first),
@@ -214,6 +224,9 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     note_rect(
         ui.rects, "view:Matrix", area.min, area.max,
         scene.pointed ? labels[scene.pointed->first] + "|" + labels[scene.pointed->second] : "");
+    std::string selected_names;
+    for (const std::size_t row : selected) selected_names += labels[row] + "|";
+    note_rect(ui.rects, "matrix selected", area.min, area.max, selected_names);
     const MatrixAction action = draw_matrix("matrix", ui.theme, area, scene);
     act_on(work, action, labels);
     if (!has_foot) return;

@@ -37,9 +37,9 @@ void select_similar(Ui& ui, Workspace& work, const ShownMap& shown_map, std::siz
     const auto& all = work.document.set.vibrations;
     const auto& shown = shown_map.transition.shown;
     const auto row = shown ? place_named(*shown->request.set, all[place].name) : std::nullopt;
-    if (!row) return complain(ui, "It is not in the map yet.");
+    if (!row) return say(ui, "It is not in the map yet.");
     const std::vector<SimilarOne> similar = closest_to(work, shown_map, *row);
-    if (similar.empty()) return complain(ui, "There is no other pattern.");
+    if (similar.empty()) return say(ui, "There is no other pattern.");
     select_only(work, place);
     std::string text = "Closest to " + all[place].name + ": ";
     for (const SimilarOne& one : similar) {

@@ -30,9 +30,7 @@ bool draw_way_back(Ui& ui, const char* id, bool changed, const std::string& orig
     if (!changed) return false;
     flow_on(ImGui::CalcTextSize(original.c_str()).x, ui.theme.gap_px * 0.5F);
     ImGui::PushID(id);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    const bool pressed = link(ui, "back", original);
+    const bool pressed = row_link(ui, "back", original);
     note_item(ui.rects, std::string("reset:") + id, original);
     draw_tooltip(ui, "Changed. Click to go back to this value.");
     ImGui::PopID();

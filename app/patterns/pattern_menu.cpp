@@ -59,7 +59,7 @@ void draw_look_menu(Ui& ui, Workspace& work, std::size_t index) {
 
 }  // namespace
 
-PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index) {
+PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const char* play_key) {
     if (index >= work.document.set.vibrations.size()) return PatternDeed::none;
     const float gap = ui.theme.gap_px;  // rows of a list stand closer
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, 0.75F * gap));
@@ -73,18 +73,22 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index) {
         note_item(ui.rects, std::string("row menu:") + menu_row.words);
         return pressed;
     };
-    const auto asks = [&](const char* words, const char* keys, PatternDeed what, bool enabled,
-                          std::optional<Icon> icon = {}) {
-        if (row({.words = words, .keys = keys, .enabled = enabled, .icon = icon})) deed = what;
+    // `why_not`: a reason, where it cannot be done.
+    const auto asks = [&](const char* words, const char* keys, PatternDeed what,
+                          const char* why_not = nullptr, std::optional<Icon> icon = {}) {
+        if (row({.words = words, .keys = keys, .enabled = why_not == nullptr, .icon = icon}))
+            deed = what;
+        if (why_not != nullptr) draw_tooltip(ui, why_not);
     };
     // Once all rows are drawn: there may be fewer of them then.
     const auto does = [&](const char* words, const char* keys, std::function<void()> act,
                           std::optional<Icon> icon = {}) {
         if (row({.words = words, .keys = keys, .icon = icon})) ui.waiting.push_back(std::move(act));
     };
+    const std::size_t count = work.document.set.vibrations.size();
     const bool has_numbers = std::holds_alternative<Pattern>(vibration.source);
-    asks("Play", "", PatternDeed::play, true, Icon::play);
-    asks("Rename", "F2", PatternDeed::rename, true);
+    asks("Play", play_key, PatternDeed::play, nullptr, Icon::play);
+    asks("Rename", "F2", PatternDeed::rename);
     ImGui::Separator();
     does(
         vibration.locked ? "Unlock" : "Lock", "Ctrl+L", [&] { toggle_locked(ui, work); },
@@ -96,9 +100,15 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index) {
     does("Duplicate", "Ctrl+D", [&] { duplicate_selected(ui, work); });
     does("Copy", "Ctrl+C", [&] { copy_selected(ui, work); });
     ImGui::Separator();
-    asks("Find similar", "", PatternDeed::similar, true);
-    asks("Vary", "", PatternDeed::vary, editable_pattern(vibration) != nullptr);
-    asks("Steps to...", "", PatternDeed::steps, has_numbers);
+    asks("Find similar", "", PatternDeed::similar,
+         count < 2 ? "there is no other pattern" : nullptr);
+    const char* no_numbers = has_numbers ? nullptr : "needs a pattern, not a recording";
+    asks("Vary", "", PatternDeed::vary,
+         no_numbers != nullptr ? no_numbers
+         : vibration.locked    ? "is locked"
+         : count < 3           ? "needs three patterns: a map"
+                               : nullptr);
+    asks("Steps to...", "", PatternDeed::steps, no_numbers);
     ImGui::Separator();
     draw_look_menu(ui, work, index);
     ImGui::Separator();

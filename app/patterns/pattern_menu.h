@@ -13,7 +13,9 @@ namespace tact {
 enum class PatternDeed { none, play, rename, similar, vary, steps };
 
 // Within a popup that is open. The pattern is selected first, unless it is one of those selected:
-// what follows is for all of them. They are changed once the frame's lists are drawn.
-PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index);
+// what follows is for all of them. They are changed once the frame's lists are drawn. `play_key`
+// plays it, too.
+PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index,
+                              const char* play_key = "");
 
 }  // namespace tact

@@ -32,11 +32,10 @@ bool draw_progress(Ui& ui, const ProgressLine& line, bool beside_buttons) {
     if (beside_buttons) ImGui::AlignTextToFramePadding();
     dim_text(ui, text);
     note_item(ui.rects, std::string("progress:") + line.cancels, text);
-    const bool beside = flow_on(ImGui::CalcTextSize(kCancel).x, ui.theme.gap_px);
-    if (beside_buttons && beside)
-        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y);
+    flow_on(ImGui::CalcTextSize(kCancel).x, ui.theme.gap_px);
     const std::string id = std::string("cancel ") + line.cancels;
-    const bool cancelled = link(ui, id.c_str(), kCancel);
+    const bool cancelled =
+        beside_buttons ? row_link(ui, id.c_str(), kCancel) : link(ui, id.c_str(), kCancel);
     note_item(ui.rects, "link:" + id);
     return cancelled;
 }

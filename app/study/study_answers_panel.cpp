@@ -1,6 +1,7 @@
 // What people said, as a matrix or as a map: of all who count, or of one beside them.
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "app/compare/people_text.h"
 #include "app/document/pattern_looks.h"
@@ -27,9 +28,7 @@ void draw_choice(Ui& ui, StudyState& studying) {
     choose(StudyShow::map, "Map");
     if (!studying.shown) return;
     flow_on(ImGui::CalcTextSize("Show the mean").x, 2.0F * ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    if (link(ui, "show mean", "Show the mean")) studying.shown.reset();
+    if (row_link(ui, "show mean", "Show the mean")) studying.shown.reset();
     note_item(ui.rects, "link:show mean");
 }
 
@@ -100,9 +99,23 @@ void draw_study_answers(Ui& ui, const Workspace& work, ShownMap& shown_map, Stud
     const Rect area = rest_of_pane();
     if (area.width() < 40.0F || area.height() < 40.0F) return;
     const bool is_map = studying.show == StudyShow::map;
-    if (is_map) draw_map(ui, work, shown_map, studying, *answers, area);
-    if (!is_map) draw_values(ui, studying, *answers, area);
-    note_rect(ui.rects, is_map ? "study map" : "study matrix", area.min, area.max);
+    // Where there is room for both, both; the choice is which is the larger.
+    const float s = ui.theme.scale;
+    const bool has_both = area.width() >= 900.0F * s && area.height() >= 300.0F * s;
+    const float share = is_map ? 0.38F : 0.62F;
+    const float x = has_both ? area.min.x + std::round(share * area.width())
+                             : (is_map ? area.min.x : area.max.x);
+    const float gap = has_both ? ui.theme.gap_px : 0.0F;
+    if (has_both || !is_map) {
+        const Rect left{area.min, {x - gap, area.max.y}};
+        draw_values(ui, studying, *answers, left);
+        note_rect(ui.rects, "study matrix", left.min, left.max);
+    }
+    if (has_both || is_map) {
+        const Rect right{{x + gap, area.min.y}, area.max};
+        draw_map(ui, work, shown_map, studying, *answers, right);
+        note_rect(ui.rects, "study map", right.min, right.max);
+    }
 }
 
 }  // namespace tact

@@ -10,6 +10,7 @@
 #include <set>
 #include <string_view>
 
+#include "app/compare/reading_text.h"
 #include "app/document/editing.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_masking.h"
@@ -258,9 +259,7 @@ void draw_text_row(Ui& ui, Workspace& work, StudyState& studying, const TextRow&
     if (is_edited) {
         draw_text_field(ui, work, row, shown);
     } else {
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextUnformatted(shown.c_str());
-        ImGui::PopTextWrapPos();
+        reading_text(ui.theme.text, shown);
     }
     ImGui::PopID();
 }

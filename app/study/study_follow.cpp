@@ -170,13 +170,19 @@ std::vector<double> study_durations_s(const PatternSet& set,
     return all;
 }
 
+std::string simulation_obstacle(const Workspace& work, const ShownMap& shown_map) {
+    const auto& map = shown_map.transition.shown;
+    if (study_names(work).size() < 3) return "A study takes three patterns at least.";
+    const bool is_there = map && names_of(*map->request.set) == names_of(work.document.set);
+    return is_there ? "" : "The map must be there first: simulated people feel by it.";
+}
+
 void simulate_participant(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                           const PlayState& play, StudyState& studying) {
     const auto& map = shown_map.transition.shown;
     const std::vector<std::string> names = study_names(work);
-    if (!map || names.size() < 3 || names_of(*map->request.set) != names_of(work.document.set)) {
-        return complain(ui, "The map must be there first: simulated people feel by it.");
-    }
+    const std::string obstacle = simulation_obstacle(work, shown_map);
+    if (!obstacle.empty()) return say(ui, obstacle);
     std::vector<std::size_t> place;
     for (const std::string& name : names) place.push_back(*place_named(work.document.set, name));
     Dissimilarity truth{names.size(), {}};
@@ -234,7 +240,7 @@ void export_study_dialog(Ui& ui, const Workspace& work, const StudyState& studyi
 
 void export_study(Ui& ui, const StudyState& studying, const fs::path& file) {
     const auto& answers = studying.answers;
-    if (!answers || !answers->results) return complain(ui, "There are no answers to export yet.");
+    if (!answers || !answers->results) return say(ui, "There are no answers to export yet.");
     std::ostringstream text;
     write_study_csv(text, answers->records, *answers->results, StudyRows::everyone);
     if (const auto written = write_atomically(file, text.str()); !written) {

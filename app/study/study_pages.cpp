@@ -217,7 +217,7 @@ void draw_asking(Ui& ui, const Workspace& work, const PlayState& play, StudyStat
                          " kept. Who leaves can go on later with the trial on the screen." +
                          settling_text(studying));
     ImGui::SetCursorScreenPos({area.min.x, ImGui::GetCursorScreenPos().y + 28.0F * ui.theme.scale});
-    const bool stays = ImGui::Button("Go on") || was_pressed(pressed, key::kEnter);
+    const bool stays = primary_button(ui.theme, "Go on") || was_pressed(pressed, key::kEnter);
     note_item(ui.rects, "button:stay");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     const bool leaves = ImGui::Button("Leave the study") || was_typed(pressed, U'q');

@@ -68,7 +68,7 @@ void draw_go_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState
     const bool may = studying.run && may_go_on(*studying.run, ui.time_s);
     ImGui::BeginDisabled(!may);
     const ImVec2 size{160.0F * ui.theme.scale, 40.0F * ui.theme.scale};
-    const bool pressed = ImGui::Button(label, size);
+    const bool pressed = primary_button(ui.theme, label, size);
     ImGui::EndDisabled();
     note_item(ui.rects, "study:go on", may ? "ready" : "waiting");
     if (pressed) act(ui, work, play, studying, {StudyEvent::What::go_on, 0, 0.0, {}, {}});

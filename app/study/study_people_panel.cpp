@@ -1,10 +1,12 @@
 // Who took part: what each one's answers are worth, how far they agree, and what to do next.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "app/compare/people_text.h"
+#include "app/compare/reading_text.h"
 #include "app/progress/failure.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
@@ -18,32 +20,35 @@ namespace {
 
 void small_text(Ui& ui, ImU32 colour, const std::string& text, const char* noted) {
     ImGui::PushFont(ui.theme.fonts.small);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
+    reading_text(colour, text);
     ImGui::PopFont();
     note_item(ui.rects, noted, text);
 }
 
 void draw_buttons(Ui& ui, const Workspace& work, Timeline& timeline, const ShownMap& shown_map,
                   PlayState& play, StudyState& studying) {
+    // What cannot be says why, in the place of its help.
+    const std::string nobody = participant_obstacle(work, play, studying);
+    ImGui::BeginDisabled(!nobody.empty());
     if (primary_button(ui.theme, "Run a participant..."))
         begin_participant(ui, work, timeline, play, studying);
-    note_item(ui.rects, "button:run participant");
-    draw_tooltip(ui, "Fills the window: consent, instructions, training, trials.");
+    ImGui::EndDisabled();
+    note_item(ui.rects, "button:run participant", nobody);
+    draw_tooltip(ui, nobody.empty() ? "Fills the window: consent, instructions, training, trials."
+                                    : nobody.c_str());
+    const std::string no_map = simulation_obstacle(work, shown_map);
     flow_on(button_width("Simulate one"), ui.theme.gap_px);
+    ImGui::BeginDisabled(!no_map.empty());
     if (ImGui::Button("Simulate one")) simulate_participant(ui, work, shown_map, play, studying);
-    note_item(ui.rects, "button:simulate");
-    draw_tooltip(ui,
-                 "A participant that is none: answers as the model predicts, with noise. Labelled "
-                 "synthetic in its file and everywhere else.");
+    ImGui::EndDisabled();
+    note_item(ui.rects, "button:simulate", no_map);
+    draw_tooltip(ui, no_map.empty()
+                         ? "A participant that is none: answers as the model predicts, with noise. "
+                           "Labelled synthetic in its file and everywhere else."
+                         : no_map.c_str());
     const std::string folder = study_folder(work, studying).filename().string();
     flow_on(ImGui::CalcTextSize(folder.c_str()).x, 2.0F * ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    if (link(ui, "study folder", folder.empty() ? "Choose a folder..." : folder)) {
+    if (row_link(ui, "study folder", folder.empty() ? "Choose a folder..." : folder)) {
         choose_study_folder(ui, work, studying);
     }
     note_item(ui.rects, "link:study folder", study_folder(work, studying).string());
@@ -113,8 +118,7 @@ void draw_settling(Ui& ui, const StudyAnswers& answers) {
                 " since so many trials as there "
                 "are patterns.";
     }
-    small_text(ui, settling.is_settled ? ui.theme.accent : ui.theme.dim_text, text,
-               "study:settling");
+    small_text(ui, settling.is_settled ? ui.theme.text : ui.theme.dim_text, text, "study:settling");
 }
 
 void draw_rule(Ui& ui, StudyState& studying) {
@@ -139,17 +143,18 @@ void draw_rule(Ui& ui, StudyState& studying) {
     }
     const std::string rules = conduct_summary(rule.who.conduct);
     flow_on(ImGui::CalcTextSize(rules.c_str()).x, 1.5F * ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    if (link(ui, "conduct rules", rules)) ui.dialog = Dialog::conduct_rules;
+    if (row_link(ui, "conduct rules", rules)) ui.dialog = Dialog::conduct_rules;
     note_item(ui.rects, "link:conduct rules", rules);
     draw_tooltip(ui, "Speed, agreement of repetitions, replays: who does not count by them.");
 }
 
 void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, Comparing& comparing,
                   PlayState& play, StudyState& studying, const StudyAnswers& answers) {
+    const bool is_low = ImGui::GetContentRegionAvail().y < 210.0F * ui.theme.scale;
+    const std::string raters = raters_text(answers);
     small_text(ui, ui.theme.dim_text, agreement_text(answers), "study:agreement");
-    if (const std::string raters = raters_text(answers); !raters.empty()) {
+    if (is_low && !raters.empty()) draw_tooltip(ui, raters.c_str());  // the table needs the room
+    if (!is_low && !raters.empty()) {
         small_text(ui, ui.theme.dim_text, raters, "study:raters");
         draw_tooltip(ui,
                      "One person with another; the mean of all; both against chance. p: whether "
@@ -162,8 +167,7 @@ void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, C
                    "These answers are about other patterns than the set now has.",
                    "study:other patterns");
     }
-    // The link to the rules, lower than its line by a padding, pushes what follows down.
-    const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().FramePadding.y;
+    const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing();
     const float height = std::max(ImGui::GetContentRegionAvail().y - foot, 60.0F * ui.theme.scale);
     ImGui::BeginChild("participants", {0.0F, height});
     draw_people_table(ui, work, timeline, play, studying, answers);

@@ -105,29 +105,32 @@ void start_run(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& pla
 
 namespace {
 
-bool refuses_silence(Ui& ui, const PlayState& play, const StudyState& studying) {
+const char* silence_obstacle(const PlayState& play, const StudyState& studying) {
     const bool is_silent = play.level <= 0.0 && studying.device->status().connected;
-    if (is_silent) complain(ui, "The level is 0: nothing would be felt. Raise it first.");
-    return is_silent;
+    return is_silent ? "The level is 0: nothing would be felt. Raise it first." : "";
 }
 
 }  // namespace
 
-void begin_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
-                       StudyState& studying) {
-    if (refuses_silence(ui, play, studying)) return;
-    StudyRecord record;
-    record.header = study_header(work, play, studying, unused_code(work, studying));
-    if (record.header.patterns.size() < 3) {
-        return complain(ui, "A study takes three patterns at least.");
-    }
-    const std::size_t patterns = record.header.patterns.size();
-    for (const int groups : record.header.design.groups) {
+std::string participant_obstacle(const Workspace& work, const PlayState& play,
+                                 const StudyState& studying) {
+    const std::size_t patterns = study_names(work).size();
+    if (patterns < 3) return "A study takes three patterns at least.";
+    for (const int groups : work.document.set.study.groups) {
         if (studying.kind == StudyKind::sorting && static_cast<std::size_t>(groups) > patterns) {
-            return complain(ui, "A round asks for " + std::to_string(groups) + " groups of " +
-                                    std::to_string(patterns) + " patterns.");
+            return "A round asks for " + std::to_string(groups) + " groups of " +
+                   std::to_string(patterns) + " patterns.";
         }
     }
+    return silence_obstacle(play, studying);
+}
+
+void begin_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
+                       StudyState& studying) {
+    const std::string obstacle = participant_obstacle(work, play, studying);
+    if (!obstacle.empty()) return say(ui, obstacle);
+    StudyRecord record;
+    record.header = study_header(work, play, studying, unused_code(work, studying));
     studying.code = record.header.participant.code;
     studying.age.clear();
     studying.gender.clear();
@@ -194,7 +197,8 @@ void ask_to_go_on(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& 
 
 void resume_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
                         StudyState& studying, const StudyRecord& record) {
-    if (refuses_silence(ui, play, studying)) return;
+    const std::string silence = silence_obstacle(play, studying);
+    if (!silence.empty()) return say(ui, silence);
     const std::string fingerprint = study_fingerprint(work.document.set, record.header.patterns);
     if (fingerprint != record.header.set_fingerprint) {
         return complain(ui, record.header.participant.code +

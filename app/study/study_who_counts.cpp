@@ -66,6 +66,10 @@ void count_again(Ui& ui, const Workspace& work, StudyState& studying, const std:
 
 void draw_leave_out_dialog(Ui& ui, const Workspace& work, StudyState& studying) {
     LeavingOut& leaving = studying.leaving_out;
+    if (leaving.code.empty()) {  // nobody to ask about
+        ui.dialog = Dialog::none;
+        return;
+    }
     if (!begin_dialog(ui, "Leave a participant out", 480.0F)) return;
     wrapped(ui, "Why does " + leaving.code +
                     " not count? The reason is kept in the study's folder and stands wherever "

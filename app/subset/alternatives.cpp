@@ -76,6 +76,14 @@ const std::string& name_of(const Pick& pick, std::size_t member) {
     return pick.request.map->request.set->vibrations[member].name;
 }
 
+float alternatives_px(const Ui& ui, const SubsetState& picking, const Pick& pick) {
+    if (pick.answer.alternatives.empty()) return 0.0F;
+    const std::size_t rows = pick.answer.alternatives.size() + (picking.alternative ? 1 : 0);
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    return 0.5F * ui.theme.gap_px + gap + text_size(ui.theme.fonts.small, "N").y + gap +
+           static_cast<float>(rows) * ImGui::GetTextLineHeightWithSpacing();
+}
+
 void draw_alternatives(Ui& ui, SubsetState& picking, const Pick& pick) {
     const auto& all = pick.answer.alternatives;
     if (all.empty()) return;

@@ -14,5 +14,7 @@ const std::string& name_of(const Pick& pick, std::size_t member);
 
 // A row each: who comes for whom. A click shows it in the place of the best.
 void draw_alternatives(Ui& ui, SubsetState& picking, const Pick& pick);
+// How high they are.
+float alternatives_px(const Ui& ui, const SubsetState& picking, const Pick& pick);
 
 }  // namespace tact

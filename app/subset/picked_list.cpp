@@ -15,26 +15,36 @@ namespace tact {
 
 namespace {
 
-void draw_member_menu(Ui& ui, Workspace& work, std::size_t place) {
-    if (!ImGui::BeginPopupContextItem("member menu")) return;
-    select_only(work, place);
-    const bool locked = work.document.set.vibrations[place].locked;
-    if (ImGui::MenuItem(locked ? "Unlock" : "Lock")) toggle_locked(ui, work);
-    if (ImGui::MenuItem("Drop")) toggle_dropped(ui, work);
+bool has_picture(const Ui& ui, float width_px) { return width_px >= 360.0F * ui.theme.scale; }
+
+// What only a member has is its number, which is the key that plays it.
+PatternDeed draw_member_menu(Ui& ui, Workspace& work, std::size_t place, const std::string& key) {
+    if (!ImGui::BeginPopupContextItem("member menu")) return PatternDeed::none;
+    const PatternDeed deed = draw_pattern_menu(ui, work, place, key.c_str());
     ImGui::EndPopup();
+    return deed;
 }
 
 }  // namespace
 
-void draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number) {
+float member_row_px(const Ui& ui, float width_px) {
+    const float words = ImGui::GetTextLineHeight();
+    const float row = has_picture(ui, width_px) ? std::max(words, 26.0F * ui.theme.scale) : words;
+    return row + ImGui::GetStyle().ItemSpacing.y;
+}
+
+PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number) {
     const auto place = place_named(work.document.set, name);
-    if (!place) return;
+    if (!place) return PatternDeed::none;
     const Vibration& vibration = work.document.set.vibrations[*place];
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float s = ui.theme.scale;
-    ImGui::PushID(static_cast<int>(number));
     const float width = ImGui::GetContentRegionAvail().x;
-    if (ImGui::Selectable("##member", work.selection.current == *place)) select_only(work, *place);
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    const float height = member_row_px(ui, width) - gap;
+    ImGui::PushID(static_cast<int>(number));
+    if (ImGui::Selectable("##member", work.selection.current == *place, 0, {0.0F, height}))
+        select_only(work, *place);
     note_item(ui.rects, "member:" + name, vibration.locked ? "locked" : "");
     if (ImGui::IsItemActive()) note_pressed(work, vibration);
     const bool has_key = number <= kPlayKeys;
@@ -42,20 +52,28 @@ void draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t n
     draw_tooltip(ui,
                  ((has_key ? "Key " + key + " plays it. " : std::string()) + kHoldHelp).c_str());
     if (ImGui::IsItemHovered()) work.selection.hovered = place;
+    const PatternDeed deed = draw_member_menu(ui, work, *place, key);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_text(list, ui.theme.fonts.regular, {corner.x + 2.0F * s, corner.y}, ui.theme.dim_text,
-              key);
-    draw_pattern_mark(list, ui.theme,
-                      {corner.x + 23.0F * s, corner.y + 0.5F * ImGui::GetTextLineHeight()},
-                      5.0F * s, look_of(ui, work, *place), ui.theme.pane);
-    draw_state_signs(ui, vibration,
-                     {corner.x + width, corner.y + 0.5F * ImGui::GetTextLineHeight()});
-    const float begin = 36.0F * s;
-    const float room = width - begin - state_signs_px(ui.theme, vibration);
-    draw_text(list, ui.theme.fonts.regular, {corner.x + begin, corner.y}, ui.theme.text,
+    const PatternLook look = look_of(ui, work, *place);
+    const float middle = corner.y + 0.5F * height;
+    const float text_y = middle - 0.5F * ImGui::GetTextLineHeight();
+    draw_text(list, ui.theme.fonts.regular, {corner.x + 2.0F * s, text_y}, ui.theme.dim_text, key);
+    draw_pattern_mark(list, ui.theme, {corner.x + 23.0F * s, middle}, 5.0F * s, look,
+                      ui.theme.pane);
+    float right = corner.x + width;
+    if (has_picture(ui, width)) {
+        const Rect picture{{corner.x + 0.6F * width, corner.y + s},
+                           {right - s, corner.y + height - s}};
+        draw_thumbnail(ui, work, picture, vibration, look.colour, shown_reach_g(work));
+        right = picture.min.x - ui.theme.gap_px;
+    }
+    draw_state_signs(ui, vibration, {right, middle});
+    const float begin = corner.x + 36.0F * s;
+    const float room = right - begin - state_signs_px(ui.theme, vibration);
+    draw_text(list, ui.theme.fonts.regular, {begin, text_y}, ui.theme.text,
               shortened(ui.theme.fonts.regular, name, std::max(0.0F, room)));
-    draw_member_menu(ui, work, *place);
     ImGui::PopID();
+    return deed;
 }
 
 void play_picked(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,

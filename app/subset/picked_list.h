@@ -6,6 +6,7 @@
 
 #include "app/document/workspace.h"
 #include "app/map/map_state.h"
+#include "app/patterns/pattern_menu.h"
 #include "app/play/play_state.h"
 #include "app/subset/subset_state.h"
 #include "app/timeline/timeline.h"
@@ -15,8 +16,11 @@ namespace tact {
 
 inline constexpr std::size_t kPlayKeys = 9;  // 1 to 9
 
-// Of the pattern of that name, the `number`-th one from 1 on.
-void draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number);
+// A row in a list of that width: with a picture of the waveform where there is room for one.
+float member_row_px(const Ui& ui, float width_px);
+
+// Of the pattern of that name, the `number`-th one from 1 on. Its menu is that of every pattern.
+PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number);
 
 // Once, the `number`-th of the subset on screen, from 1 on; says where there is none.
 void play_picked(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,

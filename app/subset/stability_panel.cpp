@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/compare/reading_text.h"
 #include "app/document/editing.h"
 #include "app/progress/failure.h"
 #include "app/progress/progress_line.h"
@@ -47,7 +48,7 @@ void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
                                 : is_preview
                                     ? "The subset is of a preview: ask once the map is exact."
                                     : "Only a subset picked by PM hangs on the model's numbers.";
-        coloured_note(ui.theme.dim_text, why);
+        reading_text(ui.theme.dim_text, why);
         note_item(ui.rects, "stability obstacle", why);
     }
 }
@@ -104,9 +105,9 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
                              percent(stability->share_weakest) +
                              ". In the map, half of the draws lie within each ellipse.";
     ImGui::PushFont(ui.theme.fonts.small);
-    coloured_note(ui.theme.dim_text, text);
+    reading_text(ui.theme.dim_text, text);
     if (is_pick_stale(work, shown_map, picking)) {
-        coloured_note(ui.theme.warning, "Of the subset before the last change.");
+        reading_text(ui.theme.warning, "Of the subset before the last change.");
     }
     ImGui::PopFont();
     note_item(ui.rects, "subset:stability", text);

@@ -13,23 +13,51 @@ namespace tact {
 
 namespace {
 
-// Whole numbers below the curve, as many as have room, and what they count.
-void draw_counts(const Ui& ui, const Plot& plot, const PickCurve& curve) {
-    const ImFont* font = ui.theme.fonts.small;
+// Whole numbers below the curve, as many as have room, and what they count. The chosen one stands
+// in any case.
+void draw_counts(const Ui& ui, const Plot& plot, const PickCurve& curve, std::size_t chosen) {
+    const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float y = plot.area.max.y + 3.0F * ui.theme.scale;
+    const float y = plot.area.max.y + 3.0F * theme.scale;
+    const auto place = [&plot](const ImFont* font, std::size_t count) {
+        const float width = text_size(font, std::to_string(count)).x;
+        const float left = to_pixel(plot.x, static_cast<double>(count)) - 0.5F * width;
+        return Range{double{left}, double{left + width}};
+    };
     const std::string unit = "picked";
-    const float unit_left = plot.area.max.x - text_size(font, unit).x;
-    float free = plot.area.min.x - ui.theme.gap_px;
+    const float unit_left = plot.area.max.x - text_size(theme.fonts.small, unit).x;
+    const double gap = double{theme.gap_px};
+    const Range own = place(theme.fonts.semibold, chosen);
+    double free = double{plot.area.min.x} - gap;
     for (const CurvePoint& point : curve.points) {
-        const std::string text = std::to_string(point.count);
-        const float width = text_size(font, text).x;
-        const float left = to_pixel(plot.x, static_cast<double>(point.count)) - 0.5F * width;
-        if (left < free || left + width + ui.theme.gap_px > unit_left) continue;
-        draw_text(list, font, {left, y}, ui.theme.dim_text, text);
-        free = left + width + ui.theme.gap_px;
+        const bool is_chosen = point.count == chosen;
+        const ImFont* font = is_chosen ? theme.fonts.semibold : theme.fonts.small;
+        const Range at = place(font, point.count);
+        const bool meets_chosen = at.high + 0.5 * gap > own.low && at.low - 0.5 * gap < own.high;
+        const bool has_room = at.low >= free && at.high + gap <= double{unit_left} && !meets_chosen;
+        if (!is_chosen && !has_room) continue;
+        draw_text(list, font, {static_cast<float>(at.low), y},
+                  is_chosen ? theme.text : theme.dim_text, std::to_string(point.count));
+        free = at.high + gap;
     }
-    draw_text(list, font, {unit_left, y}, ui.theme.dim_text, unit);
+    if (own.high + gap > double{unit_left}) return;
+    draw_text(list, theme.fonts.small, {unit_left, y}, theme.dim_text, unit);
+}
+
+// A line down to its count, and how far apart its weakest pair is: above it, on the side where the
+// curve, which falls, is not.
+void draw_chosen(Ui& ui, const Plot& plot, const CurvePoint& point, ImVec2 at) {
+    const Theme& theme = ui.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_upright_line(list, at.x, at.y, plot.area.max.y, theme.hairline_px, theme.dim_text);
+    const std::string text = grouped(point.weakest);
+    const ImVec2 size = text_size(theme.fonts.semibold, text);
+    const float away = 0.75F * theme.gap_px;
+    const ImVec2 corner{std::min(at.x + 0.5F * away, plot.area.max.x - size.x),
+                        std::max(plot.area.min.y, at.y - size.y - away)};
+    draw_text_halo(list, theme.fonts.semibold, corner, theme.text, theme.pane, 2.0F * theme.scale,
+                   text);
+    note_rect(ui.rects, "curve chosen", corner, corner + size, text);
 }
 
 // How far apart the weakest pair is for each k; a click chooses k.
@@ -41,13 +69,13 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
     for (const CurvePoint& point : curve.points) most = std::max(most, point.bound);
     const auto first = static_cast<double>(curve.points.front().count);
     const auto last = static_cast<double>(curve.points.back().count);
-    const PlotLabels labels{"", "", true};
-    const float foot = ImGui::GetTextLineHeight();
+    const PlotLabels labels{"", "weakest pair", true};
+    const float foot = text_size(theme.fonts.semibold, "0").y + 3.0F * theme.scale;
     const Rect above{area.min, {area.max.x, area.max.y - foot}};
     const Plot plot =
         plot_within(above, theme, {first - 0.5, last + 0.5}, {0.0, 1.05 * most}, labels);
     draw_axes(list, theme, plot, labels);
-    draw_counts(ui, plot, curve);
+    draw_counts(ui, plot, curve, static_cast<std::size_t>(picking.count));
     ImGui::SetCursorScreenPos(area.min);
     const bool pressed = ImGui::InvisibleButton("curve", area.size());
     std::optional<std::size_t> hovered;
@@ -68,15 +96,20 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
         }
     }
     draw_path(list, line, theme.dim_text, theme.trace_px);
+    std::optional<std::size_t> chosen_one;
     for (std::size_t k = 0; k < line.size(); ++k) {
         const bool chosen = curve.points[k].count == static_cast<std::size_t>(picking.count);
+        if (chosen) chosen_one = k;
         const bool lit = chosen || hovered == k;
         draw_disc(list, theme, line[k], (lit ? 5.0F : 3.0F) * theme.scale,
                   lit ? theme.accent : theme.dim_text);
         note_rect(ui.rects, "curve point:" + std::to_string(curve.points[k].count), line[k],
                   line[k]);
     }
-    if (!hovered) return;
+    if (!hovered) {
+        if (chosen_one) draw_chosen(ui, plot, curve.points[*chosen_one], line[*chosen_one]);
+        return;
+    }
     const CurvePoint& point = curve.points[*hovered];
     const std::vector<std::string> lines{std::to_string(point.count) + " picked",
                                          "weakest pair " + grouped(point.weakest),

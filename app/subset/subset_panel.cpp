@@ -4,7 +4,9 @@
 #include <cstdio>
 
 #include "app/compare/compare_follow.h"
+#include "app/compare/metric_choice.h"
 #include "app/compare/people_text.h"
+#include "app/compare/reading_text.h"
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/play/playing.h"
@@ -21,6 +23,7 @@
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
+#include "viz/drawing/words_and_picture.h"
 
 namespace tact {
 
@@ -52,16 +55,11 @@ void draw_grow(Ui& ui, const Workspace& work, SubsetState& picking) {
     if (there == 0 || there >= picking.count) return;
     const std::string words = "Grow to " + std::to_string(picking.count);
     flow_on(ImGui::CalcTextSize(words.c_str()).x, ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + ImGui::GetStyle().FramePadding.y});
-    picking.grow_asked = link(ui, "grow", words);
+    picking.grow_asked = row_link(ui, "grow", words);
     note_item(ui.rects, "link:grow");
     draw_tooltip(ui,
                  "Adds as many as are missing, each as far from all others as can be: of the set's "
                  "design space, else of patterns drawn around these.");
-    ImGui::SameLine(0.0F, 0.0F);
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y});
-    ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
 }
 
 void draw_count(Ui& ui, SubsetState& picking) {
@@ -108,13 +106,16 @@ void draw_source(Ui& ui, const Workspace& work, SubsetState& picking) {
                 picking.metric = metric;
                 picking.by_ratings = false;
             }
+            draw_tooltip(ui, metric_help(metric).c_str());
         }
         if (has_ratings && ImGui::Selectable("Ratings", picking.by_ratings))
             picking.by_ratings = true;
         ImGui::EndCombo();
     }
     note_item(ui.rects, "subset:source", shown);
-    draw_tooltip(ui, "What says how far apart two patterns are.");
+    const std::string help = picking.by_ratings && has_ratings ? "Ratings: what people said."
+                                                               : metric_help(picking.metric);
+    draw_tooltip(ui, ("What says how far apart two patterns are. " + help).c_str());
 }
 
 std::string quantity_of(const Pick& pick) {
@@ -151,7 +152,7 @@ void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);
     }
     ImGui::PushFont(ui.theme.fonts.small);
-    coloured_note(colour, text);
+    reading_text(colour, text);
     ImGui::PopFont();
     note_item(ui.rects, "subset:proof", text);
 }
@@ -250,45 +251,48 @@ Rect rest_or_lines(float lines) {
     return area;
 }
 
-void coloured_note(ImU32 colour, const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
-void draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
-                    PlayState& play, SubsetState& picking) {
+PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                           PlayState& play, SubsetState& picking) {
     draw_count(ui, picking);
     draw_grow(ui, work, picking);
     draw_objective(ui, picking);
     draw_source(ui, work, picking);
-    if (!draw_pick_state(ui, work, shown_map, picking)) return;
+    PatternDeed deed = PatternDeed::none;
+    if (!draw_pick_state(ui, work, shown_map, picking)) return deed;
     const std::shared_ptr<const Pick> pick = picking.pick;  // kept while it is drawn
     draw_headline(ui, work, timeline, shown_map, play, picking, *pick,
                   *shown_subset(shown_map, picking));
+    const Subset& subset = *shown_subset(shown_map, picking);
     const Rect area = rest_or_lines(5.0F);
-    const bool wide = area.width() > 320.0F * ui.theme.scale;
-    const float left = wide && has_curve(picking) ? 0.48F * area.width() : area.width();
-    ImGui::BeginChild("members", {left, area.height()});
+    const float s = ui.theme.scale;
+    const float list_px =
+        member_row_px(ui, area.width()) * static_cast<float>(subset.members.size());
+    const WordsWanted list{150.0F * s, 560.0F * s, list_px + alternatives_px(ui, picking, *pick)};
+    WordsAndPicture parts{area, {area.max, area.max}};
+    if (has_curve(picking)) {
+        parts = words_and_picture(area, list, {90.0F * s, 120.0F * s}, 1.5F * ui.theme.gap_px);
+    }
+    ImGui::BeginChild("members", parts.words.size());
     std::size_t number = 0;
-    for (const std::size_t member : shown_subset(shown_map, picking)->members)
-        draw_member(ui, work, name_of(*pick, member), ++number);
+    for (const std::size_t member : subset.members) {
+        const PatternDeed asked = draw_member(ui, work, name_of(*pick, member), ++number);
+        if (asked != PatternDeed::none) deed = asked;
+    }
     draw_alternatives(ui, picking, *pick);
     ImGui::EndChild();
-    if (left == area.width()) return;
-    draw_curve(ui, picking, {{area.min.x + left + ui.theme.gap_px, area.min.y}, area.max});
+    if (!parts.picture.empty()) draw_curve(ui, picking, parts.picture);
+    return deed;
 }
 
-void draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
-                       PlayState& play, SubsetState& picking) {
+PatternDeed draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline,
+                              const ShownMap& shown_map, PlayState& play, SubsetState& picking) {
+    PatternDeed deed = PatternDeed::none;
     draw_views(ui, work, shown_map, picking);
     ImGui::Dummy({1.0F, 1.0F});
     ImGui::BeginChild("view");  // scrolls where the pane is low
     switch (picking.view) {
         case SubsetView::pick:
-            draw_pick_view(ui, work, timeline, shown_map, play, picking);
+            deed = draw_pick_view(ui, work, timeline, shown_map, play, picking);
             break;
         case SubsetView::confusable:
             draw_too_close_view(ui, work, shown_map, picking);
@@ -298,6 +302,7 @@ void draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline, const ShownM
             break;
     }
     ImGui::EndChild();
+    return deed;
 }
 
 }  // namespace tact

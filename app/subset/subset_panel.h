@@ -3,6 +3,7 @@
 
 #include "app/document/workspace.h"
 #include "app/map/map_state.h"
+#include "app/patterns/pattern_menu.h"
 #include "app/play/play_state.h"
 #include "app/subset/subset_state.h"
 #include "app/timeline/timeline.h"
@@ -10,7 +11,8 @@
 
 namespace tact {
 
-void draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
-                       PlayState& play, SubsetState& picking);
+// What was asked for in the menu of a member is for the frame.
+PatternDeed draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline,
+                              const ShownMap& shown_map, PlayState& play, SubsetState& picking);
 
 }  // namespace tact

@@ -3,6 +3,7 @@
 
 #include "app/document/workspace.h"
 #include "app/map/map_state.h"
+#include "app/patterns/pattern_menu.h"
 #include "app/play/play_state.h"
 #include "app/subset/subset_state.h"
 #include "app/timeline/timeline.h"
@@ -11,8 +12,8 @@
 
 namespace tact {
 
-void draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
-                    PlayState& play, SubsetState& picking);
+PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                           PlayState& play, SubsetState& picking);
 void draw_too_close_view(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetState& picking);
 void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                          SubsetState& picking);
@@ -23,8 +24,5 @@ void draw_curve(Ui& ui, SubsetState& picking, const Rect& area);
 
 // What is left of the pane, or where that is less so many lines, which scroll.
 Rect rest_or_lines(float lines);
-
-// Text in a colour, wrapped at the pane's edge.
-void coloured_note(ImU32 colour, const std::string& text);
 
 }  // namespace tact

@@ -5,7 +5,9 @@
 
 #include "app/compare/compare_follow.h"
 #include "app/compare/people_text.h"
+#include "app/compare/reading_text.h"
 #include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
 #include "app/map/pair.h"
 #include "app/progress/failure.h"
 #include "app/progress/progress_line.h"
@@ -157,7 +159,7 @@ void draw_pair_list(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
         return note_rect(ui.rects, "too close", area.min, area.max, summary);
     }
     ImGui::PushFont(ui.theme.fonts.small);
-    coloured_note(ui.theme.dim_text, summary);
+    reading_text(ui.theme.dim_text, summary);
     ImGui::PopFont();
     note_item(ui.rects, "too close", summary);
     const auto opened = opened_rows(shown_map, picking);
@@ -232,9 +234,9 @@ void draw_separation(Ui& ui, Workspace& work, SubsetState& picking, const FoundS
             changed.name, with_value(*own, separation.parameter, separation.to), text};
     }
     ImGui::PushFont(ui.theme.fonts.small);
-    coloured_note(ui.theme.dim_text, felt_steps_text(separation.steps) + "; then " +
-                                         grouped(separation.nearest) + " from its closest, " +
-                                         set.vibrations[separation.nearest_to].name);
+    reading_text(ui.theme.dim_text, felt_steps_text(separation.steps) + "; then " +
+                                        grouped(separation.nearest) + " from its closest, " +
+                                        set.vibrations[separation.nearest_to].name);
     ImGui::PopFont();
     ImGui::PopID();
 }
@@ -248,9 +250,9 @@ void draw_found(Ui& ui, Workspace& work, SubsetState& picking, const SeparationR
     const std::shared_ptr<const FoundSeparations> found = picking.separations;
     if (!found || found->request != asked) return;
     if (found->all.empty()) {
-        coloured_note(ui.theme.dim_text,
-                      "No change of a single number is enough, up to 16 felt steps of it. Change "
-                      "the rhythm, or add a carrier.");
+        reading_text(ui.theme.dim_text,
+                     "No change of a single number is enough, up to 16 felt steps of it. Change "
+                     "the rhythm, or add a carrier.");
         note_item(ui.rects, "separations", "none");
         return;
     }
@@ -260,10 +262,30 @@ void draw_found(Ui& ui, Workspace& work, SubsetState& picking, const SeparationR
         draw_separation(ui, work, picking, *found, k);
 }
 
+// The two that are held against each other, one above the other on one scale of g.
+void draw_both(Ui& ui, Workspace& work, const ShownMap& shown_map,
+               std::pair<std::size_t, std::size_t> rows) {
+    const float height = 44.0F * ui.theme.scale;
+    for (const std::size_t row : {rows.first, rows.second}) {
+        const auto& name = shown_map.transition.shown->request.set->vibrations[row].name;
+        const auto place = place_named(work.document.set, name);
+        if (!place) continue;
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        const Rect area = rect_at(corner, {ImGui::GetContentRegionAvail().x, height});
+        ImGui::Dummy(area.size());
+        draw_thumbnail(ui, work, area, work.document.set.vibrations[*place],
+                       look_of(ui, work, *place).colour, shown_reach_g(work));
+        note_item(ui.rects, "too close picture:" + name);
+    }
+    ImGui::Spacing();
+}
+
 // The open pair: which to change, and the changes that would do.
 void draw_open_pair(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetState& picking,
                     std::pair<std::size_t, std::size_t> rows) {
     constexpr const char* kAsk = "What would separate them?";
+    const float room = ImGui::GetContentRegionAvail().y;
+    if (room > 260.0F * ui.theme.scale) draw_both(ui, work, shown_map, rows);
     draw_change_choice(ui, work, shown_map, picking, rows);
     const std::size_t row = row_to_change(work, shown_map, picking, rows);
     const SeparationRequest asked = separation_request(shown_map, picking, row);
@@ -279,7 +301,7 @@ void draw_open_pair(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
                       ". PM depends on the set: it is ranked anew with each change.")
                          .c_str());
     if (!obstacle.empty()) {
-        coloured_note(ui.theme.dim_text, obstacle);
+        reading_text(ui.theme.dim_text, obstacle);
         note_item(ui.rects, "separation obstacle", obstacle);
     }
     (void)draw_failure(ui, "separation", failure_of(picking.separation_job));

@@ -377,10 +377,13 @@ void draw_info_mark(const Ui& ui, ImVec2 centre, bool lit) {
               colour, "i");
 }
 
-bool link(const Ui& ui, const char* id, const std::string& text) {
+namespace {
+
+// With so much room above and below the words.
+bool draw_link(const Ui& ui, const char* id, const std::string& text, float pad_px) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::InvisibleButton(id, size);
+    const ImVec2 corner = ImGui::GetCursorScreenPos() + ImVec2{0.0F, pad_px};
+    const bool pressed = ImGui::InvisibleButton(id, {size.x, size.y + 2.0F * pad_px});
     const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
     ImGui::GetWindowDrawList()->AddText(corner, ui.theme.accent, text.c_str());
     if (lit) {
@@ -389,6 +392,16 @@ bool link(const Ui& ui, const char* id, const std::string& text) {
             {corner.x, corner.y + size.y}, {corner.x + size.x, corner.y + size.y}, ui.theme.accent);
     }
     return pressed;
+}
+
+}  // namespace
+
+bool link(const Ui& ui, const char* id, const std::string& text) {
+    return draw_link(ui, id, text, 0.0F);
+}
+
+bool row_link(const Ui& ui, const char* id, const std::string& text) {
+    return draw_link(ui, id, text, ImGui::GetStyle().FramePadding.y);
 }
 
 Rect rest_of_pane() {

@@ -138,6 +138,9 @@ void draw_info_mark(const Ui& ui, ImVec2 centre, bool lit);
 // Clickable text in the accent colour.
 bool link(const Ui& ui, const char* id, const std::string& text);
 
+// The same in a line of fields: as high as they are, its words on theirs.
+bool row_link(const Ui& ui, const char* id, const std::string& text);
+
 // What is left of the pane below the cursor.
 Rect rest_of_pane();
 

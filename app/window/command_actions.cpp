@@ -7,6 +7,7 @@
 
 #include "app/ask/gap_follow.h"
 #include "app/ask/maybes_follow.h"
+#include "app/ask/pad_dialog.h"
 #include "app/ask/put_there.h"
 #include "app/candidates/candidate_rows.h"
 #include "app/compare/compare_state.h"
@@ -49,6 +50,31 @@ bool has_editable_pattern(const App& app) {
     const Vibration* vibration = current_vibration(app.work);
     return vibration != nullptr && editable_pattern(*vibration) != nullptr;
 }
+
+bool has_neighbours(const App& app) { return can_vary(app.work); }
+
+bool has_corners(const App& app) { return pad_corners(app.work).size() >= 2; }
+
+bool has_missing(const App& app) {
+    const auto there =
+        std::ranges::count(app.work.document.set.vibrations, false, &Vibration::dropped);
+    return there > 0 && there < app.picking.count;
+}
+
+bool has_exact_map(const App& app) {
+    return has_pairs(app) && map_state(app.work, app.shown_map) == MapState::exact;
+}
+
+bool has_exact_subset(const App& app) {
+    const Pick* pick = shown_pick(app.shown_map, app.picking);
+    return pick != nullptr && !is_of_preview(pick->request);
+}
+
+bool has_study(const App& app) {
+    return participant_obstacle(app.work, app.play, app.studying).empty();
+}
+
+bool has_map_of_all(const App& app) { return simulation_obstacle(app.work, app.shown_map).empty(); }
 
 void start_rename(App& app) {
     // Names are typed in the list, which the table takes the place of.
@@ -177,16 +203,24 @@ const char* what_lacks(const App& app, const Command& command) {
         bool (*has)(const App&);
         const char* words;
     };
-    constexpr std::array kLacks{Lack{has_selection, "the set is empty"},
-                                Lack{has_effects, "nothing here came from an effect file"},
-                                Lack{has_answers, "nobody has answered yet"},
-                                Lack{has_subset, "nothing is picked yet"},
-                                Lack{has_pairs, "needs two patterns"},
-                                Lack{has_editable_pattern, "needs a pattern, not a recording"},
-                                Lack{has_lesson, "no lesson is open"},
-                                Lack{has_undo, "nothing to undo"},
-                                Lack{has_redo, "nothing to redo"},
-                                Lack{has_sound, "no device to play on"}};
+    constexpr std::array kLacks{
+        Lack{has_selection, "the set is empty"},
+        Lack{has_effects, "nothing here came from an effect file"},
+        Lack{has_answers, "nobody has answered yet"},
+        Lack{has_subset, "nothing is picked yet"},
+        Lack{has_pairs, "needs two patterns"},
+        Lack{has_editable_pattern, "needs a pattern that is no recording and not locked"},
+        Lack{has_neighbours, "needs three patterns, and one that can be edited"},
+        Lack{has_corners, "select two to four patterns first"},
+        Lack{has_missing, "no pattern is missing: raise the number to pick first"},
+        Lack{has_exact_map, "the map is not exact yet"},
+        Lack{has_exact_subset, "no exact subset is picked yet"},
+        Lack{has_map_of_all, "needs a map of three patterns"},
+        Lack{has_study, "needs three patterns, rounds that fit, and a level above 0"},
+        Lack{has_lesson, "no lesson is open"},
+        Lack{has_undo, "nothing to undo"},
+        Lack{has_redo, "nothing to redo"},
+        Lack{has_sound, "no device to play on"}};
     if (command.enabled(app)) return nullptr;
     const auto found = std::ranges::find(kLacks, command.enabled, &Lack::has);
     return found == kLacks.end() ? "not now" : found->words;
@@ -196,8 +230,7 @@ const char* what_lacks(const App& app, const Command& command) {
 void copy_shown_table(App& app) {
     const auto& map = app.shown_map.transition.shown;
     if (!map || map_state(app.work, app.shown_map) != MapState::exact) {
-        return complain(app.ui,
-                        "Not copied: the map is not exact yet, and its numbers would change.");
+        return say(app.ui, "Not copied: the map is not exact yet, and its numbers would change.");
     }
     const bool selects = app.layout.arrangement == Arrangement::select;
     const auto& comparison = app.comparing.comparison;

@@ -12,6 +12,13 @@ bool has_answers(const App& app);
 bool has_subset(const App& app);
 bool has_pairs(const App& app);
 bool has_editable_pattern(const App& app);
+bool has_neighbours(const App& app);
+bool has_corners(const App& app);
+bool has_missing(const App& app);
+bool has_exact_map(const App& app);
+bool has_exact_subset(const App& app);
+bool has_study(const App& app);
+bool has_map_of_all(const App& app);
 
 void remove_chosen_or_selected(App& app);
 void start_rename(App& app);

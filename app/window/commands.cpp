@@ -125,14 +125,14 @@ constexpr auto kOtherCommands = std::to_array<Command>({
     {"Study",
      "Run a participant...",
      {},
-     has_selection,
+     has_study,
      [](App& app) { begin_participant(app.ui, app.work, app.timeline, app.play, app.studying); },
      nullptr,
      "ratings people experiment trial"},
     {"Study",
      "Simulate a participant",
      {},
-     has_selection,
+     has_map_of_all,
      [](App& app) {
          simulate_participant(app.ui, app.work, app.shown_map, app.play, app.studying);
      },

@@ -94,7 +94,7 @@ constexpr auto
                     {"File",
                      "Export subset...",
                      {},
-                     has_subset,
+                     has_exact_subset,
                      [](App& app) {
                          export_subset_dialog(app.ui, app.work, app.shown_map, app.picking);
                      },
@@ -150,13 +150,13 @@ constexpr auto
                      [](App& app) { open_steps(app.ui, app.work, app.steps, {}, {}); },
                      nullptr,
                      "even morph between interpolate two path series"},
-                    {"Edit", "Vary", plain('v'), has_editable_pattern,
+                    {"Edit", "Vary", plain('v'), has_neighbours,
                      [](App& app) { vary(app.ui, app.work, app.maybes); }, nullptr,
                      "neighbours variants alternatives others like it ghosts"},
                     {"Edit",
                      "Mix on a pad...",
                      {},
-                     has_selection,
+                     has_corners,
                      [](App& app) { open_pad(app.ui, app.work, app.pad); },
                      nullptr,
                      "morph blend corners two three four"},
@@ -170,7 +170,7 @@ constexpr auto
                     {"Edit",
                      "Add patterns up to the number to pick",
                      {},
-                     has_selection,
+                     has_missing,
                      [](App& app) {
                          grow_to(app.ui, app.work, app.shown_map, app.maybes,
                                  static_cast<std::size_t>(app.picking.count));
@@ -225,7 +225,7 @@ constexpr auto
                     {"Edit",
                      "Copy table",
                      {},
-                     has_pairs,
+                     has_exact_map,
                      copy_shown_table,
                      nullptr,
                      "clipboard csv numbers matrix candidates spreadsheet"},

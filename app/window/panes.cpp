@@ -239,13 +239,15 @@ void draw_bench(App& app) {
         case BenchTab::candidates:
             return do_with_pattern(
                 app, draw_candidates_panel(app.ui, app.work, app.shown_map, app.candidates));
-        case BenchTab::subset:
-            draw_subset_panel(app.ui, app.work, app.timeline, app.shown_map, app.play, app.picking);
+        case BenchTab::subset: {
+            const PatternDeed deed = draw_subset_panel(app.ui, app.work, app.timeline,
+                                                       app.shown_map, app.play, app.picking);
             if (std::exchange(app.picking.grow_asked, false)) {
                 grow_to(app.ui, app.work, app.shown_map, app.maybes,
                         static_cast<std::size_t>(app.picking.count));
             }
-            return;
+            return do_with_pattern(app, deed);
+        }
         case BenchTab::compare:
             return draw_compare_panel(app.ui, app.work, app.layout, app.shown_map, app.comparing);
         case BenchTab::shepard:

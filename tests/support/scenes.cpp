@@ -7,10 +7,13 @@
 
 #include "app/lesson/lesson.h"
 #include "app/study/study_follow.h"
+#include "app/study/study_panels.h"
+#include "app/subset/separation_follow.h"
 #include "app/subset/subset_state.h"
 #include "app/window/commands.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/places.h"
+#include "tests/support/temporary_folder.h"
 
 namespace tact {
 
@@ -102,6 +105,66 @@ void maximise(Program& program, Pane pane) {
     program.settle();
 }
 
+void wait_for_comparison(Program& program) {
+    const Comparing& comparing = program.app.comparing;
+    wait_until(program, [&] { return comparing.comparison && !comparing.comparison_job->busy(); });
+}
+
+void show_why(Program& program) {
+    choose_pair(program.app.work, 0, 1);
+    show_bench(program, BenchTab::why);
+    const Comparing& comparing = program.app.comparing;
+    wait_until(program, [&] { return comparing.difference && !comparing.difference_job->busy(); });
+}
+
+// Files of participants, as long as the program of the scenes runs.
+void open_people(Program& program, StudyKind kind) {
+    static const TemporaryFolder folder;
+    run(program, "Study");
+    program.app.studying.kind = kind;
+    set_study_folder(program.app.work, program.app.studying, folder.path);
+    program.settle();
+}
+
+// Three who answer as the model predicts, with noise.
+void show_answers(Program& program, StudyKind kind, StudyShow show) {
+    open_people(program, kind);
+    App& app = program.app;
+    const auto are_read = [&app] {
+        return app.studying.answers && app.studying.answers->question == app.studying.asked;
+    };
+    wait_until(program, are_read);
+    for (std::size_t k = app.studying.answers->records.size(); k < 3; ++k) {
+        simulate_participant(app.ui, app.work, app.shown_map, app.play, app.studying);
+    }
+    program.settle();
+    wait_until(program, [&] { return are_read() && app.studying.answers->results; });
+    app.studying.show = show;
+    program.settle();
+}
+
+// Somebody is in the middle of it: both were felt, and some are sorted.
+void show_participant(Program& program, StudyKind kind, StudyPage page) {
+    open_people(program, kind);
+    App& app = program.app;
+    begin_participant(app.ui, app.work, app.timeline, app.play, app.studying);
+    program.settle();
+    if (!app.studying.run) throw std::runtime_error("The study does not begin.");
+    StudyRun& running = *app.studying.run;
+    running.page = page;
+    if (page == StudyPage::trial) {
+        running.trial = running.trials.front();
+        running.given.plays_left = running.given.plays_right = 1;
+        running.similarity = 62.0;
+    } else if (page == StudyPage::sorting) {
+        running.asked_groups = 3;
+        for (std::size_t k = 0; k < running.record.header.patterns.size(); ++k) {
+            running.groups.push_back(k % 4 < 3 ? k % 4 : kUnsorted);
+        }
+    }
+    program.settle();
+}
+
 void add_arrangements(std::vector<Scene>& all) {
     all.push_back({"design", [](Program&) {}});
     all.push_back({"design, stages open", [](Program& p) {
@@ -148,10 +211,46 @@ void add_arrangements(std::vector<Scene>& all) {
                        p.app.studying.kind = StudyKind::sorting;
                        p.settle();
                    }});
+    all.push_back({"present", [](Program& p) {
+                       run(p, "Present");
+                       p.wait_for_stages();
+                   }});
+    all.push_back({"study, results as a matrix",
+                   [](Program& p) { show_answers(p, StudyKind::pairwise, StudyShow::matrix); }});
+    all.push_back({"study, results as a map",
+                   [](Program& p) { show_answers(p, StudyKind::pairwise, StudyShow::map); }});
+    for (const auto& [page, name] : {std::pair{StudyPage::consent, "consent"},
+                                     {StudyPage::instructions, "instructions"},
+                                     {StudyPage::training, "training"},
+                                     {StudyPage::trial, "trial"},
+                                     {StudyPage::rest, "break"}}) {
+        all.push_back({std::string("participant, ") + name,
+                       [page](Program& p) { show_participant(p, StudyKind::pairwise, page); }});
+    }
+    all.push_back({"participant, sorting", [](Program& p) {
+                       show_participant(p, StudyKind::sorting, StudyPage::sorting);
+                   }});
+    all.push_back({"participant, paused", [](Program& p) {
+                       show_participant(p, StudyKind::pairwise, StudyPage::trial);
+                       p.press_key(key::kEscape);
+                   }});
     all.push_back({"maximised patterns", [](Program& p) { maximise(p, Pane::patterns); }});
     all.push_back({"maximised editor", [](Program& p) { maximise(p, Pane::editor); }});
     all.push_back({"maximised space", [](Program& p) { maximise(p, Pane::space); }});
     all.push_back({"maximised matrix", [](Program& p) { maximise(p, Pane::matrix); }});
+    all.push_back({"maximised subset", [](Program& p) {
+                       show_subset(p, SubsetView::pick);
+                       maximise(p, Pane::matrix);
+                   }});
+    all.push_back({"maximised compare", [](Program& p) {
+                       show_compare(p, CompareView::table);
+                       wait_for_comparison(p);
+                       maximise(p, Pane::matrix);
+                   }});
+    all.push_back({"maximised why", [](Program& p) {
+                       show_why(p);
+                       maximise(p, Pane::matrix);
+                   }});
 }
 
 void add_bench(std::vector<Scene>& all) {
@@ -159,15 +258,52 @@ void add_bench(std::vector<Scene>& all) {
     all.push_back({"subset", [](Program& p) { show_subset(p, SubsetView::pick); }});
     all.push_back({"too close", [](Program& p) { show_subset(p, SubsetView::confusable); }});
     all.push_back({"how sure", [](Program& p) { show_subset(p, SubsetView::stability); }});
-    all.push_back({"compare", [](Program& p) { show_compare(p, CompareView::table); }});
-    all.push_back({"compare, scatter", [](Program& p) { show_compare(p, CompareView::scatter); }});
+    all.push_back({"too close, a pair", [](Program& p) {
+                       p.app.picking.too_close = TooClose::share;
+                       show_subset(p, SubsetView::confusable);
+                       open_pair(p.app.work, p.app.picking, "H-0-half", "H-0-full");
+                       p.settle();
+                   }});
+    all.push_back({"compare", [](Program& p) {
+                       show_compare(p, CompareView::table);
+                       wait_for_comparison(p);
+                   }});
+    all.push_back({"compare with people", [](Program& p) {
+                       show_answers(p, StudyKind::pairwise, StudyShow::matrix);
+                       use_as_ratings(p.app.ui, p.app.work, p.app.layout, p.app.comparing,
+                                      p.app.studying);
+                       p.wait_for_exact_map();
+                       wait_until(p, [&p] {
+                           return p.app.comparing.comparison &&
+                                  p.app.comparing.comparison->people.has_value();
+                       });
+                   }});
+    all.push_back({"compare, pairs with people", [](Program& p) {
+                       show_answers(p, StudyKind::pairwise, StudyShow::matrix);
+                       use_as_ratings(p.app.ui, p.app.work, p.app.layout, p.app.comparing,
+                                      p.app.studying);
+                       p.wait_for_exact_map();
+                       wait_until(p, [&p] {
+                           return p.app.comparing.comparison &&
+                                  p.app.comparing.comparison->people.has_value();
+                       });
+                       show_compare(p, CompareView::scatter);
+                   }});
+    all.push_back({"compare, scatter", [](Program& p) {
+                       show_compare(p, CompareView::scatter);
+                       wait_for_comparison(p);
+                   }});
     all.push_back(
         {"compare, findings", [](Program& p) { show_compare(p, CompareView::findings); }});
-    all.push_back({"shepard", [](Program& p) { show_bench(p, BenchTab::shepard); }});
-    all.push_back({"why", [](Program& p) {
-                       choose_pair(p.app.work, 0, 1);
-                       show_bench(p, BenchTab::why);
+    all.push_back({"compare, findings checked", [](Program& p) {
+                       show_compare(p, CompareView::findings);
+                       click_if_there(p, "button:check findings");
+                       wait_until(p, [&p] {
+                           return p.app.comparing.findings && !p.app.comparing.findings_job->busy();
+                       });
                    }});
+    all.push_back({"shepard", [](Program& p) { show_bench(p, BenchTab::shepard); }});
+    all.push_back({"why", show_why});
     all.push_back({"model", [](Program& p) { show_model(p, ModelView::parameters); }});
     all.push_back({"training", [](Program& p) { show_model(p, ModelView::training); }});
     all.push_back({"device", [](Program& p) { show_bench(p, BenchTab::device); }});
@@ -183,6 +319,11 @@ void add_states(std::vector<Scene>& all) {
                        toggle_selected(p.app.work, 3);
                        toggle_selected(p.app.work, 5);
                        p.settle();
+                   }});
+    all.push_back({"four selected in the matrix", [](Program& p) {
+                       select_only(p.app.work, 1);
+                       for (const std::size_t more : {2, 6, 9}) toggle_selected(p.app.work, more);
+                       show_bench(p, BenchTab::matrix);
                    }});
     all.push_back({"locked", [](Program& p) {
                        select_only(p.app.work, 2);
@@ -228,10 +369,19 @@ void add_dialogs(std::vector<Scene>& all) {
     for (const auto& [name, command] : kDialogs) {
         all.push_back({std::string("dialog, ") + name, [command](Program& p) { run(p, command); }});
     }
+    all.push_back({"dialog, leave out", [](Program& p) {
+                       show_answers(p, StudyKind::pairwise, StudyShow::matrix);
+                       ask_to_leave_out(
+                           p.app.ui, p.app.studying,
+                           p.app.studying.answers->records.front().header.participant.code);
+                       p.settle();
+                       p.settle();
+                   }});
+    all.push_back(
+        {"dialog, leave nobody out", [](Program& p) { show_dialog(p, Dialog::leave_out); }});
     constexpr auto kOthers =
         std::to_array<std::pair<const char*, Dialog>>({{"calibrate", Dialog::calibrate},
                                                        {"import", Dialog::import_recordings},
-                                                       {"leave out", Dialog::leave_out},
                                                        {"conduct rules", Dialog::conduct_rules}});
     all.push_back({"dialog, question", [](Program& p) {
                        ask(p.app.ui,
@@ -268,6 +418,10 @@ void add_menus(std::vector<Scene>& all) {
     all.push_back({"menu of looks", [](Program& p) {
                        right_click(p, "row name:L-0-half");
                        click_if_there(p, "row menu:Colour and mark");
+                   }});
+    all.push_back({"menu of a member", [](Program& p) {
+                       show_subset(p, SubsetView::pick);
+                       right_click(p, "member:L-4-half");
                    }});
     all.push_back({"menu of a point", [](Program& p) { right_click(p, "point:L-0-half"); }});
     for (const char* pane : {"Patterns", "Editor", "Perceptual space", "Matrix"}) {
@@ -326,9 +480,15 @@ void SceneWindow::show(const Scene& scene) {
     leave_lesson(hands_of(app), app.lesson);
     app.lesson.dock = DockSide::right;
     close_study(app.studying);
+    app.studying.run.reset();
+    app.studying.log.reset();
+    app.studying.folder = {};
+    app.studying.leaving_out = {};
     app.layout = first_layout(Arrangement::design);
     app.workspaces = {};
     app.picking.view = SubsetView::pick;
+    app.picking.too_close = SubsetState{}.too_close;
+    app.picking.opened.reset();
     app.physiology.view.open.reset();
     app.ui.status = {};
     app.shown_map.cancelled = false;

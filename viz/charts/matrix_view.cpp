@@ -104,10 +104,14 @@ void draw_values(ImDrawList& list, const Theme& theme, const MatrixLayout& layou
     }
 }
 
+bool is_selected(const MatrixScene& scene, std::size_t i) {
+    return std::ranges::binary_search(scene.selected, i);
+}
+
 ImU32 label_colour(const Theme& theme, const MatrixScene& scene, std::optional<Pair> pointed,
                    std::size_t i) {
     if (pointed && (pointed->first == i || pointed->second == i)) return theme.accent;
-    return scene.selected == i ? theme.text : theme.dim_text;
+    return is_selected(scene, i) ? theme.text : theme.dim_text;
 }
 
 // Every label_step-th name; the selected and the pointed-at ones always, in place of neighbours.
@@ -128,16 +132,18 @@ void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const Ma
         draw_text(list, font, corner, label_colour(theme, scene, pointed, i), name);
     };
     std::vector<std::size_t> standing;
-    for (const auto& i : {scene.selected, pointed ? std::optional{pointed->first} : std::nullopt,
-                          pointed ? std::optional{pointed->second} : std::nullopt}) {
-        if (i && *i < scene.labels.size()) standing.push_back(*i);
-    }
     const auto collides = [&](std::size_t i) {
         return std::any_of(standing.begin(), standing.end(), [&](std::size_t other) {
             const std::size_t rows = std::max(i, other) - std::min(i, other);
             return static_cast<float>(rows) * layout.cell_px.y < 1.1F * text_px;
         });
     };
+    const auto stand = [&](std::size_t i) {
+        if (i < scene.labels.size() && !collides(i)) standing.push_back(i);
+    };
+    if (pointed) stand(pointed->first);
+    if (pointed) stand(pointed->second);
+    for (const std::size_t i : scene.selected) stand(i);
     for (std::size_t i = 0; layout.label_step > 0 && i < scene.labels.size();
          i += layout.label_step) {
         if (!collides(i)) draw_row(i);
@@ -189,17 +195,30 @@ void draw_scale(ImDrawList& list, const Theme& theme, const MatrixLayout& layout
     draw_text(list, font, {left, bar.max.y - text_px * 2.1F}, theme.dim_text, "alike");
 }
 
-// A thin frame around the row and the column of one object.
-void draw_band(ImDrawList& list, const Theme& theme, const MatrixLayout& layout, std::size_t i,
-               ImU32 colour) {
+// A thin frame around the rows and the columns of objects [first, last), which are neighbours.
+void draw_band(ImDrawList& list, const Theme& theme, const MatrixLayout& layout, std::size_t first,
+               std::size_t last, ImU32 colour) {
     const Rect& c = layout.cells;
-    const ImVec2 low = layout.cell_px * static_cast<float>(i);
-    const ImVec2 high =
-        low + ImVec2{std::max(layout.cell_px.x, 2.0F), std::max(layout.cell_px.y, 2.0F)};
+    const ImVec2 low = layout.cell_px * static_cast<float>(first);
+    const ImVec2 extent = layout.cell_px * static_cast<float>(last - first);
+    const ImVec2 high = low + ImVec2{std::max(extent.x, 2.0F), std::max(extent.y, 2.0F)};
     list.AddRect({c.min.x, c.min.y + low.y}, {c.max.x, c.min.y + high.y}, colour, 0.0F, 0,
                  theme.hairline_px);
     list.AddRect({c.min.x + low.x, c.min.y}, {c.min.x + high.x, c.max.y}, colour, 0.0F, 0,
                  theme.hairline_px);
+}
+
+// Neighbours share one frame: of many that are selected the values stay to be seen.
+void draw_selected(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
+                   const MatrixScene& scene) {
+    const auto& all = scene.selected;
+    for (std::size_t k = 0; k < all.size() && all[k] < scene.labels.size();) {
+        std::size_t end = k + 1;
+        while (end < all.size() && all[end] == all[end - 1] + 1) ++end;
+        const std::size_t last = std::min(all[end - 1] + 1, scene.labels.size());
+        draw_band(list, theme, layout, all[k], last, theme.text);
+        k = end;
+    }
 }
 
 void draw_cell_frame(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
@@ -252,9 +271,7 @@ MatrixAction draw_matrix(const char* id, const Theme& theme, const Rect& area,
     draw_values(list, theme, layout, scene, shades);
     if (scene.stale) draw_stale(list, theme, layout.cells, ImGui::GetTime());
     draw_scale(list, theme, layout, scene, shades);
-    if (scene.selected && *scene.selected < n) {
-        draw_band(list, theme, layout, *scene.selected, theme.text);
-    }
+    draw_selected(list, theme, layout, scene);
     if (pointed) draw_cell_frame(list, theme, layout, *pointed);
     draw_names(list, theme, area, layout, scene, pointed);
     if (action.hovered) {

@@ -25,12 +25,12 @@ inline constexpr std::size_t kMostCells = 200;  // along one side
 using Pair = std::pair<std::size_t, std::size_t>;
 
 struct MatrixScene {
-    std::span<const double> condensed{};    // n (n - 1) / 2 values
-    std::span<const std::string> labels{};  // n names
-    double largest = 0.0;                   // the brightest value; 0: the largest there is
-    std::string_view quantity{};            // what the values are, for scale and read-out: "PM"
-    std::optional<std::size_t> selected{};  // row and column to stand out
-    std::optional<Pair> pointed{};          // a pair pointed at elsewhere
+    std::span<const double> condensed{};      // n (n - 1) / 2 values
+    std::span<const std::string> labels{};    // n names
+    double largest = 0.0;                     // the brightest value; 0: the largest there is
+    std::string_view quantity{};              // what the values are, for scale and read-out: "PM"
+    std::span<const std::size_t> selected{};  // rows and columns to stand out, ascending
+    std::optional<Pair> pointed{};            // a pair pointed at elsewhere
     bool stale = false;
 };
 

@@ -125,8 +125,9 @@ void draw_steps(ImDrawList& list, const Theme& theme, const Plot& plot,
                 std::span<const double> samples, double rate_hz, ImU32 colour) {
     std::vector<StripColumn> strip;
     const auto add = [&](double from_s, double to_s, const Extremes& e) {
-        const float top = to_pixel(plot.y, std::max(0.0, e.high));
-        const float bottom = to_pixel(plot.y, std::min(0.0, e.low));
+        // Values may grow downwards.
+        const auto [top, bottom] = std::minmax(
+            {to_pixel(plot.y, std::max(0.0, e.high)), to_pixel(plot.y, std::min(0.0, e.low))});
         const float left = std::round(to_pixel(plot.x, from_s));
         const float right = std::round(to_pixel(plot.x, to_s));
         const bool goes_on = !strip.empty() && strip.back().top == top &&

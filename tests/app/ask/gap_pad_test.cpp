@@ -1,7 +1,11 @@
 // Filling the gap, growing, and the pad, in the window.
+#include <algorithm>
+#include <string_view>
+
 #include "app/ask/gap_follow.h"
 #include "app/ask/pad_dialog.h"
 #include "app/map/similar.h"
+#include "app/window/commands.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 
@@ -69,7 +73,8 @@ TEST_CASE("grow: as many come as are missing, in one step; where none is, it say
         program.until_found();
     };
     grow(2);
-    CHECK(program.app.ui.status.is_error);
+    CHECK(program.at("status").value.find("none is missing") != std::string::npos);
+    CHECK_FALSE(program.app.ui.status.is_error);  // advice is no error
     CHECK(program.app.work.document.set == before);
     grow(5);
     CHECK(program.app.work.document.set.vibrations.size() == 5);
@@ -133,7 +138,13 @@ TEST_CASE("pad: it takes two patterns") {
     Asked program(short_patterns(4));
     open_pad(program.app.ui, program.app.work, program.app.pad);
     CHECK(program.app.ui.dialog == Dialog::none);
-    CHECK(program.app.ui.status.is_error);
+    CHECK_FALSE(program.app.ui.status.is_error);  // advice is no error
+    const auto mix =
+        std::ranges::find(commands(), std::string_view("Mix on a pad..."), &Command::name);
+    REQUIRE(mix != commands().end());
+    CHECK(std::string(what_lacks(program.app, *mix)) == "select two to four patterns first");
+    toggle_selected(program.app.work, 2);
+    CHECK(what_lacks(program.app, *mix) == nullptr);
 }
 
 TEST_CASE("move tool: a drag of a point searches its pattern; without it the point stays") {

@@ -246,7 +246,7 @@ TEST_CASE("actuator: nobody is asked at a level at which nothing is felt") {
     program.app.play.level = 0.0;
     program.click("button:run participant");
     CHECK_FALSE(is_study_running(program.app.studying));
-    CHECK(contains(program.app.ui.status.text, "The level is 0"));
+    CHECK(contains(program.at("button:run participant").value, "The level is 0"));
 }
 
 TEST_CASE("actuator: one that is listed but cannot play makes a rehearsal, and the file says so") {

@@ -14,6 +14,7 @@
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
+#include "viz/drawing/plot.h"
 
 namespace subset_panel_test {
 
@@ -116,6 +117,35 @@ TEST_CASE("subset panel: a click into the curve chooses k, a click on an alterna
     CHECK(*shown_subset(bench.app.shown_map, bench.app.picking) == alternatives[0]);
     CHECK(std::stod(bench.program.at("subset:weakest").value) ==
           alternatives[0].weakest_dissimilarity);
+}
+
+TEST_CASE("subset panel: the chosen count says how far apart its weakest pair is") {
+    SubsetBench bench;
+    bench.program.hover({0.0F, 0.0F});
+    CHECK(bench.program.at("curve chosen").value ==
+          grouped(std::stod(bench.program.at("subset:weakest").value)));
+}
+
+TEST_CASE("subset panel: a member has the menu that every pattern has") {
+    SubsetBench bench;
+    Program& program = bench.program;
+    const auto member = std::ranges::find_if(
+        program.places, [](const auto& place) { return place.first.starts_with("member:"); });
+    REQUIRE(member != program.places.end());
+    const std::string name = member->first.substr(std::string("member:").size());
+    program.hover(program.at("member:" + name).middle());
+    program.window.button(true, 1);
+    program.settle();
+    program.window.button(false, 1);
+    program.settle();
+    for (const char* row : {"Play", "Rename", "Drop", "Duplicate", "Find similar", "Vary"}) {
+        CHECK(program.shows(std::string("row menu:") + row));
+    }
+    program.click("row menu:Lock");
+    const auto place = place_named(bench.app.work.document.set, name);
+    REQUIRE(place);
+    CHECK(bench.app.work.document.set.vibrations[*place].locked);
+    CHECK(bench.app.work.history.undo_label() != nullptr);
 }
 
 TEST_CASE("subset panel: too close pairs are listed, and a separation is one step of undo") {

@@ -50,7 +50,7 @@ TEST_CASE("text: whatever is open, at any size, none is written over another or 
             draw_exactly();
             window.frame();
             const DrawnTexts drawn = texts_of(*ImGui::GetDrawData(), window.app.ui.theme.fonts);
-            CHECK(drawn.texts.size() > 10);
+            CHECK(drawn.texts.size() > 3);  // a page of a participant has few
             check_sliders(window);
             for (const std::string& both : met(drawn)) FAIL_CHECK("written over: " << both);
             for (const std::string& one : cut(drawn)) FAIL_CHECK("cut off: " << one);

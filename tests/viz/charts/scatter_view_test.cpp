@@ -213,7 +213,7 @@ TEST_CASE("scatter: points and the monotone fit are seen in both themes") {
             scene.fitted = fitted;
             draw_scatter("s", theme, kArea, scene);
         });
-        CHECK(count_pixels(image, kArea, used.accent) > 100);
+        CHECK(count_pixels(image, kArea, used.text) > 100);
         CHECK(count_pixels(image, kArea, mixed(used.pane, used.series, 0.8F)) > 20);
     }
 }

@@ -1,0 +1,25 @@
+// The rows of the map on screen as places in the document, which may have been edited since.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "app/document/workspace.h"
+#include "app/map/map_state.h"
+
+namespace tact {
+
+// Of every row of the map; none: the pattern is gone, or has another name.
+using RowPlaces = std::vector<std::optional<std::size_t>>;
+
+// There must be a map.
+RowPlaces places_in_document(const Workspace& work, const ShownMap& shown_map);
+
+// Not one of its names is in the list.
+bool is_of_another_set(const RowPlaces& places);
+
+// The rows of what is selected beside the current pattern, in ascending order.
+std::vector<std::size_t> rows_selected_too(const Workspace& work, const RowPlaces& places);
+
+}  // namespace tact
