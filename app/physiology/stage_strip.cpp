@@ -32,43 +32,15 @@ void draw_stage_chip(Ui& ui, Physiology& physiology, const char* key, const char
     physiology.view.open = physiology.view.open == stage ? std::nullopt : stage;
 }
 
-}  // namespace
-
-void draw_strip(Ui& ui, Physiology& physiology) {
-    const float gap = 2.0F * ui.theme.scale;
-    const ShownDifference& difference = physiology.view.difference;
-    draw_stage_chip(ui, physiology, "all", "All stages", !physiology.view.open, std::nullopt);
-    for (const Stage stage : kStages) {
-        const StageText& text = text_of(stage);
-        ImGui::SameLine(0.0F, gap);
-        const float wanted =
-            text_size(ui.theme.fonts.small, text.short_name).x + 12.0F * ui.theme.scale;
-        if (ImGui::GetContentRegionAvail().x < wanted) ImGui::NewLine();
-        draw_stage_chip(ui, physiology, text.key, text.short_name, physiology.view.open == stage,
-                        difference.a ? difference.stages[index_of(stage)] : std::nullopt);
-        char tip[160];
-        std::snprintf(tip, sizeof tip, "%s: %s", text.name, text.detail);
-        draw_tooltip(ui, tip);
-    }
-    if (difference.a) ImGui::Dummy({1.0F, 1.0F * ui.theme.scale});
+std::string compare_words(const Ui& ui, const Workspace& work) {
+    constexpr float kMostPx = 180.0F;  // of the name
+    const std::string& pinned = work.selection.pinned;
+    if (pinned.empty()) return "Compare with\u2026";
+    return "compared with " + shortened(ui.theme.fonts.regular, pinned, kMostPx * ui.theme.scale);
 }
 
-bool draw_pin_choice(Ui& ui, Workspace& work, bool tour_begun) {
-    const bool pinned = !work.selection.pinned.empty();
-    const std::string text =
-        pinned ? "compared with " + work.selection.pinned : "Compare with\u2026";
-    if (link(ui, "compare", text)) ImGui::OpenPopup("compare with");
-    note_item(ui.rects, "compare with");
-    if (pinned) {
-        ImGui::SameLine();
-        if (link(ui, "unpin", "\u00d7")) work.selection.pinned.clear();
-        note_item(ui.rects, "unpin");
-        draw_tooltip(ui, "Show one pattern again");
-    }
-    ImGui::SameLine(0.0F, 2.0F * ui.theme.padding_px);
-    const bool tour_asked = link(ui, "tour", tour_begun ? "Resume the tour" : "Tour");
-    note_item(ui.rects, "start tour");
-    if (!ImGui::BeginPopup("compare with")) return tour_asked;
+void draw_compare_menu(Ui& ui, Workspace& work) {
+    if (!ImGui::BeginPopup("compare with")) return;
     for (const Vibration& vibration : work.document.set.vibrations) {
         if (&vibration == current_vibration(work)) continue;
         if (ImGui::Selectable(vibration.name.c_str(), work.selection.pinned == vibration.name)) {
@@ -77,7 +49,63 @@ bool draw_pin_choice(Ui& ui, Workspace& work, bool tour_begun) {
         note_item(ui.rects, "pin:" + vibration.name);
     }
     ImGui::EndPopup();
-    return tour_asked;
+}
+
+constexpr const char* kUnpin = "\u00d7";
+constexpr const char* kFold = "Fold";
+
+}  // namespace
+
+void draw_strip(Ui& ui, Physiology& physiology) {
+    const float gap = 2.0F * ui.theme.scale;
+    const ShownDifference& difference = physiology.view.difference;
+    draw_stage_chip(ui, physiology, "all", "All stages", !physiology.view.open, std::nullopt);
+    for (const Stage stage : kStages) {
+        const StageText& text = text_of(stage);
+        flow_on(chip_width(ui, text.short_name), gap);
+        draw_stage_chip(ui, physiology, text.key, text.short_name, physiology.view.open == stage,
+                        difference.a ? difference.stages[index_of(stage)] : std::nullopt);
+        char tip[160];
+        std::snprintf(tip, sizeof tip, "%s: %s", text.name, text.detail);
+        draw_tooltip(ui, tip);
+    }
+}
+
+PhysiologyDeed draw_strip_links(Ui& ui, Workspace& work, bool tour_begun) {
+    const bool pinned = !work.selection.pinned.empty();
+    const std::string compare = compare_words(ui, work);
+    const char* const tour = tour_begun ? "Resume the tour" : "Tour";
+    const float gap = 2.0F * ui.theme.padding_px;
+    const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+    const float unpin_px = pinned ? ui.theme.gap_px + width(kUnpin) : 0.0F;
+    const float all_px = width(compare) + unpin_px + width(tour) + width(kFold) + 2.0F * gap;
+    const float low = ImGui::GetItemRectMin().y;
+    const float high = ImGui::GetItemRectMax().y;
+    if (flow_on(all_px, gap)) {
+        const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+        const float down = std::floor(0.5F * (high - low - ImGui::GetTextLineHeight()));
+        ImGui::SetCursorScreenPos({right - all_px, low + down});
+    }
+    ImGui::BeginGroup();
+    PhysiologyDeed deed = PhysiologyDeed::none;
+    if (link(ui, "compare", compare)) ImGui::OpenPopup("compare with");
+    note_item(ui.rects, "compare with");
+    if (pinned) {
+        ImGui::SameLine();
+        if (link(ui, "unpin", kUnpin)) work.selection.pinned.clear();
+        note_item(ui.rects, "unpin");
+        draw_tooltip(ui, "Show one pattern again");
+    }
+    flow_on(width(tour), gap);
+    if (link(ui, "tour", tour)) deed = PhysiologyDeed::tour;
+    note_item(ui.rects, "start tour");
+    flow_on(width(kFold), gap);
+    if (link(ui, "fold", kFold)) deed = PhysiologyDeed::fold;
+    note_item(ui.rects, "stages:fold");
+    draw_tooltip(ui, "The stages in one row, and room for the map");
+    ImGui::EndGroup();
+    draw_compare_menu(ui, work);
+    return deed;
 }
 
 }  // namespace tact

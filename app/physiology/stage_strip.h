@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/workspace.h"
+#include "app/physiology/physiology_panel.h"
 #include "app/physiology/physiology_state.h"
 #include "app/ui/ui.h"
 
@@ -9,7 +10,8 @@ namespace tact {
 
 void draw_strip(Ui& ui, Physiology& physiology);
 
-// True where the tour was asked for; `tour_begun`: it can be taken up again.
-bool draw_pin_choice(Ui& ui, Workspace& work, bool tour_begun);
+// Comparing, the tour and the way back to one row: at the right end of the strip's last line, else
+// below it. What was asked for; `tour_begun`: the tour can be taken up again.
+PhysiologyDeed draw_strip_links(Ui& ui, Workspace& work, bool tour_begun);
 
 }  // namespace tact
