@@ -222,17 +222,6 @@ void move_threshold(Ui& ui, Workspace& work, Physiology& physiology) {
     }
 }
 
-// The strip of stages, and on its line where they have room, else below, what else there is to do.
-PhysiologyDeed draw_head(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun) {
-    if (!physiology.view.open) {
-        draw_hint(ui, "physiology",
-                  "Space plays silently, in slow motion; drag in any plot to move through time; a "
-                  "stage's name opens it large.");
-    }
-    draw_strip(ui, physiology);
-    return ui.presenting ? PhysiologyDeed::none : draw_strip_links(ui, work, tour_begun);
-}
-
 void fit_time(const Workspace& work, Timeline& timeline) {
     const double duration_s = shown_duration_s(work);
     timeline.range = fitted(timeline.range, duration_s);
@@ -292,7 +281,7 @@ PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline
     const std::vector<ShownStages> patterns = shown_patterns(ui, work, physiology);
     follow_difference(physiology, patterns);
     PhysiologyDeed deed = PhysiologyDeed::none;
-    if (!ui.as_picture) deed = draw_head(ui, work, physiology, tour_begun);
+    if (!ui.as_picture) deed = draw_strip(ui, work, physiology, tour_begun);
     // The links above may have turned to another range.
     fit_time(work, timeline);
     const bool failed = draw_failure(ui, "physiology", failure_of(physiology.stages_job)) ||

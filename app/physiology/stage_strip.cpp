@@ -1,5 +1,6 @@
 #include "app/physiology/stage_strip.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "app/document/editing.h"
@@ -10,6 +11,8 @@
 namespace tact {
 
 namespace {
+
+constexpr const char* kAllStages = "All stages";
 
 // A stage in the strip; beneath it, how far two patterns are apart there.
 void draw_stage_chip(Ui& ui, Physiology& physiology, const char* key, const char* text, bool lit,
@@ -39,8 +42,28 @@ std::string compare_words(const Ui& ui, const Workspace& work) {
     return "compared with " + shortened(ui.theme.fonts.regular, pinned, kMostPx * ui.theme.scale);
 }
 
-void draw_compare_menu(Ui& ui, Workspace& work) {
-    if (!ImGui::BeginPopup("compare with")) return;
+constexpr const char* kUnpin = "\u00d7";
+constexpr const char* kFold = "Fold";
+constexpr const char* kFoldHelp = "The stages in one row, and room for the map";
+constexpr const char* kMore = "More\u2026";
+constexpr const char* kHint =
+    "Space plays silently, in slow motion; drag in any plot to move through time; a stage's name "
+    "opens it large.";
+
+const char* tour_words(bool tour_begun) { return tour_begun ? "Resume the tour" : "Tour"; }
+
+float words_px(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+
+// For a popup that is begun next: below what asked for it, and within the pane.
+void open_below(const Theme& theme, const Rect& asked) {
+    const float middle = ImGui::GetWindowPos().x + 0.5F * ImGui::GetWindowSize().x;
+    const bool at_right = asked.centre().x > middle;
+    ImGui::SetNextWindowPos(
+        {at_right ? asked.max.x : asked.min.x, asked.max.y + 0.5F * theme.gap_px},
+        ImGuiCond_Appearing, {at_right ? 1.0F : 0.0F, 0.0F});
+}
+
+void draw_patterns_to_compare(Ui& ui, Workspace& work) {
     for (const Vibration& vibration : work.document.set.vibrations) {
         if (&vibration == current_vibration(work)) continue;
         if (ImGui::Selectable(vibration.name.c_str(), work.selection.pinned == vibration.name)) {
@@ -48,18 +71,66 @@ void draw_compare_menu(Ui& ui, Workspace& work) {
         }
         note_item(ui.rects, "pin:" + vibration.name);
     }
-    ImGui::EndPopup();
 }
 
-constexpr const char* kUnpin = "\u00d7";
-constexpr const char* kFold = "Fold";
+PhysiologyDeed draw_links(Ui& ui, Workspace& work, bool tour_begun, float gap_px) {
+    PhysiologyDeed deed = PhysiologyDeed::none;
+    if (link(ui, "compare", compare_words(ui, work))) ImGui::OpenPopup("compare with");
+    note_item(ui.rects, "compare with");
+    if (!work.selection.pinned.empty()) {
+        ImGui::SameLine();
+        if (link(ui, "unpin", kUnpin)) work.selection.pinned.clear();
+        note_item(ui.rects, "unpin");
+        draw_tooltip(ui, "Show one pattern again");
+    }
+    flow_on(words_px(tour_words(tour_begun)), gap_px);
+    if (link(ui, "tour", tour_words(tour_begun))) deed = PhysiologyDeed::tour;
+    note_item(ui.rects, "start tour");
+    flow_on(words_px(kFold), gap_px);
+    if (link(ui, "fold", kFold)) deed = PhysiologyDeed::fold;
+    note_item(ui.rects, "stages:fold");
+    draw_tooltip(ui, kFoldHelp);
+    return deed;
+}
+
+// The links as a menu, for a pane that has no line for them.
+PhysiologyDeed draw_more(Ui& ui, Workspace& work, bool tour_begun) {
+    if (link(ui, "more", kMore)) ImGui::OpenPopup("more of the stages");
+    note_item(ui.rects, "stages:more");
+    if (!ImGui::IsPopupOpen("more of the stages")) return PhysiologyDeed::none;
+    open_below(ui.theme, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+    if (!ImGui::BeginPopup("more of the stages")) return PhysiologyDeed::none;
+    PhysiologyDeed deed = PhysiologyDeed::none;
+    if (ImGui::BeginMenu("Compare with")) {
+        draw_patterns_to_compare(ui, work);
+        ImGui::EndMenu();
+    }
+    const auto row = [&](const char* words, const char* id, bool enabled = true) {
+        const bool chosen = draw_menu_row(ui.theme, {.words = words, .enabled = enabled});
+        note_item(ui.rects, id);
+        return chosen;
+    };
+    const bool pinned = !work.selection.pinned.empty();
+    if (row("Show one pattern again", "unpin", pinned)) work.selection.pinned.clear();
+    if (row(tour_words(tour_begun), "start tour")) deed = PhysiologyDeed::tour;
+    if (row("Fold into one row", "stages:fold")) deed = PhysiologyDeed::fold;
+    ImGui::PushTextWrapPos(260.0F * ui.theme.scale);
+    dim_text(ui, kHint);
+    ImGui::PopTextWrapPos();
+    ImGui::EndPopup();
+    return deed;
+}
 
 }  // namespace
 
-void draw_strip(Ui& ui, Physiology& physiology) {
+PhysiologyDeed draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun) {
     const float gap = 2.0F * ui.theme.scale;
     const ShownDifference& difference = physiology.view.difference;
-    draw_stage_chip(ui, physiology, "all", "All stages", !physiology.view.open, std::nullopt);
+    float all_px = chip_width(ui, kAllStages);
+    for (const Stage stage : kStages) all_px += gap + chip_width(ui, text_of(stage).short_name);
+    const bool in_line = all_px <= ImGui::GetContentRegionAvail().x;
+    if (in_line && !physiology.view.open) draw_hint(ui, "physiology", kHint);
+    draw_stage_chip(ui, physiology, "all", kAllStages, !physiology.view.open, std::nullopt);
     for (const Stage stage : kStages) {
         const StageText& text = text_of(stage);
         flow_on(chip_width(ui, text.short_name), gap);
@@ -69,42 +140,33 @@ void draw_strip(Ui& ui, Physiology& physiology) {
         std::snprintf(tip, sizeof tip, "%s: %s", text.name, text.detail);
         draw_tooltip(ui, tip);
     }
-}
+    if (ui.presenting) return PhysiologyDeed::none;
 
-PhysiologyDeed draw_strip_links(Ui& ui, Workspace& work, bool tour_begun) {
-    const bool pinned = !work.selection.pinned.empty();
-    const std::string compare = compare_words(ui, work);
-    const char* const tour = tour_begun ? "Resume the tour" : "Tour";
-    const float gap = 2.0F * ui.theme.padding_px;
-    const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
-    const float unpin_px = pinned ? ui.theme.gap_px + width(kUnpin) : 0.0F;
-    const float all_px = width(compare) + unpin_px + width(tour) + width(kFold) + 2.0F * gap;
-    const float low = ImGui::GetItemRectMin().y;
-    const float high = ImGui::GetItemRectMax().y;
-    if (flow_on(all_px, gap)) {
-        const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
-        const float down = std::floor(0.5F * (high - low - ImGui::GetTextLineHeight()));
-        ImGui::SetCursorScreenPos({right - all_px, low + down});
+    const float apart = 2.0F * ui.theme.padding_px;
+    const float unpin_px =
+        work.selection.pinned.empty() ? 0.0F : ui.theme.gap_px + words_px(kUnpin);
+    const float links_px = words_px(compare_words(ui, work)) + unpin_px +
+                           words_px(tour_words(tour_begun)) + words_px(kFold) + 2.0F * apart;
+    const Rect last{ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+    const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+    const bool beside = last.max.x + apart + links_px <= right;
+    const bool as_menu = !beside && !in_line;
+    const float width = as_menu ? words_px(kMore) : links_px;
+    if (flow_on(width, apart)) {
+        const float down = std::floor(0.5F * (last.height() - ImGui::GetTextLineHeight()));
+        ImGui::SetCursorScreenPos({right - width, last.min.y + down});
     }
     ImGui::BeginGroup();
-    PhysiologyDeed deed = PhysiologyDeed::none;
-    if (link(ui, "compare", compare)) ImGui::OpenPopup("compare with");
-    note_item(ui.rects, "compare with");
-    if (pinned) {
-        ImGui::SameLine();
-        if (link(ui, "unpin", kUnpin)) work.selection.pinned.clear();
-        note_item(ui.rects, "unpin");
-        draw_tooltip(ui, "Show one pattern again");
-    }
-    flow_on(width(tour), gap);
-    if (link(ui, "tour", tour)) deed = PhysiologyDeed::tour;
-    note_item(ui.rects, "start tour");
-    flow_on(width(kFold), gap);
-    if (link(ui, "fold", kFold)) deed = PhysiologyDeed::fold;
-    note_item(ui.rects, "stages:fold");
-    draw_tooltip(ui, "The stages in one row, and room for the map");
+    const PhysiologyDeed deed =
+        as_menu ? draw_more(ui, work, tour_begun) : draw_links(ui, work, tour_begun, apart);
     ImGui::EndGroup();
-    draw_compare_menu(ui, work);
+    if (ImGui::IsPopupOpen("compare with")) {
+        open_below(ui.theme, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+    }
+    if (ImGui::BeginPopup("compare with")) {
+        draw_patterns_to_compare(ui, work);
+        ImGui::EndPopup();
+    }
     return deed;
 }
 

@@ -8,10 +8,9 @@
 
 namespace tact {
 
-void draw_strip(Ui& ui, Physiology& physiology);
-
-// Comparing, the tour and the way back to one row: at the right end of the strip's last line, else
-// below it. What was asked for; `tour_begun`: the tour can be taken up again.
-PhysiologyDeed draw_strip_links(Ui& ui, Workspace& work, bool tour_begun);
+// The strip, and comparing, the tour and the way back to one row: at the right end of its last
+// line, else below it, and in a menu where it has two lines already. What was asked for;
+// `tour_begun`: the tour can be taken up again.
+PhysiologyDeed draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun);
 
 }  // namespace tact

@@ -108,10 +108,21 @@ void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
     const float half_px = theme.trace_px / 2.0F;
     const double half_s = 0.5 * (columns.from_s(plot.x, 1) - plot.x.low);
     const WaveBody& body = *columns.body;
+    // A stroke is as wide on a flank as on a crest, where it is wider than a pixel.
+    const auto beside = static_cast<std::size_t>(half_px);
+    const auto reach = [&](std::size_t c) {
+        Extremes e = body.columns[c];
+        const std::size_t last = std::min(c + beside + 1, columns.end);
+        for (std::size_t k = std::max(columns.begin + beside, c) - beside; k < last; ++k) {
+            e.low = std::min(e.low, body.columns[k].low);
+            e.high = std::max(e.high, body.columns[k].high);
+        }
+        return e;
+    };
     std::vector<StripColumn> strip;
     strip.reserve(columns.end - columns.begin);
     for (std::size_t c = columns.begin; c < columns.end; ++c) {
-        const Extremes& e = body.columns[c];
+        const Extremes e = reach(c);
         strip.push_back({to_pixel(plot.x, columns.from_s(plot.x, c) + half_s),
                          to_pixel(plot.y, e.high) - half_px, to_pixel(plot.y, e.low) + half_px,
                          tone_of(body.strength[c])});

@@ -100,22 +100,31 @@ double bar_length_mm(float px_per_mm, float most_px) {
 }  // namespace
 
 std::string receptor_state_text(const ReceptorScene& scene, const ImFont* font, float room_px) {
-    if (scene.grid == nullptr) return shortened(font, "not computed yet", room_px);
-    if (scene.activation.radius_mm <= 0.0) return shortened(font, "below threshold", room_px);
-    if (scene.silent) return shortened(font, "nothing in its band", room_px);
-    const std::string rate = significant(scene.activation.rate_hz) + " imp/s";
-    const std::string radius = ", " + significant(scene.activation.radius_mm, 2) + " mm";
-    std::vector<std::string> wordings{rate + radius, rate};
-    if (scene.centre_spikes) {
-        const std::string count = std::to_string(*scene.centre_spikes);
-        const std::string fires = "fires " + count + " in " + tick_text(scene.duration_s) + " s";
-        wordings = {"centre " + fires + " (rate by Eq. 2: " + rate + ")" + radius,
-                    "centre " + fires + radius, fires + radius, fires, count + " spikes"};
+    std::vector<std::string> wordings{"not computed yet"};
+    if (scene.grid != nullptr && scene.activation.radius_mm <= 0.0) {
+        wordings = {"below threshold", "silent"};
+    } else if (scene.grid != nullptr && scene.silent) {
+        wordings = {"nothing in its band", "silent"};
+    } else if (scene.grid != nullptr) {
+        const std::string rate = significant(scene.activation.rate_hz) + " imp/s";
+        const std::string radius = ", " + significant(scene.activation.radius_mm, 2) + " mm";
+        wordings = {rate + radius, rate};
+        if (scene.centre_spikes) {
+            const std::string count = std::to_string(*scene.centre_spikes);
+            const std::string fires =
+                "fires " + count + " in " + tick_text(scene.duration_s) + " s";
+            wordings = {"centre " + fires + " (rate by Eq. 2: " + rate + ")" + radius,
+                        "centre " + fires + radius,
+                        fires + radius,
+                        fires,
+                        count + " spikes",
+                        count};
+        }
     }
     for (const std::string& wording : wordings) {
         if (text_size(font, wording).x <= room_px) return wording;
     }
-    return shortened(font, wordings.back(), room_px);
+    return {};
 }
 
 float caption_line_px(const Theme& theme) {

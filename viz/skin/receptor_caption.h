@@ -14,8 +14,8 @@ float caption_line_px(const Theme& theme);
 // Opaque colour of a value of 0..1: what lies behind a mark must not change it.
 ImU32 value_colour(const Theme& theme, Receptor receptor, double value);
 
-// What a caption says of a type that fires, or why none does: as much as fits, and what can be
-// counted in the raster before what Eq. 2 gives.
+// What a caption says of a type that fires, or why none does: as much as fits, nothing at last, and
+// what can be counted in the raster before what Eq. 2 gives.
 std::string receptor_state_text(const ReceptorScene& scene, const ImFont* font, float room_px);
 
 // Name and number of receptors; what they fire and the radius or why there are none; if it fits,
