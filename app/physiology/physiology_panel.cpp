@@ -183,6 +183,7 @@ void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
     if (size.controls && size.controls->y >= line.max.y) top += line.height();
     top += draw_remark(ui, patterns, stage, {{beside_px, words.y}, line.max},
                        {{pane.min.x, top}, pane.max});
+    top += 0.5F * ui.theme.gap_px;
     draw_patterns(ui, work, timeline, physiology, patterns, stage, {{pane.min.x, top}, pane.max},
                   size);
 }
