@@ -28,6 +28,7 @@ namespace {
 constexpr float kDialogWidthPx = 860.0F;
 constexpr float kBelowRowsPx = 430.0F;  // of the dialog, besides the parameters
 constexpr std::size_t kMostPreviews = 8;
+constexpr std::size_t kFewestPreviews = 4;  // that share the width: fewer leave some of it
 constexpr float kPreviewHeightPx = 34.0F;
 
 std::string patterns(std::size_t count) {
@@ -101,7 +102,7 @@ void draw_previews(Ui& ui, Workspace& work, const GeneratePlan* plan) {
     if (plan == nullptr || plan->add.fresh.empty()) return;
     const std::vector<Candidate>& all = plan->add.fresh;
     const std::size_t count = std::min(all.size(), kMostPreviews);
-    const float each = width / static_cast<float>(kMostPreviews);
+    const float each = width / static_cast<float>(std::max(count, kFewestPreviews));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     // One scale for all of them: what is stronger looks stronger.
     double reach_g = 0.0;

@@ -148,6 +148,7 @@ void draw_kinds(Ui& ui, GenerateState& generating) {
     };
     toggle("product", ModulationKind::product, "sin(2 pi f t): Eq. 7 of the paper");
     toggle("1 + m sin", ModulationKind::am, "The kind that has a depth");
+    leave_gap(ui);
     ImGui::AlignTextToFramePadding();
     dim_text(ui, kinds.size() == 1 ? "fixed" : "2 levels");
 }
@@ -223,6 +224,7 @@ bool matters(const DesignSpace& space, Parameter parameter) {
 
 void draw_carrier_links(Ui& ui, GenerateState& generating) {
     DesignSpace& space = generating.draft;
+    const float below = ImGui::GetCursorPosY() + ImGui::GetFrameHeightWithSpacing();
     draw_label(ui, "");
     const std::size_t before = space.carriers.size();
     if (before < limits::kMaxCarriers && option_link(ui, "add carrier", "Add carrier")) {
@@ -230,6 +232,7 @@ void draw_carrier_links(Ui& ui, GenerateState& generating) {
     }
     if (before > 1 && option_link(ui, "remove carrier", "Remove")) space.carriers.pop_back();
     ImGui::NewLine();
+    ImGui::SetCursorPosY(below);  // as high as any row
     if (space.carriers.size() == before) return;
     space.mix.reset();
     if (space.carriers.size() == 2) space.mix = fixed(0.5);

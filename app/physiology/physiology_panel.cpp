@@ -9,6 +9,7 @@
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/physiology/physiology_panel.h"
+#include "app/physiology/receptor_stage.h"
 #include "app/physiology/stage_pair.h"
 #include "app/physiology/stage_strip.h"
 #include "app/physiology/stage_views.h"
@@ -23,7 +24,7 @@ namespace tact {
 namespace {
 
 constexpr float kLabelColumnPx = 96.0F;
-constexpr float kLowestUnitPx = 30.0F;  // below, the column scrolls
+constexpr float kLowestUnitPx = 28.0F;  // below, the column scrolls
 constexpr float kLowestPairUnitPx = 84.0F;
 
 // Height of each stage in the overview, in units.
@@ -150,21 +151,39 @@ void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     ImGui::PopStyleVar();
 }
 
+// One line: the stage's name, what is plotted, its controls at the right end, and between them what
+// misleads where it fits, else below.
 void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
                 const std::vector<ShownStages>& patterns, Stage stage) {
     const Rect pane = rest_of_pane();
-    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const ImFont* font = ui.theme.fonts.small;
     const StageText& text = text_of(stage);
-    const float name = text_size(ui.theme.fonts.small, text.name).x + 32.0F * ui.theme.scale;
-    draw_stage_label(ui, physiology, stage, {pane.min, {pane.min.x + name, pane.max.y}});
-    const float left = name + ui.theme.gap_px;
-    draw_text(*ImGui::GetWindowDrawList(), ui.theme.fonts.small, {pane.min.x + left, pane.min.y},
-              ui.theme.dim_text, shortened(ui.theme.fonts.small, text.detail, pane.width() - left));
+    const float name_px = text_size(font, text.name).x + 32.0F * ui.theme.scale;
+    const bool has_controls = stage == Stage::receptors && !ui.as_picture;
+    const float controls_px = has_controls ? view_choice_px(ui) : 0.0F;
     StageSize size;
     size.large = true;
     size.time_axis =
         stage != Stage::spectrum && stage != Stage::receptors && stage != Stage::networks;
-    const float top = pane.min.y + line + draw_remark(ui, patterns, stage, pane, line);
+    Rect line{pane.min, {pane.max.x, pane.min.y + ImGui::GetFrameHeight()}};
+    const float down = std::floor(0.5F * (line.height() - text_size(font, "X").y));
+    if (has_controls) {
+        const float left = std::max(pane.min.x, pane.max.x - controls_px);
+        size.controls = {left, line.min.y};
+        if (left < pane.min.x + name_px) size.controls = {pane.min.x, line.max.y};
+        if (left >= pane.min.x + name_px) line.max.x = left - ui.theme.gap_px;
+    }
+    const ImVec2 words = line.min + ImVec2{0.0F, down};
+    draw_stage_label(ui, physiology, stage, {words, {words.x + name_px, line.max.y}});
+    const float detail_px = words.x + name_px + ui.theme.gap_px;
+    const std::string detail = shortened(font, text.detail, line.max.x - detail_px);
+    draw_text(*ImGui::GetWindowDrawList(), font, {detail_px, words.y}, ui.theme.dim_text, detail);
+    const float beside_px = detail_px + text_size(font, detail).x + 3.0F * ui.theme.gap_px;
+    float top = line.max.y;
+    if (size.controls && size.controls->y >= line.max.y) top += line.height();
+    top += draw_remark(ui, patterns, stage, {{beside_px, words.y}, line.max},
+                       {{pane.min.x, top}, pane.max});
+    top += 0.5F * ui.theme.gap_px;
     draw_patterns(ui, work, timeline, physiology, patterns, stage, {{pane.min.x, top}, pane.max},
                   size);
 }
@@ -265,19 +284,7 @@ PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline
     const std::vector<ShownStages> patterns = shown_patterns(ui, work, physiology);
     follow_difference(physiology, patterns);
     PhysiologyDeed deed = PhysiologyDeed::none;
-    if (!ui.as_picture) {
-        draw_hint(ui, "physiology",
-                  "Space plays silently, in slow motion; drag in any plot to move through time; a "
-                  "stage's name opens it large.");
-        draw_strip(ui, physiology);
-        if (!ui.presenting && draw_pin_choice(ui, work, tour_begun)) deed = PhysiologyDeed::tour;
-        if (!ui.presenting) {
-            flow_on(ImGui::CalcTextSize("Fold").x, 2.0F * ui.theme.padding_px);
-            if (link(ui, "fold", "Fold")) deed = PhysiologyDeed::fold;
-            note_item(ui.rects, "stages:fold");
-            draw_tooltip(ui, "The stages in one row, and room for the map");
-        }
-    }
+    if (!ui.as_picture) deed = draw_strip(ui, work, physiology, tour_begun);
     // The links above may have turned to another range.
     fit_time(work, timeline);
     const bool failed = draw_failure(ui, "physiology", failure_of(physiology.stages_job)) ||

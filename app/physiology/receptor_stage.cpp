@@ -110,7 +110,7 @@ float eased_tilt(const Ui& ui, const Physiology& physiology) {
 }
 
 void draw_one_grid(Ui& ui, const Timeline& timeline, Physiology& physiology,
-                   const ShownStages& shown, Receptor type, const Rect& area, double extent_mm) {
+                   const ShownStages& shown, Receptor type, const Rect& area) {
     const std::size_t c = index_of(type);
     const LiveStages& live = *shown.live;
     const ChannelStages& channel = live.neural.channel[c];
@@ -120,7 +120,8 @@ void draw_one_grid(Ui& ui, const Timeline& timeline, Physiology& physiology,
     scene.grid = &channel.grid;
     scene.activation = live.neural.code.activation[c];
     scene.silent = channel.silent;
-    scene.half_extent_mm = extent_mm;
+    scene.half_extent_mm = common_extent_mm(live.neural.code.activation);
+    scene.half_width_mm = common_width_mm(live.neural.code.activation);
     scene.largest_hz = largest_fired_hz(live);
     scene.centre_spikes = centre_spikes(channel);
     scene.duration_s = duration_s(live.waveform);
@@ -134,7 +135,8 @@ void draw_one_grid(Ui& ui, const Timeline& timeline, Physiology& physiology,
     char rate[64];
     std::snprintf(rate, sizeof rate, "%.17g %zu %.17g", scene.activation.rate_hz,
                   channel.grid.activated, scene.activation.radius_mm);
-    note_rect(ui.rects, id, area.min, area.max, rate);
+    const Rect map = receptor_layout(ui.theme, area, scene).map;
+    note_rect(ui.rects, id, map.min, map.max, rate);
     if (action.clicked) physiology.view.selected = ReceptorPlace{type, *action.clicked};
     if (action.clicked_empty) physiology.view.selected.reset();
     if (!action.hovered) return;
@@ -144,8 +146,11 @@ void draw_one_grid(Ui& ui, const Timeline& timeline, Physiology& physiology,
     draw_receptor_readout(ui, timeline, shown, place, screen, action.hovered_at);
 }
 
-void draw_view_choice(Ui& ui, Physiology& physiology, const Rect& area) {
-    ImGui::SetCursorScreenPos(area.min);
+constexpr const char* kFromAbove = "From above";
+constexpr const char* kTilted = "Tilted";
+
+void draw_view_choice(Ui& ui, Physiology& physiology, ImVec2 corner) {
+    ImGui::SetCursorScreenPos(corner);
     PhysiologyState& state = physiology.view;
     const auto choose = [&](const char* name, bool tilted) {
         if (draw_switch(ui, name, name, state.tilted == tilted) && state.tilted != tilted) {
@@ -155,8 +160,32 @@ void draw_view_choice(Ui& ui, Physiology& physiology, const Rect& area) {
         note_item(ui.rects, std::string("view:") + name);
         ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     };
-    choose("From above", false);
-    choose("Tilted", true);
+    choose(kFromAbove, false);
+    choose(kTilted, true);
+}
+
+// How the four maps share an area: columns and rows of them, and what each has.
+struct MapGrid {
+    int columns = 4;
+    ImVec2 each{0, 0};
+    float map_px = 0.0F;   // height of a map
+    float used_px = 0.0F;  // of `each`, down to the end of its words
+};
+
+MapGrid map_grid(const Theme& theme, const Rect& area, const LiveStages& live, int columns) {
+    const float gap = theme.gap_px;
+    const auto across = static_cast<float>(columns);
+    const float down = 4.0F / across;
+    MapGrid grid{columns,
+                 {(area.width() - gap * (across - 1.0F)) / across,
+                  (area.height() - gap * (down - 1.0F)) / down}};
+    ReceptorScene scene;
+    scene.half_extent_mm = common_extent_mm(live.neural.code.activation);
+    scene.half_width_mm = common_width_mm(live.neural.code.activation);
+    const ReceptorLayout layout = receptor_layout(theme, rect_at({0.0F, 0.0F}, grid.each), scene);
+    grid.map_px = layout.map.height();
+    grid.used_px = std::max(layout.map.max.y, layout.caption.max.y);
+    return grid;
 }
 
 // "spikes", "excite 1" ..., "inhibit 1" ...
@@ -183,18 +212,35 @@ const std::vector<RelayLayer>& layers_of(const Timeline& timeline, Physiology& p
     return known.layers[c];
 }
 
+// Of what comes in there may be nothing: then that is said in `words`, else there is a legend if it
+// is asked for.
+struct NetworkWords {
+    Rect place;
+    bool legend = true;
+};
+
 void draw_one_network(Ui& ui, const Timeline& timeline, Physiology& physiology,
-                      const ShownStages& shown, Receptor type, const Rect& area) {
+                      const ShownStages& shown, Receptor type, const Rect& area,
+                      const NetworkWords& words) {
     const std::vector<std::string> names = layer_names(shown.live->request.model.coding);
     const std::vector<RelayLayer>& layers = layers_of(timeline, physiology, shown, type);
     NetworkScene scene;
     scene.layers = layers;
     scene.names = names;
     scene.cap = shown.live->request.model.coding.spike_cap;
+    scene.legend = false;
     scene.stale = shown.stale;
     const std::string id = id_of(shown, std::string("network ") + traits(type).afferent);
     const NetworkAction action = draw_network(id.c_str(), ui.theme, area, scene);
     note_rect(ui.rects, id, area.min, area.max);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImFont* font = ui.theme.fonts.small;
+    const std::string silent = "no spikes in this step";
+    if (!is_silent(scene)) {
+        if (words.legend) draw_network_legend(list, ui.theme, words.place, scene.cap);
+    } else if (text_size(font, silent).x <= words.place.width()) {
+        draw_text(list, font, words.place.min, ui.theme.dim_text, silent);
+    }
     if (!action.hovered) return;
     const NetworkCell& cell = *action.hovered;
     const double value = layers[cell.layer].at(cell.column, cell.row);
@@ -209,29 +255,34 @@ void draw_one_network(Ui& ui, const Timeline& timeline, Physiology& physiology,
     note_rect(ui.rects, "under the mouse:network", area.min, area.max, exact);
 }
 
-// Four chips to choose whose network the overview shows.
-Receptor chosen_network(Ui& ui, Physiology& physiology, const ShownStages& shown,
-                        const Rect& area) {
+// Four chips to choose whose network the overview shows; what is left of their line.
+Rect draw_network_choice(Ui& ui, Physiology& physiology, const Rect& area) {
     PhysiologyState& state = physiology.view;
-    if (!state.network_chosen) state.network = strongest_channel(*shown.live);
-    if (shown.pinned) return state.network;
     const float gap = 2.0F * ui.theme.scale;
-    float names_px = 0.0F;
-    for (const Receptor type : kReceptors) names_px += chip_width(ui, traits(type).name) + gap;
-    const bool in_full = names_px <= area.width();
+    const auto width = [&](auto name_of) {
+        float px = 0.0F;
+        for (const Receptor type : kReceptors) px += chip_width(ui, name_of(type)) + gap;
+        return px;
+    };
+    const auto name = [](Receptor type) { return traits(type).name; };
+    const auto afferent = [](Receptor type) { return traits(type).afferent; };
+    const bool in_full = width(name) <= area.width();
     ImGui::SetCursorScreenPos(area.min);
     for (const Receptor type : kReceptors) {
         const std::string id = std::string("network:") + traits(type).afferent;
-        const char* const name = in_full ? traits(type).name : traits(type).afferent;
-        if (draw_chip(ui, id.c_str(), name, state.network == type)) {
+        const char* const text = in_full ? name(type) : afferent(type);
+        if (draw_chip(ui, id.c_str(), text, state.network == type)) {
             state.network = type;
             state.network_chosen = true;
         }
         note_item(ui.rects, id);
-        if (!in_full) draw_tooltip(ui, traits(type).name);
+        if (!in_full) draw_tooltip(ui, name(type));
         ImGui::SameLine(0.0F, gap);
     }
-    return state.network;
+    const float words_px = font_or_current(ui.theme.fonts.small).FontSize;
+    const float top = area.min.y + 4.0F * ui.theme.scale;
+    const float left = area.min.x + (in_full ? width(name) : width(afferent));
+    return {{left + 2.0F * ui.theme.gap_px, top}, {area.max.x, top + words_px}};
 }
 
 float chip_height(const Ui& ui) {
@@ -240,30 +291,26 @@ float chip_height(const Ui& ui) {
 
 }  // namespace
 
+float view_choice_px(const Ui& ui) {
+    return chip_width(ui, kFromAbove) + chip_width(ui, kTilted) + 2.0F * ui.theme.scale;
+}
+
 void draw_receptor_stage(Ui& ui, const Timeline& timeline, Physiology& physiology,
                          const ShownStages& shown, const Rect& area, const StageSize& size) {
-    const double extent_mm = common_extent_mm(shown.live->neural.code.activation);
-    Rect maps = area;
-    if (size.large && !shown.pinned && !ui.as_picture) {
-        draw_view_choice(ui, physiology, area);
-        maps.min.y += chip_height(ui);
-    }
+    if (size.controls && !shown.pinned) draw_view_choice(ui, physiology, *size.controls);
+    MapGrid grid = map_grid(ui.theme, area, *shown.live, 4);
     // Two rows where the maps are then about as large: they fill the pane.
-    const float caption = 4.0F * font_or_current(ui.theme.fonts.small).FontSize;
-    const float in_one = std::min(maps.width() / 4.0F, maps.height() - caption);
-    const float in_two = std::min(maps.width() / 2.0F, maps.height() / 2.0F - caption);
-    const bool square = size.large && in_two > 0.8F * in_one;
-    const int columns = square ? 2 : 4;
-    const int rows = 4 / columns;
-    const float gap = ui.theme.gap_px;
-    const ImVec2 each{
-        (maps.width() - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns),
-        (maps.height() - gap * static_cast<float>(rows - 1)) / static_cast<float>(rows)};
+    const MapGrid square = map_grid(ui.theme, area, *shown.live, 2);
+    if (size.large && square.map_px > 0.95F * grid.map_px) grid = square;
+    // What one row leaves free is shared out above and below it.
+    const float free = grid.columns == 4 ? std::max(0.0F, area.height() - grid.used_px) : 0.0F;
+    const ImVec2 first = area.min + ImVec2{0.0F, std::floor(0.4F * free)};
+    const ImVec2 each{grid.each.x, grid.each.y - free};
     for (const Receptor type : kReceptors) {
         const auto k = static_cast<int>(index_of(type));
-        const ImVec2 corner{maps.min.x + static_cast<float>(k % columns) * (each.x + gap),
-                            maps.min.y + static_cast<float>(k / columns) * (each.y + gap)};
-        draw_one_grid(ui, timeline, physiology, shown, type, rect_at(corner, each), extent_mm);
+        const ImVec2 place{static_cast<float>(k % grid.columns) * (each.x + ui.theme.gap_px),
+                           static_cast<float>(k / grid.columns) * (each.y + ui.theme.gap_px)};
+        draw_one_grid(ui, timeline, physiology, shown, type, rect_at(first + place, each));
     }
 }
 
@@ -308,21 +355,43 @@ void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiol
 
 void draw_network_stage(Ui& ui, const Timeline& timeline, Physiology& physiology,
                         const ShownStages& shown, const Rect& area, const StageSize& size) {
+    const Theme& theme = ui.theme;
     if (!size.large) {
-        const Receptor type = chosen_network(ui, physiology, shown, area);
+        PhysiologyState& state = physiology.view;
+        if (!state.network_chosen) state.network = strongest_channel(*shown.live);
         Rect map = area;
-        map.min.y += shown.pinned ? 0.0F : chip_height(ui);
-        return draw_one_network(ui, timeline, physiology, shown, type, map);
+        NetworkWords words;
+        if (!shown.pinned) {
+            words.place = draw_network_choice(ui, physiology, area);
+            map.min.y += chip_height(ui) + 2.0F * theme.scale;
+        }
+        return draw_one_network(ui, timeline, physiology, shown, state.network, map, words);
     }
-    const float gap = ui.theme.gap_px;
-    const float height = (area.height() - 3.0F * gap) / 4.0F;
+    const float text_px = font_or_current(theme.fonts.small).FontSize;
+    const float gap = theme.gap_px;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    // One legend for all: they have one scale.
+    Rect rest = area;
+    if (!shown.pinned) {
+        rest.max.y -= 1.8F * text_px;
+        draw_network_legend(list, theme, {{area.min.x, area.max.y - 1.25F * text_px}, area.max},
+                            shown.live->request.model.coding.spike_cap);
+    }
+    const float height = (rest.height() - 3.0F * gap) / 4.0F;
     for (const Receptor type : kReceptors) {
-        const float top = area.min.y + static_cast<float>(index_of(type)) * (height + gap);
-        const float name = font_or_current(ui.theme.fonts.small).FontSize;
-        draw_text(*ImGui::GetWindowDrawList(), ui.theme.fonts.small, {area.min.x, top},
-                  ui.theme.receptor[index_of(type)], traits(type).name);
-        draw_one_network(ui, timeline, physiology, shown, type,
-                         {{area.min.x, top + name}, {area.max.x, top + height}});
+        const ImVec2 corner{rest.min.x,
+                            rest.min.y + static_cast<float>(index_of(type)) * (height + gap)};
+        const ImU32 colour = theme.receptor[index_of(type)];
+        const char* const name = traits(type).name;
+        const float mark_px = 2.6F * theme.mark_px;
+        draw_receptor_mark(list, theme, corner + ImVec2{theme.mark_px, 0.55F * text_px},
+                           0.85F * theme.mark_px, type, colour);
+        draw_text(list, theme.fonts.small, corner + ImVec2{mark_px, 0.0F}, colour, name);
+        const float named = mark_px + text_size(theme.fonts.small, name).x + gap;
+        draw_one_network(
+            ui, timeline, physiology, shown, type,
+            {corner + ImVec2{0.0F, 1.35F * text_px}, corner + ImVec2{rest.width(), height}},
+            {{corner + ImVec2{named, 0.0F}, corner + ImVec2{rest.width(), text_px}}, false});
     }
 }
 

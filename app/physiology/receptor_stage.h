@@ -14,4 +14,7 @@ void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiol
 void draw_network_stage(Ui& ui, const Timeline& timeline, Physiology& physiology,
                         const ShownStages& shown, const Rect& area, const StageSize& size);
 
+// Of the choice between maps from above and tilted ones: the controls of the receptors' stage.
+float view_choice_px(const Ui& ui);
+
 }  // namespace tact

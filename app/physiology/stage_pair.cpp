@@ -56,15 +56,17 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     const float y2 = y1 + middle;
     StageSize upper = size;
     upper.time_axis = false;
-    draw_stage(ui, work, timeline, physiology, patterns[0], stage, {area.min, {area.max.x, y1}},
-               upper);
+    // Above the maps of receptors, which have words everywhere else, the name has its own line.
+    const ImVec2 named{0.0F, stage == Stage::receptors ? 1.1F * text : 0.0F};
+    draw_stage(ui, work, timeline, physiology, patterns[0], stage,
+               {area.min + named, {area.max.x, y1}}, upper);
     draw_stage_difference(ui, work, timeline, physiology, patterns[0], patterns[1], stage,
                           {{area.min.x, y1}, {area.max.x, y2}}, upper);
-    draw_stage(ui, work, timeline, physiology, patterns[1], stage, {{area.min.x, y2}, area.max},
-               size);
+    draw_stage(ui, work, timeline, physiology, patterns[1], stage,
+               {ImVec2{area.min.x, y2} + named, area.max}, size);
     const std::string key = text_of(stage).key;
     const auto name_of = [&](std::size_t k) { return patterns[k].live->request.vibration.name; };
-    const bool top = stage == Stage::receptors;  // where no caption is
+    const bool top = stage == Stage::receptors;
     draw_row_name(ui, {area.min, {area.max.x, y1}}, name_of(0), "row a:" + key,
                   patterns[0].look.colour, top);
     draw_row_name(ui, {{area.min.x, y2}, {area.max.x, area.max.y - axis}}, name_of(1),
@@ -74,20 +76,21 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
                   "row difference:" + key, difference_colour(ui.theme));
 }
 
-float draw_remark(Ui& ui, const std::vector<ShownStages>& patterns, Stage stage, const Rect& pane,
-                  float down_px) {
+float draw_remark(Ui& ui, const std::vector<ShownStages>& patterns, Stage stage, const Rect& beside,
+                  const Rect& below) {
     const std::string remark =
         patterns.empty() ? std::string() : stage_remark(*patterns[0].live, stage);
     if (remark.empty()) return 0.0F;
     const ImFont& font = font_or_current(ui.theme.fonts.small);
-    const ImVec2 corner{pane.min.x, pane.min.y + down_px};
+    const bool in_line = text_size(&font, remark).x <= beside.width();
+    const Rect& place = in_line ? beside : below;
+    const float wrap_px = in_line ? 0.0F : place.width();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddText(&font, font.FontSize, corner, ui.theme.text, remark.c_str(), nullptr,
-                 pane.width());
-    const float height = font.CalcTextSizeA(font.FontSize, FLT_MAX, pane.width(), remark.c_str()).y;
-    note_rect(ui.rects, std::string("remark:") + text_of(stage).key, corner,
-              {pane.max.x, corner.y + height}, remark);
-    return height + ui.theme.gap_px;
+    list.AddText(&font, font.FontSize, place.min, ui.theme.text, remark.c_str(), nullptr, wrap_px);
+    const float height = font.CalcTextSizeA(font.FontSize, FLT_MAX, wrap_px, remark.c_str()).y;
+    note_rect(ui.rects, std::string("remark:") + text_of(stage).key, place.min,
+              {place.max.x, place.min.y + height}, remark);
+    return in_line ? 0.0F : height + ui.theme.gap_px;
 }
 
 }  // namespace tact

@@ -16,9 +16,9 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
                    const std::vector<ShownStages>& patterns, Stage stage, const Rect& area,
                    const StageSize& size);
 
-// What misleads in the stage of the first pattern, `down_px` below the pane's top; the height that
-// it takes.
-float draw_remark(Ui& ui, const std::vector<ShownStages>& patterns, Stage stage, const Rect& pane,
-                  float down_px);
+// What misleads in the stage of the first pattern: in `beside` where it fits in one line, else at
+// the top of `below`; the height that it takes there.
+float draw_remark(Ui& ui, const std::vector<ShownStages>& patterns, Stage stage, const Rect& beside,
+                  const Rect& below);
 
 }  // namespace tact

@@ -1,5 +1,6 @@
 #include "app/physiology/stage_strip.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "app/document/editing.h"
@@ -10,6 +11,8 @@
 namespace tact {
 
 namespace {
+
+constexpr const char* kAllStages = "All stages";
 
 // A stage in the strip; beneath it, how far two patterns are apart there.
 void draw_stage_chip(Ui& ui, Physiology& physiology, const char* key, const char* text, bool lit,
@@ -32,33 +35,35 @@ void draw_stage_chip(Ui& ui, Physiology& physiology, const char* key, const char
     physiology.view.open = physiology.view.open == stage ? std::nullopt : stage;
 }
 
-}  // namespace
-
-void draw_strip(Ui& ui, Physiology& physiology) {
-    const float gap = 2.0F * ui.theme.scale;
-    const ShownDifference& difference = physiology.view.difference;
-    draw_stage_chip(ui, physiology, "all", "All stages", !physiology.view.open, std::nullopt);
-    for (const Stage stage : kStages) {
-        const StageText& text = text_of(stage);
-        ImGui::SameLine(0.0F, gap);
-        const float wanted =
-            text_size(ui.theme.fonts.small, text.short_name).x + 12.0F * ui.theme.scale;
-        if (ImGui::GetContentRegionAvail().x < wanted) ImGui::NewLine();
-        draw_stage_chip(ui, physiology, text.key, text.short_name, physiology.view.open == stage,
-                        difference.a ? difference.stages[index_of(stage)] : std::nullopt);
-        char tip[160];
-        std::snprintf(tip, sizeof tip, "%s: %s", text.name, text.detail);
-        draw_tooltip(ui, tip);
-    }
-    if (difference.a) ImGui::Dummy({1.0F, 1.0F * ui.theme.scale});
+std::string compare_words(const Ui& ui, const Workspace& work) {
+    constexpr float kMostPx = 180.0F;  // of the name
+    const std::string& pinned = work.selection.pinned;
+    if (pinned.empty()) return "Compare with\u2026";
+    return "compared with " + shortened(ui.theme.fonts.regular, pinned, kMostPx * ui.theme.scale);
 }
 
-namespace {
+constexpr const char* kUnpin = "\u00d7";
+constexpr const char* kFold = "Fold";
+constexpr const char* kFoldHelp = "The stages in one row, and room for the map";
+constexpr const char* kMore = "More\u2026";
+constexpr const char* kHint =
+    "Space plays silently, in slow motion; drag in any plot to move through time; a stage's name "
+    "opens it large.";
 
-// Below the link that opens it.
-void draw_pin_list(Ui& ui, Workspace& work) {
-    open_below_last_item(ui.theme);
-    if (!ImGui::BeginPopup("compare with")) return;
+const char* tour_words(bool tour_begun) { return tour_begun ? "Resume the tour" : "Tour"; }
+
+float words_px(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+
+// For a popup that is begun next: below what asked for it, and within the pane.
+void open_below(const Theme& theme, const Rect& asked) {
+    const float middle = ImGui::GetWindowPos().x + 0.5F * ImGui::GetWindowSize().x;
+    const bool at_right = asked.centre().x > middle;
+    ImGui::SetNextWindowPos(
+        {at_right ? asked.max.x : asked.min.x, asked.max.y + 0.5F * theme.gap_px},
+        ImGuiCond_Appearing, {at_right ? 1.0F : 0.0F, 0.0F});
+}
+
+void draw_patterns_to_compare(Ui& ui, Workspace& work) {
     for (const Vibration& vibration : work.document.set.vibrations) {
         if (&vibration == current_vibration(work)) continue;
         if (ImGui::Selectable(vibration.name.c_str(), work.selection.pinned == vibration.name)) {
@@ -66,28 +71,103 @@ void draw_pin_list(Ui& ui, Workspace& work) {
         }
         note_item(ui.rects, "pin:" + vibration.name);
     }
+}
+
+PhysiologyDeed draw_links(Ui& ui, Workspace& work, bool tour_begun, float gap_px) {
+    PhysiologyDeed deed = PhysiologyDeed::none;
+    if (link(ui, "compare", compare_words(ui, work))) ImGui::OpenPopup("compare with");
+    note_item(ui.rects, "compare with");
+    if (!work.selection.pinned.empty()) {
+        ImGui::SameLine();
+        if (link(ui, "unpin", kUnpin)) work.selection.pinned.clear();
+        note_item(ui.rects, "unpin");
+        draw_tooltip(ui, "Show one pattern again");
+    }
+    flow_on(words_px(tour_words(tour_begun)), gap_px);
+    if (link(ui, "tour", tour_words(tour_begun))) deed = PhysiologyDeed::tour;
+    note_item(ui.rects, "start tour");
+    flow_on(words_px(kFold), gap_px);
+    if (link(ui, "fold", kFold)) deed = PhysiologyDeed::fold;
+    note_item(ui.rects, "stages:fold");
+    draw_tooltip(ui, kFoldHelp);
+    return deed;
+}
+
+// The links as a menu, for a pane that has no line for them.
+PhysiologyDeed draw_more(Ui& ui, Workspace& work, bool tour_begun) {
+    if (link(ui, "more", kMore)) ImGui::OpenPopup("more of the stages");
+    note_item(ui.rects, "stages:more");
+    if (!ImGui::IsPopupOpen("more of the stages")) return PhysiologyDeed::none;
+    open_below(ui.theme, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+    if (!ImGui::BeginPopup("more of the stages")) return PhysiologyDeed::none;
+    PhysiologyDeed deed = PhysiologyDeed::none;
+    if (ImGui::BeginMenu("Compare with")) {
+        draw_patterns_to_compare(ui, work);
+        ImGui::EndMenu();
+    }
+    const auto row = [&](const char* words, const char* id, bool enabled = true) {
+        const bool chosen = draw_menu_row(ui.theme, {.words = words, .enabled = enabled});
+        note_item(ui.rects, id);
+        return chosen;
+    };
+    const bool pinned = !work.selection.pinned.empty();
+    if (row("Show one pattern again", "unpin", pinned)) work.selection.pinned.clear();
+    if (row(tour_words(tour_begun), "start tour")) deed = PhysiologyDeed::tour;
+    if (row("Fold into one row", "stages:fold")) deed = PhysiologyDeed::fold;
+    ImGui::PushTextWrapPos(260.0F * ui.theme.scale);
+    dim_text(ui, kHint);
+    ImGui::PopTextWrapPos();
     ImGui::EndPopup();
+    return deed;
 }
 
 }  // namespace
 
-bool draw_pin_choice(Ui& ui, Workspace& work, bool tour_begun) {
-    const bool pinned = !work.selection.pinned.empty();
-    const std::string text =
-        pinned ? "compared with " + work.selection.pinned : "Compare with\u2026";
-    if (link(ui, "compare", text)) ImGui::OpenPopup("compare with");
-    note_item(ui.rects, "compare with");
-    draw_pin_list(ui, work);
-    if (pinned) {
-        ImGui::SameLine();
-        if (link(ui, "unpin", "\u00d7")) work.selection.pinned.clear();
-        note_item(ui.rects, "unpin");
-        draw_tooltip(ui, "Show one pattern again");
+PhysiologyDeed draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun) {
+    const float gap = 2.0F * ui.theme.scale;
+    const ShownDifference& difference = physiology.view.difference;
+    float all_px = chip_width(ui, kAllStages);
+    for (const Stage stage : kStages) all_px += gap + chip_width(ui, text_of(stage).short_name);
+    const bool in_line = all_px <= ImGui::GetContentRegionAvail().x;
+    if (in_line && !physiology.view.open) draw_hint(ui, "physiology", kHint);
+    draw_stage_chip(ui, physiology, "all", kAllStages, !physiology.view.open, std::nullopt);
+    for (const Stage stage : kStages) {
+        const StageText& text = text_of(stage);
+        flow_on(chip_width(ui, text.short_name), gap);
+        draw_stage_chip(ui, physiology, text.key, text.short_name, physiology.view.open == stage,
+                        difference.a ? difference.stages[index_of(stage)] : std::nullopt);
+        char tip[160];
+        std::snprintf(tip, sizeof tip, "%s: %s", text.name, text.detail);
+        draw_tooltip(ui, tip);
     }
-    ImGui::SameLine(0.0F, 2.0F * ui.theme.padding_px);
-    const bool tour_asked = link(ui, "tour", tour_begun ? "Resume the tour" : "Tour");
-    note_item(ui.rects, "start tour");
-    return tour_asked;
+    if (ui.presenting) return PhysiologyDeed::none;
+
+    const float apart = 2.0F * ui.theme.padding_px;
+    const float unpin_px =
+        work.selection.pinned.empty() ? 0.0F : ui.theme.gap_px + words_px(kUnpin);
+    const float links_px = words_px(compare_words(ui, work)) + unpin_px +
+                           words_px(tour_words(tour_begun)) + words_px(kFold) + 2.0F * apart;
+    const Rect last{ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+    const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+    const bool beside = last.max.x + apart + links_px <= right;
+    const bool as_menu = !beside && !in_line;
+    const float width = as_menu ? words_px(kMore) : links_px;
+    if (flow_on(width, apart)) {
+        const float down = std::floor(0.5F * (last.height() - ImGui::GetTextLineHeight()));
+        ImGui::SetCursorScreenPos({right - width, last.min.y + down});
+    }
+    ImGui::BeginGroup();
+    const PhysiologyDeed deed =
+        as_menu ? draw_more(ui, work, tour_begun) : draw_links(ui, work, tour_begun, apart);
+    ImGui::EndGroup();
+    if (ImGui::IsPopupOpen("compare with")) {
+        open_below(ui.theme, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+    }
+    if (ImGui::BeginPopup("compare with")) {
+        draw_patterns_to_compare(ui, work);
+        ImGui::EndPopup();
+    }
+    return deed;
 }
 
 }  // namespace tact

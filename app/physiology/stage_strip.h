@@ -2,14 +2,15 @@
 #pragma once
 
 #include "app/document/workspace.h"
+#include "app/physiology/physiology_panel.h"
 #include "app/physiology/physiology_state.h"
 #include "app/ui/ui.h"
 
 namespace tact {
 
-void draw_strip(Ui& ui, Physiology& physiology);
-
-// True where the tour was asked for; `tour_begun`: it can be taken up again.
-bool draw_pin_choice(Ui& ui, Workspace& work, bool tour_begun);
+// The strip, and comparing, the tour and the way back to one row: at the right end of its last
+// line, else below it, and in a menu where it has two lines already. What was asked for;
+// `tour_begun`: the tour can be taken up again.
+PhysiologyDeed draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun);
 
 }  // namespace tact

@@ -47,16 +47,27 @@ void draw_silent_row(const Ui& ui, const Rect& area, const StageSignal& signal) 
     draw_text(list, ui.theme.fonts.small, corner, ui.theme.dim_text, text);
 }
 
-// Names a channel within its own row, on a plate: a filled body would swallow a halo.
-void draw_channel_name(const Ui& ui, const Rect& area, Receptor receptor) {
+// Large signals of channels begin below the line of their name: where a unit stands beside it, the
+// plot leaves that line free itself.
+Rect below_name(const Ui& ui, Rect area, const StageSignal& signal, const StageSize& size) {
+    if (!size.large || !signal.receptor || *signal.unit != '\0') return area;
+    area.min.y += 0.8F * font_or_current(ui.theme.fonts.small).FontSize;
+    return area;
+}
+
+// Names a channel above its plot, or where that begins at its row's top, within it on a plate: a
+// filled body would swallow a halo.
+void draw_channel_name(const Ui& ui, const Rect& area, Receptor receptor, bool over_plot) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    // Within the plot: left of it stand values and their unit.
+    // Left of the plot stand values and their unit.
     const float left = area.min.x + value_room_px(ui) + 4.0F * ui.theme.scale;
     const float pad = 3.0F * ui.theme.scale;
     const Rect text =
         rect_at({left, area.min.y}, text_size(ui.theme.fonts.small, traits(receptor).name));
-    list.AddRectFilled(text.min - ImVec2{pad, 0.0F}, text.max + ImVec2{pad, 0.0F}, ui.theme.pane,
-                       ui.theme.rounding_px);
+    if (over_plot) {
+        list.AddRectFilled(text.min - ImVec2{pad, 0.0F}, text.max + ImVec2{pad, 0.0F},
+                           ui.theme.pane, ui.theme.rounding_px);
+    }
     draw_text(list, ui.theme.fonts.small, text.min, ui.theme.receptor[index_of(receptor)],
               traits(receptor).name);
 }
@@ -159,16 +170,18 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Shown
         row.large = size.large;
         row.largest = reach_of(work, signals[k], stage);
         row.time_axis = last && size.time_axis;
-        draw_time_row(ui, work, timeline, rects[k], row);
+        draw_time_row(ui, work, timeline, below_name(ui, rects[k], signals[k], size), row);
         const bool first_of_filters = stage == Stage::filtered && k == 0;
         if ((stage == Stage::vibration || first_of_filters) && !size.large && row.largest > 0.0) {
             draw_reach(ui, rects[k], text_of(stage).key, row.largest);
         }
-        if (stage == Stage::filtered && only_leaks(*shown.live, *signals[k].receptor)) {
+        // Large, the remark above says it.
+        if (stage == Stage::filtered && !size.large &&
+            only_leaks(*shown.live, *signals[k].receptor)) {
             draw_leak_note(ui, rects[k], *signals[k].receptor);
         }
         if (signals[k].receptor && size.large) {
-            draw_channel_name(ui, rects[k], *signals[k].receptor);
+            draw_channel_name(ui, rects[k], *signals[k].receptor, false);
         }
     }
 }
@@ -250,7 +263,7 @@ void draw_stage_difference(Ui& ui, const Workspace& work, Timeline& timeline,
         draw_time_row(ui, work, timeline, rects[k], row);
         const float text_px = font_or_current(ui.theme.fonts.small).FontSize;
         if (signals[k].receptor && size.large && rects[k].height() > 1.5F * text_px) {
-            draw_channel_name(ui, rects[k], *signals[k].receptor);
+            draw_channel_name(ui, rects[k], *signals[k].receptor, true);
         }
     }
 }

@@ -1,6 +1,8 @@
 // One stage of one pattern, small among the others or filling the pane.
 #pragma once
 
+#include <optional>
+
 #include "app/document/workspace.h"
 #include "app/physiology/physiology_state.h"
 #include "app/timeline/timeline.h"
@@ -18,8 +20,9 @@ struct ShownStages {
 };
 
 struct StageSize {
-    bool large = false;      // fills the pane: values, units, all channels
-    bool time_axis = false;  // ticks below
+    bool large = false;                // fills the pane: values, units, all channels
+    bool time_axis = false;            // ticks below
+    std::optional<ImVec2> controls{};  // where those of a large stage begin; none: it has none
 };
 
 void draw_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,

@@ -6,6 +6,7 @@
 
 #include "app/document/editing.h"
 #include "app/ui/widgets.h"
+#include "viz/drawing/marks.h"
 
 namespace tact {
 
@@ -135,7 +136,11 @@ void draw_chosen_fields(Ui& ui, Workspace& work, const StripState& strip) {
     if (grip.kind == GripKind::amplitude_point) draw_amplitude_point(ui, work, pattern, grip.index);
     if (grip.kind == GripKind::frequency_point) draw_frequency_point(ui, work, pattern, grip.index);
     if (grip.kind == GripKind::transient) draw_transient(ui, work, pattern, grip.index);
-    ImGui::Separator();
+    // ImGui's own separator is a pixel at any scale.
+    const Rect rest = rest_of_pane();
+    draw_level_line(*ImGui::GetWindowDrawList(), rest.min.y, rest.min.x, rest.max.x,
+                    ui.theme.hairline_px, ui.theme.line);
+    ImGui::Dummy({1.0F, ui.theme.hairline_px});
 }
 
 }  // namespace tact

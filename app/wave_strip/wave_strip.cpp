@@ -121,13 +121,27 @@ void double_click(Ui& ui, Workspace& work, StripState& strip, const Pattern& pat
     }
 }
 
-void draw_height_bar(const Ui& ui, StripState& strip) {
+// As high as the person made it. Before that, in a wide pane it has the height for its width, where
+// the pane has it.
+float wanted_height_px(const Ui& ui, const StripState& strip, ImVec2 room) {
+    constexpr float kByWidth = 0.16F;
+    constexpr float kOfPane = 0.35F;
+    const float own_px = strip.height * ui.theme.scale;
+    if (strip.height != StripState{}.height) return own_px;
+    const auto most_px = static_cast<float>(kStripHeight.high) * ui.theme.scale;
+    return std::max(own_px, std::min({kByWidth * room.x, kOfPane * room.y, most_px}));
+}
+
+void draw_height_bar(const Ui& ui, StripState& strip, float shown_px) {
     ImGui::InvisibleButton("strip height",
                            {ImGui::GetContentRegionAvail().x, ui.theme.splitter_px});
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
         ImGui::GetWindowDrawList()->AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
                                                   ui.theme.hover);
+    }
+    if (ImGui::IsItemActivated()) {
+        strip.height = std::max(strip.height, shown_px / ui.theme.scale);
     }
     if (!ImGui::IsItemActive()) return;
     const double height =
@@ -177,7 +191,8 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, float most_px) 
     if (strip.chosen && !exists(pattern, *strip.chosen)) strip.chosen.reset();
     const Waveform* waveform = waveform_in_time(work.cache, *vibration);
     const float least_px = kLeastHeightPx * ui.theme.scale;
-    const float height_px = std::min(strip.height * ui.theme.scale, std::max(least_px, most_px));
+    const float height_px = std::min(wanted_height_px(ui, strip, ImGui::GetContentRegionAvail()),
+                                     std::max(least_px, most_px));
     const Rect area = rect_at(ImGui::GetCursorScreenPos(),
                               {ImGui::GetContentRegionAvail().x, std::round(height_px)});
     const double peak = peak_in_time(work.cache, *vibration);
@@ -207,7 +222,7 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, float most_px) 
                        {pattern, scale, waveform, look.colour, strip.chosen,
                         strip.held ? std::optional(strip.held->grip) : under, hovered});
     note_grips(ui, pattern, scale);
-    draw_height_bar(ui, strip);
+    draw_height_bar(ui, strip, area.height());
     if (strip.chosen) draw_chosen_fields(ui, work, strip);
 }
 

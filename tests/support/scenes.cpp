@@ -179,6 +179,21 @@ void add_arrangements(std::vector<Scene>& all) {
                        run(p, "Physiology");
                        p.wait_for_stages();
                    }});
+    const auto show_pair = [](Program& p) {
+        run(p, "Physiology");
+        p.app.work.selection.pinned = "H-4-full";
+        p.settle();
+        p.wait_for_stages();
+    };
+    all.push_back({"physiology of a pair", show_pair});
+    for (const Stage stage : {Stage::receptors, Stage::networks, Stage::central}) {
+        all.push_back({"pair in stage " + std::to_string(static_cast<int>(stage)),
+                       [show_pair, stage](Program& p) {
+                           show_pair(p);
+                           p.app.physiology.view.open = stage;
+                           p.settle();
+                       }});
+    }
     for (const Stage stage : kStages) {
         all.push_back({"stage " + std::to_string(static_cast<int>(stage)), [stage](Program& p) {
                            run(p, "Physiology");
@@ -490,6 +505,7 @@ void SceneWindow::show(const Scene& scene) {
     app.picking.too_close = SubsetState{}.too_close;
     app.picking.opened.reset();
     app.physiology.view.open.reset();
+    app.work.selection.pinned.clear();
     app.ui.status = {};
     app.shown_map.cancelled = false;
     app.work.selection.search.clear();

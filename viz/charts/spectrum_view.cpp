@@ -75,7 +75,8 @@ void draw_crossings(ImDrawList& list, const Theme& theme, const Plot& plot,
     }
 }
 
-// Names at the right ends of the curves, with the type's mark; those that hear nothing are dim.
+// Names at the right ends of the curves, with the type's mark; of those that hear nothing the mark
+// is faint, and the name no more than dim: it is read.
 void draw_names(ImDrawList& list, const Theme& theme, const Plot& plot, const SpectrumScene& scene,
                 const PerReceptor<bool>& hears) {
     const float text_px = font_or_current(theme.fonts.small).FontSize;
@@ -93,7 +94,8 @@ void draw_names(ImDrawList& list, const Theme& theme, const Plot& plot, const Sp
         const ImVec2 corner{x + 2.5F * theme.mark_px, tops[i]};
         draw_receptor_mark(list, theme, {x, tops[i] + text_px * 0.55F}, theme.mark_px * 0.9F,
                            receptor, colour);
-        draw_text(list, theme.fonts.small, corner, colour, traits(receptor).name);
+        draw_text(list, theme.fonts.small, corner, hears[i] ? colour : theme.dim_text,
+                  traits(receptor).name);
     }
 }
 

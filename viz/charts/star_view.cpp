@@ -52,7 +52,8 @@ void draw_star(ImDrawList& canvas, const Theme& theme, const Rect& area,
                std::span<const double> numbers, std::span<const double> compared_with) {
     const StarFrame frame{area.centre(), 0.5F * std::min(area.width(), area.height())};
     for (std::size_t r = 0; r < numbers.size(); ++r) {
-        canvas.AddLine(frame.middle, frame.at(star_ray(r, numbers.size())), theme.line);
+        canvas.AddLine(frame.middle, frame.at(star_ray(r, numbers.size())), theme.line,
+                       theme.hairline_px);
     }
     const auto own = placed(frame, numbers);
     fill_star(canvas, frame, own, (theme.series & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90));

@@ -42,11 +42,10 @@ void forget_undrawn(BodyCache& cache, int frame) {
 
 }  // namespace
 
-std::shared_ptr<const std::vector<Extremes>> kept_columns(BodyCache& cache, int frame,
-                                                          std::span<const double> samples,
-                                                          double first, double last,
-                                                          std::size_t columns,
-                                                          const BodyScale& scale) {
+std::shared_ptr<const WaveBody> kept_body(BodyCache& cache, int frame,
+                                          std::span<const double> samples, double first,
+                                          double last, std::size_t columns,
+                                          const BodyScale& scale) {
     const std::array view{first,        last,        static_cast<double>(columns),
                           scale.widest, scale.least, static_cast<double>(samples.size())};
     const double beyond = reach_beyond(first, last, columns, scale);
@@ -55,11 +54,10 @@ std::shared_ptr<const std::vector<Extremes>> kept_columns(BodyCache& cache, int 
     const auto found = cache.kept.find(key);
     if (found != cache.kept.end()) {
         found->second.frame = frame;
-        return found->second.columns;
+        return found->second.body;
     }
     forget_undrawn(cache, frame);
-    auto made = std::make_shared<const std::vector<Extremes>>(
-        body_columns(samples, first, last, columns, scale));
+    auto made = std::make_shared<const WaveBody>(wave_body(samples, first, last, columns, scale));
     cache.kept[key] = {made, frame};
     return made;
 }

@@ -3,7 +3,7 @@
 // A plot that moves in nothing but its playhead has the columns of the frame before. They are known
 // by the samples in view and by the view, whoever owns the samples: a stale wave is never drawn.
 //
-// Exact     as body_columns().
+// Exact     as wave_body().
 // Left out  an upper bound in bytes: what was not drawn in this frame or the one before goes, once
 //           there is more than a window shows.
 #pragma once
@@ -21,17 +21,15 @@ namespace tact {
 
 struct BodyCache {
     struct Kept {
-        std::shared_ptr<const std::vector<Extremes>> columns;
+        std::shared_ptr<const WaveBody> body;
         int frame = 0;  // that drew them last
     };
     std::unordered_map<std::uint64_t, Kept> kept;  // by the fingerprint of all that they depend on
 };
 
-// As body_columns() of the same; `frame` counts those drawn so far.
-std::shared_ptr<const std::vector<Extremes>> kept_columns(BodyCache& cache, int frame,
-                                                          std::span<const double> samples,
-                                                          double first, double last,
-                                                          std::size_t columns,
-                                                          const BodyScale& scale);
+// As wave_body() of the same; `frame` counts those drawn so far.
+std::shared_ptr<const WaveBody> kept_body(BodyCache& cache, int frame,
+                                          std::span<const double> samples, double first,
+                                          double last, std::size_t columns, const BodyScale& scale);
 
 }  // namespace tact

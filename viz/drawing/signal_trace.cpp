@@ -18,6 +18,7 @@ struct StripColumn {
     float x;
     float top;
     float bottom;
+    float tone = 1.0F;  // of the colour's opacity
 };
 
 // A band between two lines with edges that fade over one pixel, or do not in vector pictures.
@@ -35,8 +36,9 @@ void draw_strip(ImDrawList& list, std::span<const StripColumn> columns, ImU32 co
         const unsigned base = list._VtxCurrentIdx;
         for (const StripColumn& c : columns.subspan(begin, count)) {
             list.PrimWriteVtx({c.x, c.top - soft}, uv, clear);
-            list.PrimWriteVtx({c.x, c.top + soft}, uv, colour);
-            list.PrimWriteVtx({c.x, c.bottom - soft}, uv, colour);
+            const ImU32 ink = c.tone < 1.0F ? faded(colour, c.tone) : colour;
+            list.PrimWriteVtx({c.x, c.top + soft}, uv, ink);
+            list.PrimWriteVtx({c.x, c.bottom - soft}, uv, ink);
             list.PrimWriteVtx({c.x, c.bottom + soft}, uv, clear);
         }
         for (unsigned i = 0; i + 1 < count; ++i) {
@@ -58,13 +60,13 @@ double unseen(const Axis& axis) {
 
 // One column a pixel of what is in view; columns beyond the signal are left out.
 struct PixelColumns {
-    std::shared_ptr<const std::vector<Extremes>> extremes;
+    std::shared_ptr<const WaveBody> body;
     std::size_t begin = 0;
     std::size_t end = 0;
 
     double from_s(const Axis& time, std::size_t column) const {
         return time.low + static_cast<double>(column) * (time.high - time.low) /
-                              static_cast<double>(extremes->size());
+                              static_cast<double>(body->columns.size());
     }
 };
 
@@ -72,9 +74,9 @@ PixelColumns pixel_columns(const Theme& theme, const Plot& plot, std::span<const
                            double rate_hz, double widest_px) {
     const auto count = static_cast<std::size_t>(std::ceil(plot.area.width()));
     BodyCache none;
-    PixelColumns result{kept_columns(theme.bodies ? *theme.bodies : none, ImGui::GetFrameCount(),
-                                     samples, plot.x.low * rate_hz, plot.x.high * rate_hz, count,
-                                     {widest_px, unseen(plot.y)})};
+    PixelColumns result{kept_body(theme.bodies ? *theme.bodies : none, ImGui::GetFrameCount(),
+                                  samples, plot.x.low * rate_hz, plot.x.high * rate_hz, count,
+                                  {widest_px, unseen(plot.y)})};
     const double per_column = (plot.x.high - plot.x.low) / static_cast<double>(count);
     const double length_s = static_cast<double>(samples.size()) / rate_hz;
     const auto middles_before = [&](double time_s) {
@@ -90,20 +92,54 @@ double samples_per_pixel(const Plot& plot, double rate_hz) {
     return (plot.x.high - plot.x.low) * rate_hz / static_cast<double>(plot.area.width());
 }
 
+// Modulated faster than can be seen, a body is the lighter the weaker it is beside a steady tone.
+float tone_of(double strength) {
+    constexpr double kLightest = 0.25;
+    constexpr double kWeak = 0.65;
+    constexpr double kSteady = 0.9;  // two tones may be, and how crests lie between samples
+    const double share = std::clamp((strength - kWeak) / (kSteady - kWeak), 0.0, 1.0);
+    return static_cast<float>(std::lerp(kLightest, 1.0, share));
+}
+
 void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
                   std::span<const double> samples, double rate_hz, ImU32 colour) {
     constexpr double kWidestPx = 6.0;
     const PixelColumns columns = pixel_columns(theme, plot, samples, rate_hz, kWidestPx);
     const float half_px = theme.trace_px / 2.0F;
     const double half_s = 0.5 * (columns.from_s(plot.x, 1) - plot.x.low);
+    const WaveBody& body = *columns.body;
+    // A stroke is as wide on a flank as on a crest, where it is wider than a pixel.
+    const auto beside = static_cast<std::size_t>(half_px);
+    const auto reach = [&](std::size_t c) {
+        Extremes e = body.columns[c];
+        const std::size_t last = std::min(c + beside + 1, columns.end);
+        for (std::size_t k = std::max(columns.begin + beside, c) - beside; k < last; ++k) {
+            e.low = std::min(e.low, body.columns[k].low);
+            e.high = std::max(e.high, body.columns[k].high);
+        }
+        return e;
+    };
     std::vector<StripColumn> strip;
     strip.reserve(columns.end - columns.begin);
     for (std::size_t c = columns.begin; c < columns.end; ++c) {
-        const Extremes& e = (*columns.extremes)[c];
+        const Extremes e = reach(c);
         strip.push_back({to_pixel(plot.x, columns.from_s(plot.x, c) + half_s),
-                         to_pixel(plot.y, e.high) - half_px, to_pixel(plot.y, e.low) + half_px});
+                         to_pixel(plot.y, e.high) - half_px, to_pixel(plot.y, e.low) + half_px,
+                         tone_of(body.strength[c])});
     }
     draw_strip(list, strip, colour);
+    const auto is_light = [](const StripColumn& column) { return column.tone < 1.0F; };
+    if (std::ranges::none_of(strip, is_light)) return;
+    // What is light has an outline: how high it is stays as clear.
+    std::vector<StripColumn> upper = strip;
+    std::vector<StripColumn> lower = strip;
+    for (std::size_t c = 0; c < strip.size(); ++c) {
+        upper[c].bottom = std::min(strip[c].bottom, strip[c].top + theme.trace_px);
+        lower[c].top = std::max(strip[c].top, strip[c].bottom - theme.trace_px);
+        upper[c].tone = lower[c].tone = 1.0F;
+    }
+    draw_strip(list, upper, colour);
+    draw_strip(list, lower, colour);
 }
 
 // The edge that faces away from zero, a stroke wide: what the height of a bar is read at.
@@ -148,7 +184,7 @@ void draw_steps(ImDrawList& list, const Theme& theme, const Plot& plot,
         constexpr double kWidestPx = 3.0;  // a pause of two pixels is seen beside a bar
         const PixelColumns columns = pixel_columns(theme, plot, samples, rate_hz, kWidestPx);
         for (std::size_t c = columns.begin; c < columns.end; ++c) {
-            add(columns.from_s(plot.x, c), columns.from_s(plot.x, c + 1), (*columns.extremes)[c]);
+            add(columns.from_s(plot.x, c), columns.from_s(plot.x, c + 1), columns.body->columns[c]);
         }
     }
     constexpr float kGround = 0.4F;

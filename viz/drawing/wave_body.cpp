@@ -105,28 +105,63 @@ double period_after(std::span<const Crest> crests, std::size_t k) {
     return crests[k + 1].at - crests[k].at;
 }
 
-// Which valleys follow each other so closely that none is seen. A steady oscillation about as wide
-// as `widest` is narrow throughout or not at all: where one valley is, so are those after it that
-// are a little wider.
+// Neighbours of valley k about as wide as it, with it: what may be one oscillation.
+struct Alike {
+    std::size_t begin;
+    std::size_t end;
+    double mean;    // period
+    double widest;  // of the others
+};
+
+Alike alike_around(std::span<const Crest> crests, std::size_t k) {
+    constexpr std::size_t kReach = 4;
+    const std::size_t count = crests.size() - 1;
+    const double own = period_after(crests, k);
+    const auto is_like = [&](std::size_t other) {
+        const double period = period_after(crests, other);
+        return period <= kUneven * own && own <= kUneven * period;
+    };
+    Alike alike{k, k + 1, 0.0, 0.0};
+    while (alike.begin > 0 && k - alike.begin < kReach && is_like(alike.begin - 1)) --alike.begin;
+    while (alike.end < count && alike.end - k <= kReach && is_like(alike.end)) ++alike.end;
+    for (std::size_t other = alike.begin; other < alike.end; ++other) {
+        if (other != k) alike.widest = std::max(alike.widest, period_after(crests, other));
+    }
+    alike.mean = (crests[alike.end].at - crests[alike.begin].at) /
+                 static_cast<double>(alike.end - alike.begin);
+    return alike;
+}
+
+// Which valleys follow each other so closely that none is seen. Of one oscillation, however uneven,
+// all are narrow or none is: by its mean period, and where that is about `widest`, as those beside.
+// A pause in it is none of its valleys.
 std::vector<bool> narrow_valleys(std::span<const Crest> crests, double widest) {
     constexpr double kSteady = 1.25;
+    constexpr double kAbout = 1.1;
     const std::size_t count = crests.size() - 1;
     std::vector<bool> narrow(count);
-    const auto like = [&](std::size_t k, std::size_t other, double uneven) {
+    std::vector<bool> undecided(count);
+    const auto like = [&](std::size_t k, std::size_t other) {
         const double beside = period_after(crests, other);
-        return beside <= kSteady * widest && period_after(crests, k) <= uneven * beside;
+        return beside <= kSteady * widest && period_after(crests, k) <= kUneven * beside;
     };
     for (std::size_t k = 0; k < count; ++k) {
+        const double own = period_after(crests, k);
+        const Alike alike = alike_around(crests, k);
+        if (alike.end - alike.begin >= 3 && own <= kSteady * alike.widest) {
+            narrow[k] = alike.mean <= widest;
+            undecided[k] = !narrow[k] && alike.mean <= kAbout * widest;
+            continue;
+        }
         narrow[k] =
-            period_after(crests, k) <= widest &&
-            ((k > 0 && like(k, k - 1, kUneven)) || (k + 1 < count && like(k, k + 1, kUneven)));
+            own <= widest && ((k > 0 && like(k, k - 1)) || (k + 1 < count && like(k, k + 1)));
     }
-    const auto spread = [&](std::size_t k, std::size_t from) {
-        if (narrow[k] || !narrow[from] || period_after(crests, k) > kSteady * widest) return;
-        narrow[k] = like(k, from, kSteady);
-    };
-    for (std::size_t k = 1; k < count; ++k) spread(k, k - 1);
-    for (std::size_t k = count; k-- > 1;) spread(k - 1, k);
+    for (std::size_t k = 1; k < count; ++k) {
+        if (undecided[k] && narrow[k - 1]) narrow[k] = true;
+    }
+    for (std::size_t k = count; k-- > 1;) {
+        if (undecided[k - 1] && narrow[k]) narrow[k - 1] = true;
+    }
     return narrow;
 }
 
@@ -206,16 +241,106 @@ void raise_to_bridges(const Edge& edge, double first, double step, std::size_t c
     }
 }
 
+// From crest to crest of a filled edge: what the samples have there, and what a tone as high as the
+// edge would have, both as sums of squares.
+struct Period {
+    double begin;
+    double end;
+    double own = 0.0;
+    double tone = 0.0;
+};
+
+// Half of the first sample and of the last one: of whole periods the sum is exact.
+double sum_of_squares(std::span<const double> samples, double begin, double end) {
+    const auto last_index = static_cast<double>(samples.size()) - 1.0;
+    const auto first = static_cast<std::size_t>(std::clamp(std::round(begin), 0.0, last_index));
+    const auto last = static_cast<std::size_t>(std::clamp(std::round(end), 0.0, last_index));
+    double sum = 0.5 * (samples[last] * samples[last] - samples[first] * samples[first]);
+    for (std::size_t i = first; i < last; ++i) sum += samples[i] * samples[i];
+    return last > first ? sum * (end - begin) / static_cast<double>(last - first) : 0.0;
+}
+
+// Flat crests are shared by the periods beside them; what is left of one at either end of the edge
+// belongs to the period next to it.
+std::vector<Period> periods_of(const Edge& edge, std::span<const double> samples, double widest) {
+    std::vector<Period> periods;
+    bool is_rest = false;  // the last one is but the beginning of a period
+    for (std::size_t i = 1; i < edge.size(); ++i) {
+        if (!edge[i].bridged) continue;
+        const Vertex& a = edge[i - 1];
+        const Vertex& b = edge[i];
+        Period period{a.at, b.at};
+        period.tone =
+            (a.value * a.value + a.value * b.value + b.value * b.value) / 6.0 * (b.at - a.at);
+        const bool goes_on = !periods.empty() && a.at - periods.back().end <= widest;
+        if (goes_on) {
+            const double flat = a.at - periods.back().end;
+            periods.back().end += 0.5 * flat;
+            period.begin -= 0.5 * flat;
+            periods.back().tone += 0.25 * flat * edge[i - 1].value * edge[i - 1].value;
+            period.tone += 0.25 * flat * a.value * a.value;
+        }
+        if (goes_on && (is_rest || i + 1 == edge.size())) {
+            periods.back().end = period.end;
+            periods.back().tone += period.tone;
+        } else {
+            periods.push_back(period);
+        }
+        is_rest = i == 1 && periods.size() == 1;
+    }
+    for (Period& period : periods) {
+        period.own = sum_of_squares(samples, period.begin, period.end);
+    }
+    return periods;
+}
+
+// What the periods of each column have.
+struct Strengths {
+    std::vector<double> own;
+    std::vector<double> tone;
+};
+
+void add(Strengths& strengths, std::span<const Period> periods, double first, double step) {
+    const double last_column = static_cast<double>(strengths.own.size()) - 1.0;
+    for (const Period& period : periods) {
+        const double from = std::max(0.0, std::floor((period.begin - first) / step));
+        const double to = std::min(last_column, std::floor((period.end - first) / step));
+        for (double c = from; c <= to; c += 1.0) {
+            strengths.own[static_cast<std::size_t>(c)] += period.own;
+            strengths.tone[static_cast<std::size_t>(c)] += period.tone;
+        }
+    }
+}
+
+// Of each column that has periods, with those about as far beside it as one of them may be wide.
+std::vector<double> by_steady_tones(const Strengths& strengths, double widest) {
+    const std::size_t columns = strengths.own.size();
+    const auto reach = static_cast<std::size_t>(std::max(0.0, widest / 2.0));
+    std::vector<double> shares(columns, 1.0);
+    for (std::size_t c = 0; c < columns; ++c) {
+        if (strengths.tone[c] <= 0.0) continue;
+        double own = 0.0;
+        double tone = 0.0;
+        for (std::size_t k = c - std::min(c, reach); k < std::min(columns, c + reach + 1); ++k) {
+            own += strengths.own[k];
+            tone += strengths.tone[k];
+        }
+        shares[c] = std::min(1.0, std::sqrt(own / tone));
+    }
+    return shares;
+}
+
 }  // namespace
 
 double reach_beyond(double first, double last, std::size_t columns, const BodyScale& scale) {
     return 4.0 * scale.widest * (last - first) / static_cast<double>(columns);
 }
 
-std::vector<Extremes> body_columns(std::span<const double> samples, double first, double last,
-                                   std::size_t columns, const BodyScale& scale) {
-    std::vector<Extremes> result = extremes(samples, first, last, columns);
-    if (result.empty()) return result;
+WaveBody wave_body(std::span<const double> samples, double first, double last, std::size_t columns,
+                   const BodyScale& scale) {
+    WaveBody body{extremes(samples, first, last, columns), {}};
+    std::vector<Extremes>& result = body.columns;
+    if (result.empty()) return body;
     const double step = (last - first) / static_cast<double>(columns);
     const double beyond = reach_beyond(first, last, columns, scale);
     const double last_index = static_cast<double>(samples.size()) - 1.0;
@@ -226,6 +351,7 @@ std::vector<Extremes> body_columns(std::span<const double> samples, double first
     const auto slices = static_cast<std::size_t>(
         kSlicesPerColumn * (static_cast<double>(columns) + 8.0 * scale.widest));
     Edges edges = edges_of(samples, begin, end, slices);
+    Strengths strengths{std::vector<double>(columns, 0.0), std::vector<double>(columns, 0.0)};
     for (const double sign : {1.0, -1.0}) {
         const auto raise = [&](std::size_t c, double value) {
             Extremes& column = result[c];
@@ -237,8 +363,15 @@ std::vector<Extremes> body_columns(std::span<const double> samples, double first
         while (bridge(edge, scale.widest * step, scale.least)) {
         }
         raise_to_bridges(edge, first, step, columns, raise);
+        add(strengths, periods_of(edge, samples, scale.widest * step), first, step);
     }
-    return result;
+    body.strength = by_steady_tones(strengths, scale.widest);
+    return body;
+}
+
+std::vector<Extremes> body_columns(std::span<const double> samples, double first, double last,
+                                   std::size_t columns, const BodyScale& scale) {
+    return wave_body(samples, first, last, columns, scale).columns;
 }
 
 }  // namespace tact

@@ -7,6 +7,9 @@
 // come next, until those left are far enough apart: of a sum of tones every period that is too
 // narrow becomes body, and no other.
 //
+// A body alone would show a tone in waves as the steady one that its crests are as high as. So it
+// is told how strong each column is beside a steady tone that fills it.
+//
 // Input     samples of any number: one pass over those in view
 // Valid     a lone click, two of them, and pauses between bursts stay what they are: filled is only
 //           what repeats. Tones of more than eight samples a period have the crests between their
@@ -27,7 +30,19 @@ struct BodyScale {
     double least = 0.0;   // of values: what makes no difference on the screen
 };
 
+struct WaveBody {
+    std::vector<Extremes> columns;
+    // As many: root mean square of what was filled, by that of a tone as high; 1 where nothing was.
+    std::vector<double> strength;
+
+    bool operator==(const WaveBody&) const = default;
+};
+
 // As `extremes` (plot.h), which these columns contain.
+WaveBody wave_body(std::span<const double> samples, double first, double last, std::size_t columns,
+                   const BodyScale& scale);
+
+// Its columns alone.
 std::vector<Extremes> body_columns(std::span<const double> samples, double first, double last,
                                    std::size_t columns, const BodyScale& scale);
 

@@ -11,8 +11,10 @@
 namespace tact {
 namespace {
 
-bool silent(const NetworkScene& scene) {
-    return std::ranges::all_of(scene.layers.front().cells, [](double n) { return n <= 0.0; });
+constexpr float kCaptionLine = 1.15F;  // by the size of its type
+
+std::string centre_text(const NetworkScene& scene, std::size_t k) {
+    return "centre " + tick_text(scene.layers[k].centre());
 }
 
 // A line of words and symbols filled from the left, as long as there is room.
@@ -70,40 +72,45 @@ ImU32 activity_colour(double spikes, double cap) {
     return viridis(cap > 0.0 ? std::sqrt(std::max(0.0, spikes / cap)) : 0.0);
 }
 
-void draw_layer_caption(ImDrawList& list, const Theme& theme, const Rect& caption,
+float caption_width_px(const Theme& theme, const NetworkScene& scene) {
+    float widest = 0.0F;
+    for (std::size_t k = 0; k < scene.layers.size(); ++k) {
+        for (const std::string& words : {scene.names[k], centre_text(scene, k)}) {
+            widest = std::max(widest, text_size(theme.fonts.small, words).x);
+        }
+    }
+    return widest;
+}
+
+void draw_layer_caption(ImDrawList& list, const Theme& theme, const Rect& caption, bool beside,
                         const NetworkScene& scene, std::size_t k) {
     if (caption.empty()) return;
     const ImFont* font = theme.fonts.small;
     const float text_px = font_or_current(font).FontSize;
-    const double centre = scene.layers[k].centre();
     const bool last = k + 1 == scene.layers.size();
-    const std::string value = "centre " + tick_text(centre);
     float top = caption.min.y + 0.2F * text_px;
+    if (beside) top = caption.centre().y - kCaptionLine * text_px;
     const auto line = [&](const std::string& words, ImU32 colour) {
         if (top + text_px > caption.max.y + 0.5F) return;
         const std::string text = shortened(font, words, caption.width());
         const float width = text_size(font, text).x;
         if (width > caption.width()) return;
-        draw_text(list, font, {std::floor(caption.centre().x - width / 2.0F), top}, colour, text);
-        top += 1.15F * text_px;
+        const float left = beside ? caption.min.x : caption.centre().x - width / 2.0F;
+        draw_text(list, font, {std::floor(left), top}, colour, text);
+        top += kCaptionLine * text_px;
     };
     line(scene.names[k], theme.text);
-    line(value, last ? theme.series : theme.dim_text);
+    line(centre_text(scene, k), last ? theme.series : theme.dim_text);
 }
 
-void draw_network_legend(ImDrawList& list, const Theme& theme, const Rect& place,
-                         const NetworkScene& scene) {
+void draw_network_legend(ImDrawList& list, const Theme& theme, const Rect& place, double cap) {
     if (place.empty()) return;
     Line line{list, theme, place, place.min.x};
-    if (silent(scene)) {
-        add_words(line, shortened(theme.fonts.small, "no spikes in this step", place.width()));
-        return;
-    }
     const float ramp_px = 32.0F * theme.scale;
     const float gaps_px = 4.0F * gap_px(line);
     // The middle of a root scale is a quarter of its end.
-    const std::string middle = significant(scene.cap / 4.0);
-    const std::string high = tick_text(scene.cap) + " spikes, the cap";
+    const std::string middle = significant(cap / 4.0);
+    const std::string high = tick_text(cap) + " spikes, the cap";
     if (!fits(line, 2.0F * ramp_px + gaps_px, "0" + middle + high)) return;
     add_words(line, "0");
     add_ramp(line, ramp_px, 0.0, 0.5);

@@ -9,12 +9,11 @@ namespace tact {
 // beside a saturated layer.
 ImU32 activity_colour(double spikes, double cap);
 
-// A layer's name, and what its centre holds.
-void draw_layer_caption(ImDrawList& list, const Theme& theme, const Rect& caption,
-                        const NetworkScene& scene, std::size_t k);
+// The widest of all captions.
+float caption_width_px(const Theme& theme, const NetworkScene& scene);
 
-// What colours and the outline mean, as far as it fits; or that there are no spikes.
-void draw_network_legend(ImDrawList& list, const Theme& theme, const Rect& line,
-                         const NetworkScene& scene);
+// A layer's name, and what its centre holds: in the middle beneath a map, or flush left beside it.
+void draw_layer_caption(ImDrawList& list, const Theme& theme, const Rect& caption, bool beside,
+                        const NetworkScene& scene, std::size_t k);
 
 }  // namespace tact

@@ -16,6 +16,9 @@ namespace {
 constexpr float kDotCellPx = 5.0F;    // cells this large carry a dot at the cap, smaller an outline
 constexpr float kSeamCellPx = 10.0F;  // cells this large are told apart
 
+// Between cells: darker than any of them, so that the outlines stand out in either theme.
+ImU32 seam_colour() { return mixed(viridis(0.0), IM_COL32_BLACK, 0.55F); }
+
 ImU32 over_colours(float opacity) { return faded(IM_COL32_WHITE, opacity); }
 
 // Edges on whole pixels, so that there are no seams between cells.
@@ -46,6 +49,7 @@ void draw_cells(ImDrawList& list, const Theme& theme, const NetworkLayout& layou
     const auto colour_at = [&](int column, int row) {
         return activity_colour(layer.at(column, row), scene.cap);
     };
+    if (told_apart) add_rect(list, layout.maps[k], seam_colour());
     for (int row = -layer.half_width; row <= layer.half_width; ++row) {
         for (int column = -layer.half_width; column <= layer.half_width;) {
             const ImU32 colour = colour_at(column, row);
@@ -128,13 +132,19 @@ void draw_centre_ring(ImDrawList& list, const Theme& theme, const NetworkLayout&
     list.AddCircle(cell.centre(), radius, over_colours(1.0F), 0, 1.5F * theme.scale);
 }
 
-// Between neighbours: activity goes from left to right.
-void draw_arrow(ImDrawList& list, const Theme& theme, const Rect& from, const Rect& to) {
-    const float room = to.min.x - from.max.x;
-    const float size = 3.0F * theme.scale;
-    if (room < 3.0F * size || std::abs(from.centre().y - to.centre().y) > 1.0F) return;
-    const ImVec2 tip{(from.max.x + to.min.x) / 2.0F + size / 2.0F, from.centre().y};
-    list.AddTriangleFilled({tip.x - size, tip.y - size}, tip, {tip.x - size, tip.y + size},
+// From one map, past its caption, to the next in its row: activity goes from left to right.
+void draw_arrow(ImDrawList& list, const Theme& theme, const NetworkLayout& layout, std::size_t to) {
+    const Rect& before = layout.maps[to - 1];
+    const Rect& after = layout.maps[to];
+    const float y = after.centre().y;
+    const float from_px = layout.beside ? layout.captions[to - 1].max.x : before.max.x;
+    const float room = after.min.x - from_px;
+    const float head = std::clamp(0.1F * room, 3.0F * theme.scale, 7.0F * theme.scale);
+    if (room < 3.0F * head || std::abs(before.centre().y - y) > 1.0F) return;
+    const float length = std::min(0.6F * room, 96.0F * theme.scale);
+    const ImVec2 tip{from_px + 0.5F * (room + length), y};
+    draw_level_line(list, y, tip.x - length, tip.x - head, 1.5F * theme.scale, theme.dim_text);
+    list.AddTriangleFilled({tip.x - 1.4F * head, y - head}, tip, {tip.x - 1.4F * head, y + head},
                            theme.dim_text);
 }
 
@@ -170,9 +180,17 @@ int largest_half_width(const NetworkScene& scene) {
 struct Slots {
     std::size_t columns = 1;
     ImVec2 size{0, 0};        // of one place, with its caption
-    float caption_px = 0.0F;  // 0 where words do not fit
+    float between_px = 0.0F;  // of neighbours
+    ImVec2 caption{0, 0};     // 0 where words do not fit
+    bool beside = false;      // the caption is
     float cell_px = 0.0F;
 };
+
+// Whole pixels where that costs little.
+float cell_size(const Theme& theme, float room_px, int cells) {
+    const float cell_px = std::min(room_px / static_cast<float>(cells), 32.0F * theme.scale);
+    return cell_px >= 4.0F ? std::floor(cell_px) : std::max(0.0F, cell_px);
+}
 
 Slots slots_for(const Theme& theme, const Rect& area, std::size_t count, std::size_t rows,
                 int cells) {
@@ -182,15 +200,52 @@ Slots slots_for(const Theme& theme, const Rect& area, std::size_t count, std::si
     slots.columns = (count + rows - 1) / rows;
     const auto in_row = static_cast<float>(slots.columns);
     const auto in_column = static_cast<float>(rows);
+    slots.between_px = gap;
     slots.size = {(area.width() - (in_row - 1.0F) * gap) / in_row,
                   (area.height() - (in_column - 1.0F) * 0.5F * gap) / in_column};
     const bool words = slots.size.x >= 4.0F * text_px && slots.size.y >= 5.0F * text_px;
-    slots.caption_px = words ? 2.6F * text_px : 0.0F;
-    const float room = std::min(slots.size.x, slots.size.y - slots.caption_px);
-    const float cell_px = std::min(room / static_cast<float>(cells), 24.0F * theme.scale);
-    // Whole pixels where that costs little.
-    slots.cell_px = cell_px >= 4.0F ? std::floor(cell_px) : std::max(0.0F, cell_px);
+    if (words) slots.caption = {slots.size.x, 2.6F * text_px};
+    slots.cell_px = cell_size(theme, std::min(slots.size.x, slots.size.y - slots.caption.y), cells);
     return slots;
+}
+
+// In a low and wide area maps are as high as it is, and words stand beside them; arrows have what
+// is left.
+Slots slots_beside(const Theme& theme, const Rect& area, const NetworkScene& scene, int cells) {
+    const float gap = 0.75F * theme.gap_px;
+    const float least_between = 3.0F * theme.gap_px;
+    const float text_px = font_or_current(theme.fonts.small).FontSize;
+    Slots slots;
+    slots.beside = true;
+    slots.columns = scene.layers.size();
+    slots.caption = {caption_width_px(theme, scene), 2.6F * text_px};
+    if (slots.caption.y > area.height() || slots.columns < 2) return slots;
+    const auto count = static_cast<float>(slots.columns);
+    const float words_px = gap + slots.caption.x;
+    const float each = (area.width() - (count - 1.0F) * least_between) / count - words_px;
+    slots.cell_px = cell_size(theme, std::min(each, area.height()), cells);
+    slots.size = {slots.cell_px * static_cast<float>(cells) + words_px, area.height()};
+    slots.between_px = (area.width() - count * slots.size.x) / (count - 1.0F);
+    return slots;
+}
+
+// Larger cells, unless that costs the words.
+bool is_better(const Slots& a, const Slots& b) {
+    const auto worth = [](const Slots& slots) {
+        return slots.cell_px * (slots.caption.x > 0.0F ? 1.25F : 1.0F);
+    };
+    return worth(a) > worth(b);
+}
+
+Slots best_slots(const Theme& theme, const Rect& area, const NetworkScene& scene, int cells) {
+    const std::size_t count = scene.layers.size();
+    Slots best;
+    for (std::size_t rows = 1; rows <= count; ++rows) {
+        const Slots slots = slots_for(theme, area, count, rows, cells);
+        if (is_better(slots, best)) best = slots;
+    }
+    const Slots beside = slots_beside(theme, area, scene, cells);
+    return is_better(best, beside) ? best : beside;
 }
 
 }  // namespace
@@ -200,37 +255,44 @@ bool reaches_centre(const NetworkScene& scene, const NetworkCell& cell) {
     return std::abs(cell.column) + std::abs(cell.row) <= layers_left;
 }
 
+bool is_silent(const NetworkScene& scene) {
+    return scene.layers.empty() ||
+           std::ranges::all_of(scene.layers.front().cells, [](double n) { return n <= 0.0; });
+}
+
 NetworkLayout network_layout(const Theme& theme, const Rect& area, const NetworkScene& scene) {
     NetworkLayout layout;
     const std::size_t count = scene.layers.size();
     if (count == 0) return layout;
     const float text_px = font_or_current(theme.fonts.small).FontSize;
     Rect maps = area;
-    if (area.height() >= 100.0F * theme.scale) {
+    if (scene.legend && area.height() >= 100.0F * theme.scale) {
         layout.legend = {{area.min.x, area.max.y - 1.25F * text_px}, area.max};
         maps.max.y = layout.legend.min.y - 0.4F * text_px;
     }
     const int cells = 2 * largest_half_width(scene) + 1;
-    Slots best;
-    for (std::size_t rows = 1; rows <= count; ++rows) {
-        const Slots slots = slots_for(theme, maps, count, rows, cells);
-        if (slots.cell_px > best.cell_px) best = slots;
-    }
+    const Slots best = best_slots(theme, maps, scene, cells);
     if (best.cell_px <= 0.0F) return {};
     layout.cell_px = best.cell_px;
+    layout.beside = best.beside;
     const float side = best.cell_px * static_cast<float>(cells);
+    // Beside the words a map stands in a square of its own.
+    const float map_px = best.beside ? side : best.size.x;
+    const float middle = best.beside ? best.size.y / 2.0F : side / 2.0F;
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t whole_rows = k / best.columns;
         const auto column = static_cast<float>(k % best.columns);
         const auto row = static_cast<float>(whole_rows);
-        const ImVec2 corner = maps.min + ImVec2{column * (best.size.x + 1.5F * theme.gap_px),
+        const ImVec2 corner = maps.min + ImVec2{column * (best.size.x + best.between_px),
                                                 row * (best.size.y + 0.75F * theme.gap_px)};
         const float own = best.cell_px * static_cast<float>(2 * scene.layers[k].half_width + 1);
-        const ImVec2 first{std::round(corner.x + (best.size.x - own) / 2.0F),
-                           std::round(corner.y + (side - own) / 2.0F)};
+        const ImVec2 first{std::round(corner.x + (map_px - own) / 2.0F),
+                           std::round(corner.y + middle - own / 2.0F)};
         layout.maps.push_back(rect_at(first, {own, own}));
-        layout.captions.push_back(
-            rect_at({corner.x, corner.y + side}, {best.size.x, best.caption_px}));
+        const ImVec2 words = best.beside ? ImVec2{corner.x + best.size.x - best.caption.x,
+                                                  corner.y + middle - best.caption.y / 2.0F}
+                                         : ImVec2{corner.x, corner.y + side};
+        layout.captions.push_back(rect_at(words, best.caption));
     }
     return layout;
 }
@@ -269,10 +331,16 @@ NetworkAction draw_network(const char* id, const Theme& theme, const Rect& area,
         draw_cone(list, theme, layout, scene, k);
         draw_centre_ring(list, theme, layout, scene, k);
         if (scene.stale) draw_stale(list, theme, layout.maps[k], ImGui::GetTime());
-        draw_layer_caption(list, theme, layout.captions[k], scene, k);
-        if (k > 0) draw_arrow(list, theme, layout.maps[k - 1], layout.maps[k]);
+        draw_layer_caption(list, theme, layout.captions[k], layout.beside, scene, k);
+        if (k > 0) draw_arrow(list, theme, layout, k);
     }
-    draw_network_legend(list, theme, layout.legend, scene);
+    if (is_silent(scene) && !layout.legend.empty()) {
+        const ImFont* font = theme.fonts.small;
+        draw_text(list, font, layout.legend.min, theme.dim_text,
+                  shortened(font, "no spikes in this step", layout.legend.width()));
+    } else {
+        draw_network_legend(list, theme, layout.legend, scene.cap);
+    }
     const std::optional<NetworkCell> pointed = action.hovered ? action.hovered : scene.pointed;
     if (pointed) draw_cell_frame(list, theme, layout, scene, *pointed);
     list.PopClipRect();

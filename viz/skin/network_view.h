@@ -34,6 +34,7 @@ struct NetworkScene {
     std::span<const std::string> names{};  // as many
     double cap = 50.0;                     // has the brightest colour; cells there are marked
     std::optional<NetworkCell> pointed{};  // pointed at elsewhere
+    bool legend = true;                    // beneath the maps; false: the caller has it elsewhere
     bool stale = false;
 };
 
@@ -45,10 +46,17 @@ struct NetworkAction {
 NetworkAction draw_network(const char* id, const Theme& theme, const Rect& area,
                            const NetworkScene& scene);
 
+// No spikes come in, so that nothing goes on.
+bool is_silent(const NetworkScene& scene);
+
+// What colours and the outline mean, in one line, as far as it fits.
+void draw_network_legend(ImDrawList& list, const Theme& theme, const Rect& line, double cap);
+
 // Where the parts go. Pure, for tests.
 struct NetworkLayout {
     std::vector<Rect> maps;      // the cells of each layer, its own width
-    std::vector<Rect> captions;  // beneath each map; empty where there is no room
+    std::vector<Rect> captions;  // beneath or right of each map; empty where there is no room
+    bool beside = false;         // they are right of them
     Rect legend;                 // one line at the bottom; empty where there is no room
     float cell_px = 0.0F;        // the same in all maps
 };

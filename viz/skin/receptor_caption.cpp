@@ -1,5 +1,6 @@
 #include "viz/skin/receptor_caption.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -13,8 +14,16 @@ namespace {
 
 constexpr float kFaintest = 0.30F;  // of the type's colour, at a value of 0
 
-// The type's mark and name, and how many receptors are activated, about the middle of the caption.
-void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const ReceptorScene& scene) {
+enum class Flush { middle, left };
+
+// Where so many pixels begin in a line.
+float left_of(const Rect& line, float width_px, Flush flush) {
+    return flush == Flush::left ? line.min.x : line.centre().x - width_px / 2.0F;
+}
+
+// The type's mark and name, and how many receptors are activated.
+void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const ReceptorScene& scene,
+               Flush flush) {
     const ImFont* font = theme.fonts.regular;
     const float mark_px = 3.2F * theme.mark_px;
     const float room = line.width() - mark_px;
@@ -29,7 +38,7 @@ void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const Rec
     name = shortened(font, name, room);
     const float name_px = text_size(font, name).x;
     const float width = mark_px + name_px + text_size(font, count).x;
-    const float left = line.centre().x - width / 2.0F;
+    const float left = left_of(line, width, flush);
     const float text_px = font_or_current(font).FontSize;
     const ImU32 hue = theme.receptor[index_of(scene.receptor)];
     draw_receptor_mark(list, theme, {left + theme.mark_px, line.min.y + 0.55F * text_px},
@@ -38,8 +47,8 @@ void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const Rec
     draw_text(list, font, {left + mark_px + name_px, line.min.y}, theme.text, count);
 }
 
-void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line,
-                 const ReceptorScene& scene) {
+void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line, const ReceptorScene& scene,
+                 Flush flush) {
     constexpr int kSteps = 24;
     const bool rates = scene.quantity == ReceptorQuantity::rate;
     const double largest = scene.largest_hz > 0.0 ? scene.largest_hz : centre_hz(scene);
@@ -51,7 +60,7 @@ void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line,
     const float low_px = text_size(font, "0").x;
     const float width = low_px + bar_px + text_size(font, high).x + 2.0F * gap;
     if (width > line.width()) return;
-    const float left = std::round(line.centre().x - width / 2.0F);
+    const float left = std::round(left_of(line, width, flush));
     draw_text(list, font, {left, line.min.y}, theme.dim_text, "0");
     const Rect bar = rect_at({left + low_px + gap, line.min.y + 0.3F * text_px},
                              {bar_px, std::round(0.5F * text_px)});
@@ -64,25 +73,58 @@ void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line,
     draw_text(list, font, {bar.max.x + gap, line.min.y}, theme.dim_text, high);
 }
 
+bool has_legend(const ReceptorScene& scene) {
+    return scene.grid != nullptr && scene.activation.radius_mm > 0.0;
+}
+
+// What receptor_state_text() says at most, a line each.
+std::vector<std::string> state_lines(const ReceptorScene& scene) {
+    if (!has_legend(scene) || scene.silent || !scene.centre_spikes) {
+        return {receptor_state_text(scene, nullptr, 1e6F)};
+    }
+    return {"centre fires " + std::to_string(*scene.centre_spikes) + " in " +
+                tick_text(scene.duration_s) + " s",
+            "rate by Eq. 2: " + significant(scene.activation.rate_hz) + " imp/s",
+            "as far as " + significant(scene.activation.radius_mm, 2) + " mm"};
+}
+
+// The longest of 1, 2, 5 and 10 mm that is no longer than so many pixels; 0: none.
+double bar_length_mm(float px_per_mm, float most_px) {
+    double length_mm = 0.0;
+    for (const double candidate_mm : {1.0, 2.0, 5.0, 10.0}) {
+        if (static_cast<float>(candidate_mm) * px_per_mm <= most_px) length_mm = candidate_mm;
+    }
+    return length_mm;
+}
+
 }  // namespace
 
 std::string receptor_state_text(const ReceptorScene& scene, const ImFont* font, float room_px) {
-    if (scene.grid == nullptr) return shortened(font, "not computed yet", room_px);
-    if (scene.activation.radius_mm <= 0.0) return shortened(font, "below threshold", room_px);
-    if (scene.silent) return shortened(font, "nothing in its band", room_px);
-    const std::string rate = significant(scene.activation.rate_hz) + " imp/s";
-    const std::string radius = ", " + significant(scene.activation.radius_mm, 2) + " mm";
-    std::vector<std::string> wordings{rate + radius, rate};
-    if (scene.centre_spikes) {
-        const std::string count = std::to_string(*scene.centre_spikes);
-        const std::string fires = "fires " + count + " in " + tick_text(scene.duration_s) + " s";
-        wordings = {"centre " + fires + " (rate by Eq. 2: " + rate + ")" + radius,
-                    "centre " + fires + radius, fires + radius, fires, count + " spikes"};
+    std::vector<std::string> wordings{"not computed yet"};
+    if (scene.grid != nullptr && scene.activation.radius_mm <= 0.0) {
+        wordings = {"below threshold", "silent"};
+    } else if (scene.grid != nullptr && scene.silent) {
+        wordings = {"nothing in its band", "silent"};
+    } else if (scene.grid != nullptr) {
+        const std::string rate = significant(scene.activation.rate_hz) + " imp/s";
+        const std::string radius = ", " + significant(scene.activation.radius_mm, 2) + " mm";
+        wordings = {rate + radius, rate};
+        if (scene.centre_spikes) {
+            const std::string count = std::to_string(*scene.centre_spikes);
+            const std::string fires =
+                "fires " + count + " in " + tick_text(scene.duration_s) + " s";
+            wordings = {"centre " + fires + " (rate by Eq. 2: " + rate + ")" + radius,
+                        "centre " + fires + radius,
+                        fires + radius,
+                        fires,
+                        count + " spikes",
+                        count};
+        }
     }
     for (const std::string& wording : wordings) {
         if (text_size(font, wording).x <= room_px) return wording;
     }
-    return shortened(font, wordings.back(), room_px);
+    return {};
 }
 
 float caption_line_px(const Theme& theme) {
@@ -99,23 +141,66 @@ void draw_caption(ImDrawList& list, const Theme& theme, const Rect& caption,
     if (caption.empty()) return;
     const float text_px = caption_line_px(theme);
     Rect line = rect_at(caption.min, {caption.width(), 1.15F * text_px});
-    draw_name(list, theme, line, scene);
+    draw_name(list, theme, line, scene, Flush::middle);
     line = rect_at({line.min.x, line.max.y}, {line.width(), text_px});
     const ImFont* font = theme.fonts.small;
     const std::string state = receptor_state_text(scene, font, line.width());
     draw_text(list, font, {line.centre().x - text_size(font, state).x / 2.0F, line.min.y},
               theme.dim_text, state);
     line = rect_at({line.min.x, line.max.y}, {line.width(), text_px});
-    const bool fires = scene.grid != nullptr && scene.activation.radius_mm > 0.0;
-    if (fires && line.max.y <= caption.max.y + 0.5F) draw_legend(list, theme, line, scene);
+    if (!has_legend(scene) || line.max.y > caption.max.y + 0.5F) return;
+    draw_legend(list, theme, line, scene, Flush::middle);
+}
+
+float least_caption_px(const Theme& theme) {
+    const float name_px = 3.2F * theme.mark_px + text_size(theme.fonts.regular, "Meissner  0000").x;
+    return std::max(name_px, text_size(theme.fonts.small, "fires 000 in 00.0 s").x);
+}
+
+void draw_caption_beside(ImDrawList& list, const Theme& theme, const Rect& caption,
+                         const ReceptorScene& scene, float px_per_mm) {
+    if (caption.empty()) return;
+    const ImFont* font = theme.fonts.small;
+    const float line_px = caption_line_px(theme);
+    const float name_px = 1.15F * line_px;
+    const float left_px = caption.height() - name_px;
+    const auto fitting = static_cast<std::size_t>(std::max(0.0F, left_px / line_px));
+    std::vector<std::string> state = state_lines(scene);
+    const auto is_wide = [&](const std::string& line) {
+        return text_size(font, line).x > caption.width();
+    };
+    if (state.size() > fitting || std::ranges::any_of(state, is_wide)) {
+        state = {receptor_state_text(scene, font, caption.width())};
+    }
+    const double bar_mm = bar_length_mm(px_per_mm, 0.5F * caption.width());
+    const bool legend = has_legend(scene) && state.size() < fitting;
+    const bool bar = bar_mm > 0.0 && state.size() + (legend ? 1 : 0) < fitting;
+    const std::size_t lines = state.size() + (legend ? 1 : 0) + (bar ? 1 : 0);
+    const float height = name_px + line_px * static_cast<float>(std::min(lines, fitting));
+    float top = std::round(std::max(caption.min.y, caption.centre().y - height / 2.0F));
+    const auto next_line = [&](float px) {
+        top += px;
+        return rect_at({caption.min.x, top - px}, {caption.width(), px});
+    };
+    draw_name(list, theme, next_line(name_px), scene, Flush::left);
+    if (fitting == 0) return;
+    for (const std::string& words : state) {
+        draw_text(list, font, next_line(line_px).min, theme.dim_text, words);
+    }
+    if (legend) draw_legend(list, theme, next_line(line_px), scene, Flush::left);
+    if (!bar) return;
+    const Rect line = next_line(line_px);
+    const float length_px = static_cast<float>(bar_mm) * px_per_mm;
+    const float text_px = font_or_current(font).FontSize;
+    draw_level_line(list, line.min.y + 0.55F * text_px, line.min.x, line.min.x + length_px,
+                    1.5F * theme.scale, theme.dim_text);
+    draw_text(list, font, {line.min.x + length_px + 0.6F * theme.gap_px, line.min.y},
+              theme.dim_text, tick_text(bar_mm) + " mm");
 }
 
 void draw_scale_bar(ImDrawList& list, const Theme& theme, const Rect& map, float px_per_mm) {
-    const float room = 0.24F * map.width();
-    double length_mm = 0.0;
-    for (const double candidate_mm : {1.0, 2.0, 5.0, 10.0}) {
-        if (static_cast<float>(candidate_mm) * px_per_mm <= room) length_mm = candidate_mm;
-    }
+    if (map.height() < 6.0F * font_or_current(theme.fonts.small).FontSize) return;
+    const double length_mm = bar_length_mm(px_per_mm, 0.3F * map.width());
     const std::string text = tick_text(length_mm) + " mm";
     if (length_mm <= 0.0 ||
         text_size(theme.fonts.small, text).x > map.width() - 4.0F * theme.scale) {

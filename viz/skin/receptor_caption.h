@@ -14,8 +14,8 @@ float caption_line_px(const Theme& theme);
 // Opaque colour of a value of 0..1: what lies behind a mark must not change it.
 ImU32 value_colour(const Theme& theme, Receptor receptor, double value);
 
-// What a caption says of a type that fires, or why none does: as much as fits, and what can be
-// counted in the raster before what Eq. 2 gives.
+// What a caption says of a type that fires, or why none does: as much as fits, nothing at last, and
+// what can be counted in the raster before what Eq. 2 gives.
 std::string receptor_state_text(const ReceptorScene& scene, const ImFont* font, float room_px);
 
 // Name and number of receptors; what they fire and the radius or why there are none; if it fits,
@@ -23,7 +23,16 @@ std::string receptor_state_text(const ReceptorScene& scene, const ImFont* font, 
 void draw_caption(ImDrawList& list, const Theme& theme, const Rect& caption,
                   const ReceptorScene& scene);
 
-// A bar of a round number of mm in the lower left corner, which the fingertip leaves free.
+// The same, flush left in the middle of what is right of a map, and the scale bar below it; as many
+// lines as fit.
+void draw_caption_beside(ImDrawList& list, const Theme& theme, const Rect& caption,
+                         const ReceptorScene& scene, float px_per_mm);
+
+// What words beside a map need at least.
+float least_caption_px(const Theme& theme);
+
+// A bar of a round number of mm in the lower left corner, which the fingertip leaves free; none in
+// a map so small that it does not.
 void draw_scale_bar(ImDrawList& list, const Theme& theme, const Rect& map, float px_per_mm);
 
 }  // namespace tact

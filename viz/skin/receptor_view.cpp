@@ -210,25 +210,57 @@ double shown_value(const ReceptorScene& scene, double distance_mm) {
     return std::clamp(share * centre / largest, 0.0, 1.0);
 }
 
-double common_extent_mm(const PerReceptor<Activation>& activation) {
-    double reach_mm = kFingertipLengthMm / 2.0;
+namespace {
+
+double reach_mm(const PerReceptor<Activation>& activation, double finger_mm) {
+    double reach_mm = finger_mm / 2.0;
     for (const Activation& a : activation) reach_mm = std::max(reach_mm, a.radius_mm);
     return 1.05 * reach_mm;
 }
 
+}  // namespace
+
+double common_extent_mm(const PerReceptor<Activation>& activation) {
+    return reach_mm(activation, kFingertipLengthMm);
+}
+
+double common_width_mm(const PerReceptor<Activation>& activation) {
+    return reach_mm(activation, kFingertipWidthMm);
+}
+
+// Words stand where they leave the map the more room: beneath it, or in a low and wide area beside
+// it.
 ReceptorLayout receptor_layout(const Theme& theme, const Rect& area, const ReceptorScene& scene) {
     ReceptorLayout layout;
     const float lines = area.height() >= 150.0F * theme.scale  ? 3.2F
                         : area.height() >= 90.0F * theme.scale ? 2.2F
                                                                : 0.0F;
     const float caption_px = lines * caption_line_px(theme);
-    const float side = std::max(0.0F, std::min(area.width(), area.height() - caption_px));
-    layout.map = rect_at({std::floor(area.centre().x - side / 2.0F), area.min.y}, {side, side});
-    if (lines > 0.0F) {
+    const double half_width_mm =
+        scene.half_width_mm > 0.0 ? scene.half_width_mm : scene.half_extent_mm;
+    const auto slim = static_cast<float>(half_width_mm / scene.half_extent_mm);
+    const float gap = theme.gap_px;
+    const float words_px = least_caption_px(theme) + gap;
+    const float beneath = std::max(0.0F, std::min(area.width() / slim, area.height() - caption_px));
+    const float beside = std::min((area.width() - words_px) / slim, area.height());
+    layout.beside = beside > 1.1F * beneath;
+    const float height = layout.beside ? beside : beneath;
+    const float width = slim * height;
+    if (layout.beside) {
+        const float top = area.centre().y - height / 2.0F;
+        layout.map = rect_at({area.min.x, std::floor(top)}, {width, height});
+        layout.caption = {{layout.map.max.x + gap, area.min.y}, area.max};
+    } else {
+        layout.map =
+            rect_at({std::floor(area.centre().x - width / 2.0F), area.min.y}, {width, height});
+    }
+    if (!layout.beside && lines > 0.0F) {
         layout.caption = {{area.min.x, layout.map.max.y},
                           {area.max.x, layout.map.max.y + caption_px}};
     }
-    layout.skin = skin_view(layout.map, scene.half_extent_mm, scene.tilted);
+    const ImVec2 half{height / 2.0F, height / 2.0F};
+    const ImVec2 middle = layout.map.centre();
+    layout.skin = skin_view({middle - half, middle + half}, scene.half_extent_mm, scene.tilted);
     return layout;
 }
 
@@ -251,8 +283,12 @@ ReceptorAction draw_receptors(const char* id, const Theme& theme, const Rect& ar
     draw_asked_for(list, theme, scene, marks, action.hovered ? action.hovered : scene.pointed);
     if (scene.stale) draw_stale(list, theme, layout.map, ImGui::GetTime());
     list.PopClipRect();
-    draw_scale_bar(list, theme, layout.map, layout.skin.px_per_mm);
-    draw_caption(list, theme, layout.caption, scene);
+    if (layout.beside) {
+        draw_caption_beside(list, theme, layout.caption, scene, layout.skin.px_per_mm);
+    } else {
+        draw_scale_bar(list, theme, layout.map, layout.skin.px_per_mm);
+        draw_caption(list, theme, layout.caption, scene);
+    }
     return action;
 }
 

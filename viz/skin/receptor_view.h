@@ -32,8 +32,10 @@ struct ReceptorScene {
     Receptor receptor = Receptor::meissner;
     const ReceptorGrid* grid = nullptr;  // null: not computed yet
     Activation activation{};
-    bool silent = false;           // next to no energy in the channel's band: none of them fires
-    double half_extent_mm = 10.5;  // from the probe to the map's edge; the same in maps to compare
+    bool silent = false;  // next to no energy in the channel's band: none of them fires
+    // From the probe to the map's edges, the same in maps to compare; no width: as its height.
+    double half_extent_mm = 10.5;
+    double half_width_mm = 0.0;
     ReceptorQuantity quantity = ReceptorQuantity::rate;
     double largest_hz = 0.0;  // the rate of the strongest colour; 0: the centre's
     // How often the receptor under the probe fires in the whole signal, as a raster shows it. The
@@ -57,13 +59,16 @@ struct ReceptorAction {
 ReceptorAction draw_receptors(const char* id, const Theme& theme, const Rect& area,
                               const ReceptorScene& scene);
 
-// The half extent at which the fingertip and the reach of all four types are in view.
+// The half extent, and the half width, at which the fingertip and the reach of all four types are
+// in view.
 double common_extent_mm(const PerReceptor<Activation>& activation);
+double common_width_mm(const PerReceptor<Activation>& activation);
 
 // Where the parts go. Pure, for tests.
 struct ReceptorLayout {
     Rect map;
-    Rect caption;  // up to three lines beneath the map; empty where there is no room
+    Rect caption;         // beneath the map or right of it; empty where there is no room
+    bool beside = false;  // it is right of it
     SkinView skin;
 };
 

@@ -160,6 +160,34 @@ TEST_CASE("physiology: a stage opens large from the strip or by its name, Esc go
     CHECK(program.shows("plot:brain"));
 }
 
+TEST_CASE(
+    "physiology: the head of the stages is one line in a wide pane, and two in a narrow one") {
+    PhysiologyProgram program;
+    const auto is_in_line = [&](const char* what, const char* with) {
+        const float y = program.at(what).middle().y;
+        return y > program.at(with).min.y && y < program.at(with).max.y;
+    };
+    program.app.layout.maximised = Pane::physiology;
+    program.settle();
+    for (const char* what : {"compare with", "start tour", "stages:fold"}) {
+        CHECK(is_in_line(what, "stage:all"));
+    }
+    program.click("stage:receptors");
+    CHECK(is_in_line("view:Tilted", "label:receptors"));
+
+    program.app.layout.maximised.reset();
+    program.app.layout.physiology = Fold::open;
+    program.resize({1000.0F, 720.0F}, 1.0F);
+    program.settle();
+    REQUIRE(program.shows("stages:more"));
+    CHECK(is_in_line("stages:more", "stage:envelope"));
+    CHECK_FALSE(program.shows("compare with"));
+    CHECK_FALSE(program.shows("hint:physiology"));
+    program.click("stages:more");
+    program.click("stages:fold");
+    CHECK(program.app.layout.physiology == Fold::row);
+}
+
 TEST_CASE("physiology: the i of a stage explains it, and leads on to the next") {
     PhysiologyProgram program;
     program.click("explain:networks");

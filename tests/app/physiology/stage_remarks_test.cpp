@@ -87,4 +87,21 @@ TEST_CASE("remarks: an opened stage shows its remark, and a pair names its rows"
     CHECK(holds(program.at("row difference:brain").value, "difference, NC "));
 }
 
+TEST_CASE("remarks: what a filter leaks is said once, small in its trace and large above") {
+    PatternSet set = short_patterns(2);
+    for (Vibration& vibration : set.vibrations) {
+        Pattern& pattern = std::get<Pattern>(vibration.source);
+        pattern.duration_s = 1.0;
+        pattern.amplitude_g = 0.8;
+        pattern.carriers[0].frequency_hz = 70.0;
+        pattern.modulation.frequency_hz = 0.0;
+    }
+    set.duration_s = 1.0;
+    PhysiologyProgram program(set);
+    CHECK(program.shows("leaks:SA1"));
+    program.click("stage:filtered");
+    CHECK(program.shows("remark:filtered"));
+    CHECK_FALSE(program.shows("leaks:SA1"));
+}
+
 }  // namespace stage_remarks_test

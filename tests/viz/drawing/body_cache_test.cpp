@@ -27,7 +27,8 @@ std::vector<double> noise(std::size_t count) {
 
 const std::vector<Extremes>& drawn(BodyCache& cache, std::span<const double> samples,
                                    const View& view, int frame = 1) {
-    return *kept_columns(cache, frame, samples, view.first, view.last, view.columns, view.scale);
+    return kept_body(cache, frame, samples, view.first, view.last, view.columns, view.scale)
+        ->columns;
 }
 
 std::vector<Extremes> afresh(std::span<const double> samples, const View& view) {
@@ -75,9 +76,9 @@ TEST_CASE("body cache: what is not drawn goes, what is drawn stays") {
     const View steady{0.0, 399.0, 20};
     // Held, lest another takes its place in memory.
     const auto first =
-        kept_columns(cache, 1, samples, steady.first, steady.last, steady.columns, steady.scale);
+        kept_body(cache, 1, samples, steady.first, steady.last, steady.columns, steady.scale);
     for (int frame = 1; frame <= 2000; ++frame) {
-        CHECK(&drawn(cache, samples, steady, frame) == first.get());
+        CHECK(&drawn(cache, samples, steady, frame) == &first->columns);
         const std::size_t before = cache.kept.size();
         drawn(cache, samples, {0.0, 300.0 + 0.01 * frame, 20}, frame);
         CHECK(cache.kept.size() <= before + 1);

@@ -133,6 +133,61 @@ TEST_CASE("wave body: of a modulated tone the modulation is drawn, at its freque
     CHECK(seen > 40);
 }
 
+// Humps of a few columns: drawn one by one or as one body, never some of them.
+TEST_CASE("wave body: waves about as narrow as can be seen have no beats that are not there") {
+    int bodies = 0;
+    int waves = 0;
+    for (const double carrier_hz : {70.0, 120.0, 150.0, 240.0, 333.0}) {
+        for (const double modulation_hz : {8.0, 12.0, 16.0, 20.0, 25.0, 31.0, 36.0}) {
+            if (modulation_hz * 3.0 > carrier_hz) continue;
+            const auto samples = samples_of({carrier_hz, 0.3, modulation_hz, 1.0}, 1.0);
+            for (std::size_t width_px = 40; width_px <= 300; width_px += 5) {
+                const double hump_px = static_cast<double>(width_px) / modulation_hz;
+                if (hump_px < 3.5 || hump_px > 9.0) continue;
+                const auto columns = drawn(samples, width_px, 12.0, 2.0);
+                int crossings = 0;
+                for (std::size_t c = 1; c < width_px; ++c) {
+                    if ((columns[c].high > 1.0) != (columns[c - 1].high > 1.0)) ++crossings;
+                }
+                const bool is_body = crossings <= 2;
+                CHECK_MESSAGE((is_body || std::abs(crossings - 2.0 * modulation_hz) <= 3.0),
+                              carrier_hz, " Hz, ", modulation_hz, " Hz, ", width_px, " px");
+                ++(is_body ? bodies : waves);
+            }
+        }
+    }
+    CHECK(bodies > 100);
+    CHECK(waves > 100);
+}
+
+TEST_CASE("wave body: of waves too narrow to see the strength is known, a steady tone has all") {
+    const auto shown = [](const Tone& tone, std::size_t width_px) {
+        const auto samples = samples_of(tone, 1.0);
+        return wave_body(samples, 0.0, 10'000.0, width_px, {6.0, 0.01});
+    };
+    const auto is_steady = [](const WaveBody& body) {
+        return std::ranges::all_of(body.strength, [](double share) { return share > 0.95; });
+    };
+    for (const double frequency_hz : {37.3, 60.0, 150.0, 251.7, 497.0}) {
+        for (const std::size_t width_px : {75U, 203U}) {
+            if (static_cast<double>(width_px) / frequency_hz >= 6.0) continue;
+            CHECK_MESSAGE(is_steady(shown({frequency_hz, 0.7}, width_px)), frequency_hz, " Hz on ",
+                          width_px, " px");
+        }
+    }
+    CHECK(is_steady(shown({20.0, 0.7}, 900)));
+    // The tone of peak 1 + d that is as strong as (1 + d sin) has a peak of sqrt(1 + d d / 2).
+    for (const double depth : {0.5, 1.0}) {
+        const WaveBody body = shown({180.0, 0.3, 25.0, depth}, 100);
+        const double share = std::sqrt(1.0 + depth * depth / 2.0) / (1.0 + depth);
+        for (const double strength : body.strength) CHECK(std::abs(strength - share) <= 0.08);
+    }
+    // Waves that are seen are as strong as they look.
+    for (const double strength : shown({180.0, 0.3, 4.0, 0.8}, 200).strength) {
+        CHECK(strength >= 0.9);
+    }
+}
+
 TEST_CASE("wave body: two tones show the beat of the slower one while that can be seen") {
     // 210 Hz is body, 30 Hz has 20 px a period.
     std::vector<double> samples = samples_of({30.0}, 1.0);
@@ -248,6 +303,30 @@ TEST_CASE("wave body: pictures of a tone have no beats, in rows and in thumbnail
             CHECK(fewest > 0.8F * size.y);
         }
     }
+}
+
+TEST_CASE("wave body: modulated faster than can be seen it is lighter, and outlined") {
+    const ImU32 ink = IM_COL32(255, 0, 200, 255);
+    const Rect area{{10, 10}, {85, 40}};
+    const auto full_pixels = [&](const Tone& tone) {
+        const auto samples = samples_of(tone, 1.0);
+        const Image image = draw_picture(95, 50, {}, [&](const Theme& theme) {
+            Plot plot;
+            plot.area = area;
+            plot.x = {0.0, 1.0, Scale::linear, area.min.x, area.max.x};
+            plot.y = {-2.2, 2.2, Scale::linear, area.max.y, area.min.y};
+            draw_signal(*ImGui::GetWindowDrawList(), theme, plot, samples, kRateHz, ink,
+                        TraceStyle::line);
+        });
+        return std::pair{count_pixels(image, {{30, 22}, {60, 28}}, ink, 10),
+                         count_pixels(image, {{30, 10}, {60, 22}}, ink, 120)};
+    };
+    const auto [steady_body, steady_edge] = full_pixels({150.0, 0.5});
+    const auto [waves_body, waves_edge] = full_pixels({150.0, 0.5, 30.0, 1.0});
+    CHECK(steady_body == 30 * 6);
+    CHECK(waves_body == 0);
+    CHECK(waves_edge >= 30);
+    CHECK(steady_edge > waves_edge);
 }
 
 TEST_CASE(

@@ -221,6 +221,32 @@ TEST_CASE("receptor view: marks, words and stems stay inside the area, however n
     }
 }
 
+TEST_CASE(
+    "receptor view: in a low and wide area the map is as high as it, and words are beside it") {
+    const Example e(Receptor::pacinian, 6.0);
+    ReceptorScene scene = e.scene();
+    scene.half_width_mm = 8.4;
+    const Rect area{{10, 10}, {360, 120}};
+    const Drawn d = drawn(scene, {}, area);
+    REQUIRE(d.layout.beside);
+    CHECK(d.layout.map.height() == area.height());
+    CHECK(d.layout.map.width() < d.layout.map.height());  // no wider than the finger
+    CHECK(d.layout.caption.min.x >= d.layout.map.max.x);
+    CHECK(count_pixels(d.image, d.layout.caption, dark_theme(1.0F).dim_text, 30) > 100);
+    CHECK(count_strays(d.image, area, dark_theme(1.0F).pane) == 0);
+    CHECK_FALSE(drawn(scene).layout.beside);
+}
+
+TEST_CASE("receptor view: where no words fit there are none, rather than cut ones") {
+    const Example e(Receptor::pacinian, 6.0);
+    ReceptorScene scene = e.scene();
+    scene.centre_spikes = 317;
+    draw_picture(100, 100, {}, [&](const Theme& theme) {
+        CHECK(receptor_state_text(scene, theme.fonts.small, 30.0F) == "317");
+        CHECK(receptor_state_text(scene, theme.fonts.small, 5.0F).empty());
+    });
+}
+
 TEST_CASE("receptor view: in the tilted view a stronger value stands higher, and it eases in") {
     const Example e(Receptor::meissner, 6.0);
     for (const auto quantity : {ReceptorQuantity::rate, ReceptorQuantity::amplitude}) {
