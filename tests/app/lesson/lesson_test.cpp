@@ -175,6 +175,37 @@ TEST_CASE("lesson: the card stands beside what it points at, whatever the size a
     }
 }
 
+TEST_CASE("lesson: at a side the card is no wider than its lines are read with ease") {
+    Class program;
+    program.begin(kTourLesson);
+    program.lesson().card_share = 0.5F;
+    program.resize({2560.0F, 1440.0F}, 1.0F);
+    const Place card = program.at("tour");
+    const float sixty =
+        ImGui::GetFont()
+            ->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, std::string(60, 'n').c_str())
+            .x;
+    CHECK(card.max.x - card.min.x < sixty + 3.0F * program.app.ui.theme.padding_px);
+    CHECK(card.max.x - card.min.x > 0.6F * sixty);
+}
+
+TEST_CASE("lesson: the way on is in sight in a small window, at whatever edge the card stands") {
+    Class program;
+    program.begin(kTourLesson);
+    program.resize({1280.0F, 720.0F}, 1.0F);
+    for (const DockSide side : {DockSide::right, DockSide::bottom, DockSide::left, DockSide::top}) {
+        program.lesson().dock = side;
+        program.settle();
+        const Place card = program.at("tour");
+        for (const char* name : {"tour:back", "tour:next", "tour:leave", "lesson:move"}) {
+            CAPTURE(name);
+            CHECK(program.at(name).max.y <= card.max.y);
+            CHECK(program.at(name).max.x <= card.max.x);
+        }
+        CHECK_FALSE(meet(program.at("tour:leave"), program.at("lesson:move")));
+    }
+}
+
 TEST_CASE("lesson: number keys count hands until the answer is seen, and the score counts it") {
     Class program;
     program.begin(kBundledLessons[0].path);
