@@ -133,14 +133,9 @@ std::string tip_of(const ComparedMetric& row, bool synthetic) {
     return tip;
 }
 
-// With people, and where there is room also how sure rho is and how likely K by chance: elsewhere
-// the tooltip of a row tells these two.
-enum class Columns { few, with_people, all };
-
-int count_of(Columns columns) {
-    if (columns == Columns::few) return 2;
-    return columns == Columns::with_people ? 5 : 7;
-}
+// Without people two columns; with people as many as there is room for. What is left out the
+// tooltip of a row tells.
+enum class Columns { few, least, most, all };
 
 void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Best& best,
               bool synthetic, Columns columns) {
@@ -154,7 +149,7 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     }
     note_item(ui.rects, std::string("metric:") + metric.key, row_value(row));
     draw_tooltip(ui, tip_of(row, synthetic).c_str());
-    if (metric.is_reference && columns != Columns::with_people) {
+    if (metric.is_reference && (columns == Columns::few || columns == Columns::all)) {
         ImGui::SameLine();
         ImGui::PushFont(ui.theme.fonts.small);
         dim_text(ui, "ours");
@@ -164,12 +159,11 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
         const Evaluation& e = *row.evaluation;
         const auto best_if = [](bool is_best, Mark mark) { return is_best ? mark : Mark::none; };
         draw_cell(ui, digits(e.rho, 2), best_if(e.rho == best.rho, Mark::best));
-        if (columns == Columns::all) draw_cell(ui, interval_text(e), Mark::none);
+        draw_cell(ui, interval_text(e), Mark::none);
         draw_cell(ui, digits(e.rho_p, 4), best_if(e.rho_p == best.rho_p, Mark::shared));
         draw_cell(ui, e.is_failed_map ? "no map" : digits(e.k, 2),
                   best_if(e.k == best.k, Mark::best));
-        if (columns == Columns::all)
-            draw_cell(ui, digits(e.k_p, 4), best_if(e.k_p == best.k_p, Mark::shared));
+        draw_cell(ui, digits(e.k_p, 4), best_if(e.k_p == best.k_p, Mark::shared));
     }
     draw_cell(ui, digits(row.rho_with_pm, 2), Mark::none);
 }
@@ -178,29 +172,39 @@ void draw_head(Ui& ui, Columns columns, bool synthetic) {
     struct Column {
         const char* name;
         const char* tip;
-        Columns from;  // on
+        Columns from;  // on; without people the first and the last
+        float weight;
     };
     constexpr std::array<Column, 7> kColumns{
-        {{"metric", "Click one for its pairs and its Shepard diagram.", Columns::few},
+        {{"metric", "Click one for its pairs and its Shepard diagram.", Columns::least, 1.8F},
          {"rho", "Spearman's rank correlation with the ratings, pair by pair: 1 the same order.",
-          Columns::with_people},
+          Columns::least, 1.0F},
          {"95 %", "Interval of rho if other patterns had been drawn: bootstrap over patterns.",
-          Columns::all},
+          Columns::all, 1.6F},
          {"p", "How often patterns under exchanged names agree as well: Mantel's test.",
-          Columns::with_people},
+          Columns::all, 1.0F},
          {"K", "Alienation of the two maps: 0 one shape; unrelated maps have about .5, not 1.",
-          Columns::with_people},
-         {"p of K", "How often maps under exchanged names are as close in shape.", Columns::all},
+          Columns::least, 1.0F},
+         {"p of K", "How often maps under exchanged names are as close in shape.", Columns::all,
+          1.0F},
          {"with PM", "Spearman's rank correlation with PM: how much the metric is another one.",
-          Columns::few}}};
+          Columns::most, 1.0F}}};
+    const auto is_left_out = [&](const Column& column) {
+        return columns == Columns::few && &column != &kColumns.front() &&
+               &column != &kColumns.back();
+    };
     ImGui::TableSetupScrollFreeze(1, 1);
     for (const Column& column : kColumns) {
-        if (column.from <= columns) ImGui::TableSetupColumn(column.name);
+        if (is_left_out(column)) continue;
+        const bool is_shown = columns == Columns::few || column.from <= columns;
+        const ImGuiTableColumnFlags shown = is_shown ? 0 : ImGuiTableColumnFlags_Disabled;
+        ImGui::TableSetupColumn(column.name, ImGuiTableColumnFlags_WidthStretch | shown,
+                                column.weight);
     }
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::PushFont(ui.theme.fonts.small);
     for (const Column& column : kColumns) {
-        if (column.from > columns) continue;
+        if (is_left_out(column)) continue;
         ImGui::TableNextColumn();
         // An interval and a p stand to the right of what they belong to.
         const std::string name = column.name;
@@ -241,16 +245,17 @@ void draw_remarks(Ui& ui, const Comparison& comparison) {
 
 void draw_table(Ui& ui, Comparing& comparing, const Comparison& comparison, const Rect& area) {
     const bool synthetic = has_nobody(comparison);
-    const bool is_wide = area.width() >= 540.0F * ui.theme.scale;
+    const float room = area.width() / ui.theme.scale;
     const Columns columns = !comparison.people ? Columns::few
-                            : is_wide          ? Columns::all
-                                               : Columns::with_people;
+                            : room >= 560.0F   ? Columns::all
+                            : room >= 300.0F   ? Columns::most
+                                               : Columns::least;
     const Best best = best_of(comparison);
     ImGui::SetCursorScreenPos(area.min);
     ImGui::BeginChild("metrics", area.size());
     constexpr ImGuiTableFlags kFlags =
         ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
-    if (ImGui::BeginTable("metrics", count_of(columns), kFlags)) {
+    if (ImGui::BeginTable("metrics", comparison.people ? 7 : 2, kFlags)) {
         draw_head(ui, columns, synthetic);
         for (const ComparedMetric& row : comparison.metrics) {
             draw_row(ui, comparing, row, best, synthetic, columns);

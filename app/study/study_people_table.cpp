@@ -73,7 +73,7 @@ std::string weights_text(const StudyAnswers& answers, const PersonWeights& perso
 
 // A star as high as the row.
 void draw_star_cell(Ui& ui, const StudyAnswers& answers, const std::string& code) {
-    ImGui::TableNextColumn();
+    if (!ImGui::TableNextColumn()) return;
     const PersonWeights* const person = weights_of(answers, code);
     if (person == nullptr) return dim_text(ui, "\u2013");
     const float side = kStarLines * ImGui::GetTextLineHeight();
@@ -143,23 +143,28 @@ void draw_people_table(Ui& ui, const Workspace& work, Timeline& timeline, PlaySt
         const char* name;
         const char* tip;
         float weight;
+        bool needs_room = false;
     };
     constexpr std::array<Column, kColumns> kHeads{
         {{"participant", "Click one for their own matrix and map.", 2.2F},
          {"answers", "Given, of those wanted.", 1.4F},
-         {"identical", "Similarities of identical patterns: the test of attention.", 1.5F},
-         {"rho", "Spearman's rho with the mean of the others who count.", 1.3F},
-         {"min", "Minutes spent on answers.", 0.8F},
+         {"identical", "Similarities of identical patterns: the test of attention.", 1.5F, true},
+         {"rho", "Spearman's rho with the mean of the others who count.", 1.5F},
+         {"min", "Minutes spent on answers.", 0.8F, true},
          {"goes by",
           "How much of each one's ratings stands in every dimension of a common map: a ray each.",
-          1.0F},
-         {"", "", 2.9F},
-         {"", "", 1.6F}}};
+          1.0F, true},
+         {"", "", 2.6F},
+         {"", "", 1.7F}}};
     constexpr ImGuiTableFlags kFlags =
         ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
+    const bool has_room = ImGui::GetContentRegionAvail().x >= 660.0F * ui.theme.scale;
     if (!ImGui::BeginTable("participants", kColumns, kFlags)) return;
     for (const Column& column : kHeads) {
-        ImGui::TableSetupColumn(column.name, ImGuiTableColumnFlags_WidthStretch, column.weight);
+        const bool is_shown = has_room || !column.needs_room;
+        const ImGuiTableColumnFlags shown = is_shown ? 0 : ImGuiTableColumnFlags_Disabled;
+        ImGui::TableSetupColumn(column.name, ImGuiTableColumnFlags_WidthStretch | shown,
+                                column.weight);
     }
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::PushFont(ui.theme.fonts.small);

@@ -31,7 +31,7 @@ void draw_share_slider(Ui& ui, SubsetState& picking) {
                            .step = 0.5,
                            .snap = 0.5,
                            .normal = 5.0};
-    const float width = 190.0F * ui.theme.scale;
+    const float width = 204.0F * ui.theme.scale;
     flow_on(width, ui.theme.gap_px);
     double percent = 100.0 * picking.share;
     if (draw_short_field(ui, kShare, width, percent).changed) picking.share = percent / 100.0;
