@@ -149,7 +149,7 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     }
     note_item(ui.rects, std::string("metric:") + metric.key, row_value(row));
     draw_tooltip(ui, tip_of(row, synthetic).c_str());
-    if (metric.is_reference && (columns == Columns::few || columns == Columns::all)) {
+    if (metric.is_reference && columns == Columns::few) {
         ImGui::SameLine();
         ImGui::PushFont(ui.theme.fonts.small);
         dim_text(ui, "ours");

@@ -226,10 +226,7 @@ void add_arrangements(std::vector<Scene>& all) {
                        p.app.studying.kind = StudyKind::sorting;
                        p.settle();
                    }});
-    all.push_back({"present", [](Program& p) {
-                       run(p, "Present");
-                       p.wait_for_stages();
-                   }});
+    all.push_back({"present", [](Program& p) { run(p, "Present"); }});
     all.push_back({"study, results as a matrix",
                    [](Program& p) { show_answers(p, StudyKind::pairwise, StudyShow::matrix); }});
     all.push_back({"study, results as a map",
