@@ -197,14 +197,19 @@ void draw_axes(ImDrawList& list, const Theme& theme, const Plot& plot, const Plo
     }
     if (labels.x_unit.empty()) return;
     const auto ticks = ticks_apart(plot.x, 4.0F * text_px);
-    for (std::size_t i = 0; i < ticks.size(); ++i) {
+    // From the last, which has the unit: in a narrow plot it leaves no room for those before it.
+    float free_to = plot.outer.max.x + text_px;
+    for (std::size_t i = ticks.size(); i-- > 0;) {
         std::string text = tick_text(ticks[i], step_between(plot.x, ticks));
         const float number_px = text_size(font, text).x;
         if (i + 1 == ticks.size()) text += " " + std::string{labels.x_unit};
+        const float width_px = text_size(font, text).x;
         const float x = to_pixel(plot.x, ticks[i]);
-        const float left = std::min(x - number_px / 2.0F, area.max.x - text_size(font, text).x);
+        const float left = std::min(x - number_px / 2.0F, area.max.x - width_px);
         draw_upright_line(list, x, area.max.y, area.max.y + 3.0F * theme.scale, theme.hairline_px,
                           theme.line);
+        if (left + width_px > free_to - 0.25F * text_px) continue;
+        free_to = left;
         draw_text(list, font, {left, area.max.y + 5.0F * theme.scale}, theme.dim_text, text);
     }
 }
