@@ -42,14 +42,14 @@ ImVec2 widest_value_px(const Theme& theme, const MatrixScene& scene) {
 ImVec2 cell_size(const Theme& theme, ImVec2 room, std::size_t n) {
     constexpr float kWidest = 2.8F;  // by its height
     constexpr float kHighest = 1.4F;
-    const float most = 64.0F * theme.scale;
+    const ImVec2 most{96.0F * theme.scale, 64.0F * theme.scale};
     const auto objects = static_cast<float>(std::max<std::size_t>(n, 1));
     const ImVec2 each{std::max(0.0F, room.x / objects), std::max(0.0F, room.y / objects)};
-    const auto side = [most](float px, float limit) {
+    const auto side = [](float px, float limit, float most_px) {
         const float fits = std::min(px, limit);
-        return fits >= 4.0F ? std::min(std::floor(fits), most) : fits;
+        return fits >= 4.0F ? std::min(std::floor(fits), most_px) : fits;
     };
-    return {side(each.x, kWidest * each.y), side(each.y, kHighest * each.x)};
+    return {side(each.x, kWidest * each.y, most.x), side(each.y, kHighest * each.x, most.y)};
 }
 
 std::optional<std::size_t> index_at(float cell_px, std::size_t n, float offset_px) {
@@ -89,15 +89,25 @@ MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixSce
     const float right = scale_room_px(theme, scene);
     const float top = std::min(widest, area.height() * 0.25F) + theme.gap_px;
     const ImVec2 value_px = widest_value_px(theme, scene);
+    // Names that stand upright leave less height to the cells than those that lie.
+    constexpr float kLevelCell = 5.5F;  // by the size of type
+    const float level_top = std::min(top, text_px + theme.gap_px);
     const auto sized = [&](bool with_scale) {
         const float width = area.width() - left - (with_scale ? right : 0.0F);
         MatrixLayout layout;
-        layout.cell_px = cell_size(theme, {width, area.height() - top}, n);
+        layout.cell_px = cell_size(theme, {width, area.height() - level_top}, n);
+        layout.level_labels = layout.cell_px.x >= kLevelCell * text_px;
+        if (!layout.level_labels) {
+            layout.cell_px = cell_size(theme, {width, area.height() - top}, n);
+        }
         const ImVec2 bare = cell_size(theme, {width, area.height()}, n);
         // In a low pane every row's name is worth more than names of columns, which are the same.
         const bool names_rows = layout.cell_px.y < text_px * 1.1F && bare.y >= text_px * 1.1F;
         layout.column_labels = layout.cell_px.x >= text_px * 1.1F && !names_rows;
-        if (!layout.column_labels) layout.cell_px = bare;
+        if (!layout.column_labels) {
+            layout.cell_px = bare;
+            layout.level_labels = false;
+        }
         layout.has_values =
             value_px.x > 0.0F && layout.cell_px.x >= value_px.x && layout.cell_px.y >= value_px.y;
         return layout;
@@ -111,7 +121,7 @@ MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixSce
     }
     const auto objects = static_cast<float>(std::max<std::size_t>(n, 1));
     const ImVec2 extent = layout.cell_px * objects;
-    const float begin = layout.column_labels ? top : 0.0F;
+    const float begin = !layout.column_labels ? 0.0F : layout.level_labels ? level_top : top;
     layout.cells = rect_at({std::floor(area.min.x + left), std::floor(area.min.y + begin)}, extent);
     const float least = std::max(std::min(extent.x, extent.y), 1.0F);
     layout.shown = std::min({n, kMostCells, static_cast<std::size_t>(least)});

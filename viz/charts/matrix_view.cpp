@@ -152,10 +152,12 @@ void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const Ma
     if (!layout.column_labels) return;
     const float height = layout.cells.min.y - area.min.y - theme.gap_px + 1.0F;
     for (std::size_t i = 0; i < scene.labels.size(); ++i) {
-        const std::string name = shortened(font, scene.labels[i], height);
+        const float level_px = layout.cell_px.x - 0.5F * theme.gap_px;
+        const std::string name =
+            shortened(font, scene.labels[i], layout.level_labels ? level_px : height);
         const float middle = layout.cells.min.x + (static_cast<float>(i) + 0.5F) * layout.cell_px.x;
         const ImU32 colour = label_colour(theme, scene, pointed, i);
-        if (text_size(font, name).x <= layout.cell_px.x - 0.5F * theme.gap_px) {
+        if (text_size(font, name).x <= level_px) {
             const float left = middle - text_size(font, name).x / 2.0F;
             draw_text(list, font, {left, layout.cells.min.y - text_px - theme.gap_px / 2}, colour,
                       name);

@@ -54,6 +54,7 @@ struct MatrixLayout {
     std::size_t shown = 0;       // rows drawn: n, or fewer where several objects share one
     std::size_t label_step = 1;  // every how many-th object is named; 0: none
     bool column_labels = false;
+    bool level_labels = false;  // above wide cells, cut where rows have them whole
 };
 
 MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixScene& scene);

@@ -207,7 +207,7 @@ ScatterAction draw_scatter(const char* id, const Theme& theme, const Rect& area,
     const bool over = ImGui::IsItemHovered();
     const std::size_t stride = stride_of(scene);
     draw_axes(list, theme, plot, {.x_unit = " ", .y_unit = scene.y_title});
-    draw_path(list, fit_line(plot, summary.fit), theme.text, theme.scale);
+    draw_path(list, fit_line(plot, summary.fit), theme.text, 1.5F * theme.scale);
     draw_points(list, theme, plot, scene, stride);
     draw_titles(list, theme, area, plot, scene, stride);
     ScatterAction action;

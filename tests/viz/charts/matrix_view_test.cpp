@@ -144,6 +144,19 @@ TEST_CASE("matrix: few patterns have all their names, many only some") {
     CHECK_FALSE(many.column_labels);
 }
 
+TEST_CASE("matrix: over wide cells names lie, and leave the height to the cells") {
+    Example e = example(12);
+    e.labels[3] = "a name that is far too long to stand over a column, or to lie over one";
+    draw_picture(10, 10, {}, [&](const Theme& theme) {
+        const Rect wide{{0, 0}, {1500, 680}};
+        const MatrixLayout lying = matrix_layout(theme, wide, scene_of(e));
+        CHECK(lying.level_labels);
+        CHECK(lying.cells.height() > 0.9F * wide.height());
+        CHECK(lying.cells.width() > 0.7F * wide.width());
+        CHECK_FALSE(matrix_layout(theme, kArea, scene_of(e)).level_labels);
+    });
+}
+
 TEST_CASE("matrix: names of one or two letters are shown") {
     for (const char* stem : {"", "k"}) {
         Example e = example(6);
