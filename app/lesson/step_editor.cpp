@@ -128,7 +128,7 @@ void draw_step_editor(const LessonHands& hands, LessonState& state) {
     };
     const std::array<Text, 4> texts{
         {{"##title", "Title", "Title", 1, step.title},
-         {"##text", "Text; the model's numbers as {nc | A | B}", "Text", 6, step.text},
+         {"##text", "Text; numbers as {nc | A | B}", "Text", 6, step.text},
          {"##note", "Note for who speaks", "Note", 2, step.note},
          {"##source", "Source of what the text says of the body", "Source", 2, step.source}}};
     for (const Text& text : texts) {

@@ -120,17 +120,19 @@ void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play
     if (person == nullptr) return;
     ImGui::PushID(static_cast<int>(k));
     ImGui::TableNextRow();
-    // First, so that a click on it is not one on the row, which lies under all columns.
-    ImGui::TableSetColumnIndex(kColumns - 1);
-    draw_row_link(ui, work, timeline, play, studying, record, *person);
     ImGui::TableSetColumnIndex(0);
-    if (ImGui::Selectable(code.c_str(), studying.shown == k, ImGuiSelectableFlags_SpanAllColumns)) {
+    // It lies under all columns: a click on the link in the last one is not one on the row.
+    constexpr ImGuiSelectableFlags kRow =
+        ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap;
+    if (ImGui::Selectable(code.c_str(), studying.shown == k, kRow)) {
         studying.shown = studying.shown == k ? std::nullopt : std::optional(k);
     }
     note_item(ui.rects, "participant:" + code,
               std::to_string(person->answers) + " of " + std::to_string(person->wanted) + ", " +
                   state_of(*person));
     draw_cells(ui, answers, *person);
+    ImGui::TableSetColumnIndex(kColumns - 1);
+    draw_row_link(ui, work, timeline, play, studying, record, *person);
     ImGui::PopID();
 }
 

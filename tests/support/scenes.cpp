@@ -228,9 +228,10 @@ void add_arrangements(std::vector<Scene>& all) {
                    }});
     all.push_back({"present", [](Program& p) { run(p, "Present"); }});
     all.push_back({"study, results as a matrix",
-                   [](Program& p) { show_answers(p, StudyKind::pairwise, StudyShow::matrix); }});
+                   [](Program& p) { show_answers(p, StudyKind::pairwise, StudyShow::matrix); },
+                   true});
     all.push_back({"study, results as a map",
-                   [](Program& p) { show_answers(p, StudyKind::pairwise, StudyShow::map); }});
+                   [](Program& p) { show_answers(p, StudyKind::pairwise, StudyShow::map); }, true});
     for (const auto& [page, name] : {std::pair{StudyPage::consent, "consent"},
                                      {StudyPage::instructions, "instructions"},
                                      {StudyPage::training, "training"},
@@ -254,11 +255,13 @@ void add_arrangements(std::vector<Scene>& all) {
                        show_subset(p, SubsetView::pick);
                        maximise(p, Pane::matrix);
                    }});
-    all.push_back({"maximised compare", [](Program& p) {
+    all.push_back({"maximised compare",
+                   [](Program& p) {
                        show_compare(p, CompareView::table);
                        wait_for_comparison(p);
                        maximise(p, Pane::matrix);
-                   }});
+                   },
+                   true});
     all.push_back({"maximised why", [](Program& p) {
                        show_why(p);
                        maximise(p, Pane::matrix);
@@ -280,7 +283,8 @@ void add_bench(std::vector<Scene>& all) {
                        show_compare(p, CompareView::table);
                        wait_for_comparison(p);
                    }});
-    all.push_back({"compare with people", [](Program& p) {
+    all.push_back({"compare with people",
+                   [](Program& p) {
                        show_answers(p, StudyKind::pairwise, StudyShow::matrix);
                        use_as_ratings(p.app.ui, p.app.work, p.app.layout, p.app.comparing,
                                       p.app.studying);
@@ -289,8 +293,10 @@ void add_bench(std::vector<Scene>& all) {
                            return p.app.comparing.comparison &&
                                   p.app.comparing.comparison->people.has_value();
                        });
-                   }});
-    all.push_back({"compare, pairs with people", [](Program& p) {
+                   },
+                   true});
+    all.push_back({"compare, pairs with people",
+                   [](Program& p) {
                        show_answers(p, StudyKind::pairwise, StudyShow::matrix);
                        use_as_ratings(p.app.ui, p.app.work, p.app.layout, p.app.comparing,
                                       p.app.studying);
@@ -300,20 +306,25 @@ void add_bench(std::vector<Scene>& all) {
                                   p.app.comparing.comparison->people.has_value();
                        });
                        show_compare(p, CompareView::scatter);
-                   }});
-    all.push_back({"compare, scatter", [](Program& p) {
+                   },
+                   true});
+    all.push_back({"compare, scatter",
+                   [](Program& p) {
                        show_compare(p, CompareView::scatter);
                        wait_for_comparison(p);
-                   }});
+                   },
+                   true});
     all.push_back(
         {"compare, findings", [](Program& p) { show_compare(p, CompareView::findings); }});
-    all.push_back({"compare, findings checked", [](Program& p) {
+    all.push_back({"compare, findings checked",
+                   [](Program& p) {
                        show_compare(p, CompareView::findings);
                        click_if_there(p, "button:check findings");
                        wait_until(p, [&p] {
                            return p.app.comparing.findings && !p.app.comparing.findings_job->busy();
                        });
-                   }});
+                   },
+                   true});
     all.push_back({"shepard", [](Program& p) { show_bench(p, BenchTab::shepard); }});
     all.push_back({"why", show_why});
     all.push_back({"model", [](Program& p) { show_model(p, ModelView::parameters); }});
@@ -381,14 +392,16 @@ void add_dialogs(std::vector<Scene>& all) {
     for (const auto& [name, command] : kDialogs) {
         all.push_back({std::string("dialog, ") + name, [command](Program& p) { run(p, command); }});
     }
-    all.push_back({"dialog, leave out", [](Program& p) {
+    all.push_back({"dialog, leave out",
+                   [](Program& p) {
                        show_answers(p, StudyKind::pairwise, StudyShow::matrix);
                        ask_to_leave_out(
                            p.app.ui, p.app.studying,
                            p.app.studying.answers->records.front().header.participant.code);
                        p.settle();
                        p.settle();
-                   }});
+                   },
+                   true});
     all.push_back(
         {"dialog, leave nobody out", [](Program& p) { show_dialog(p, Dialog::leave_out); }});
     constexpr auto kOthers =

@@ -13,6 +13,7 @@ namespace tact {
 struct Scene {
     std::string name;
     std::function<void(Program&)> show;  // from the first window of the set
+    bool is_costly = false;              // computes for seconds
 };
 
 const std::vector<Scene>& scenes();

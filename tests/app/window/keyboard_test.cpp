@@ -36,6 +36,7 @@ constexpr auto kOtherwise = std::to_array<std::pair<std::string_view, std::strin
     {"grid ", "the names of the stages open it large"},
     {"network ", "the names of the receptors"},
     {"curve ", "the number of patterns to pick"},
+    {"study m", "matrix and map are looked at: Export CSV has their numbers"},
     {"generate:preview ", "Space plays it, once it is in the list"},
     {"answer:", "Tab and arrows move the mark along the answers, Enter takes it"},
     {"splitter:", "nothing is beyond a pane that cannot be scrolled to"},
@@ -113,6 +114,7 @@ std::vector<std::string> faults_of(SceneWindow& window, const Scene& scene,
                                    std::optional<Pane> alone) {
     window.show(scene);
     if (alone) window.app.layout.maximised = alone;
+    window.wait_for_exact_map();  // which takes its Cancel away
     window.settle();
     std::vector<std::string> faults;
     const auto things = pressable(window);
