@@ -89,14 +89,14 @@ MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixSce
     const float right = scale_room_px(theme, scene);
     const float top = std::min(widest, area.height() * 0.25F) + theme.gap_px;
     const ImVec2 value_px = widest_value_px(theme, scene);
-    // Names that stand upright leave less height to the cells than those that lie.
-    constexpr float kLevelCell = 5.5F;  // by the size of type
+    // Names that stand upright leave less height to the cells than those that lie, which are told
+    // whole or not at all.
     const float level_top = std::min(top, text_px + theme.gap_px);
     const auto sized = [&](bool with_scale) {
         const float width = area.width() - left - (with_scale ? right : 0.0F);
         MatrixLayout layout;
         layout.cell_px = cell_size(theme, {width, area.height() - level_top}, n);
-        layout.level_labels = layout.cell_px.x >= kLevelCell * text_px;
+        layout.level_labels = layout.cell_px.x >= widest + 0.5F * theme.gap_px;
         if (!layout.level_labels) {
             layout.cell_px = cell_size(theme, {width, area.height() - top}, n);
         }

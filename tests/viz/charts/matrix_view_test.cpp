@@ -144,9 +144,9 @@ TEST_CASE("matrix: few patterns have all their names, many only some") {
     CHECK_FALSE(many.column_labels);
 }
 
-TEST_CASE("matrix: over wide cells names lie, and leave the height to the cells") {
+TEST_CASE("matrix: over cells as wide as every name these lie, and leave the height to the cells") {
     Example e = example(12);
-    e.labels[3] = "a name that is far too long to stand over a column, or to lie over one";
+    for (std::size_t k = 0; k < e.labels.size(); ++k) e.labels[k] = "name " + std::to_string(k);
     draw_picture(10, 10, {}, [&](const Theme& theme) {
         const Rect wide{{0, 0}, {1500, 680}};
         const MatrixLayout lying = matrix_layout(theme, wide, scene_of(e));
@@ -154,6 +154,9 @@ TEST_CASE("matrix: over wide cells names lie, and leave the height to the cells"
         CHECK(lying.cells.height() > 0.9F * wide.height());
         CHECK(lying.cells.width() > 0.7F * wide.width());
         CHECK_FALSE(matrix_layout(theme, kArea, scene_of(e)).level_labels);
+        Example cut = e;
+        cut.labels[3] = "a name that would be cut if it lay over its column";
+        CHECK_FALSE(matrix_layout(theme, wide, scene_of(cut)).level_labels);
     });
 }
 
