@@ -14,7 +14,8 @@ std::optional<std::vector<WarpedNote>> notes_on_the_way(const Pattern& from, con
 
 void set_tone(Pattern& pattern, const Pattern& from, const Pattern& to, double share) {
     const Pattern& near = share < 0.5 ? from : to;
-    const Tone tone = tone_between(from, to, share).value_or(Tone{near.carriers, near.modulation});
+    const MorphedTone tone =
+        tone_between(from, to, share).value_or(MorphedTone{near.carriers, near.modulation});
     pattern.carriers = tone.carriers;
     pattern.modulation = tone.modulation;
 }

@@ -11,11 +11,11 @@
 namespace tact {
 
 // Carriers and modulation; none: they cannot change by degrees.
-struct Tone {
+struct MorphedTone {
     std::vector<Carrier> carriers;
     Modulation modulation;
 };
-std::optional<Tone> tone_between(const Pattern& from, const Pattern& to, double share);
+std::optional<MorphedTone> tone_between(const Pattern& from, const Pattern& to, double share);
 
 // The gates of two rhythms with their ramps and amplitude curves, as one curve.
 AmplitudeCurve notes_between(const Pattern& from, const Pattern& to,

@@ -57,8 +57,8 @@ std::optional<std::vector<Carrier>> side_bands_of(const Carrier& carrier, double
 }
 
 // The modulation written out as carriers.
-std::optional<Tone> written_out(std::vector<Carrier> carriers, const Strengths& strengths) {
-    Tone tone;
+std::optional<MorphedTone> written_out(std::vector<Carrier> carriers, const Strengths& strengths) {
+    MorphedTone tone;
     for (Carrier& carrier : carriers) {
         const auto bands = side_bands_of(carrier, *strengths.at_hz);
         if (!bands) return std::nullopt;
@@ -75,20 +75,20 @@ std::optional<Tone> written_out(std::vector<Carrier> carriers, const Strengths& 
 
 }  // namespace
 
-std::optional<Tone> tone_between(const Pattern& from, const Pattern& to, double share) {
+std::optional<MorphedTone> tone_between(const Pattern& from, const Pattern& to, double share) {
     const Strengths a = strengths_of(from.modulation);
     const Strengths b = strengths_of(to.modulation);
     std::vector<Carrier> carriers = carriers_between(from, to, share);
-    if (!a.at_hz && !b.at_hz) return Tone{std::move(carriers), {}};
+    if (!a.at_hz && !b.at_hz) return MorphedTone{std::move(carriers), {}};
     Strengths way{between(a.carriers, b.carriers, share, BlendBy::difference),
                   between(a.side_bands, b.side_bands, share, BlendBy::difference),
                   between(a.at_hz.value_or(*(b.at_hz ? b.at_hz : a.at_hz)),
                           b.at_hz.value_or(*(a.at_hz ? a.at_hz : b.at_hz)), share, BlendBy::ratio)};
     if (a.carriers == 1.0 && b.carriers == 1.0) {
-        return Tone{std::move(carriers), {ModulationKind::am, *way.at_hz, way.side_bands}};
+        return MorphedTone{std::move(carriers), {ModulationKind::am, *way.at_hz, way.side_bands}};
     }
     if (a.carriers == 0.0 && b.carriers == 0.0) {
-        return Tone{std::move(carriers), {ModulationKind::product, *way.at_hz, 1.0}};
+        return MorphedTone{std::move(carriers), {ModulationKind::product, *way.at_hz, 1.0}};
     }
     // Carriers follow a drawn frequency in proportion, which side bands do not.
     if (!from.frequency_curve.empty() || !to.frequency_curve.empty()) return std::nullopt;

@@ -45,9 +45,9 @@ std::vector<Stretch> silent_stretches(const AmplitudeCurve& curve) {
     return all;
 }
 
-std::vector<Stretch> with_taps(std::vector<Stretch> all, const std::vector<Tap>& taps) {
+std::vector<Stretch> with_taps(std::vector<Stretch> all, const std::vector<TapShares>& taps) {
     std::erase_if(all, [&](const Stretch& one) {
-        return std::ranges::none_of(taps, [&](const Tap& tap) {
+        return std::ranges::none_of(taps, [&](const TapShares& tap) {
             return tap.time_s >= one.start_s && tap.time_s < one.end_s;
         });
     });
@@ -119,7 +119,7 @@ bool is_constant(const AmplitudeCurve& curve) {
 double base_sharpness(const Shares& shares) {
     if (is_constant(shares.frequency)) return shares.frequency.front().value;
     double base = 0.0;
-    for (const Tap& tap : shares.taps) {
+    for (const TapShares& tap : shares.taps) {
         base = std::max(base, sides_at(shares.frequency, tap.time_s).behind - tap.frequency);
     }
     return std::min(base, 1.0);
@@ -133,7 +133,7 @@ struct TapLosses {
 
 void add_taps(Json& entries, const Shares& shares, const AmplitudeCurve& control, double base,
               TapLosses& losses) {
-    for (const Tap& tap : shares.taps) {
+    for (const TapShares& tap : shares.taps) {
         const double intensity = sides_at(control, tap.time_s).behind;
         const double sharpness = sides_at(shares.frequency, tap.time_s).behind - base;
         const double own =

@@ -20,7 +20,7 @@ namespace {
 struct HapticPoint {
     double time_s = 0.0;
     double amplitude = 0.0;
-    std::optional<Tap> emphasis;
+    std::optional<TapShares> emphasis;
 };
 
 // What the emphases cost, as the renderer plays them.
@@ -35,7 +35,7 @@ std::vector<HapticPoint> points_with(const Shares& shares, EmphasisLosses& losse
     for (const AmplitudePoint& point : shares.amplitude) {
         points.push_back({point.time_s, point.value, std::nullopt});
     }
-    for (Tap tap : shares.taps) {
+    for (TapShares tap : shares.taps) {
         auto next = std::ranges::upper_bound(points, tap.time_s, {}, &HapticPoint::time_s);
         const bool is_there =
             next != points.begin() && (next - 1)->time_s == tap.time_s && !(next - 1)->emphasis;

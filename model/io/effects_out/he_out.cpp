@@ -124,7 +124,7 @@ std::vector<Json> continuous_events(const std::vector<Knot>& knots, HeLosses& lo
     return events;
 }
 
-Json tap_event(const Tap& tap, HeLosses& losses) {
+Json tap_event(const TapShares& tap, HeLosses& losses) {
     const auto off = [](double share) {
         return std::abs(share - 0.01 * static_cast<double>(percent(share)));
     };
@@ -134,13 +134,14 @@ Json tap_event(const Tap& tap, HeLosses& losses) {
                     {{"Intensity", percent(tap.amplitude)}, {"Frequency", percent(tap.frequency)}});
 }
 
-void keep_strongest(std::vector<Tap>& taps, std::size_t most, std::vector<std::string>& remarks) {
+void keep_strongest(std::vector<TapShares>& taps, std::size_t most,
+                    std::vector<std::string>& remarks) {
     if (taps.size() <= most) return;
     remarks.push_back("of " + grouped_digits(taps.size()) + " transients the strongest " +
                       grouped_digits(most) + " are kept");
-    std::ranges::stable_sort(taps, std::ranges::greater{}, &Tap::amplitude);
+    std::ranges::stable_sort(taps, std::ranges::greater{}, &TapShares::amplitude);
     taps.resize(most);
-    std::ranges::stable_sort(taps, {}, &Tap::time_s);
+    std::ranges::stable_sort(taps, {}, &TapShares::time_s);
 }
 
 void remark_steps(const HeLosses& losses, const Shares& shares, std::vector<std::string>& remarks) {
@@ -153,7 +154,7 @@ void remark_steps(const HeLosses& losses, const Shares& shares, std::vector<std:
         remarks.push_back("intensity of transients is in steps of 1/100: at most " +
                           significant_digits(losses.intensity, 2) + " off");
     }
-    const bool between = std::ranges::any_of(shares.taps, [](const Tap& tap) {
+    const bool between = std::ranges::any_of(shares.taps, [](const TapShares& tap) {
         return std::abs(1e3 * tap.time_s - std::round(1e3 * tap.time_s)) > 1e-6;
     });
     if (between) remarks.push_back("times of transients are whole ms");
@@ -189,7 +190,7 @@ WrittenEffect write_he(const Pattern& pattern, const EffectTarget& target) {
             end_s, 1e-3 * (event["RelativeTime"].get<double>() + event["Duration"].get<double>()));
     }
     keep_strongest(shares.taps, kMostEvents - events.size(), remarks);
-    for (const Tap& tap : shares.taps) {
+    for (const TapShares& tap : shares.taps) {
         events.push_back(tap_event(tap, losses));
         end_s = std::max(end_s, tap.time_s + burst_duration_s(target.map, tap.frequency));
     }

@@ -36,16 +36,16 @@ std::string point_array(const std::string& name, const AmplitudeCurve& curve) {
     return text + "};\n";
 }
 
-std::string tap_array(const std::string& name, const std::vector<Tap>& taps) {
+std::string tap_array(const std::string& name, const std::vector<TapShares>& taps) {
     std::string text = "static const XrHapticParametricTransientEXT " + name + "[] = {\n";
-    for (const Tap& tap : taps) {
+    for (const TapShares& tap : taps) {
         text += "    {" + std::to_string(whole_ns(tap.time_s)) + ", " + c_float(tap.amplitude) +
                 ", " + c_float(tap.frequency) + "},\n";
     }
     return text + "};\n";
 }
 
-void remark_merged_taps(const std::vector<Tap>& taps, std::vector<std::string>& remarks) {
+void remark_merged_taps(const std::vector<TapShares>& taps, std::vector<std::string>& remarks) {
     std::size_t close = 0;
     for (std::size_t k = 1; k < taps.size(); ++k) {
         if (taps[k].time_s - taps[k - 1].time_s < 0.001) ++close;

@@ -28,7 +28,7 @@ WrittenEffect write_pulsar(const Pattern& pattern, const EffectTarget& target) {
     const Shares shares =
         as_shares(as_curves(pattern, written.remarks), target.map, written.remarks);
     Json taps = Json::array();
-    for (const Tap& tap : shares.taps) {
+    for (const TapShares& tap : shares.taps) {
         taps.push_back({{"time", 1e3 * tap.time_s},
                         {"amplitude", tap.amplitude},
                         {"frequency", tap.frequency}});

@@ -19,7 +19,7 @@
 
 namespace tact {
 
-struct Tap {
+struct TapShares {
     double time_s = 0.0;
     double amplitude = 0.0;
     double frequency = 0.0;
@@ -28,8 +28,8 @@ struct Tap {
 struct Shares {
     double duration_s = 0.0;
     AmplitudeCurve amplitude;
-    AmplitudeCurve frequency;  // at least one point
-    std::vector<Tap> taps;     // by time
+    AmplitudeCurve frequency;     // at least one point
+    std::vector<TapShares> taps;  // by time
 };
 
 // Of the map's full scale, 0 where it has none.

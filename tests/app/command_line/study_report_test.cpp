@@ -125,7 +125,7 @@ TEST_CASE("study report: the table is that of compare, and compare reads the fol
             Json::parse(output_of({"compare", study.set, "--ratings", ratings, "--json"}));
         REQUIRE(rows.size() + 1 == table.size());
         for (std::size_t k = 0; k < rows.size(); ++k) {
-            CHECK(table[k + 1][0] == rows[k].at("metric"));
+            CHECK(table[k + 1][0] == rows[k].at("metric").get<std::string>());
             CHECK(rows[k].at("participants") == 4);
             CHECK(rows[k].at("left_out").size() == 1);
             CHECK(rows[k].at("synthetic") == true);
