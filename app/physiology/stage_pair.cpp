@@ -56,7 +56,9 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     const float y2 = y1 + middle;
     StageSize upper = size;
     upper.time_axis = false;
-    // Above the maps of receptors, which have words everywhere else, the name has its own line.
+    // Above the maps of receptors, which have words everywhere else, the name has its own line;
+    // above networks it stands behind the first one's.
+    const bool top = stage == Stage::receptors || stage == Stage::networks;
     const ImVec2 named{0.0F, stage == Stage::receptors ? 1.1F * text : 0.0F};
     draw_stage(ui, work, timeline, physiology, patterns[0], stage,
                {area.min + named, {area.max.x, y1}}, upper);
@@ -66,7 +68,6 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
                {ImVec2{area.min.x, y2} + named, area.max}, size);
     const std::string key = text_of(stage).key;
     const auto name_of = [&](std::size_t k) { return patterns[k].live->request.vibration.name; };
-    const bool top = stage == Stage::receptors;
     draw_row_name(ui, {area.min, {area.max.x, y1}}, name_of(0), "row a:" + key,
                   patterns[0].look.colour, top);
     draw_row_name(ui, {{area.min.x, y2}, {area.max.x, area.max.y - axis}}, name_of(1),

@@ -51,19 +51,24 @@ void draw_alternative(Ui& ui, SubsetState& picking, const Pick& pick, std::size_
     const Theme& theme = ui.theme;
     const Subset& other = pick.answer.alternatives[k];
     const bool as_good = other.weakest_dissimilarity == pick.answer.best.weakest_dissimilarity;
-    const std::string value = as_good ? "the same" : grouped(other.weakest_dissimilarity);
     const Exchange exchange = exchange_of(pick, other);
     const std::string text = exchange.in + " for " + exchange.out;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    const float value_px = text_size(theme.fonts.regular, value).x;
+    std::string value = as_good ? "the same" : grouped(other.weakest_dissimilarity);
+    const auto px = [&theme](const std::string& words) {
+        return text_size(theme.fonts.regular, words).x;
+    };
+    // Names are worth more room than these two words.
+    if (as_good && px(text) + theme.gap_px + px(value) > width) value = "=";
+    const float value_px = px(value);
     ImGui::PushID(static_cast<int>(k));
     if (ImGui::Selectable("##alternative", picking.alternative == k)) picking.alternative = k;
     ImGui::PopID();
     note_item(ui.rects, "alternative:" + std::to_string(k + 1), text + ": " + value);
     const std::string shown =
         exchange_text(theme.fonts.regular, exchange, width - value_px - theme.gap_px);
-    if (shown != text) draw_tooltip(ui, text.c_str());
+    if (shown != text) draw_tooltip(ui, (text + ": " + value).c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_text(list, theme.fonts.regular, corner, theme.text, shown);
     draw_text(list, theme.fonts.regular, {corner.x + width - value_px, corner.y}, theme.dim_text,

@@ -361,7 +361,7 @@ void add_states(std::vector<Scene>& all) {
                        auto& first = p.app.work.document.set.vibrations.front();
                        std::get<Pattern>(first.source).amplitude_g *= 2.0;
                        ++p.app.work.revision;
-                       p.settle();
+                       for (int k = 0; k < 25; ++k) p.frame();  // what is behind for 0.3 s looks it
                    }});
     all.push_back({"an error", [](Program& p) {
                        complain(p.app.ui,
