@@ -184,11 +184,11 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     const bool failed = draw_failure(ui, "matrix", failure_of(shown_map.full_job));
     Rect area = rest_of_pane();
     if (area.empty()) return;
-    const bool has_pairs =
-        shown_map.transition.shown && !shown_map.transition.shown->prediction.pm.condensed.empty();
+    const bool few = work.document.set.vibrations.size() < 2;
+    const bool has_pairs = !few && shown_map.transition.shown &&
+                           !shown_map.transition.shown->prediction.pm.condensed.empty();
     if (!has_pairs || map_state(work, shown_map) == MapState::too_large) {
         if (failed) return;
-        const bool few = work.document.set.vibrations.size() < 2;
         draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area,
                    few ? "No pairs to compare" : "No matrix yet",
                    few ? "It takes two patterns to be alike or far apart."

@@ -56,14 +56,16 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     const float y2 = y1 + middle;
     StageSize upper = size;
     upper.time_axis = false;
-    // Above the maps of receptors, which have words everywhere else, the name has its own line;
-    // above networks it stands behind the first one's.
-    const bool top = stage == Stage::receptors || stage == Stage::networks;
-    const ImVec2 named{0.0F, stage == Stage::receptors ? 1.1F * text : 0.0F};
+    // A name has its own line, but above networks, where it stands behind the first one's, and
+    // where plots are too low to give one up.
+    const bool has_line =
+        stage == Stage::receptors || (has_signals && each >= 5.0F * text && middle >= 3.0F * text);
+    const bool top = has_line || stage == Stage::networks;
+    const ImVec2 named{0.0F, has_line ? 1.1F * text : 0.0F};
     draw_stage(ui, work, timeline, physiology, patterns[0], stage,
                {area.min + named, {area.max.x, y1}}, upper);
     draw_stage_difference(ui, work, timeline, physiology, patterns[0], patterns[1], stage,
-                          {{area.min.x, y1}, {area.max.x, y2}}, upper);
+                          {ImVec2{area.min.x, y1} + named, {area.max.x, y2}}, upper);
     draw_stage(ui, work, timeline, physiology, patterns[1], stage,
                {ImVec2{area.min.x, y2} + named, area.max}, size);
     const std::string key = text_of(stage).key;
@@ -74,7 +76,7 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
                   "row b:" + key, patterns[1].look.colour, top);
     if (!has_signals) return;
     draw_row_name(ui, {{area.min.x, y1}, {area.max.x, y2}}, difference_name(physiology, stage),
-                  "row difference:" + key, difference_colour(ui.theme));
+                  "row difference:" + key, difference_colour(ui.theme), top);
 }
 
 float draw_remark(Ui& ui, const std::vector<ShownStages>& patterns, Stage stage, const Rect& beside,

@@ -88,7 +88,9 @@ std::vector<std::string> space_title_right(const App& app) {
     if (!app.shown_map.transition.shown || app.shown_map.transition.to.rows() < 2)
         return map_state_forms(app);
     // Stress of an earlier state would be read as that of this one.
-    if (map_state(app.work, app.shown_map) == MapState::stale) return map_state_forms(app);
+    const MapState state_of_map = map_state(app.work, app.shown_map);
+    if (state_of_map != MapState::exact && state_of_map != MapState::preview)
+        return map_state_forms(app);
     const PerceptualSpace& space = app.shown_map.transition.shown->space;
     if (space.verdict == MdsVerdict::constant || app.shown_map.has_headline)
         return map_state_forms(app);

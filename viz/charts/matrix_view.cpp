@@ -157,7 +157,7 @@ void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const Ma
             shortened(font, scene.labels[i], layout.level_labels ? level_px : height);
         const float middle = layout.cells.min.x + (static_cast<float>(i) + 0.5F) * layout.cell_px.x;
         const ImU32 colour = label_colour(theme, scene, pointed, i);
-        if (text_size(font, name).x <= level_px) {
+        if (layout.level_labels) {
             const float left = middle - text_size(font, name).x / 2.0F;
             draw_text(list, font, {left, layout.cells.min.y - text_px - theme.gap_px / 2}, colour,
                       name);
@@ -195,6 +195,44 @@ void draw_scale(ImDrawList& list, const Theme& theme, const MatrixLayout& layout
     if (bar.height() < 4.2F * text_px) return;
     draw_text(list, font, {left, bar.min.y + text_px * 1.0F}, theme.dim_text, "far apart");
     draw_text(list, font, {left, bar.max.y - text_px * 2.1F}, theme.dim_text, "alike");
+}
+
+// "0 alike", the colours, "far apart 61.8 PM": in one line, without words where it is short.
+void draw_scale_below(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
+                      const MatrixScene& scene, const Shades& shades) {
+    const Rect& line = layout.scale_below;
+    if (line.empty()) return;
+    const ImFont* font = theme.fonts.small;
+    const std::string most = grouped(shades.largest) + " " + std::string{scene.quantity};
+    if (shades.flat) {
+        return draw_text(list, font, line.min, theme.dim_text,
+                         shortened(font, "all pairs equal, " + most, line.width()));
+    }
+    const float gap = 0.75F * theme.gap_px;
+    const float least = 40.0F * theme.scale;
+    const auto bar_between = [&](const std::string& low, const std::string& high) {
+        return Rect{{line.min.x + text_size(font, low).x + gap, line.min.y},
+                    {line.max.x - text_size(font, high).x - gap, line.max.y}};
+    };
+    std::string low = "0 alike";
+    std::string high = "far apart " + most;
+    if (bar_between(low, high).width() < least) {
+        low = "0";
+        high = most;
+    }
+    const Rect bar = bar_between(low, high);
+    if (bar.width() < 0.5F * least) return;
+    draw_text(list, font, line.min, theme.dim_text, low);
+    draw_text(list, font, {bar.max.x + gap, line.min.y}, theme.dim_text, high);
+    constexpr int kSteps = 64;
+    const float inset = std::round(0.25F * line.height());
+    for (int i = 0; i < kSteps; ++i) {
+        const auto at = [&bar](int step) {
+            return std::round(bar.min.x + static_cast<float>(step) / kSteps * bar.width());
+        };
+        list.AddRectFilled({at(i), bar.min.y + inset}, {at(i + 1), bar.max.y - inset},
+                           viridis((i + 0.5) / kSteps));
+    }
 }
 
 // A thin frame around the rows and the columns of objects [first, last), which are neighbours.
@@ -273,6 +311,7 @@ MatrixAction draw_matrix(const char* id, const Theme& theme, const Rect& area,
     draw_values(list, theme, layout, scene, shades);
     if (scene.stale) draw_stale(list, theme, layout.cells, ImGui::GetTime());
     draw_scale(list, theme, layout, scene, shades);
+    draw_scale_below(list, theme, layout, scene, shades);
     draw_selected(list, theme, layout, scene);
     if (pointed) draw_cell_frame(list, theme, layout, *pointed);
     draw_names(list, theme, area, layout, scene, pointed);

@@ -49,6 +49,7 @@ MatrixAction draw_matrix(const char* id, const Theme& theme, const Rect& area,
 struct MatrixLayout {
     Rect cells;
     Rect scale;                  // empty where there is no room
+    Rect scale_below;            // a line of the scale, where there is room for that alone
     ImVec2 cell_px{0.0F, 0.0F};  // of one pair, where each has its own cell
     bool has_values = false;     // as numbers in the cells
     std::size_t shown = 0;       // rows drawn: n, or fewer where several objects share one
