@@ -168,8 +168,10 @@ std::string shown_voice(const App& app) {
     const auto& answers = app.studying.answers;
     if (!answers || !answers->results) return {};
     const auto& shown = app.studying.shown;
-    if (!shown || *shown >= answers->records.size()) return "mean of those who count";
-    return answers->records[*shown].header.participant.code;
+    // Who rated similarity, 0 to 100, is shown as what is left of 100.
+    const std::string what = "dissimilarity, ";
+    if (!shown || *shown >= answers->records.size()) return what + "mean of those who count";
+    return what + answers->records[*shown].header.participant.code;
 }
 
 // Results that are not of the patterns as they were meant say so in their title.
