@@ -62,17 +62,21 @@ fail() {
 progress() { :; }  # what changes while work goes on
 
 # until_true WHAT COMMAND...: the command must succeed before the deadline, which begins anew with
-# each sign of progress.
+# each sign of progress. What takes long is looked at less often: looking takes the processor, too.
 until_true() {
-    local what=$1 end=$((SECONDS + deadline_s)) seen="" now
+    local what=$1 end=$((SECONDS + deadline_s)) seen="" now tries=0
     shift
     until "$@"; do
+        if ((++tries < 50)); then
+            sleep 0.02
+            continue
+        fi
         now=$(progress)
         if [ "$now" != "$seen" ]; then
             seen=$now
             end=$((SECONDS + deadline_s))
         fi
         [ "$SECONDS" -lt "$end" ] || fail "waited $deadline_s s until $what"
-        sleep 0.02
+        sleep 0.1
     done
 }

@@ -79,10 +79,9 @@ is_unsaved() { says document "•"; }
 is_saved() { ! is_unsaved; }
 points() { grep '^point:' "$TACTSPACE_WIDGET_RECTS" | cut -f 1-3; }
 
-# How far maps, training and exports have come.
+# How far all that works has come.
 progress() {
-    grep '^title:Perceptual space\|^progress:training\|^export progress' "$TACTSPACE_WIDGET_RECTS" \
-        2>/dev/null || true
+    grep '^title:Perceptual space\|^progress:\|^export progress' "$TACTSPACE_WIDGET_RECTS" 2>/dev/null || true
 }
 
 # Exact, and at rest.

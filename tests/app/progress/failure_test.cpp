@@ -1,8 +1,10 @@
 // Work that fails beside the window: each pane that waits for it says why, and asks again when
 // something changes.
 // GCC 12 takes a part of std::stop_source for one that is not set where a job is inlined whole.
+#ifndef __clang__
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include "app/progress/failure.h"
 
 #include <stdexcept>
@@ -14,7 +16,9 @@
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
+#ifndef __clang__
 #pragma GCC diagnostic pop
+#endif
 
 namespace failure_test {
 
