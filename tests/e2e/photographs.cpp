@@ -52,7 +52,7 @@ int main(int count, char** words) {
         return 1;
     }
     try {
-        SceneWindow window;
+        SceneWindow window(1.0);
         for (const bool dark : {true, false}) {
             for (const Screen& screen : kScreens) {
                 window.app.ui.dark = dark;

@@ -18,9 +18,11 @@ struct Scene {
 
 const std::vector<Scene>& scenes();
 
-// The twelve patterns of the paper with two long names, its exact map, and a subset picked.
+// The twelve patterns of the paper with two long names, its exact map, and a subset picked. What is
+// compared grows with the square of how long they are: where words and places are looked at, a
+// fifth of a second is enough.
 struct SceneWindow : Program {
-    SceneWindow();
+    explicit SceneWindow(double duration_s = 0.2);
     ~SceneWindow();
 
     // The first window again, then the scene.
