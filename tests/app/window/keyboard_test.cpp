@@ -39,7 +39,7 @@ constexpr auto kOtherwise = std::to_array<std::pair<std::string_view, std::strin
     {"study m", "matrix and map are looked at: Export CSV has their numbers"},
     {"generate:preview ", "Space plays it, once it is in the list"},
     {"answer:", "Tab and arrows move the mark along the answers, Enter takes it"},
-    {"splitter:", "nothing is beyond a pane that cannot be scrolled to"},
+    {"splitter:", "F7 and F8 make the pane in use larger, with Shift smaller"},
 });
 
 bool has_other_way(const std::set<std::string>& names) {
