@@ -20,7 +20,7 @@ using What = StudyEvent::What;
 constexpr float kWindowWidthPx = 900.0F;  // that a page of ordinary size fills
 constexpr float kWindowHeightPx = 540.0F;
 constexpr float kMeasurePx = 400.0F;  // of text to read: about 65 letters
-constexpr float kEntryPx = 184.0F;
+constexpr float kEntryPx = 172.0F;
 
 const StudyRun& run_of(const StudyState& studying) { return *studying.run; }
 
