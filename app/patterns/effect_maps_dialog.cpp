@@ -78,6 +78,17 @@ void draw_source(Ui& ui, const MapInUse& use) {
     ImGui::PopFont();
 }
 
+void draw_no_maps(Ui& ui) {
+    const std::string text =
+        "No pattern here came from an effect file. Bring some in by File > Open... or File > Add "
+        "to set... (.ahap, .haptic, .hjif, .haps, .he, .hla): the map that each format was read "
+        "by then stands here, and another can be chosen.";
+    ImGui::PushTextWrapPos(0.0F);
+    dim_text(ui, text);
+    ImGui::PopTextWrapPos();
+    note_item(ui.rects, "effects:none", text);
+}
+
 }  // namespace
 
 void draw_effect_maps_line(Ui& ui, Workspace& work) {
@@ -114,7 +125,9 @@ void draw_effect_maps_dialog(Ui& ui, Workspace& work) {
         "How the 0 to 1 of effect files is read as Hz and g, for the device that they are for.");
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
-    for (const MapInUse& use : maps_in_use(work)) {
+    const std::vector<MapInUse> in_use = maps_in_use(work);
+    if (in_use.empty()) draw_no_maps(ui);
+    for (const MapInUse& use : in_use) {
         const float left = ImGui::GetCursorPosX();
         ImGui::AlignTextToFramePadding();
         dim_text(ui, name_of_format(use));

@@ -99,7 +99,12 @@ void draw_waves(Ui& ui, const Workspace& work, Timeline& timeline, const LiveRen
     const float each = (area.height() - time_axis_height(ui)) / 2.0F;
     const auto draw = [&](const char* id, const char* words, const Waveform& waveform, ImU32 colour,
                           Rect place, bool last) {
-        draw_text(list, small, {place.min.x, place.min.y}, ui.theme.dim_text, words);
+        // A low plot has room for one number at its axis.
+        const std::string caption_text =
+            std::string(words) + ", peak " + significant(peak_g(waveform), 2) + " g";
+        draw_text(list, small, place.min, ui.theme.dim_text, caption_text);
+        note_rect(ui.rects, std::string("device caption:") + id, place.min, place.max,
+                  caption_text);
         place.min.y += caption;
         TimeRow row;
         row.id = id;

@@ -17,6 +17,11 @@ namespace {
 
 using What = StudyEvent::What;
 
+constexpr float kWindowWidthPx = 900.0F;  // that a page of ordinary size fills
+constexpr float kWindowHeightPx = 540.0F;
+constexpr float kMeasurePx = 400.0F;  // of text to read: about 65 letters
+constexpr float kEntryPx = 172.0F;
+
 const StudyRun& run_of(const StudyState& studying) { return *studying.run; }
 
 std::string time_left_text(double minutes) {
@@ -124,68 +129,40 @@ void draw_foot(Ui& ui, const StudyState& studying, const Rect& area) {
     note_rect(ui.rects, "study:warning", area.min, area.max, warning);
 }
 
-void wrapped(const Rect& area, const std::string& text) {
-    ImGui::SetCursorScreenPos(area.min);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + area.width());
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
-// A page that is read: a title, words, and the way on.
-void draw_reading_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
-                       const Rect& area, const char* title, const std::string& text,
-                       const char* go_on) {
-    ImGui::SetCursorScreenPos(area.min);
-    ImGui::PushFont(ui.theme.fonts.large);
-    ImGui::TextUnformatted(title);
-    ImGui::PopFont();
-    wrapped({{area.min.x, area.min.y + 44.0F * ui.theme.scale}, area.max}, text);
-    const float y = ImGui::GetCursorScreenPos().y + 28.0F * ui.theme.scale;
-    draw_go_on(ui, work, play, studying, {{area.min.x, y}, {area.max.x, y}}, go_on);
-}
-
-void draw_entry(Ui& ui, const char* label, const char* id, std::string& text) {
+void draw_entry(Ui& ui, const char* label, const char* id, std::string& text, const char* hint) {
     draw_label(ui, label);
-    ImGui::SetNextItemWidth(240.0F * ui.theme.scale);
+    ImGui::SetNextItemWidth(kEntryPx * ui.theme.scale);
     ImGui::InputText((std::string("##") + id).c_str(), &text);
     note_item(ui.rects, std::string("study field:") + id, text);
+    if (*hint == '\0') return;
+    ImGui::SameLine();
+    dim_text(ui, hint);
 }
 
-void draw_consent(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
-                  const Rect& area, std::span<const KeyPress> pressed) {
-    ImGui::SetCursorScreenPos(area.min);
-    ImGui::PushFont(ui.theme.fonts.large);
-    ImGui::TextUnformatted("Welcome");
-    ImGui::PopFont();
-    wrapped({{area.min.x, area.min.y + 44.0F * ui.theme.scale}, area.max},
-            consent_of(studying.run->record.header.design));
-    const float y = ImGui::GetCursorScreenPos().y + 20.0F * ui.theme.scale;
-    ImGui::SetCursorScreenPos({area.min.x, y});
+// Of draw_form.
+float form_height() {
+    return 5.0F * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+}
+
+void draw_form(Ui& ui, StudyState& studying) {
     ImGui::BeginGroup();
-    draw_entry(ui, "Code", "code", studying.code);
-    ImGui::SameLine();
-    dim_text(ui, "no name, please");
-    draw_entry(ui, "Age", "age", studying.age);
-    draw_entry(ui, "Gender", "gender", studying.gender);
-    draw_entry(ui, "Hand", "hand", studying.hand);
-    ImGui::SameLine();
-    dim_text(ui, "that writes");
+    draw_entry(ui, "Code", "code", studying.code, "no name, please");
+    draw_entry(ui, "Age", "age", studying.age, "years");
+    draw_entry(ui, "Gender", "gender", studying.gender, "");
+    draw_entry(ui, "Writing hand", "hand", studying.hand, "left or right");
     ImGui::Spacing();
     ImGui::Checkbox("I agree and take part", &studying.agrees);
     note_item(ui.rects, "check:agree", studying.agrees ? "on" : "off");
     ImGui::EndGroup();
-    if (was_pressed(pressed, key::kEnter)) {
-        if (studying.agrees) {
-            act(ui, work, play, studying, {What::go_on, 0, 0.0, {}, {}});
-        } else {
-            studying.agrees = true;
-        }
-        if (!studying.run) return;
+}
+
+// Enter ticks, then begins.
+void take_consent_key(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying) {
+    if (studying.agrees) {
+        act(ui, work, play, studying, {What::go_on, 0, 0.0, {}, {}});
+    } else {
+        studying.agrees = true;
     }
-    const float foot = ImGui::GetCursorScreenPos().y + 20.0F * ui.theme.scale;
-    ImGui::BeginDisabled(!studying.agrees || study_file_name(studying.code).empty());
-    draw_go_on(ui, work, play, studying, {{area.min.x, foot}, {area.max.x, foot}}, "Begin");
-    ImGui::EndDisabled();
 }
 
 // A word to the experimenter, where the order is adaptive.
@@ -202,25 +179,44 @@ std::string rest_text(const StudyState& state) {
 }
 
 // Esc: nothing is lost either way, and the page says so.
-void draw_asking(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
-                 const Rect& area, std::span<const KeyPress> pressed) {
+std::string paused_text(const StudyState& studying) {
     const StudyRun& run = run_of(studying);
-    ImGui::SetCursorScreenPos(area.min);
-    ImGui::PushFont(ui.theme.fonts.large);
-    ImGui::TextUnformatted("Paused");
-    ImGui::PopFont();
+    if (run.page == StudyPage::consent) return "Nothing has been written down yet.";
     const std::size_t given = answers_given(run.record);
-    const bool is_new = run.page == StudyPage::consent;
-    wrapped({{area.min.x, area.min.y + 44.0F * ui.theme.scale}, area.max},
-            is_new ? "Nothing has been written yet."
-                   : std::to_string(given) + (given == 1 ? " answer is" : " answers are") +
-                         " kept. Who leaves can go on later with the trial on the screen." +
-                         settling_text(studying));
-    ImGui::SetCursorScreenPos({area.min.x, ImGui::GetCursorScreenPos().y + 28.0F * ui.theme.scale});
-    const bool stays = primary_button(ui.theme, "Go on") || was_pressed(pressed, key::kEnter);
+    const std::string kept = given == 0   ? "You have not answered anything yet."
+                             : given == 1 ? "Your answer is kept."
+                                          : "Your " + std::to_string(given) + " answers are kept.";
+    return kept + " If you leave now, you can come back later and go on from here." +
+           settling_text(studying);
+}
+
+// What a page that is read says, and the word on its button.
+struct PageWords {
+    const char* title;
+    std::string text;
+    const char* go_on;
+};
+
+PageWords words_of(const StudyState& studying) {
+    const StudyRun& run = run_of(studying);
+    const StudyDesign& design = run.record.header.design;
+    if (run.is_asking) return {"Paused", paused_text(studying), "Go on"};
+    if (run.page == StudyPage::consent) return {"Welcome", consent_of(design), "Begin"};
+    if (run.page == StudyPage::instructions) {
+        return {run.answers_before > 0 ? "Welcome back" : "What you will do",
+                instructions_of(design, run.record.header.kind), "Go on"};
+    }
+    if (run.page == StudyPage::rest) return {"A break", rest_text(studying), "Go on"};
+    return {"Thank you", "That was all. Your answers are kept.", "Done"};
+}
+
+void draw_asking_buttons(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
+                         std::span<const KeyPress> pressed) {
+    const ImVec2 size = go_on_size(ui.theme);
+    const bool stays = primary_button(ui.theme, "Go on", size) || was_pressed(pressed, key::kEnter);
     note_item(ui.rects, "button:stay");
-    ImGui::SameLine(0.0F, ui.theme.gap_px);
-    const bool leaves = ImGui::Button("Leave the study") || was_typed(pressed, U'q');
+    ImGui::SameLine(0.0F, ui.theme.padding_px);
+    const bool leaves = ImGui::Button("Leave the study", size) || was_typed(pressed, U'q');
     note_item(ui.rects, "button:leave");
     if (stays) {
         act(ui, work, play, studying, {What::stay, 0, 0.0, {}, {}});
@@ -229,30 +225,41 @@ void draw_asking(Ui& ui, const Workspace& work, const PlayState& play, StudyStat
     }
 }
 
-// A page that is read: a column of comfortable width, which scrolls where it is too long.
+// A page that is read: a column of comfortable width in the middle, which scrolls where it is too
+// long.
 void draw_column(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                  const Rect& area, std::span<const KeyPress> pressed) {
+    const Theme& theme = ui.theme;
     const StudyRun& run = run_of(studying);
-    const float width = std::min(640.0F * ui.theme.scale, area.width());
+    const bool has_form = run.page == StudyPage::consent && !run.is_asking;
+    const PageWords words = words_of(studying);
+    const float width = std::min(kMeasurePx * theme.scale, area.width());
+    const float gap = 24.0F * theme.scale;
+    const float title = text_size(theme.fonts.large, words.title).y + gap;
+    const float text = ImGui::CalcTextSize(words.text.c_str(), nullptr, false, width).y + gap;
+    const float form = has_form ? form_height() + gap : 0.0F;
+    const float height = title + text + form + go_on_size(theme).y;
     ImGui::SetCursorScreenPos({area.centre().x - 0.5F * width, area.min.y});
     ImGui::BeginChild("page", {width, area.height()}, false, ImGuiWindowFlags_NoNav);
-    const Rect column =
-        rect_at(ImGui::GetCursorScreenPos(), {ImGui::GetContentRegionAvail().x, area.height()});
+    const ImVec2 corner =
+        ImGui::GetCursorScreenPos() + ImVec2{0.0F, 0.45F * std::max(0.0F, area.height() - height)};
+    draw_text(*ImGui::GetWindowDrawList(), theme.fonts.large, corner, theme.text, words.title);
+    ImGui::SetCursorScreenPos({corner.x, corner.y + title});
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(words.text.c_str());
+    ImGui::PopTextWrapPos();
+    const ImVec2 below{corner.x, corner.y + title + text};
+    ImGui::SetCursorScreenPos(below);
+    if (has_form) draw_form(ui, studying);
+    const ImVec2 foot{below.x, below.y + form};
+    ImGui::SetCursorScreenPos(foot);
     if (run.is_asking) {
-        draw_asking(ui, work, play, studying, column, pressed);
-    } else if (run.page == StudyPage::consent) {
-        draw_consent(ui, work, play, studying, column, pressed);
-    } else if (run.page == StudyPage::instructions) {
-        draw_reading_page(ui, work, play, studying, column,
-                          run.answers_before > 0 ? "Welcome back" : "What you will do",
-                          instructions_of(run.record.header.design, run.record.header.kind),
-                          "Go on");
-    } else if (run.page == StudyPage::rest) {
-        draw_reading_page(ui, work, play, studying, column, "A break", rest_text(studying),
-                          "Go on");
+        draw_asking_buttons(ui, work, play, studying, pressed);
     } else {
-        draw_reading_page(ui, work, play, studying, column, "Thank you",
-                          "That was all. Your answers are kept.", "Done");
+        ImGui::BeginDisabled(has_form &&
+                             (!studying.agrees || study_file_name(studying.code).empty()));
+        draw_go_on(ui, work, play, studying, {foot, foot}, words.go_on);
+        ImGui::EndDisabled();
     }
     ImGui::EndChild();
 }
@@ -261,8 +268,12 @@ void draw_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState&
                const Rect& area, std::span<const KeyPress> pressed) {
     const StudyRun& run = run_of(studying);
     const bool goes_on = was_pressed(pressed, key::kEnter);
-    if (goes_on && !run.is_asking && run.page != StudyPage::consent) {
-        act(ui, work, play, studying, {What::go_on, 0, 0.0, {}, {}});
+    if (goes_on && !run.is_asking) {
+        if (run.page == StudyPage::consent) {
+            take_consent_key(ui, work, play, studying);
+        } else {
+            act(ui, work, play, studying, {What::go_on, 0, 0.0, {}, {}});
+        }
         if (!studying.run) return;
     }
     if (run.is_asking) return draw_column(ui, work, play, studying, area, pressed);
@@ -283,6 +294,13 @@ void draw_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState&
 
 }  // namespace
 
+float wanted_page_scale(const Ui& ui, ImVec2 window_px) {
+    constexpr float kMost = 3.0F;
+    const float own = ui.content_scale * ui.text_scale;
+    const float room = std::min(window_px.x / kWindowWidthPx, window_px.y / kWindowHeightPx) / own;
+    return std::clamp(std::floor(8.0F * room) / 8.0F, 1.0F, kMost);
+}
+
 void draw_study_pages(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                       std::span<const KeyPress> pressed) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -300,13 +318,9 @@ void draw_study_pages(Ui& ui, const Workspace& work, const PlayState& play, Stud
         if (was_pressed(pressed, key::kEscape) && !run_of(studying).is_asking) {
             act(ui, work, play, studying, {What::ask, 0, 0.0, {}, {}});
         } else {
-            // Low windows have no room for air above.
-            const bool is_low = area.height() < 700.0F * ui.theme.scale;
-            const float head = 40.0F * ui.theme.scale;
-            const float top = area.min.y + (is_low ? head : std::max(head, 0.16F * area.height()));
-            draw_page(ui, work, play, studying,
-                      {{area.min.x, top}, {area.max.x, area.max.y - 72.0F * ui.theme.scale}},
-                      pressed);
+            const ImVec2 head{0.0F, 48.0F * ui.theme.scale};
+            const ImVec2 foot{0.0F, 84.0F * ui.theme.scale};
+            draw_page(ui, work, play, studying, {area.min + head, area.max - foot}, pressed);
         }
     }
     ImGui::End();

@@ -19,7 +19,11 @@ namespace tact {
 void draw_study_pages(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                       std::span<const KeyPress> pressed);
 
-// Content of pages, in `area`; each takes its own keys.
+// How much larger than on an ordinary screen a page is, so that it is read at arm's length in a
+// window of so many pixels; in eighths, as fonts are made anew for each.
+float wanted_page_scale(const Ui& ui, ImVec2 window_px);
+
+// Content of pages, in the middle of `area`; each takes its own keys.
 void draw_training_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                         const Rect& area, std::span<const KeyPress> pressed);
 void draw_trial_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
@@ -39,7 +43,8 @@ struct FeelButton {
 bool draw_feel_button(Ui& ui, const StudyState& studying, const Rect& area,
                       const FeelButton& button);
 
-// The button at the foot of a page that goes on.
+// The button at the foot of a page that goes on, and its size.
+ImVec2 go_on_size(const Theme& theme);
 void draw_go_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                 const Rect& area, const char* label);
 

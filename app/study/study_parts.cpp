@@ -62,13 +62,14 @@ bool draw_feel_button(Ui& ui, const StudyState& studying, const Rect& area,
     return pressed && button.is_enabled;
 }
 
+ImVec2 go_on_size(const Theme& theme) { return {184.0F * theme.scale, 48.0F * theme.scale}; }
+
 void draw_go_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                 const Rect& area, const char* label) {
     ImGui::SetCursorScreenPos(area.min);
     const bool may = studying.run && may_go_on(*studying.run, ui.time_s);
     ImGui::BeginDisabled(!may);
-    const ImVec2 size{160.0F * ui.theme.scale, 40.0F * ui.theme.scale};
-    const bool pressed = primary_button(ui.theme, label, size);
+    const bool pressed = primary_button(ui.theme, label, go_on_size(ui.theme));
     ImGui::EndDisabled();
     note_item(ui.rects, "study:go on", may ? "ready" : "waiting");
     if (pressed) act(ui, work, play, studying, {StudyEvent::What::go_on, 0, 0.0, {}, {}});

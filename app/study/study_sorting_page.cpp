@@ -41,7 +41,10 @@ struct SortingLayout {
 SortingLayout layout_of(const Ui& ui, const Rect& area, std::size_t boxes) {
     const float gap = ui.theme.padding_px;
     SortingLayout layout;
-    layout.tray = {area.min, {area.max.x, area.min.y + 0.24F * area.height()}};
+    // As high as a token, where that leaves enough to the groups.
+    const float token = kTokenPx * ui.theme.scale + 2.0F * ui.theme.padding_px;
+    const float tray = std::clamp(token, 0.24F * area.height(), 0.36F * area.height());
+    layout.tray = {area.min, {area.max.x, area.min.y + tray}};
     const std::size_t columns = boxes <= 3 ? boxes : (boxes <= 8 ? 4 : 5);
     const std::size_t rows = (boxes + columns - 1) / columns;
     const Rect field{{area.min.x, layout.tray.max.y + gap}, area.max};
@@ -187,10 +190,10 @@ void draw_sorting_page(Ui& ui, const Workspace& work, const PlayState& play, Stu
     take_keys(ui, work, play, studying, pressed, box_count(*studying.run));
     const StudyRun& run = *studying.run;
     const Theme& theme = ui.theme;
-    // Higher than on other pages, but below the progress.
-    const float top = std::max(area.min.y - 0.06F * area.height(), 72.0F * theme.scale);
+    const float top = area.min.y;
     centred_text(theme.fonts.large, theme.text, area, top, task_text(run));
-    const float foot = 64.0F * theme.scale;
+    const ImVec2 done = go_on_size(theme);
+    const float foot = done.y + 2.0F * theme.padding_px;
     const std::size_t boxes = box_count(run);
     const SortingLayout layout = layout_of(
         ui, {{area.min.x, top + 48.0F * theme.scale}, {area.max.x, area.max.y - foot}}, boxes);
@@ -218,7 +221,7 @@ void draw_sorting_page(Ui& ui, const Workspace& work, const PlayState& play, Stu
     }
     for (const auto& [pattern, place] : tokens)
         draw_token(ui, work, play, studying, layout, pattern, place);
-    const ImVec2 corner{area.centre().x - 80.0F * theme.scale, area.max.y - 48.0F * theme.scale};
+    const ImVec2 corner{area.centre().x - 0.5F * done.x, area.max.y - theme.padding_px - done.y};
     draw_go_on(ui, work, play, studying, {corner, area.max}, "Done");
 }
 

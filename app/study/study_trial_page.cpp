@@ -16,6 +16,7 @@ using What = StudyEvent::What;
 
 constexpr float kFeelPx = 200.0F;
 constexpr float kSliderPx = 560.0F;
+constexpr float kTrialPx = 432.0F;  // the page's height, from its question to its button
 
 void feel(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
           std::size_t button) {
@@ -105,9 +106,9 @@ void take_slider_keys(Ui& ui, const Workspace& work, const PlayState& play, Stud
     }
 }
 
-// Positions on a page of so many pixels; smaller where the window is too low for it.
-float page_scale(const Ui& ui, const Rect& area, float height_px) {
-    return std::min(ui.theme.scale, area.height() / height_px);
+// What is `height_px` high stands a little above the middle, as a page is looked at.
+float top_of(const Rect& area, float height_px) {
+    return area.min.y + 0.45F * std::max(0.0F, area.height() - height_px);
 }
 
 // Rows of at most six.
@@ -141,15 +142,22 @@ void take_training_keys(Ui& ui, const Workspace& work, const PlayState& play, St
 }  // namespace
 
 void draw_training_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
-                        const Rect& area, std::span<const KeyPress> pressed) {
+                        const Rect& page, std::span<const KeyPress> pressed) {
     take_training_keys(ui, work, play, studying, pressed);
     const StudyRun& run = *studying.run;
     const Theme& theme = ui.theme;
-    centred_text(theme.fonts.large, theme.text, area, area.min.y,
+    const std::size_t count = run.training.size();
+    const float head = 56.0F * theme.scale;
+    const float foot = 40.0F * theme.scale;
+    Rect buttons{{page.min.x, page.min.y + head}, page.max};
+    const float height = training_cell(ui, buttons, count - 1, count).max.y - page.min.y + foot +
+                         go_on_size(theme).y;
+    const float top = top_of(page, height);
+    const ImVec2 down{0.0F, top - page.min.y};
+    buttons = {buttons.min + down, buttons.max + down};
+    centred_text(theme.fonts.large, theme.text, page, top,
                  run.feels_again && !run.playing ? "That was cut short: feel it once more"
                                                  : "Get to know them: feel each at least once");
-    const Rect buttons{{area.min.x, area.min.y + 56.0F * theme.scale}, area.max};
-    const std::size_t count = run.training.size();
     std::optional<std::size_t> chosen;
     for (std::size_t k = 0; k < count; ++k) {
         const Rect cell = training_cell(ui, buttons, k, count);
@@ -165,9 +173,9 @@ void draw_training_page(Ui& ui, const Workspace& work, const PlayState& play, St
     }
     if (chosen) feel(ui, work, play, studying, *chosen);
     const Rect last = training_cell(ui, buttons, count - 1, count);
-    const float left = area.centre().x - 80.0F * theme.scale;
-    const float y = last.max.y + 40.0F * theme.scale;
-    draw_go_on(ui, work, play, studying, {{left, y}, {area.max.x, y}}, "Start rating");
+    const float left = page.centre().x - 0.5F * go_on_size(theme).x;
+    const float y = last.max.y + foot;
+    draw_go_on(ui, work, play, studying, {{left, y}, {page.max.x, y}}, "Start rating");
 }
 
 void draw_trial_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
@@ -177,11 +185,13 @@ void draw_trial_page(Ui& ui, const Workspace& work, const PlayState& play, Study
     take_slider_keys(ui, work, play, studying, pressed);
     const StudyRun& run = *studying.run;
     const Theme& theme = ui.theme;
-    centred_text(theme.fonts.large, theme.text, area, area.min.y, waiting_text(run, ui.time_s));
-    const float s = page_scale(ui, area, 440.0F);
+    // Smaller where the window is too low for it.
+    const float s = std::min(theme.scale, area.height() / kTrialPx);
+    const float head = top_of(area, kTrialPx * s);
+    centred_text(theme.fonts.large, theme.text, area, head, waiting_text(run, ui.time_s));
     const float side = std::min(kFeelPx * s, 0.3F * area.width());
     const float gap = 0.4F * side;
-    const float top = area.min.y + 64.0F * s;
+    const float top = head + 64.0F * s;
     const bool is_ready = may_play(run, ui.time_s);
     // Of identical patterns only the button that was pressed fills.
     const bool is_left = run.playing && studying.pressed_button == 0;
@@ -196,7 +206,7 @@ void draw_trial_page(Ui& ui, const Workspace& work, const PlayState& play, Study
     const float y = left.max.y + 96.0F * s;
     draw_slider(ui, work, play, studying,
                 rect_at({area.centre().x - 0.5F * width, y - 16.0F * s}, {width, 32.0F * s}));
-    const ImVec2 foot{area.centre().x - 80.0F * theme.scale, y + 84.0F * s};
+    const ImVec2 foot{area.centre().x - 0.5F * go_on_size(theme).x, y + 84.0F * s};
     draw_go_on(ui, work, play, studying, {foot, {area.max.x, foot.y}}, "Next");
     if (feels_left) feel(ui, work, play, studying, 0);
     if (feels_right) feel(ui, work, play, studying, 1);

@@ -32,23 +32,28 @@ void record(Ui& ui, const Workspace& work, StudyState& studying, const CountRule
     for (const std::string& one : *said) say(ui, one + ".");
 }
 
+// Below its check box, where its words begin.
+void draw_limit(Ui& ui, const NumberRow& row, double& value) {
+    const float words = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::Indent(words);
+    draw_number_row(ui, row, value);
+    ImGui::Unindent(words);
+}
+
 struct RuleRow {
-    const char* id;
     const char* label;
-    double first;  // what it is switched on with
-    Range range;
-    const char* unit;
+    NumberRow limit;  // it is switched on with the normal one
     const char* tip;
 };
 
 void draw_rule_row(Ui& ui, const RuleRow& row, std::optional<double>& value) {
     bool is_on = value.has_value();
     if (ImGui::Checkbox(row.label, &is_on)) {
-        value = is_on ? std::optional(row.first) : std::nullopt;
+        value = is_on ? std::optional(row.limit.normal) : std::nullopt;
     }
-    note_item(ui.rects, std::string("check:") + row.id, is_on ? "on" : "off");
+    note_item(ui.rects, std::string("check:") + row.limit.id, is_on ? "on" : "off");
     draw_tooltip(ui, row.tip);
-    if (value) draw_number_row(ui, {row.id, "", row.first, row.range, row.unit}, *value);
+    if (value) draw_limit(ui, row.limit, *value);
 }
 
 }  // namespace
@@ -91,29 +96,32 @@ void draw_leave_out_dialog(Ui& ui, const Workspace& work, StudyState& studying) 
 void draw_conduct_dialog(Ui& ui, StudyState& studying) {
     ConductRule& rule = studying.rule.who.conduct;
     if (!begin_dialog(ui, "Rules on how people answered", 520.0F)) return;
-    wrapped(
-        ui,
-        "Whoever breaks a rule does not count, and is named with the rule. Each is off until you "
-        "switch it on; state them before you look at the answers.");
+    wrapped(ui,
+            "Whoever breaks a rule does not count, and is named with the rule. Decide on the rules "
+            "before you look at the answers; none is on until you switch it on.");
     ImGui::Spacing();
     draw_rule_row(ui,
-                  {"fast_below_s", "Answers come too soon", 1.0, limits::kFastBelowS,
-                   "s: sooner is too soon", "Counted from when both patterns of a pair were felt."},
+                  {"Answers come too soon",
+                   {"fast_below_s", "Sooner than", 1.0, limits::kFastBelowS,
+                    "s after both patterns were felt"},
+                   "Counted from when both patterns of a pair were felt."},
                   rule.fast_below_s);
     if (rule.fast_below_s) {
         double percent = 100.0 * rule.fast_share;
-        draw_number_row(ui, {"fast_share", "", 10.0, {0.0, 100.0}, "% of one's answers at most"},
-                        percent);
+        draw_limit(ui, {"fast_share", "In more than", 10.0, {0.0, 100.0}, "% of their answers"},
+                   percent);
         rule.fast_share = percent / 100.0;
     }
     draw_rule_row(ui,
-                  {"repeat_rho", "Repetitions do not agree", 0.3, limits::kRho,
-                   "rho between one's own repetitions at least",
-                   "Spearman's; of designs that ask each pair twice or more."},
+                  {"Repetitions do not agree",
+                   {"repeat_rho", "Rho below", 0.3, limits::kRho,
+                    "Spearman's, between their own repetitions"},
+                   "Of designs that ask each pair twice or more."},
                   rule.repeat_rho);
     draw_rule_row(ui,
-                  {"replays", "Too many replays", 5.0, limits::kReplays,
-                   "a trial at most, on average", "Plays beyond the first of each side."},
+                  {"Too many replays",
+                   {"replays", "More than", 5.0, limits::kReplays, "replays a trial, on average"},
+                   "Plays beyond the first of each side."},
                   rule.replays);
     end_dialog(ui);
 }

@@ -90,7 +90,7 @@ void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) 
         ImGui::SetCursorScreenPos(corner + ImVec2{end_px, lower});
         if (link(ui, "restore", kRestore)) layout.maximised.reset();
         note_item(ui.rects, "link:restore");
-        draw_tooltip(ui, "All panes again. A double click on the title does it, too.");
+        draw_tooltip(ui, "All panes again (F6). A double click on the title does it, too.");
         end_px -= 2.0F * theme.gap_px;
         ImGui::SetCursorScreenPos(corner);
     }

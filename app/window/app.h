@@ -36,10 +36,18 @@ struct PaletteState {
     int choice = 0;
 };
 
+// The pane that the keyboard is in, and by how many steps it is to be larger.
+struct PaneInUse {
+    Pane pane = Pane::matrix;
+    int wider = 0;
+    int higher = 0;
+};
+
 struct App {
     Ui ui;
     Workspace work;
     Layout layout;
+    PaneInUse in_use;
     Workspaces workspaces;
     Timeline timeline;
     ShownMap shown_map;

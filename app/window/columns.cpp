@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/lesson/lesson_card.h"
 #include "app/physiology/physiology_panel.h"
@@ -95,6 +99,63 @@ void draw_splitters(App& app, const Rect& area, const LayoutLimits& limits, cons
         shown.right_split, layout.right_split);
 }
 
+// What a pane shares with its neighbour, and which way it grows with that.
+struct Edge {
+    float Layout::*share;
+    float sign;
+    Range limits;
+};
+
+// The right one gives way first, of a column between two the left one after it.
+std::vector<Edge> upright_edges(const App& app, Pane pane, const LayoutLimits& limits) {
+    if (pane == Pane::patterns || pane == Pane::editor) return {{&Layout::left, 1.0F, limits.left}};
+    const bool is_right = pane == Pane::matrix || (pane == Pane::space && !is_folded(app));
+    if (is_right) return {{&Layout::right, 1.0F, limits.right}};
+    return {{&Layout::right, -1.0F, limits.right}, {&Layout::left, -1.0F, limits.left}};
+}
+
+std::vector<Edge> level_edges(const App& app, Pane pane, const LayoutLimits& limits) {
+    if (pane == Pane::patterns && has_editor(app))
+        return {{&Layout::left_split, 1.0F, limits.left_split}};
+    if (pane == Pane::editor) return {{&Layout::left_split, -1.0F, limits.left_split}};
+    if (is_folded(app)) return {};
+    if (pane == Pane::space) return {{&Layout::right_split, 1.0F, limits.right_split}};
+    if (pane == Pane::matrix) return {{&Layout::right_split, -1.0F, limits.right_split}};
+    return {};
+}
+
+// False where no neighbour has anything to give or take.
+bool move_edge(App& app, const LayoutLimits& limits, const std::vector<Edge>& edges, int steps) {
+    constexpr float kStep = 0.02F;  // of the window
+    const Layout shown = within(limits, app.layout);
+    for (const Edge& edge : edges) {
+        const float moved =
+            std::clamp(shown.*edge.share + edge.sign * kStep * static_cast<float>(steps),
+                       static_cast<float>(edge.limits.low), static_cast<float>(edge.limits.high));
+        if (moved == shown.*edge.share) continue;
+        app.layout.*edge.share = moved;
+        return true;
+    }
+    return false;
+}
+
+// The bars by the keyboard.
+void resize_pane_in_use(App& app, const Rect& area) {
+    const int wider = std::exchange(app.in_use.wider, 0);
+    const int higher = std::exchange(app.in_use.higher, 0);
+    const Pane pane = app.in_use.pane;
+    const LayoutLimits limits = layout_limits(app, area);
+    const auto resize = [&](const std::vector<Edge>& edges, int steps, const char* more,
+                            const char* less) {
+        if (steps == 0) return;
+        const bool moved = move_edge(app, limits, edges, steps);
+        const std::string side = steps > 0 ? more : less;
+        say(app.ui, name_of_pane(app, pane) + (moved ? ": " : " cannot be ") + side);
+    };
+    resize(upright_edges(app, pane, limits), wider, "wider", "narrower");
+    resize(level_edges(app, pane, limits), higher, "higher", "lower");
+}
+
 void draw_left_column(App& app, const Rect& column, float split) {
     if (!has_editor(app)) return draw_pane_of(app, Pane::patterns, column);
     const float y = column.min.y + std::round(split * column.height());
@@ -125,6 +186,7 @@ Rect physiology_area(const App& app, const Rect& columns) {
 
 void draw_columns(App& app, const Rect& area) {
     if (app.layout.maximised) return draw_pane_of(app, *app.layout.maximised, area);
+    resize_pane_in_use(app, area);
     const float bar = app.ui.theme.splitter_px;
     const LayoutLimits limits = layout_limits(app, area);
     const Layout layout = within(limits, app.layout);

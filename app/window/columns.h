@@ -22,6 +22,9 @@ Rect physiology_area(const App& app, const Rect& columns);
 // One pane with its title and content.
 void draw_pane_of(App& app, Pane pane, const Rect& area);
 
+// What stands over it.
+std::string name_of_pane(const App& app, Pane pane);
+
 // What all rooms lay over the map.
 MapMarks map_marks(App& app);
 

@@ -155,6 +155,13 @@ void reset_workspace(App& app) {
     app.layout = first_layout(app.layout.arrangement);
 }
 
+void maximise_or_restore(App& app) {
+    auto& maximised = app.layout.maximised;
+    maximised = maximised ? std::nullopt : std::optional(app.in_use.pane);
+}
+
+bool has_bars(const App& app) { return !app.layout.maximised && !app.studying.is_open; }
+
 void show_tab(App& app, BenchTab tab) {
     close_study(app.studying);
     if (app.layout.maximised != Pane::matrix) app.layout.maximised.reset();
@@ -220,7 +227,8 @@ const char* what_lacks(const App& app, const Command& command) {
         Lack{has_lesson, "no lesson is open"},
         Lack{has_undo, "nothing to undo"},
         Lack{has_redo, "nothing to redo"},
-        Lack{has_sound, "no device to play on"}};
+        Lack{has_sound, "no device to play on"},
+        Lack{has_bars, "no other pane gives way here"}};
     if (command.enabled(app)) return nullptr;
     const auto found = std::ranges::find(kLacks, command.enabled, &Lack::has);
     return found == kLacks.end() ? "not now" : found->words;

@@ -29,6 +29,9 @@ void escape(App& app);
 void show_workspace(App& app, Arrangement arrangement);
 bool is_workspace(const App& app, Arrangement arrangement);
 void reset_workspace(App& app);
+void maximise_or_restore(App& app);
+// Panes stand side by side, with bars between them.
+bool has_bars(const App& app);
 void fold_physiology(App& app, Fold fold);
 void show_tab(App& app, BenchTab tab);
 void show_training(App& app);

@@ -22,7 +22,7 @@ constexpr Shortcut ctrl(char32_t sign, bool shift = false) {
     return {sign, key::kUnknown, true, shift};
 }
 constexpr Shortcut plain(char32_t sign) { return {sign, key::kUnknown, false, false}; }
-constexpr Shortcut special(int code) { return {0, code, false, false}; }
+constexpr Shortcut special(int code, bool shift = false) { return {0, code, false, shift}; }
 
 struct Command {
     const char* menu;  // "Edit"

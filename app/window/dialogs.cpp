@@ -35,6 +35,7 @@
 #include "model/io/people/ratings_file.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
+#include "model/text/utf8.h"
 
 namespace tact {
 
@@ -62,7 +63,6 @@ constexpr auto kGestures = std::to_array<Gesture>({
     {"Patterns", "Double click on a row", "rename the pattern"},
     {"Patterns", "Hold a row, a point, a candidate (0.25 s)", "feel it as long as it is held"},
     {"Patterns", "1 to 9", "play a picked pattern, by its number in Subset"},
-    {"Patterns", "N, Shift+N", "choose the next point or transient, the one before"},
     {"Numbers", "Left, Right (Shift: five steps; Alt: a tenth)", "nudge the field with the ring"},
     {"Numbers", "*2, /4, -10%, +3dB", "change what is there; 0,8 and 250 ms are understood, too"},
     {"Numbers", "Enter, Tab, Esc",
@@ -78,7 +78,7 @@ constexpr auto kGestures = std::to_array<Gesture>({
     {"Window", "F1; F1 again", "this list; the manual"},
     {"Window", "Tab, Shift+Tab, Enter", "go through the widgets by keyboard"},
     {"Window", "Ctrl+Tab", "from pane to pane"},
-    {"Window", "Double click on a pane's title", "maximise the pane; Esc puts it back"},
+    {"Window", "Double click on a title", "maximise the pane; Esc puts it back"},
     {"Window", "Drop files or a folder", "open them"},
     {"Lesson", "Page Up, Page Down", "a step back, on; so do a clicker's keys"},
     {"Lesson", "Arrows, Enter, Space; B; 1 to 9; M; N",
@@ -168,6 +168,12 @@ std::span<const KeyRow> keys_and_mouse() {
         for (const Command& command : commands()) {
             const std::string keys = shortcut_text(command.shortcut);
             if (keys.empty() || *command.menu == '\0') continue;
+            // With Shift it is the other way round, in the same row.
+            if (!rows.empty() && keys == "Shift+" + std::string(rows.back().keys)) {
+                rows.back().keys += ", " + keys;
+                rows.back().what += ", " + lower_case(command.name);
+                continue;
+            }
             rows.push_back({command.menu, keys, menu_path(command)});
         }
         for (const auto& [group, keys, what] : kGestures) {

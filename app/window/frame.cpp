@@ -231,6 +231,14 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     }
 }
 
+// A participant's page grows with the window.
+void follow_page_scale(App& app) {
+    const float wanted = is_study_running(app.studying)
+                             ? wanted_page_scale(app.ui, ImGui::GetIO().DisplaySize)
+                             : 1.0F;
+    if (std::exchange(app.studying.page_scale, wanted) != wanted) app.ui.fonts_outdated = true;
+}
+
 // Input, and what has come since the last frame.
 void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.ui.frame_s = std::clamp(time_s - app.ui.time_s, 0.0, 0.1);
@@ -265,6 +273,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_import(app.ui, app.work, app.importing);
     follow_calibrate(app.ui, app.play, app.calibrating);
     follow_study(app.ui, app.work, app.play, app.studying);
+    follow_page_scale(app);
     follow_training(app.ui, app.model_bench);
 }
 
@@ -389,7 +398,7 @@ App make_app() {
 }
 
 void make_theme(App& app) {
-    const float scale = app.ui.content_scale * app.ui.text_scale;
+    const float scale = app.ui.content_scale * app.ui.text_scale * app.studying.page_scale;
     app.ui.theme = app.ui.dark ? dark_theme(scale) : light_theme(scale);
     app.ui.theme.bodies = std::make_shared<BodyCache>();
     app.ui.theme.fonts =

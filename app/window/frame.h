@@ -36,7 +36,7 @@ bool is_comparing(const App& app);
 App make_app();
 
 // Theme, fonts and style for the current ImGui context, at app.ui.content_scale x
-// app.ui.text_scale. The atlas must be empty.
+// app.ui.text_scale, and larger for a participant. The atlas must be empty.
 void make_theme(App& app);
 
 // The program with its window on the screen: opens it on the sets, or on the last session without

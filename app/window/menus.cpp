@@ -133,6 +133,8 @@ void draw_examples(App& app) {
     ImGui::EndMenu();
 }
 
+constexpr const char* kMaximise = "Maximise or restore";
+
 // Before these a menu has a line.
 constexpr auto kGroups = std::to_array<std::string_view>({"Save",
                                                           "Load ratings...",
@@ -143,6 +145,7 @@ constexpr auto kGroups = std::to_array<std::string_view>({"Save",
                                                           "Rename",
                                                           "Copy",
                                                           "Save workspace as...",
+                                                          kMaximise,
                                                           "Stages in the middle",
                                                           "Reset view of the space",
                                                           "Dark",
@@ -243,6 +246,7 @@ void draw_workspace_tabs(App& app) {
 // Long groups of View are menus within it, by the command that they begin with.
 const char* submenu_of(const Command& command) {
     constexpr auto kSubmenus = std::to_array<std::pair<std::string_view, const char*>>({
+        {kMaximise, "Pane size"},
         {"Stages in the middle", "Stages"},
         {"Reset view of the space", "Map"},
         {"Matrix", "Panes"},
@@ -286,7 +290,8 @@ void draw_pane_menu(App& app, Pane pane) {
                                        ImGuiPopupFlags_NoOpenOverExistingPopup;
     if (!ImGui::BeginPopupContextWindow("pane menu", kWhere)) return;
     auto& maximised = app.layout.maximised;
-    if (ImGui::MenuItem(maximised ? "Put back" : "Maximise"))
+    const std::string keys = shortcut_text(view_command(kMaximise).shortcut);
+    if (ImGui::MenuItem(maximised ? "Put back" : "Maximise", keys.c_str()))
         maximised = maximised ? std::nullopt : std::optional(pane);
     note_item(app.ui.rects, "pane menu:maximise");
     ImGui::Separator();

@@ -390,8 +390,11 @@ MapMarks map_marks(App& app) {
     return marks;
 }
 
+std::string name_of_pane(const App& app, Pane pane) { return title_of(app, pane).title; }
+
 void draw_pane_of(App& app, Pane pane, const Rect& area) {
     draw_pane(app.ui, app.layout, pane, area, title_of(app, pane), [&app, pane] {
+        if (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows)) app.in_use.pane = pane;
         draw_content(app, pane);
         if (!app.ui.as_picture && !app.ui.presenting) draw_pane_menu(app, pane);
     });

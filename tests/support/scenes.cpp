@@ -77,6 +77,12 @@ void rest_on(Program& program, const std::string& name) {
     for (int k = 0; k < 60; ++k) program.frame();
 }
 
+// A participant's page is larger, as the loop of the window sees to.
+void remake_fonts(Program& program) {
+    if (!program.app.ui.fonts_outdated) return;
+    program.resize(ImGui::GetIO().DisplaySize, program.app.ui.text_scale);
+}
+
 void show_bench(Program& program, BenchTab tab) {
     program.app.layout.bench = tab;
     program.settle();
@@ -333,7 +339,15 @@ void add_bench(std::vector<Scene>& all) {
     all.push_back({"why", show_why});
     all.push_back({"model", [](Program& p) { show_model(p, ModelView::parameters); }});
     all.push_back({"training", [](Program& p) { show_model(p, ModelView::training); }});
-    all.push_back({"device", [](Program& p) { show_bench(p, BenchTab::device); }});
+    const auto show_device = [](Program& p) {
+        show_bench(p, BenchTab::device);
+        wait_until(p, [&p] { return p.app.rendered.shown != nullptr; });
+    };
+    all.push_back({"device", show_device});
+    all.push_back({"maximised device", [show_device](Program& p) {
+                       show_device(p);
+                       maximise(p, Pane::matrix);
+                   }});
 }
 
 void add_states(std::vector<Scene>& all) {
@@ -406,8 +420,24 @@ void add_dialogs(std::vector<Scene>& all) {
                        p.settle();
                    },
                    true});
-    all.push_back(
-        {"dialog, leave nobody out", [](Program& p) { show_dialog(p, Dialog::leave_out); }});
+    all.push_back({"dialog, leave out with a reason",
+                   [](Program& p) {
+                       show_answers(p, StudyKind::pairwise, StudyShow::matrix);
+                       ask_to_leave_out(
+                           p.app.ui, p.app.studying,
+                           p.app.studying.answers->records.front().header.participant.code);
+                       p.app.studying.leaving_out.because = "wore gloves";
+                       p.settle();
+                       p.settle();
+                   },
+                   true});
+    all.push_back({"dialog, all conduct rules", [](Program& p) {
+                       ConductRule& rule = p.app.studying.rule.who.conduct;
+                       rule.fast_below_s = 1.0;
+                       rule.repeat_rho = 0.3;
+                       rule.replays = 5.0;
+                       show_dialog(p, Dialog::conduct_rules);
+                   }});
     constexpr auto kOthers =
         std::to_array<std::pair<const char*, Dialog>>({{"calibrate", Dialog::calibrate},
                                                        {"import", Dialog::import_recordings},
@@ -473,7 +503,7 @@ void add_menus(std::vector<Scene>& all) {
                        click_if_there(p, "link:free numbers");
                    }});
     for (const char* thing :
-         {"transport:play", "entry:amplitude_g", "button:duplicate", "workspace:Select"}) {
+         {"transport:play", "field label:amplitude_g", "button:duplicate", "workspace:Select"}) {
         all.push_back(
             {std::string("tooltip of ") + thing, [thing](Program& p) { rest_on(p, thing); }});
     }
@@ -513,6 +543,7 @@ void SceneWindow::show(const Scene& scene) {
     app.studying.log.reset();
     app.studying.folder = {};
     app.studying.leaving_out = {};
+    app.studying.rule = {};
     app.layout = first_layout(Arrangement::design);
     app.workspaces = {};
     app.picking.view = SubsetView::pick;
@@ -533,7 +564,9 @@ void SceneWindow::show(const Scene& scene) {
     window.move({-100.0F, -100.0F});
     wait_for_exact_map();
     settle();
+    remake_fonts(*this);
     scene.show(*this);
+    remake_fonts(*this);
 }
 
 const std::vector<Scene>& scenes() {

@@ -57,6 +57,13 @@ bool is_enabled(const Program& program, const std::string& name) {
 
 }  // namespace
 
+TEST_CASE("effect maps: without an effect the dialog says what brings one") {
+    Program program(short_patterns(1));
+    program.app.ui.dialog = Dialog::effect_maps;
+    program.settle();
+    CHECK(contains(program.at("effects:none").value, "Add to set..."));
+}
+
 TEST_CASE("effect maps: what was opened says by which maps it was read, until that is hidden") {
     Effects effects;
     CHECK(effects.program.at("effects:maps").value == "android, core-haptics");

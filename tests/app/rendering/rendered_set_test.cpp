@@ -139,6 +139,8 @@ TEST_CASE("device tab: the report stands there, and the switch makes the map tha
     CHECK(contains(program.at("rendering:origin").value, "not measured, at a level of 100 %"));
     CHECK(program.shows("plot:intended"));
     CHECK(program.shows("plot:rendered"));
+    CHECK(program.at("device caption:rendered").value.starts_with("played, peak "));
+    CHECK(program.at("device caption:rendered").value.ends_with(" g"));
     CHECK(program.shows("band:41\u201375 Hz"));
 
     const PatternSet before = app.work.document.set;

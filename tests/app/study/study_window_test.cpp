@@ -117,6 +117,32 @@ TEST_CASE("study window: nothing is rated until the slider is put somewhere, by 
     CHECK(program.at("study:slider").value == "closed");
 }
 
+TEST_CASE("study window: a participant's page grows with the window, and the panes do not") {
+    StudyProgram program;
+    const auto enlarge = [&](ImVec2 window_px) {
+        program.resize(window_px, 1.0F);
+        program.resize(window_px, 1.0F);  // the fonts that the first frames asked for
+        return program.app.ui.theme.scale;
+    };
+    CHECK(enlarge({2560.0F, 1440.0F}) == 1.0F);
+    program.press('4', true);
+    program.click("button:run participant");
+    CHECK(enlarge({800.0F, 500.0F}) == 1.0F);
+    const float small = enlarge({1280.0F, 720.0F});
+    const float large = enlarge({2560.0F, 1440.0F});
+    CHECK(small > 1.0F);
+    CHECK(large > 2.0F * small);
+    // In the middle of the window.
+    const Place code = program.at("study field:code");
+    CHECK(code.min.y > 0.25F * 1440.0F);
+    CHECK(code.max.y < 0.6F * 1440.0F);
+    program.key(key::kEscape);
+    const Place stay = program.at("button:stay");
+    CHECK(stay.max.y - stay.min.y > 0.06F * 1440.0F);
+    program.press('q');
+    CHECK(enlarge({2560.0F, 1440.0F}) == 1.0F);
+}
+
 TEST_CASE("study window: the design says how many blind answers pass its identical pairs") {
     StudyProgram program;
     program.app.work.document.set.study.attention = {};

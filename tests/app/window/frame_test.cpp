@@ -161,6 +161,53 @@ TEST_CASE("window: a dragged splitter moves its panes") {
     CHECK(std::abs(program.at("title:Physiology").min.x - before - 80.0F) <= 3.0F);
 }
 
+TEST_CASE("window: keys make the pane in use wider, narrower, higher and lower") {
+    Program program(short_patterns(2));
+    const auto size_of = [&](const std::string& pane) {
+        const Place& place = program.at("pane:" + pane);
+        return place.max - place.min;
+    };
+    constexpr int kWidth = key::kF1 + 6;
+    constexpr int kHeight = key::kF1 + 7;
+    for (const char* pane : {"Patterns", "Editor", "Physiology", "Perceptual space", "Matrix"}) {
+        CAPTURE(pane);
+        program.window.click(program.at(std::string("title:") + pane).middle());
+        program.settle();
+        const ImVec2 before = size_of(pane);
+        program.press_key(kWidth);
+        CHECK(size_of(pane).x > before.x + 10.0F);
+        program.press_key(kWidth, false, true);
+        CHECK(std::abs(size_of(pane).x - before.x) <= 1.0F);
+        const bool fills_column = std::string_view(pane) == "Physiology";
+        program.press_key(kHeight);
+        CHECK((size_of(pane).y > before.y + 10.0F) == !fills_column);
+        program.press_key(kHeight, false, true);
+        CHECK(std::abs(size_of(pane).y - before.y) <= 1.0F);
+    }
+    CHECK(program.app.ui.status.text == "Matrix: lower");
+}
+
+TEST_CASE("window: a pane that can be no wider says so, and the next key narrows it at once") {
+    Program program(short_patterns(2));
+    program.click("title:Editor");
+    for (int k = 0; k < 40; ++k) program.press_key(key::kF1 + 6);
+    CHECK(program.app.ui.status.text == "Editor cannot be wider");
+    const float widest = program.at("pane:Editor").max.x;
+    program.press_key(key::kF1 + 6, false, true);
+    CHECK(program.at("pane:Editor").max.x < widest - 10.0F);
+}
+
+TEST_CASE("window: a key maximises the pane in use, and puts it back") {
+    Program program(short_patterns(2));
+    program.click("title:Editor");
+    program.press_key(key::kF1 + 5);
+    CHECK(program.app.layout.maximised == Pane::editor);
+    program.press_key(key::kF1 + 6);  // there is no other pane to take from
+    program.press_key(key::kF1 + 5);
+    CHECK_FALSE(program.app.layout.maximised);
+    CHECK(program.app.in_use.wider == 0);
+}
+
 TEST_CASE("window: the command palette finds a command and runs it") {
     Program program(short_patterns(2));
     program.press('p', true);

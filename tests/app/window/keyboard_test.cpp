@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/ui/question.h"
 #include "tests/support/scenes.h"
 
 namespace keyboard_test {
@@ -39,7 +40,7 @@ constexpr auto kOtherwise = std::to_array<std::pair<std::string_view, std::strin
     {"study m", "matrix and map are looked at: Export CSV has their numbers"},
     {"generate:preview ", "Space plays it, once it is in the list"},
     {"answer:", "Tab and arrows move the mark along the answers, Enter takes it"},
-    {"splitter:", "nothing is beyond a pane that cannot be scrolled to"},
+    {"splitter:", "F7 and F8 make the pane in use larger, with Shift smaller"},
 });
 
 bool has_other_way(const std::set<std::string>& names) {
@@ -154,8 +155,10 @@ struct HighWindow : SceneWindow {
     void check(std::initializer_list<std::string_view> beginnings,
                std::optional<Pane> alone = std::nullopt) {
         for (const Scene& scene : scenes()) {
-            // Of the palette letters and arrows are the way.
-            if (!is_of(scene, beginnings) || scene.name == "dialog, palette") continue;
+            // Of the palette letters and arrows are the way, of a question its mark.
+            const bool has_own_way =
+                scene.name == "dialog, palette" || scene.name == "dialog, question";
+            if (!is_of(scene, beginnings) || has_own_way) continue;
             CAPTURE(scene.name);
             for (const std::string& fault : faults_of(*this, scene, alone)) {
                 CAPTURE(fault);
@@ -179,6 +182,20 @@ TEST_CASE("keyboard: on every tab of the bench Tab reaches what can be pressed, 
 
 TEST_CASE("keyboard: in every dialog and popup Tab reaches what can be pressed, as one reads") {
     HighWindow().check({"dialog, ", "popup "});
+}
+
+TEST_CASE("keyboard: Tab moves the mark of a question along its answers, and around") {
+    Program program(short_patterns(1));
+    ask(program.app.ui, {.title = "Which?", .text = "One of them.", .answers = {{"A"}, {"B"}}});
+    program.settle();
+    CHECK(program.at("answer:A").value == "marked");
+    program.press_key(key::kTab);
+    CHECK(program.at("answer:B").value == "marked");
+    CHECK(program.at("answer:A").value.empty());
+    program.press_key(key::kTab);
+    CHECK(program.at("answer:A").value == "marked");
+    program.press_key(key::kTab, false, true);
+    CHECK(program.at("answer:B").value == "marked");
 }
 
 }  // namespace keyboard_test
