@@ -171,7 +171,7 @@ void draw_consent(Ui& ui, const Workspace& work, const PlayState& play, StudySta
     ImGui::SameLine();
     dim_text(ui, "that writes");
     ImGui::Spacing();
-    ImGui::Checkbox("I agree and take part", &studying.agrees);
+    draw_check(ui.theme, "I agree and take part", studying.agrees);
     note_item(ui.rects, "check:agree", studying.agrees ? "on" : "off");
     ImGui::EndGroup();
     if (was_pressed(pressed, key::kEnter)) {

@@ -43,7 +43,7 @@ struct RuleRow {
 
 void draw_rule_row(Ui& ui, const RuleRow& row, std::optional<double>& value) {
     bool is_on = value.has_value();
-    if (ImGui::Checkbox(row.label, &is_on)) {
+    if (draw_check(ui.theme, row.label, is_on)) {
         value = is_on ? std::optional(row.first) : std::nullopt;
     }
     note_item(ui.rects, std::string("check:") + row.id, is_on ? "on" : "off");
