@@ -10,10 +10,10 @@ namespace {
 int whole(double value) { return static_cast<int>(std::lround(value)); }
 
 constexpr Field count(const char* id, const char* label, Range slider, Range typed,
-                      const char* help) {
+                      const char* help, const char* format = "%.0f") {
     return {.id = id,
             .label = label,
-            .format = "%.0f",
+            .format = format,
             .slider = slider,
             .typed = typed,
             .step = 1,
@@ -44,7 +44,8 @@ const auto kTrials = std::to_array<StudyNumber>({
      [](StudyDesign& d, double value) { d.attention_pairs = whole(value); }},
     {count("study_above", "\u2026rated above", {50, 100}, limits::kSimilarity,
            "Similarity that identical patterns must exceed, or the participant is not counted. "
-           "The publication: 80."),
+           "The publication: 80.",
+           "%.0f of 100"),
      [](const StudyDesign& d) { return d.attention.above; },
      [](StudyDesign& d, double value) { d.attention.above = value; }},
     {count("study_failures", "\u2026may be missed", {0, 5}, limits::kAttentionPairs,
@@ -52,7 +53,7 @@ const auto kTrials = std::to_array<StudyNumber>({
      [](const StudyDesign& d) { return double(d.attention.failures_allowed); },
      [](StudyDesign& d, double value) { d.attention.failures_allowed = whole(value); }},
     {count("study_break", "Break every", {0, 200}, limits::kBreakEvery,
-           "Trials between two breaks; 0: none."),
+           "Trials between two breaks; 0: none.", "%.0f trials"),
      [](const StudyDesign& d) { return double(d.break_every); },
      [](StudyDesign& d, double value) { d.break_every = whole(value); }},
     {count("study_seed", "Seed", {0, 100}, limits::kStudySeed,
@@ -68,15 +69,16 @@ const auto kTrials = std::to_array<StudyNumber>({
      [](StudyDesign& d, double value) { d.rest_s = value; }},
     {{.id = "study_masking",
       .label = "Masking noise",
-      .format = "%.2f",
-      .slider = {0.0, 1.0},
-      .typed = {0.0, 1.0},
-      .step = 0.05,
-      .snap = 0.01,
-      .help = "Level of pink noise on the participant's headphones, so that the actuator is felt "
+      .format = "%.0f %%",
+      .slider = {0.0, 100.0},
+      .typed = {0.0, 100.0},
+      .step = 5.0,
+      .snap = 1.0,
+      .help = "Level of pink noise, of full scale, on the participant's headphones, so that the "
+              "actuator is felt "
               "and not heard; 0: off. It needs a second sound output."},
-     [](const StudyDesign& d) { return d.masking; },
-     [](StudyDesign& d, double value) { d.masking = value; },
+     [](const StudyDesign& d) { return 100.0 * d.masking; },
+     [](StudyDesign& d, double value) { d.masking = value / 100.0; },
      false},
 });
 
