@@ -285,11 +285,13 @@ void draw_tooltip(const Ui& ui, const char* text) {
     if (ImGui::IsItemActive()) return;  // who types there knows, and has to see what is beside
     if (ui.time_s - ui.hover_since_s < kRestS) return;
     place_tooltip(ui.theme, text);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);  // on what is disabled, too
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(kTooltipPx * ui.theme.scale);
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+    ImGui::PopStyleVar();
 }
 
 bool primary_button(const Theme& theme, const char* label, ImVec2 size) {
