@@ -112,11 +112,13 @@ void draw_square(Ui& ui, const Workspace& work, const PadState& pad, const Rect&
 
 std::string pad_words(const PadState& pad) {
     constexpr std::size_t kMostNamed = 3;
-    std::string words = significant(pad.mix.amplitude_g) + " g";
+    std::string words = "Amplitude " + significant(pad.mix.amplitude_g) + " g";
     const std::vector<Carrier>& carriers = pad.mix.carriers;
     for (std::size_t k = 0; k < std::min(kMostNamed, carriers.size()); ++k) {
-        words += ", " + significant(carriers[k].frequency_hz) + " Hz";
+        const char* before = k > 0 ? ", " : carriers.size() > 1 ? "; carriers " : "; carrier ";
+        words += before + significant(carriers[k].frequency_hz);
     }
+    words += " Hz";
     if (carriers.size() <= kMostNamed) return words;
     return words + " and " + std::to_string(carriers.size() - kMostNamed) + " more";
 }

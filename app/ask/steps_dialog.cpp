@@ -91,7 +91,7 @@ void draw_measure(Ui& ui, StepsState& state) {
 }
 
 void draw_search_of_steps(Ui& ui, StepsState& state) {
-    if (draw_progress(ui, {"Placing the steps", state.job->progress(), "steps"})) {
+    if (draw_progress(ui, {"Placing the steps", state.job->progress(), "steps", "Stop"})) {
         state.job->cancel();
         state.cancelled = true;
     }

@@ -30,7 +30,7 @@ void draw_free_numbers(Ui& ui, MaybesState& state) {
     for (const PatternParameter parameter : kPatternParameters) {
         const auto held = std::ranges::find(state.held, parameter);
         bool is_free = held == state.held.end();
-        if (ImGui::Checkbox(traits(parameter).name, &is_free)) {
+        if (draw_check(ui.theme, traits(parameter).name, is_free)) {
             if (is_free) state.held.erase(held);
             if (!is_free) state.held.push_back(parameter);
         }

@@ -138,7 +138,7 @@ void draw_effect_dialog(Ui& ui, const Workspace& work, EffectExport& effects) {
         draw_actuator(ui, effects);
     }
     draw_which(ui, effects);
-    ImGui::Separator();
+    draw_divider(ui.theme);
     const float s = ui.theme.scale;
     const float room = 0.9F * ImGui::GetIO().DisplaySize.y - kRowsPx * s;
     draw_loss_pane(ui, work, effects, std::clamp(room, 120.0F * s, kPanePx * s));

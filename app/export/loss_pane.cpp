@@ -162,7 +162,7 @@ void draw_state(Ui& ui, EffectExport& effects) {
     if (draw_failure(ui, "export", failure_of(effects.job))) return;
     if (is_predicting_loss(effects)) {
         const float share = effects.job->progress();
-        if (draw_progress(ui, {"Predicting what it costs", share, "predicting"}, true))
+        if (draw_progress(ui, {"Predicting what it costs", share, "predicting", "Skip"}, true))
             stop_predicting(effects);
         ImGui::SameLine();
         draw_bar(ui, share);
@@ -170,7 +170,7 @@ void draw_state(Ui& ui, EffectExport& effects) {
     }
     if (effects.without && !is_loss_current(effects)) {
         ImGui::AlignTextToFramePadding();
-        dim_text(ui, effects.large ? "What it costs takes minutes to predict." : "Cancelled.");
+        dim_text(ui, effects.large ? "What it costs takes minutes to predict." : "Skipped.");
         ImGui::SameLine();
         if (ImGui::Button("Predict it")) predict_anyway(effects);
         note_item(ui.rects, "button:predict loss");

@@ -238,10 +238,10 @@ void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating) {
     dim_text(ui, "Give every parameter a number, several levels, or a range.");
     draw_what_is_left_out(ui, work);
     draw_parameters(ui, generating);
-    ImGui::Separator();
+    draw_divider(ui.theme);
     draw_design_row(ui, generating);
     draw_constraint_rows(ui, generating);
-    ImGui::Separator();
+    draw_divider(ui.theme);
     if (std::exchange(generating.takes_back, false)) {
         generating.draft = generating.draft_before_typing;
     }

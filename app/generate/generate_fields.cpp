@@ -245,18 +245,31 @@ struct LimitRow {
     double first;  // when it is put on
     Range allowed;
     Unit unit;
-    const char* words;  // behind it
+    const char* before;  // the number
+    const char* words;   // behind it
     const char* help;
 };
+
+// Off, its words go on to say what a tick would ask for.
+bool limit_box(Ui& ui, const char* id, const char* words, const std::string& would_be, bool on,
+               const char* help) {
+    bool ticked = on;
+    const std::string label = std::string(words) + (on ? "" : " " + would_be) + "###" + id;
+    const bool pressed = draw_check(ui.theme, label.c_str(), ticked);
+    note_item(ui.rects, std::string("generate:") + id, on ? "chosen" : "");
+    draw_tooltip(ui, help);
+    return pressed;
+}
 
 void draw_limit(Ui& ui, std::optional<double>& limit, const LimitRow& row) {
     draw_label(ui, row.label);
     if (limit) reset_by_label(ui, row.first, *limit);
-    if (option_chip(ui, row.id, limit ? "on" : "off", limit.has_value(), row.help)) {
+    const std::string would_be = short_digits(row.first) + " " + row.words;
+    if (limit_box(ui, row.id, row.before, would_be, limit.has_value(), row.help)) {
         limit = limit ? std::nullopt : std::optional(row.first);
     }
-    if (!limit) return ImGui::NewLine();
-    leave_gap(ui);
+    if (!limit) return;
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
     draw_number(ui, std::string(row.id) + " limit", *limit, row.allowed, row.unit);
     beside(ui, row.words);
 }
@@ -314,19 +327,19 @@ void draw_constraint_rows(Ui& ui, GenerateState& generating) {
     constexpr Range kNormalHz{40.0, 400.0};
     draw_label(ui, "Device band");
     if (limits_of.band_hz && is_reset_asked(ui)) limits_of.band_hz = kNormalHz;
-    if (option_chip(ui, "band", limits_of.band_hz ? "on" : "off", limits_of.band_hz.has_value(),
-                    "Carriers and the sidebands of their modulation must lie in it.")) {
+    const std::string would_be =
+        short_digits(kNormalHz.low) + " to " + short_digits(kNormalHz.high) + " Hz";
+    if (limit_box(ui, "band", "within", would_be, limits_of.band_hz.has_value(),
+                  "Carriers and the sidebands of their modulation must lie in it.")) {
         limits_of.band_hz = limits_of.band_hz ? std::nullopt : std::optional(kNormalHz);
     }
     if (limits_of.band_hz) {
-        leave_gap(ui);
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
         draw_number(ui, "band low", limits_of.band_hz->low, limits::kBandHz, {"Hz", 1.0});
         beside(ui, "to");
         ImGui::SameLine(0.0F, ui.theme.gap_px);
         draw_number(ui, "band high", limits_of.band_hz->high, limits::kBandHz, {"Hz", 1.0});
         beside(ui, "Hz");
-    } else {
-        ImGui::NewLine();
     }
     draw_limit(ui, limits_of.displacement_um,
                {"Displacement",
@@ -334,7 +347,8 @@ void draw_constraint_rows(Ui& ui, GenerateState& generating) {
                 100.0,
                 limits::kDisplacementUm,
                 {"\u00b5m", 1.0},
-                "\u00b5m at most",
+                "at most",
+                "\u00b5m",
                 "Peak displacement if all components meet at their peaks: what the actuator's "
                 "stroke must hold."});
     draw_limit(ui, limits_of.detectable_db,
@@ -343,7 +357,8 @@ void draw_constraint_rows(Ui& ui, GenerateState& generating) {
                 6.0,
                 limits::kDetectableDb,
                 {"dB", 1.0},
-                "dB or more above threshold",
+                "at least",
+                "dB above threshold",
                 "At least one component is so far above the threshold of a receptor type, by the "
                 "model's tables."});
 }

@@ -252,9 +252,9 @@ void draw_map_look(Ui& ui, ShownMap& shown_map) {
     }
     note_item(ui.rects, "look:groups", std::to_string(look.clusters));
     draw_tooltip(ui, "Patterns that are close by PM, in one colour (average linkage); 1 is none.");
-    ImGui::Checkbox("Pairs that are too close", &look.show_pairs);
+    draw_check(ui.theme, "Pairs that are too close", look.show_pairs);
     note_item(ui.rects, "look:pairs", look.show_pairs ? "on" : "off");
-    ImGui::Checkbox("Ellipses of uncertainty", &look.show_spread);
+    draw_check(ui.theme, "Ellipses of uncertainty", look.show_spread);
     note_item(ui.rects, "look:spread", look.show_spread ? "on" : "off");
     ImGui::EndPopup();
 }

@@ -19,8 +19,8 @@ namespace {
 void draw_overlay_choice(Ui& ui, const Workspace& work, ShownMap& shown_map) {
     if (work.document.set.ratings.empty()) return;
     constexpr const char* kOverlay = "Overlay ratings";
-    flow_on(ImGui::GetFrameHeight() + ImGui::CalcTextSize(kOverlay).x, 1.5F * ui.theme.gap_px);
-    ImGui::Checkbox(kOverlay, &shown_map.show_people);
+    flow_on(check_width(ui.theme, kOverlay), 1.5F * ui.theme.gap_px);
+    draw_check(ui.theme, kOverlay, shown_map.show_people);
     note_item(ui.rects, "check:overlay ratings", shown_map.show_people ? "on" : "off");
     draw_tooltip(ui,
                  "Lays the map of what people said over the predicted one, turned and sized to "

@@ -44,7 +44,7 @@ void draw_list(Ui& ui, Workspace& work, ModelBench& model_bench, const KeptModel
         note_item(ui.rects, "model option:" + one.name, shown_name(one));
         draw_tooltip(ui, one.file.c_str());
     }
-    ImGui::Separator();
+    draw_divider(ui.theme);
     if (ImGui::Selectable("Load parameters...")) load_model_dialog(ui, work);
     note_item(ui.rects, "model option:load");
 }

@@ -30,7 +30,7 @@ std::string size_text(const SetToFit& set) {
 
 void draw_set(Ui& ui, const SetToFit& set, bool& takes_part, bool* removed) {
     ImGui::PushID(set.file.empty() ? "the document" : set.file.c_str());
-    ImGui::Checkbox(set.name.c_str(), &takes_part);
+    draw_check(ui.theme, set.name.c_str(), takes_part);
     note_item(ui.rects, "train on:" + set.name, takes_part ? "on" : "off");
     const std::string size = size_text(set);
     flow_on(ImGui::CalcTextSize(size.c_str()).x, ui.theme.gap_px);
@@ -106,7 +106,7 @@ void draw_settings(Ui& ui, ModelBench& model_bench) {
         draw_option(ui, step.name, state.units, step.units, step.help);
     }
     draw_label(ui, "Also");
-    ImGui::Checkbox("leave each person out", &state.leave_out_participants);
+    draw_check(ui.theme, "leave each person out", state.leave_out_participants);
     note_item(ui.rects, "train:leave out", state.leave_out_participants ? "on" : "off");
     draw_tooltip(ui,
                  "Fits without each person in turn, and tries the fit on just that person: what to "

@@ -1,3 +1,5 @@
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -162,16 +164,23 @@ void draw_carrier_links(Ui& ui, Workspace& work, const Pattern& pattern) {
     if (can_add) {
         if (link(ui, "add carrier", kAdd)) add_carrier(ui, work);
         note_item(ui.rects, "link:add carrier");
+        draw_field_tooltip(ui, "One more tone, at three times the last one's frequency");
     }
     if (pattern.carriers.size() > 1) {
         if (can_add) flow_on(ImGui::CalcTextSize("Remove").x, 2.0F * ui.theme.gap_px);
         if (link(ui, "remove carrier", "Remove")) remove_carrier(ui, work);
         note_item(ui.rects, "link:remove carrier");
+        draw_field_tooltip(ui, "The last carrier goes");
     }
     draw_leak_warning(ui, work, pattern);
 }
 
 }  // namespace
+
+void draw_field_tooltip(const Ui& ui, const char* text) {
+    const bool disabled = (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) != 0;
+    draw_tooltip(ui, disabled ? "The pattern is locked. Unlock it to change it." : text);
+}
 
 double snapped_to(double value, double snap) {
     return snap > 0.0 ? std::max(snap, multiple_of(snap, std::round(value / snap))) : value;

@@ -1,5 +1,7 @@
 // Every parameter of the selected patterns: drag, type or nudge.
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -145,6 +147,17 @@ void draw_note(const Ui& ui, const Workspace& work, const Vibration& vibration) 
 // Of a low pane, in which the strip stands among the fields.
 constexpr float kStripShare = 0.42F;
 
+// What follows in the window is no wider than is of use: a slider as wide as a maximised pane
+// stands far from its number, and what opens beside the fields has room there.
+void keep_narrow(const Theme& theme) {
+    constexpr float kMostPx = 640.0F;
+    ImGuiWindow& window = *ImGui::GetCurrentWindow();
+    const float right = ImGui::GetCursorScreenPos().x + kMostPx * theme.scale;
+    for (ImRect* room : {&window.ContentRegionRect, &window.WorkRect}) {
+        room->Max.x = std::min(room->Max.x, right);
+    }
+}
+
 void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const ShownMap& shown_map) {
     const Vibration* vibration = current_vibration(work);
     if (vibration == nullptr) {
@@ -174,8 +187,8 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
     // Inside, so that it scrolls away where the pane is low.
     if (!low && !vibration->locked) {
         draw_hint(ui, "editor",
-                  "Drag a slider and watch the point move on the right. Type a number for an exact "
-                  "value; arrow keys nudge.");
+                  "Drag a slider: its point in the map moves. Type for an exact value; arrow keys "
+                  "nudge.");
     }
     if (vibration->locked) {
         ImGui::PushTextWrapPos(0.0F);
@@ -205,6 +218,7 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
     }
     const Vibration shown = *vibration;  // edits below replace the document's own
     ImGui::BeginDisabled(shown.locked);
+    keep_narrow(ui.theme);
     if (const auto* pattern = std::get_if<Pattern>(&shown.source)) {
         edit_number(
             ui, work,

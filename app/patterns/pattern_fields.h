@@ -22,6 +22,9 @@ using WriteNumber = std::function<void(Pattern&, double)>;
 void edit_number(Ui& ui, Workspace& work, Field field, const std::string& what,
                  const ReadNumber& read, const WriteNumber& write);
 
+// A tooltip of what can be pressed among the fields, or why it cannot.
+void draw_field_tooltip(const Ui& ui, const char* text);
+
 // The nearest step above 0; of no steps, the value itself.
 double snapped_to(double value, double snap);
 

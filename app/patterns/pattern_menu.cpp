@@ -48,7 +48,7 @@ void draw_look_menu(Ui& ui, Workspace& work, std::size_t index) {
         const PatternColour& colour = kPatternColours[k];
         if (look_item(ui, colour.name, look, place == k)) choose(colour.hex, vibration.ring);
     }
-    ImGui::Separator();
+    draw_divider(ui.theme);
     for (const bool ring : {false, true}) {
         if (look_item(ui, ring ? "Ring" : "Disc", {now.colour, ring}, vibration.ring == ring)) {
             choose(vibration.colour, ring);
@@ -89,17 +89,17 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const 
     const bool has_numbers = std::holds_alternative<Pattern>(vibration.source);
     asks("Play", play_key, PatternDeed::play, nullptr, Icon::play);
     asks("Rename", "F2", PatternDeed::rename);
-    ImGui::Separator();
+    draw_divider(ui.theme);
     does(
         vibration.locked ? "Unlock" : "Lock", "Ctrl+L", [&] { toggle_locked(ui, work); },
         Icon::locked);
     does(
         vibration.dropped ? "Take back" : "Drop", "Ctrl+Shift+L", [&] { toggle_dropped(ui, work); },
         Icon::dropped);
-    ImGui::Separator();
+    draw_divider(ui.theme);
     does("Duplicate", "Ctrl+D", [&] { duplicate_selected(ui, work); });
     does("Copy", "Ctrl+C", [&] { copy_selected(ui, work); });
-    ImGui::Separator();
+    draw_divider(ui.theme);
     asks("Find similar", "", PatternDeed::similar,
          count < 2 ? "there is no other pattern" : nullptr);
     const char* no_numbers = has_numbers ? nullptr : "needs a pattern, not a recording";
@@ -109,9 +109,9 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const 
          : count < 3           ? "needs three patterns: a map"
                                : nullptr);
     asks("Steps to...", "", PatternDeed::steps, no_numbers);
-    ImGui::Separator();
+    draw_divider(ui.theme);
     draw_look_menu(ui, work, index);
-    ImGui::Separator();
+    draw_divider(ui.theme);
     does("Delete", "Del", [&] { remove_selected(ui, work); });
     ImGui::PopStyleVar();
     return deed;

@@ -1,4 +1,4 @@
-#include <imgui.h>
+#include <imgui_internal.h>
 // After imgui.h.
 #include <imgui_stdlib.h>
 
@@ -92,12 +92,22 @@ void draw_rhythm_grid(Ui& ui, Workspace& work, PatternPanes& pattern_panes, cons
     ImGui::Dummy({width, 2.0F * theme.scale});
 }
 
-// The list opens beside the pane and stays open while one rhythm after the other is tried.
+// Beside the fields where the pane is wider than they are, else beside the pane: never over what it
+// changes.
+void place_beside_fields(const Theme& theme, float width_px) {
+    const ImGuiWindow& pane = *ImGui::GetCurrentWindowRead()->RootWindow;
+    const float left =
+        ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x + 2.0F * theme.gap_px;
+    if (left + width_px > pane.Pos.x + pane.Size.x) return open_beside_pane(theme, width_px);
+    ImGui::SetNextWindowPos({left, ImGui::GetItemRectMin().y}, ImGuiCond_Appearing);
+}
+
+// It stays open while one rhythm after the other is tried.
 void draw_rhythm_popup(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                        const Pattern& pattern) {
     const float width = 340.0F * ui.theme.scale;
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, 1e4F});
-    open_beside_pane(ui.theme, width);
+    place_beside_fields(ui.theme, width);
     if (!ImGui::BeginPopup("rhythm list")) return;
     const auto chosen = [&pattern](const std::string& text) { return text == pattern.rhythm.text; };
     const RhythmListAction action =
@@ -116,17 +126,18 @@ void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
         constexpr const char* kGrid = "Make a rhythm";
         if (link(ui, "make grid", kGrid)) set_rhythm(ui, work, "x=--x=--");
         note_item(ui.rects, "link:make a rhythm");
+        draw_field_tooltip(ui, "A grid of steps to click notes into");
         flow_on(ImGui::CalcTextSize(kList).x, 2.0F * ui.theme.gap_px);
     }
     if (link(ui, "rhythm list", kList)) ImGui::OpenPopup("rhythm list");
     note_item(ui.rects, "link:rhythms");
-    draw_tooltip(ui, "Rhythms of a length and number of notes to pick from");
+    draw_field_tooltip(ui, "Rhythms of a length and number of notes to pick from");
     draw_rhythm_popup(ui, work, pattern_panes, pattern);
     constexpr const char* kTap = "Tap...";
     flow_on(ImGui::CalcTextSize(kTap).x, 2.0F * ui.theme.gap_px);
     if (link(ui, "tap rhythm", kTap)) open_tapping(ui, pattern_panes.tapping);
     note_item(ui.rects, "link:tap");
-    draw_tooltip(ui, "T: each press of it is a note as long as it is held");
+    draw_field_tooltip(ui, "T: each press of it is a note as long as it is held");
     if (none) return;
     const std::string summary = rhythm_summary(pattern.rhythm.text);
     flow_on(ImGui::CalcTextSize(summary.c_str()).x, 2.0F * ui.theme.gap_px);

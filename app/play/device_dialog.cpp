@@ -177,7 +177,7 @@ void draw_strength(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& 
     note_item(ui.rects, "uncalibrated");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     dim_text(ui, "what is felt in g is not known");
-    ImGui::Checkbox("Protect the actuator", &play.is_protected);
+    draw_check(ui.theme, "Protect the actuator", play.is_protected);
     note_item(ui.rects, "check:protect", play.is_protected ? "on" : "off");
     draw_tooltip(ui,
                  "Leaves out what is slower than 16 Hz, fades both ends of a pattern in 5 ms and "
@@ -189,7 +189,7 @@ void draw_choice(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& re
                  PlayState& play) {
     const std::optional<DeviceInfo> device = chosen_device(play);
     if (!device) return;
-    ImGui::Separator();
+    draw_divider(ui.theme);
     DeviceChoice choice = play.choice;
     draw_channel(ui, *device, choice);
     double offset_ms = 1e3 * choice.latency_offset_s;

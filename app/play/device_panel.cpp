@@ -49,9 +49,8 @@ void draw_kind(Ui& ui, Workspace& work, RenderingState& rendered) {
 
 void draw_switch(Ui& ui, Workspace& work, RenderingState& rendered) {
     constexpr const char* kLabel = "Predict from this";
-    flow_on(ImGui::CalcTextSize(kLabel).x + ImGui::GetFrameHeight() + ui.theme.gap_px,
-            1.5F * ui.theme.gap_px);
-    if (ImGui::Checkbox(kLabel, &rendered.on)) predictions_changed(work);
+    flow_on(check_width(ui.theme, kLabel), 1.5F * ui.theme.gap_px);
+    if (draw_check(ui.theme, kLabel, rendered.on)) predictions_changed(work);
     note_item(ui.rects, "rendered", rendered.on ? "on" : "off");
     draw_tooltip(ui,
                  "Stages, matrix, map and metrics of what the device plays, instead of what was "
@@ -80,7 +79,7 @@ void take_level(Workspace& work, RenderingState& rendered, double level) {
 
 void draw_level(Ui& ui, Workspace& work, RenderingState& rendered, const PlayState& play) {
     const std::string words = "At the level of the bar, " + percent(play.level);
-    if (ImGui::Checkbox((words + "###level").c_str(), &rendered.at_bar_level)) {
+    if (draw_check(ui.theme, (words + "###level").c_str(), rendered.at_bar_level)) {
         take_level(work, rendered, rendered.at_bar_level ? play.level : 1.0);
     }
     note_item(ui.rects, "rendering:at bar level", rendered.at_bar_level ? "on" : "off");

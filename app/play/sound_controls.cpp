@@ -51,7 +51,7 @@ void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
         dim_text(ui, trouble);
         ImGui::PopTextWrapPos();
         note_item(ui.rects, "device advice", trouble);
-        ImGui::Separator();
+        draw_divider(ui.theme);
     }
     if (ImGui::MenuItem("No device", nullptr, !is_device_chosen(play)))
         choose_device(ui, timeline, play, {});
@@ -59,7 +59,7 @@ void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
     const auto listed = play.listed;  // kept: choosing may change it
     for (std::size_t k = 0; listed && k < listed->size(); ++k)
         draw_device_item(ui, timeline, play, (*listed)[k]);
-    ImGui::Separator();
+    draw_divider(ui.theme);
     if (ImGui::MenuItem("Refresh devices")) refresh_devices(play);
     note_item(ui.rects, "device:refresh");
     if (ImGui::MenuItem("Devices...")) ui.dialog = Dialog::devices;

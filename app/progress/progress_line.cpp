@@ -27,15 +27,14 @@ std::string progress_text(Ui& ui, const ProgressLine& line) {
 }  // namespace
 
 bool draw_progress(Ui& ui, const ProgressLine& line, bool beside_buttons) {
-    constexpr const char* kCancel = "Cancel";
     const std::string text = progress_text(ui, line);
     if (beside_buttons) ImGui::AlignTextToFramePadding();
     dim_text(ui, text);
     note_item(ui.rects, std::string("progress:") + line.cancels, text);
-    flow_on(ImGui::CalcTextSize(kCancel).x, ui.theme.gap_px);
+    flow_on(ImGui::CalcTextSize(line.word).x, ui.theme.gap_px);
     const std::string id = std::string("cancel ") + line.cancels;
     const bool cancelled =
-        beside_buttons ? row_link(ui, id.c_str(), kCancel) : link(ui, id.c_str(), kCancel);
+        beside_buttons ? row_link(ui, id.c_str(), line.word) : link(ui, id.c_str(), line.word);
     note_item(ui.rects, "link:" + id);
     return cancelled;
 }

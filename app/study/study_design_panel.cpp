@@ -212,7 +212,8 @@ void draw_patterns(Ui& ui, Workspace& work) {
     const std::set<std::string_view> taking_part(chosen.begin(), chosen.end());
     for (const std::string& name : all) {
         bool takes_part = taking_part.contains(name);
-        if (ImGui::Checkbox(name.c_str(), &takes_part)) toggle_pattern(ui, work, name, takes_part);
+        if (draw_check(ui.theme, name.c_str(), takes_part))
+            toggle_pattern(ui, work, name, takes_part);
         note_item(ui.rects, "study pattern:" + name, takes_part ? "on" : "off");
     }
 }

@@ -44,7 +44,8 @@ const auto kTrials = std::to_array<StudyNumber>({
      [](StudyDesign& d, double value) { d.attention_pairs = whole(value); }},
     {count("study_above", "\u2026rated above", {50, 100}, limits::kSimilarity,
            "Similarity that identical patterns must exceed, or the participant is not counted. "
-           "The publication: 80."),
+           "The publication: 80.",
+           "%.0f of 100"),
      [](const StudyDesign& d) { return d.attention.above; },
      [](StudyDesign& d, double value) { d.attention.above = value; }},
     {count("study_failures", "\u2026may be missed", {0, 5}, limits::kAttentionPairs,
@@ -73,7 +74,7 @@ const auto kTrials = std::to_array<StudyNumber>({
       .typed = {0.0, 100.0},
       .step = 5.0,
       .snap = 1.0,
-      .help = "Of full scale: the level of pink noise on the participant's headphones, so that the "
+      .help = "Level of pink noise, of full scale, on the participant's headphones, so that the "
               "actuator is felt "
               "and not heard; 0: off. It needs a second sound output."},
      [](const StudyDesign& d) { return 100.0 * d.masking; },

@@ -151,7 +151,7 @@ void draw_form(Ui& ui, StudyState& studying) {
     draw_entry(ui, "Gender", "gender", studying.gender, "");
     draw_entry(ui, "Writing hand", "hand", studying.hand, "left or right");
     ImGui::Spacing();
-    ImGui::Checkbox("I agree and take part", &studying.agrees);
+    draw_check(ui.theme, "I agree and take part", studying.agrees);
     note_item(ui.rects, "check:agree", studying.agrees ? "on" : "off");
     ImGui::EndGroup();
 }

@@ -123,7 +123,7 @@ void draw_settling(Ui& ui, const StudyAnswers& answers) {
 
 void draw_rule(Ui& ui, StudyState& studying) {
     CollectRule& rule = studying.rule;
-    ImGui::Checkbox("Count unfinished ones", &rule.unfinished_too);
+    draw_check(ui.theme, "Count unfinished ones", rule.unfinished_too);
     note_item(ui.rects, "check:unfinished", rule.unfinished_too ? "on" : "off");
     struct Choice {
         RatingScaling scaling;

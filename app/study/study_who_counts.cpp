@@ -48,7 +48,7 @@ struct RuleRow {
 
 void draw_rule_row(Ui& ui, const RuleRow& row, std::optional<double>& value) {
     bool is_on = value.has_value();
-    if (ImGui::Checkbox(row.label, &is_on)) {
+    if (draw_check(ui.theme, row.label, is_on)) {
         value = is_on ? std::optional(row.limit.normal) : std::nullopt;
     }
     note_item(ui.rects, std::string("check:") + row.limit.id, is_on ? "on" : "off");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 #include "viz/drawing/colour.h"
@@ -150,6 +151,75 @@ bool draw_radio(const Ui& ui, const char* label, bool chosen) {
     return pressed;
 }
 
+namespace {
+
+constexpr float kBoxPx = 14.0F;
+constexpr float kBoxGapPx = 7.0F;
+
+float whole_px(float px) { return std::max(1.0F, std::round(px)); }
+
+void draw_box(const Theme& theme, ImVec2 corner, float size_px, bool on, bool lit) {
+    // GetColorU32 fades what is disabled.
+    const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 far_corner = corner + ImVec2{size_px, size_px};
+    const float rounding = 3.0F * theme.scale;
+    list.AddRectFilled(corner, far_corner, ink(on ? theme.accent : theme.field), rounding);
+    if (!on || lit) {
+        const ImU32 edge = on ? theme.text : lit ? theme.accent : theme.dim_text;
+        list.AddRect(corner, far_corner, ink(edge), rounding, 0, whole_px(theme.hairline_px));
+    }
+    if (!on) return;
+    const ImVec2 tick[] = {corner + ImVec2{0.23F, 0.53F} * size_px,
+                           corner + ImVec2{0.42F, 0.72F} * size_px,
+                           corner + ImVec2{0.78F, 0.30F} * size_px};
+    list.AddPolyline(tick, 3, ink(readable_on(theme.accent)), 0, 1.8F * theme.scale);
+}
+
+}  // namespace
+
+float check_width(const Theme& theme, const char* label) {
+    return whole_px(kBoxPx * theme.scale) + kBoxGapPx * theme.scale +
+           ImGui::CalcTextSize(label, nullptr, true).x;
+}
+
+bool draw_check(const Theme& theme, const char* label, bool& on) {
+    ImGuiWindow& window = *ImGui::GetCurrentWindow();
+    if (window.SkipItems) return false;
+    const ImVec2 corner = window.DC.CursorPos;
+    const float pad = ImGui::GetStyle().FramePadding.y;
+    const ImRect area{corner, corner + ImVec2{check_width(theme, label), ImGui::GetFrameHeight()}};
+    const ImGuiID id = window.GetID(label);
+    ImGui::ItemSize(area, pad);  // words beside it stand on the line of its own
+    if (!ImGui::ItemAdd(area, id)) return false;
+    bool over = false;
+    bool held = false;
+    const bool pressed = ImGui::ButtonBehavior(area, id, &over, &held);
+    if (pressed) {
+        on = !on;
+        ImGui::MarkItemEdited(id);
+    }
+    const float box = whole_px(kBoxPx * theme.scale);
+    const ImVec2 at{std::round(corner.x),
+                    std::round(corner.y + 0.5F * (ImGui::GetFrameHeight() - box))};
+    draw_box(theme, at, box, on, over || ImGui::IsItemFocused());
+    const ImVec2 words{corner.x + box + kBoxGapPx * theme.scale, corner.y + pad};
+    ImGui::GetWindowDrawList()->AddText(words, ImGui::GetColorU32(theme.text), label,
+                                        ImGui::FindRenderedTextEnd(label));
+    return pressed;
+}
+
+void draw_divider(const Theme& theme) {
+    const ImGuiWindow& window = *ImGui::GetCurrentWindow();
+    const float thick = whole_px(theme.hairline_px);
+    const float y = std::round(ImGui::GetCursorScreenPos().y);
+    // From edge to edge of what it divides, as ImGui's own, which is a pixel at every scale.
+    ImGui::GetWindowDrawList()->AddRectFilled({window.Pos.x, y},
+                                              {window.Pos.x + window.Size.x, y + thick},
+                                              ImGui::GetColorU32(ImGuiCol_Separator));
+    ImGui::Dummy({0.0F, thick - 1.0F});
+}
+
 bool flow_on(float width_px, float gap_px) {
     const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
     const bool beside = ImGui::GetItemRectMax().x + gap_px + width_px <= right;
@@ -215,11 +285,13 @@ void draw_tooltip(const Ui& ui, const char* text) {
     if (ImGui::IsItemActive()) return;  // who types there knows, and has to see what is beside
     if (ui.time_s - ui.hover_since_s < kRestS) return;
     place_tooltip(ui.theme, text);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);  // on what is disabled, too
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(kTooltipPx * ui.theme.scale);
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+    ImGui::PopStyleVar();
 }
 
 bool primary_button(const Theme& theme, const char* label, ImVec2 size) {
@@ -245,9 +317,10 @@ void open_beside_pane(const Theme& theme, float width_px) {
     const ImGuiWindow* pane = ImGui::GetCurrentWindowRead()->RootWindow;
     const float top = ImGui::GetItemRectMin().y;
     const float gap = theme.gap_px;
-    const bool at_left = pane->Pos.x - width_px - gap >= 0.0F;
     const float right = pane->Pos.x + pane->Size.x + gap;
-    if (!at_left && right + width_px > ImGui::GetIO().DisplaySize.x) {
+    const bool at_right = right + width_px <= ImGui::GetIO().DisplaySize.x;
+    const bool at_left = !at_right && pane->Pos.x - width_px - gap >= 0.0F;
+    if (!at_left && !at_right) {
         // Over the end of the pane: what is pressed and changed stands where it begins.
         return ImGui::SetNextWindowPos({right - 2.0F * gap, top}, ImGuiCond_Appearing,
                                        {1.0F, 0.0F});
@@ -385,11 +458,15 @@ bool draw_link(const Ui& ui, const char* id, const std::string& text, float pad_
     const ImVec2 corner = ImGui::GetCursorScreenPos() + ImVec2{0.0F, pad_px};
     const bool pressed = ImGui::InvisibleButton(id, {size.x, size.y + 2.0F * pad_px});
     const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
-    ImGui::GetWindowDrawList()->AddText(corner, ui.theme.accent, text.c_str());
+    // GetColorU32 fades what is disabled.
+    const bool disabled = (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) != 0;
+    const ImU32 ink = ImGui::GetColorU32(disabled ? ui.theme.dim_text : ui.theme.accent);
+    ImGui::GetWindowDrawList()->AddText(corner, ink, text.c_str());
     if (lit) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-        ImGui::GetWindowDrawList()->AddLine(
-            {corner.x, corner.y + size.y}, {corner.x + size.x, corner.y + size.y}, ui.theme.accent);
+        const float y = std::round(corner.y + size.y);
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            {corner.x, y}, {corner.x + size.x, y + whole_px(ui.theme.hairline_px)}, ink);
     }
     return pressed;
 }

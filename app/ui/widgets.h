@@ -62,6 +62,14 @@ void draw_label(const Ui& ui, const char* label, float room_px = 0.0F);
 bool draw_radio(const Ui& ui, const char* label, bool chosen);
 float radio_width(const Ui& ui, const char* label);
 
+// A setting that is on or off, said in words beside a small box; all of it, as high as a field, can
+// be pressed. What of the label follows "###" only names it. True when pressed.
+bool draw_check(const Theme& theme, const char* label, bool& on);
+float check_width(const Theme& theme, const char* label);
+
+// The line between the parts of a menu, a popup or a dialog, of whole pixels.
+void draw_divider(const Theme& theme);
+
 // The next item comes beside the last one where its width has room, else below: false.
 bool flow_on(float width_px, float gap_px);
 float button_width(const char* label);
@@ -90,7 +98,8 @@ bool primary_button(const Theme& theme, const char* label, ImVec2 size = {0.0F, 
 void open_below_last_item(const Theme& theme);
 
 // For a popup about so wide that is begun next: beside the pane, whose picture it changes, at the
-// height of the last item; over the right end of the pane where no side has room.
+// height of the last item. To the right, as lists stand at the left; over the right end of the pane
+// where no side has room.
 void open_beside_pane(const Theme& theme, float width_px);
 
 // Within an open popup: up where it would end below the window.

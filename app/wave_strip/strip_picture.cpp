@@ -1,10 +1,12 @@
 #include "app/wave_strip/strip_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "app/wave_strip/note_grips.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -150,12 +152,24 @@ void draw_help(ImDrawList& list, const Theme& theme, const Rect& area, const Str
                    2.0F * theme.scale, shortened(theme.fonts.small, text, area.max.x - left));
 }
 
+// A lane with room for one number says from where to where it reaches.
+std::string frequency_unit(const Theme& theme, const Axis& axis) {
+    const float text_px = font_or_current(theme.fonts.small).FontSize;
+    const std::vector<double> ticks = ticks_apart(axis, 1.4F * text_px);
+    const auto pixel = [&axis](double value) { return to_pixel(axis, value); };
+    const bool has_two =
+        ticks.size() > 1 && std::abs(pixel(ticks.back()) - pixel(ticks.front())) >= text_px;
+    if (has_two) return "Hz";
+    return significant_digits(axis.low, 3) + " to " + significant_digits(axis.high, 3) + " Hz";
+}
+
 }  // namespace
 
 void draw_strip_picture(ImDrawList& list, const Theme& theme, const Rect& area,
                         const StripScene& scene) {
     draw_axes(list, theme, scene.scale.amplitude, {"", "g"});
-    draw_axes(list, theme, scene.scale.frequency, {"s", "Hz"});
+    const std::string unit = frequency_unit(theme, scene.scale.frequency.y);
+    draw_axes(list, theme, scene.scale.frequency, {"s", unit.c_str()});
     draw_body(list, theme, scene);
     draw_notes(list, theme, scene);
     draw_lines(list, theme, scene);

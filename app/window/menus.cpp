@@ -114,7 +114,7 @@ void draw_own_workspaces(App& app) {
         }
         note_item(app.ui.rects, "workspace:" + name);
     }
-    ImGui::Separator();
+    draw_divider(app.ui.theme);
     for (const auto& [name, layout] : app.workspaces.own) {
         if (ImGui::MenuItem(("Forget " + name).c_str())) forgotten = name;
     }
@@ -294,7 +294,7 @@ void draw_pane_menu(App& app, Pane pane) {
     if (ImGui::MenuItem(maximised ? "Put back" : "Maximise", keys.c_str()))
         maximised = maximised ? std::nullopt : std::optional(pane);
     note_item(app.ui.rects, "pane menu:maximise");
-    ImGui::Separator();
+    draw_divider(app.ui.theme);
     for (const std::string_view name : commands_of(pane)) {
         draw_item(app, *std::ranges::find(commands(), name, &Command::name));
     }
@@ -315,12 +315,12 @@ void draw_rows(App& app, std::string_view menu) {
         if (begins_group(command)) {
             leave();
             if (const char* name = submenu_of(command)) {
-                if (std::string_view(name) == "Stages") ImGui::Separator();
+                if (std::string_view(name) == "Stages") draw_divider(app.ui.theme);
                 within = true;
                 open = ImGui::BeginMenu(name);
                 note_item(app.ui.rects, std::string("menu:") + name);
             } else {
-                ImGui::Separator();
+                draw_divider(app.ui.theme);
             }
         }
         if (within && !open) continue;

@@ -225,16 +225,26 @@ void draw_bench(App& app) {
         return !selects || which == BenchTab::subset || which == BenchTab::matrix ||
                which == BenchTab::why || which == app.layout.bench;
     };
-    tab(BenchTab::matrix, "Matrix");
-    for (const auto& [which, name] : {std::pair{BenchTab::candidates, "Table"},
+    std::vector<std::pair<BenchTab, const char*>> offered;
+    for (const auto& [which, name] : {std::pair{BenchTab::matrix, "Matrix"},
+                                      {BenchTab::candidates, "Table"},
                                       {BenchTab::subset, "Subset"},
                                       {BenchTab::compare, "Compare"},
                                       {BenchTab::shepard, "Shepard"},
                                       {BenchTab::why, "Why"},
                                       {BenchTab::model, "Model"},
                                       {BenchTab::device, "Device"}}) {
-        if (!is_offered(which)) continue;
-        flow_on(chip_width(app.ui, name), 2.0F * app.ui.theme.scale);
+        if (is_offered(which)) offered.emplace_back(which, name);
+    }
+    // Where one row is too narrow, two of about as many: none hangs below by itself.
+    const float gap_px = 2.0F * app.ui.theme.scale;
+    float all_px = -gap_px;
+    for (const auto& [which, name] : offered) all_px += chip_width(app.ui, name) + gap_px;
+    const bool in_two = all_px > ImGui::GetContentRegionAvail().x;
+    const std::size_t second_row = (offered.size() + 1) / 2;
+    for (std::size_t k = 0; k < offered.size(); ++k) {
+        const auto& [which, name] = offered[k];
+        if (k > 0 && !(in_two && k == second_row)) flow_on(chip_width(app.ui, name), gap_px);
         tab(which, name);
     }
     switch (app.layout.bench) {

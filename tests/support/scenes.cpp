@@ -502,6 +502,11 @@ void add_menus(std::vector<Scene>& all) {
                        run(p, "Vary");
                        click_if_there(p, "link:free numbers");
                    }});
+    all.push_back({"tooltip of a locked pattern", [](Program& p) {
+                       select_only(p.app.work, 2);
+                       p.settle();
+                       rest_on(p, "link:add carrier");
+                   }});
     for (const char* thing :
          {"transport:play", "field label:amplitude_g", "button:duplicate", "workspace:Select"}) {
         all.push_back(

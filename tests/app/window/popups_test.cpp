@@ -1,0 +1,52 @@
+// Where a popup opens: beside what was pressed, and not over what it changes.
+
+#include "tests/support/program.h"
+
+namespace popups_test {
+
+using namespace tact;
+
+TEST_CASE("popups: rhythms of a maximised editor open beside its fields") {
+    Program program(short_patterns(3));
+    program.app.layout.maximised = Pane::editor;
+    for (const ImVec2 size : {ImVec2{1280.0F, 720.0F}, ImVec2{2560.0F, 1440.0F}}) {
+        program.resize(size, 1.0F);
+        program.click("link:rhythms");
+        REQUIRE(program.shows("rhythm list:Necklaces"));
+        const Place& list = program.at("rhythm list:Necklaces");
+        CHECK(list.min.x > program.at("entry:amplitude_g").max.x);
+        CHECK(list.min.x - program.at("link:rhythms").max.x < 0.5F * size.x);
+        program.press_key(key::kEscape);
+    }
+}
+
+TEST_CASE("popups: the map's look covers neither the map nor the patterns") {
+    Program program(short_patterns(3));
+    program.compute_map();
+    program.app.layout = first_layout(Arrangement::design);
+    program.settle();
+    program.click("link:map look");
+    CHECK(program.at("look:Colour by").min.x > program.at("pane:Perceptual space").max.x);
+    stop_jobs(program.app);
+}
+
+TEST_CASE("tabs: none hangs below the others by itself") {
+    Program program(short_patterns(3));
+    program.resize({1280.0F, 720.0F}, 1.0F);
+    CHECK(program.at("tab:Model").min.y == program.at("tab:Device").min.y);
+    CHECK(program.at("tab:Matrix").min.y == program.at("tab:Table").min.y);
+}
+
+TEST_CASE("editor: a locked pattern's links do nothing") {
+    PatternSet set = short_patterns(2);
+    set.vibrations[0].locked = true;
+    Program program(set);
+    const Pattern before = program.pattern(0);
+    for (const char* name : {"link:add carrier", "link:make a rhythm", "link:rhythms"}) {
+        if (program.shows(name)) program.click(name);
+    }
+    CHECK(program.pattern(0) == before);
+    CHECK(!program.shows("rhythm list:count"));
+}
+
+}  // namespace popups_test
