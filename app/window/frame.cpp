@@ -54,6 +54,13 @@ namespace {
 constexpr float kStatusHeightPx = 26.0F;
 constexpr double kStatusFadeS = 8.0;
 
+// Of everything on screen.
+float wanted_scale(const App& app) {
+    const float scale = app.ui.content_scale * app.ui.text_scale;
+    if (!is_presenting(app.lesson)) return scale;
+    return scale * presented_growth(ImGui::GetIO().DisplaySize, app.ui.content_scale);
+}
+
 double status_left_s(const App& app) {
     if (app.ui.status.text.empty()) return 0.0;
     if (app.ui.status.is_error || !app.ui.status.is_seen) {
@@ -247,6 +254,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_document(hands_of(app), app.lesson);
     watch_pointed(app.ui, app.lesson);
     app.ui.presenting = is_presenting(app.lesson);
+    if (app.ui.theme.scale != wanted_scale(app)) app.ui.fonts_outdated = true;
     follow_progress(app);
     begin_pointing(app.timeline, app.physiology);
     app.work.selection.hovered_last = app.work.selection.hovered;
@@ -389,7 +397,7 @@ App make_app() {
 }
 
 void make_theme(App& app) {
-    const float scale = app.ui.content_scale * app.ui.text_scale;
+    const float scale = wanted_scale(app);
     app.ui.theme = app.ui.dark ? dark_theme(scale) : light_theme(scale);
     app.ui.theme.bodies = std::make_shared<BodyCache>();
     app.ui.theme.fonts =
