@@ -20,27 +20,25 @@ constexpr Range kCardShare{0.15, 0.5};
 
 bool is_upright(DockSide side) { return side == DockSide::left || side == DockSide::right; }
 
-// A larger hand for those at the back.
-constexpr float kPresentedText = 1.15F;
-
 constexpr float kMeasure = 60.0F;  // letters on a line, beyond which lines are lost
 
 // Of a line that is read with ease.
 float measure_px(const Ui& ui, const LessonState& state) {
     constexpr std::string_view kLetters = "the quick brown fox jumps over the lazy dog";
-    const float letter =
-        text_size(ui.theme.fonts.regular, kLetters).x / static_cast<float>(kLetters.size());
-    return kMeasure * letter * (state.presenting ? kPresentedText : 1.0F);
+    const ImFont* font = lesson_fonts(ui, state).text;
+    return kMeasure * text_size(font, kLetters).x / static_cast<float>(kLetters.size());
 }
 
-// Wide enough to read, no wider than that, and never more than half of the window.
+// Wide enough to read, or as high as its words; no more than that, and never more than half of the
+// window.
 float card_px(const Ui& ui, const LessonState& state, const Rect& area) {
     const bool upright = is_upright(state.dock);
     const float all = upright ? area.width() : area.height();
     const float least = (upright ? 250.0F : 130.0F) * ui.theme.scale;
     const float most = static_cast<float>(kCardShare.high) * all;
-    const float lines = upright ? measure_px(ui, state) + 2.0F * ui.theme.padding_px : most;
-    return std::round(std::min({std::max(state.card_share * all, least), lines, most}));
+    const float high = state.low_card_px > 0.0F ? state.low_card_px : most;
+    const float needed = upright ? measure_px(ui, state) + 2.0F * ui.theme.padding_px : high;
+    return std::round(std::min({std::max(state.card_share * all, least), needed, most}));
 }
 
 std::string text_in(const LessonState& state, const std::string& text) {
@@ -48,10 +46,27 @@ std::string text_in(const LessonState& state, const std::string& text) {
     return filled(text, answers == nullptr ? LessonNumbers{} : answers->numbers);
 }
 
+// Its numbers are on their way: a sentence without them would be broken.
+bool lacks_numbers(const LessonState& state, const std::string& text) {
+    const LessonAnswers* answers = answers_of(state);
+    const auto is_known = [answers](const std::string& placeholder) {
+        return answers != nullptr && answers->numbers.contains(placeholder);
+    };
+    return state.job && state.job->busy() && !std::ranges::all_of(placeholders_in(text), is_known);
+}
+
+void draw_text_of(Ui& ui, const LessonState& state, const LessonStep& step) {
+    const std::string text = lacks_numbers(state, step.text) ? "The model computes the numbers."
+                                                             : text_in(state, step.text);
+    wrapped_text(text);
+    note_item(ui.rects, "lesson:text", text);
+}
+
 void draw_head(Ui& ui, LessonState& state, const LessonStep& step, float width) {
+    const LessonFonts fonts = lesson_fonts(ui, state);
     char count[32];
     std::snprintf(count, sizeof count, "%zu of %zu", *state.step + 1, state.lesson->steps.size());
-    ImGui::PushFont(ui.theme.fonts.small);
+    ImGui::PushFont(fonts.small);
     dim_text(ui, count);
     const float move_px = ImGui::CalcTextSize("Move").x;
     ImGui::SameLine(width - move_px);
@@ -59,7 +74,7 @@ void draw_head(Ui& ui, LessonState& state, const LessonStep& step, float width) 
     note_item(ui.rects, "lesson:move");
     ImGui::PopFont();
     draw_tooltip(ui, "To the next edge of the window; its inner edge can be dragged");
-    ImGui::PushFont(ui.theme.fonts.semibold);
+    ImGui::PushFont(fonts.head);
     wrapped_text(text_in(state, step.title));
     ImGui::PopFont();
     ImGui::Spacing();
@@ -67,7 +82,7 @@ void draw_head(Ui& ui, LessonState& state, const LessonStep& step, float width) 
 
 void draw_source(Ui& ui, LessonState& state, const LessonStep& step) {
     if (step.source.empty()) return;
-    ImGui::PushFont(ui.theme.fonts.small);
+    ImGui::PushFont(lesson_fonts(ui, state).small);
     if (link(ui, "source", state.shows_source ? "Hide the source" : "Source")) {
         state.shows_source = !state.shows_source;
     }
@@ -160,6 +175,12 @@ void draw_edge(Ui& ui, LessonState& state, const Rect& card, const Rect& area) {
 
 }  // namespace
 
+LessonFonts lesson_fonts(const Ui& ui, const LessonState& state) {
+    const Fonts& fonts = ui.theme.fonts;
+    if (state.presenting) return {fonts.presented, fonts.title, fonts.regular};
+    return {fonts.regular, fonts.semibold, fonts.small};
+}
+
 LessonPlaces lesson_places(const Ui& ui, const LessonState& state, const Rect& area) {
     if (!state.step) return {{}, area};
     const float size = card_px(ui, state, area);
@@ -206,7 +227,8 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
-        if (state.presenting) ImGui::SetWindowFontScale(kPresentedText);
+        const LessonFonts fonts = lesson_fonts(ui, state);
+        ImGui::PushFont(fonts.text);
         const float bar = ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F;
         const float width = card.width() - ImGui::GetStyle().WindowPadding.x - bar;
         // On the line of the buttons beside it.
@@ -215,18 +237,24 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
         if (state.editing) {
             draw_step_editor(hands, state);
         } else {
-            wrapped_text(text_in(state, step.text));
-            note_item(ui.rects, "lesson:text", text_in(state, step.text));
+            draw_text_of(ui, state, step);
         }
         if (step.question) draw_lesson_question(hands, state, *step.question);
         draw_source(ui, state, step);
+        // Where the words end; what stands beside their head needs less.
+        float end_px = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
         if (is_low) {
-            const float move_px = text_size(theme.fonts.regular, "Move").x;
+            const float move_px = text_size(fonts.small, "Move").x;
             draw_way_at_head(hands, state, width - move_px - 2.0F * theme.gap_px);
         } else {
             ImGui::Spacing();
             draw_way(hands, state, false);
+            end_px = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
         }
+        if (!is_upright(state.dock)) {
+            state.low_card_px = std::ceil(end_px + ImGui::GetStyle().WindowPadding.y);
+        }
+        ImGui::PopFont();
         char count[32];
         std::snprintf(count, sizeof count, "%zu of %zu", at + 1, state.lesson->steps.size());
         note_rect(ui.rects, "tour", card.min, card.max, count);

@@ -14,6 +14,14 @@ struct LessonPlaces {
     Rect rest;
 };
 
+// Its type: larger while presenting, for those at the back.
+struct LessonFonts {
+    ImFont* text;
+    ImFont* head;
+    ImFont* small;
+};
+LessonFonts lesson_fonts(const Ui& ui, const LessonState& state);
+
 // Pure, for tests.
 LessonPlaces lesson_places(const Ui& ui, const LessonState& state, const Rect& area);
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+#include "app/lesson/lesson_card.h"
 #include "app/lesson/lesson_place.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
@@ -62,8 +63,8 @@ void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& questio
     note_item(ui.rects, "lesson:answer", text);
 }
 
-void draw_small(const Ui& ui, const char* text) {
-    ImGui::PushFont(ui.theme.fonts.small);
+void draw_small(const Ui& ui, const LessonState& state, const char* text) {
+    ImGui::PushFont(lesson_fonts(ui, state).small);
     ImGui::PushTextWrapPos(0.0F);
     dim_text(ui, text);
     ImGui::PopTextWrapPos();
@@ -84,19 +85,21 @@ void draw_lesson_question(const LessonHands& hands, LessonState& state,
     const LessonAnswers* answers = answers_of(state);
     const QuestionAnswer* answer = answer_at(state, *state.step);
     ImGui::Spacing();
-    ImGui::PushFont(ui.theme.fonts.semibold);
+    ImGui::PushFont(lesson_fonts(ui, state).head);
     const LessonNumbers none;
     wrapped_text(filled(question.ask, answers == nullptr ? none : answers->numbers));
     ImGui::PopFont();
     if (answer == nullptr) return dim_text(ui, "The model is on its way.");
     const bool hidden = hides_answer(state);
     if (hidden && question.kind == QuestionKind::place) {
-        draw_small(ui,
+        draw_small(ui, state,
                    "Click in the map where it belongs, or move the cross with Shift and the "
                    "arrows. Or say next to which it lies:");
     }
     for (std::size_t k = 0; k < answer->options.size(); ++k) draw_option(ui, state, *answer, k);
-    if (hidden) return draw_small(ui, "Number keys count hands; the next step forward reveals.");
+    if (hidden) {
+        return draw_small(ui, state, "Number keys count hands; the next step forward reveals.");
+    }
     draw_answer(ui, state, question, *answer, place_text(state, hands.shown_map));
 }
 

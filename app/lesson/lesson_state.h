@@ -70,7 +70,7 @@ struct LessonAnswered {
 
 using LessonJob = LatestJob<LessonAsked, LessonAnswered>;
 
-inline constexpr float kPresentScale = 1.75F;  // of text
+inline constexpr float kPresentScale = 1.25F;  // of text, on a screen of 1280 x 720
 
 struct LessonState {
     std::shared_ptr<const Lesson> lesson;  // open; kept when it is left
@@ -92,7 +92,8 @@ struct LessonState {
     std::uint64_t edited_at = 0;  // the document's revision then
     bool shows_source = false;
     DockSide dock = DockSide::right;
-    float card_share = 0.24F;                 // of the window's width, or of its height
+    float card_share = 0.24F;  // of the window's width, or of its height
+    float low_card_px = 0.0F;  // what its words need along the top or the foot; 0: not known yet
     float present_scale = kPresentScale;      // of text while presenting
     std::filesystem::path sheet_to;           // a student sheet is wanted there ...
     std::vector<std::string> sheet_pictures;  // ... and these of its steps are drawn

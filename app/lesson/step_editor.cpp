@@ -3,7 +3,7 @@
 #include <imgui_stdlib.h>
 
 #include <array>
-#include <utility>
+#include <string_view>
 
 #include "app/lesson/lesson_edit.h"
 #include "app/lesson/question_editor.h"
@@ -41,11 +41,12 @@ void draw_step_buttons(const LessonHands& hands, LessonState& state) {
          {"Down", "down", at + 1 < count,
           [](const LessonHands& h, LessonState& s) { move_step(h, s, 1); }},
          {"Remove step", "remove", count > 1, remove_step}}};
-    bool first = true;
-    for (const Action& action : actions) {
-        if (!std::exchange(first, false)) {
-            flow_on(button_width(action.label), hands.ui.theme.gap_px);
-        }
+    const float gap = hands.ui.theme.gap_px;
+    for (std::size_t k = 0; k < actions.size(); ++k) {
+        const Action& action = actions[k];
+        const bool is_up = std::string_view(action.id) == "up";  // stands in one row with Down
+        const float with_next = is_up ? gap + button_width(actions[k + 1].label) : 0.0F;
+        if (k > 0) flow_on(button_width(action.label) + with_next, gap);
         ImGui::BeginDisabled(!action.possible);
         if (ImGui::Button(action.label)) {
             hands.ui.waiting.emplace_back([hands, &state, act = action.act] { act(hands, state); });

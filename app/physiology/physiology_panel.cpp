@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <utility>
 
 #include "app/document/editing.h"
@@ -84,7 +85,9 @@ void draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& a
     const float icon = line + 8.0F * theme.scale;
     const float room = area.width() - icon;
     const bool wraps = area.height() >= 2.0F * line;
-    const std::string name = wraps ? text.name : shortened(theme.fonts.small, text.name, room);
+    const bool fits = text_size(theme.fonts.small, text.name).x <= room;
+    const std::string name =
+        wraps || fits ? text.name : shortened(theme.fonts.small, text.short_name, room);
     const ImVec2 size = ImGui::CalcTextSize(name.c_str(), nullptr, false, room);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool pressed = ImGui::InvisibleButton("open", size);
@@ -111,18 +114,35 @@ void draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& a
     ImGui::PopID();
 }
 
+using StageHeights = std::array<float, kStages.size()>;
+
+// The names beside a spectrum, one below the other, and its axis have to fit, however large the
+// text; a pair has the room.
+StageHeights stage_heights(const Theme& theme, float free, float lowest_unit, bool is_pair) {
+    constexpr std::size_t kSpectrum = index_of(Stage::spectrum);
+    const float least_px = is_pair ? 0.0F : 5.6F * font_or_current(theme.fonts.small).FontSize;
+    const float units = std::accumulate(kUnits.begin(), kUnits.end(), 0.0F);
+    float unit = std::max(free / units, lowest_unit);
+    const bool is_low = unit * kUnits[kSpectrum] < least_px;
+    if (is_low) unit = std::max((free - least_px) / (units - kUnits[kSpectrum]), lowest_unit);
+    StageHeights heights{};
+    for (std::size_t k = 0; k < heights.size(); ++k) heights[k] = unit * kUnits[k];
+    if (is_low) heights[kSpectrum] = least_px;
+    return heights;
+}
+
 void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
                    const std::vector<ShownStages>& patterns) {
     const Theme& theme = ui.theme;
     const float gap = 0.75F * theme.gap_px;
-    float units = 0.0F;
-    for (const float unit : kUnits) units += unit;
     const float free = ImGui::GetContentRegionAvail().y - gap * static_cast<float>(kStages.size());
     float lowest = patterns.size() > 1 ? kLowestPairUnitPx : kLowestUnitPx;
     // Nobody can scroll a picture, and no clicker a single pattern; two would be too small.
     if (ui.as_picture || (ui.presenting && patterns.size() < 2)) lowest = 1.0F;
-    const float unit = std::max(free / units, lowest * theme.scale);
-    const float height = unit * units + gap * static_cast<float>(kStages.size());
+    const StageHeights heights =
+        stage_heights(theme, free, lowest * theme.scale, patterns.size() > 1);
+    const float height = std::accumulate(heights.begin(), heights.end(), 0.0F) +
+                         gap * static_cast<float>(kStages.size());
     const bool scrolls = height > ImGui::GetContentRegionAvail().y + 1.0F;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     // The wheel moves through time where there is more of it than is shown.
@@ -137,7 +157,7 @@ void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     const float label = kLabelColumnPx * theme.scale;
     float top = corner.y;
     for (const Stage stage : kStages) {
-        const float bottom = top + unit * kUnits[index_of(stage)];
+        const float bottom = top + heights[index_of(stage)];
         const Rect area{{corner.x + label, top}, {corner.x + width, bottom}};
         draw_stage_label(ui, physiology, stage, {{corner.x, top}, {corner.x + label, bottom}});
         StageSize size;
@@ -184,8 +204,14 @@ void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
     top += draw_remark(ui, patterns, stage, {{beside_px, words.y}, line.max},
                        {{pane.min.x, top}, pane.max});
     top += 0.5F * ui.theme.gap_px;
-    draw_patterns(ui, work, timeline, physiology, patterns, stage, {{pane.min.x, top}, pane.max},
-                  size);
+    Rect plots{{pane.min.x, top}, pane.max};
+    if (stage == Stage::receptors && !patterns.empty()) {
+        const float line_px = text_size(font, "X").y;
+        plots.max.y -= line_px + ui.theme.gap_px;
+        draw_receptor_key(ui, physiology, patterns.front(),
+                          {{pane.min.x, pane.max.y - 1.1F * line_px}, pane.max});
+    }
+    draw_patterns(ui, work, timeline, physiology, patterns, stage, plots, size);
 }
 
 constexpr std::array kRowStages{Stage::vibration, Stage::spikes, Stage::central, Stage::brain};
@@ -256,6 +282,7 @@ PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
                    "The receptors and nerves of " + vibration->name + " are on their way.");
     }
     physiology.view.open.reset();
+    follow_difference(physiology, {});  // a row shows one pattern
     if (!failed && !patterns.empty()) {
         draw_row(ui, work, timeline, physiology, {patterns.front()}, row);
     }

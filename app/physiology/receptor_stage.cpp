@@ -11,6 +11,7 @@
 #include "viz/drawing/plot.h"
 #include "viz/skin/network_view.h"
 #include "viz/skin/raster_view.h"
+#include "viz/skin/receptor_legend.h"
 #include "viz/skin/receptor_view.h"
 
 namespace tact {
@@ -103,6 +104,26 @@ double largest_fired_hz(const LiveStages& live) {
     return most / std::max(duration_s(live.waveform), 1e-3);
 }
 
+// What all maps on screen have in common: those of both patterns of a pair.
+struct MapScale {
+    double largest_hz = 0.0;
+    double half_extent_mm = 0.0;
+    double half_width_mm = 0.0;
+};
+
+MapScale map_scale(const Physiology& physiology, const LiveStages& live) {
+    MapScale scale;
+    const ShownDifference& pair = physiology.view.difference;
+    for (const LiveStages* one : {&live, pair.a.get(), pair.b.get()}) {
+        if (one == nullptr) continue;
+        const auto& activation = one->neural.code.activation;
+        scale.largest_hz = std::max(scale.largest_hz, largest_fired_hz(*one));
+        scale.half_extent_mm = std::max(scale.half_extent_mm, common_extent_mm(activation));
+        scale.half_width_mm = std::max(scale.half_width_mm, common_width_mm(activation));
+    }
+    return scale;
+}
+
 float eased_tilt(const Ui& ui, const Physiology& physiology) {
     const double since = ui.motion ? (ui.time_s - physiology.view.tilt_since_s) / kTiltS : 1.0;
     const auto share = static_cast<float>(std::clamp(since, 0.0, 1.0));
@@ -110,7 +131,8 @@ float eased_tilt(const Ui& ui, const Physiology& physiology) {
 }
 
 void draw_one_grid(Ui& ui, const Timeline& timeline, Physiology& physiology,
-                   const ShownStages& shown, Receptor type, const Rect& area) {
+                   const ShownStages& shown, Receptor type, const Rect& area, const MapScale& scale,
+                   bool large) {
     const std::size_t c = index_of(type);
     const LiveStages& live = *shown.live;
     const ChannelStages& channel = live.neural.channel[c];
@@ -120,9 +142,10 @@ void draw_one_grid(Ui& ui, const Timeline& timeline, Physiology& physiology,
     scene.grid = &channel.grid;
     scene.activation = live.neural.code.activation[c];
     scene.silent = channel.silent;
-    scene.half_extent_mm = common_extent_mm(live.neural.code.activation);
-    scene.half_width_mm = common_width_mm(live.neural.code.activation);
-    scene.largest_hz = largest_fired_hz(live);
+    scene.half_extent_mm = scale.half_extent_mm;
+    scene.half_width_mm = scale.half_width_mm;
+    scene.largest_hz = scale.largest_hz;
+    scene.legend = !large;  // which have one for all
     scene.centre_spikes = centre_spikes(channel);
     scene.duration_s = duration_s(live.waveform);
     scene.flash = flash;
@@ -172,7 +195,7 @@ struct MapGrid {
     float used_px = 0.0F;  // of `each`, down to the end of its words
 };
 
-MapGrid map_grid(const Theme& theme, const Rect& area, const LiveStages& live, int columns) {
+MapGrid map_grid(const Theme& theme, const Rect& area, const MapScale& scale, int columns) {
     const float gap = theme.gap_px;
     const auto across = static_cast<float>(columns);
     const float down = 4.0F / across;
@@ -180,8 +203,8 @@ MapGrid map_grid(const Theme& theme, const Rect& area, const LiveStages& live, i
                  {(area.width() - gap * (across - 1.0F)) / across,
                   (area.height() - gap * (down - 1.0F)) / down}};
     ReceptorScene scene;
-    scene.half_extent_mm = common_extent_mm(live.neural.code.activation);
-    scene.half_width_mm = common_width_mm(live.neural.code.activation);
+    scene.half_extent_mm = scale.half_extent_mm;
+    scene.half_width_mm = scale.half_width_mm;
     const ReceptorLayout layout = receptor_layout(theme, rect_at({0.0F, 0.0F}, grid.each), scene);
     grid.map_px = layout.map.height();
     grid.used_px = std::max(layout.map.max.y, layout.caption.max.y);
@@ -298,9 +321,10 @@ float view_choice_px(const Ui& ui) {
 void draw_receptor_stage(Ui& ui, const Timeline& timeline, Physiology& physiology,
                          const ShownStages& shown, const Rect& area, const StageSize& size) {
     if (size.controls && !shown.pinned) draw_view_choice(ui, physiology, *size.controls);
-    MapGrid grid = map_grid(ui.theme, area, *shown.live, 4);
+    const MapScale scale = map_scale(physiology, *shown.live);
+    MapGrid grid = map_grid(ui.theme, area, scale, 4);
     // Two rows where the maps are then about as large: they fill the pane.
-    const MapGrid square = map_grid(ui.theme, area, *shown.live, 2);
+    const MapGrid square = map_grid(ui.theme, area, scale, 2);
     if (size.large && square.map_px > 0.95F * grid.map_px) grid = square;
     // What one row leaves free is shared out above and below it.
     const float free = grid.columns == 4 ? std::max(0.0F, area.height() - grid.used_px) : 0.0F;
@@ -310,8 +334,16 @@ void draw_receptor_stage(Ui& ui, const Timeline& timeline, Physiology& physiolog
         const auto k = static_cast<int>(index_of(type));
         const ImVec2 place{static_cast<float>(k % grid.columns) * (each.x + ui.theme.gap_px),
                            static_cast<float>(k / grid.columns) * (each.y + ui.theme.gap_px)};
-        draw_one_grid(ui, timeline, physiology, shown, type, rect_at(first + place, each));
+        draw_one_grid(ui, timeline, physiology, shown, type, rect_at(first + place, each), scale,
+                      size.large);
     }
+}
+
+void draw_receptor_key(Ui& ui, const Physiology& physiology, const ShownStages& shown,
+                       const Rect& line) {
+    const double largest_hz = map_scale(physiology, *shown.live).largest_hz;
+    draw_receptor_legend(*ImGui::GetWindowDrawList(), ui.theme, line, largest_hz);
+    note_rect(ui.rects, "receptor key", line.min, line.max, significant(largest_hz));
 }
 
 void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,

@@ -9,6 +9,9 @@ void draw_spectrum_stage(Ui& ui, Physiology& physiology, const ShownStages& show
                          bool large);
 void draw_receptor_stage(Ui& ui, const Timeline& timeline, Physiology& physiology,
                          const ShownStages& shown, const Rect& area, const StageSize& size);
+// What the maps' colours and marks stand for, on the line at the foot of the large ones.
+void draw_receptor_key(Ui& ui, const Physiology& physiology, const ShownStages& shown,
+                       const Rect& line);
 void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
                       const ShownStages& shown, const Rect& area, const StageSize& size);
 void draw_network_stage(Ui& ui, const Timeline& timeline, Physiology& physiology,

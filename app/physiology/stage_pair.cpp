@@ -47,10 +47,14 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     if (patterns.empty()) return;
     if (patterns.size() < 2)
         return draw_stage(ui, work, timeline, physiology, patterns[0], stage, area, size);
-    const bool has_signals = !signals_of(*patterns[0].live, stage).empty();
+    const std::size_t rows = signals_of(*patterns[0].live, stage).size();
+    const bool has_signals = rows > 0;
+    // Several rows are as high in between as above and below; large, they have names and values.
+    const float of_many = size.large ? 0.35F : 0.3F;
+    const float share = rows > 1 ? of_many : 0.24F;
     const float axis = size.time_axis ? time_axis_height(ui) : 0.0F;
     const float text = font_or_current(ui.theme.fonts.small).FontSize;
-    const float middle = has_signals ? std::max(text, 0.24F * (area.height() - axis)) : text * 1.2F;
+    const float middle = has_signals ? std::max(text, share * (area.height() - axis)) : text * 1.2F;
     const float each = 0.5F * (area.height() - axis - middle);
     const float y1 = area.min.y + each;
     const float y2 = y1 + middle;
@@ -59,7 +63,7 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     // A name has its own line, but above networks, where it stands behind the first one's, and
     // where plots are too low to give one up.
     const bool has_line =
-        stage == Stage::receptors || (has_signals && each >= 5.0F * text && middle >= 3.0F * text);
+        stage == Stage::receptors || (has_signals && each >= 4.5F * text && middle >= 3.0F * text);
     const bool top = has_line || stage == Stage::networks;
     const ImVec2 named{0.0F, has_line ? 1.1F * text : 0.0F};
     draw_stage(ui, work, timeline, physiology, patterns[0], stage,

@@ -72,13 +72,23 @@ void draw_channel_name(const Ui& ui, const Rect& area, Receptor receptor, bool o
               traits(receptor).name);
 }
 
-// Heights of rows that share an area: silent ones take less.
-std::vector<Rect> shared_out(const Rect& area, const std::vector<StageSignal>& signals,
-                             float axis_px) {
+// Of the rows that share an area: channels that are silent in all patterns on screen take less.
+// Those of a pair are alike, so that one is seen above the other.
+std::vector<float> row_weights(const Physiology& physiology, const LiveStages& live, Stage stage) {
+    const ShownDifference& pair = physiology.view.difference;
     std::vector<float> weights;
-    for (const StageSignal& signal : signals) {
-        weights.push_back(signal.receptor && is_silent(signal) ? 0.45F : 1.0F);
+    for (const LiveStages* one : {&live, pair.a.get(), pair.b.get()}) {
+        if (one == nullptr) continue;
+        const std::vector<StageSignal> signals = signals_of(*one, stage);
+        weights.resize(std::max(weights.size(), signals.size()), 0.45F);
+        for (std::size_t k = 0; k < signals.size(); ++k) {
+            if (!signals[k].receptor || !is_silent(signals[k])) weights[k] = 1.0F;
+        }
     }
+    return weights;
+}
+
+std::vector<Rect> shared_out(const Rect& area, const std::vector<float>& weights, float axis_px) {
     const float total = std::accumulate(weights.begin(), weights.end(), 0.0F);
     const float height = area.height() - axis_px;
     std::vector<Rect> rects;
@@ -148,8 +158,8 @@ TimeRow row_of(const Ui& ui, const ShownStages& shown, const StageSignal& signal
 // Close enough to tell spikes apart, the central signals show each of them.
 constexpr double kSingleSpikesS = 0.05;
 
-void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const ShownStages& shown,
-                  Stage stage, const Rect& area, const StageSize& size) {
+void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Physiology& physiology,
+                  const ShownStages& shown, Stage stage, const Rect& area, const StageSize& size) {
     std::vector<StageSignal> signals = signals_of(*shown.live, stage);
     if (stage == Stage::central && timeline.range.length_s() <= kSingleSpikesS) {
         for (StageSignal& signal : signals) {
@@ -159,7 +169,8 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Shown
         }
     }
     const float axis_px = size.time_axis ? time_axis_height(ui) : 0.0F;
-    const std::vector<Rect> rects = shared_out(area, signals, axis_px);
+    const std::vector<Rect> rects =
+        shared_out(area, row_weights(physiology, *shown.live, stage), axis_px);
     for (std::size_t k = 0; k < signals.size(); ++k) {
         const bool last = k + 1 == signals.size();
         if (signals[k].receptor && is_silent(signals[k]) && !(last && size.time_axis)) {
@@ -236,7 +247,7 @@ void draw_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
         case Stage::networks:
             return draw_network_stage(ui, timeline, physiology, shown, area, size);
         default:
-            return draw_signals(ui, work, timeline, shown, stage, area, size);
+            return draw_signals(ui, work, timeline, physiology, shown, stage, area, size);
     }
 }
 
@@ -249,7 +260,11 @@ void draw_stage_difference(Ui& ui, const Workspace& work, Timeline& timeline,
         const auto& known = physiology.view.difference.stages;
         return draw_difference_text(ui, area, stage, known[index_of(stage)]);
     }
-    const std::vector<Rect> rects = shared_out(area, signals, 0.0F);
+    const std::vector<Rect> rects = shared_out(area, row_weights(physiology, *a.live, stage), 0.0F);
+    double largest = 0.0;  // the rows have one scale
+    for (const std::vector<double>& difference : differences) {
+        for (const double sample : difference) largest = std::max(largest, std::abs(sample));
+    }
     for (std::size_t k = 0; k < signals.size(); ++k) {
         TimeRow row = row_of(ui, a, signals[k], stage);
         row.id = signals[k].id + " difference";
@@ -257,7 +272,7 @@ void draw_stage_difference(Ui& ui, const Workspace& work, Timeline& timeline,
         row.colour = difference_colour(ui.theme);
         row.signed_values = true;
         row.style = TraceStyle::filled;
-        row.largest = 0.0;
+        row.largest = std::max(signals[k].largest, largest);
         row.large = size.large;
         row.stale = a.stale || b.stale;
         draw_time_row(ui, work, timeline, rects[k], row);

@@ -105,7 +105,6 @@ struct StudyState {
     std::string gender;
     std::string hand;
     bool agrees = false;
-    float page_scale = 1.0F;  // of the page, on top of the screen's and the person's
 
     std::optional<std::size_t> held;      // pattern, in sorting: by the mouse or the keyboard
     std::optional<MapSettling> settling;  // of the run, in adaptive order, as of its last pause

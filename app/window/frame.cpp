@@ -54,6 +54,15 @@ namespace {
 constexpr float kStatusHeightPx = 26.0F;
 constexpr double kStatusFadeS = 8.0;
 
+// Of everything on screen. What is read from afar, or by somebody who takes part, grows with the window.
+float wanted_scale(const App& app) {
+    const float scale = app.ui.content_scale * app.ui.text_scale;
+    const ImVec2 window_px = ImGui::GetIO().DisplaySize;
+    if (is_study_running(app.studying)) return scale * wanted_page_scale(app.ui, window_px);
+    if (!is_presenting(app.lesson)) return scale;
+    return scale * presented_growth(window_px, app.ui.content_scale);
+}
+
 double status_left_s(const App& app) {
     if (app.ui.status.text.empty()) return 0.0;
     if (app.ui.status.is_error || !app.ui.status.is_seen) {
@@ -231,14 +240,6 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     }
 }
 
-// A participant's page grows with the window.
-void follow_page_scale(App& app) {
-    const float wanted = is_study_running(app.studying)
-                             ? wanted_page_scale(app.ui, ImGui::GetIO().DisplaySize)
-                             : 1.0F;
-    if (std::exchange(app.studying.page_scale, wanted) != wanted) app.ui.fonts_outdated = true;
-}
-
 // Input, and what has come since the last frame.
 void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.ui.frame_s = std::clamp(time_s - app.ui.time_s, 0.0, 0.1);
@@ -273,8 +274,8 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_import(app.ui, app.work, app.importing);
     follow_calibrate(app.ui, app.play, app.calibrating);
     follow_study(app.ui, app.work, app.play, app.studying);
-    follow_page_scale(app);
     follow_training(app.ui, app.model_bench);
+    if (app.ui.theme.scale != wanted_scale(app)) app.ui.fonts_outdated = true;
 }
 
 void draw_panes(App& app, std::span<const KeyPress> all_pressed) {
@@ -398,7 +399,7 @@ App make_app() {
 }
 
 void make_theme(App& app) {
-    const float scale = app.ui.content_scale * app.ui.text_scale * app.studying.page_scale;
+    const float scale = wanted_scale(app);
     app.ui.theme = app.ui.dark ? dark_theme(scale) : light_theme(scale);
     app.ui.theme.bodies = std::make_shared<BodyCache>();
     app.ui.theme.fonts =

@@ -77,10 +77,33 @@ void rest_on(Program& program, const std::string& name) {
     for (int k = 0; k < 60; ++k) program.frame();
 }
 
-// A participant's page is larger, as the loop of the window sees to.
+// As a window does between frames.
+void make_fonts(Program& program) {
+    ImGui::GetIO().Fonts->Clear();
+    make_theme(program.app);
+    program.settle();
+}
+
+// A participant's page is larger.
 void remake_fonts(Program& program) {
-    if (!program.app.ui.fonts_outdated) return;
-    program.resize(ImGui::GetIO().DisplaySize, program.app.ui.text_scale);
+    if (program.app.ui.fonts_outdated) make_fonts(program);
+}
+
+// With its numbers.
+void begin_tour(Program& program) {
+    run(program, "Guided tour");
+    wait_until(program, [&] { return answers_of(program.app.lesson) != nullptr; });
+    program.wait_for_stages();
+}
+
+// The text's scale is the screen's, too, where windows are headless.
+void present(Program& program) {
+    const float screen = program.app.ui.text_scale;
+    run(program, "Present");
+    set_text_scale(program.app.ui, screen * program.app.ui.text_scale);
+    make_fonts(program);
+    wait_until(program, [&] { return answers_of(program.app.lesson) != nullptr; });
+    program.wait_for_stages();
 }
 
 void show_bench(Program& program, BenchTab tab) {
@@ -212,9 +235,9 @@ void add_arrangements(std::vector<Scene>& all) {
                            p.settle();
                        }});
     }
-    all.push_back({"lesson", [](Program& p) { run(p, "Guided tour"); }});
+    all.push_back({"lesson", begin_tour});
     all.push_back({"lesson at the foot", [](Program& p) {
-                       run(p, "Guided tour");
+                       begin_tour(p);
                        click_if_there(p, "lesson:move");
                    }});
     all.push_back({"lesson, written", [](Program& p) {
@@ -222,9 +245,8 @@ void add_arrangements(std::vector<Scene>& all) {
                        p.wait_for_stages();
                    }});
     all.push_back({"presenting", [](Program& p) {
-                       run(p, "Guided tour");
-                       run(p, "Present");
-                       p.wait_for_stages();
+                       begin_tour(p);
+                       present(p);
                    }});
     all.push_back({"study, pairs", [](Program& p) {
                        run(p, "Study");
@@ -236,7 +258,7 @@ void add_arrangements(std::vector<Scene>& all) {
                        p.app.studying.kind = StudyKind::sorting;
                        p.settle();
                    }});
-    all.push_back({"present", [](Program& p) { run(p, "Present"); }});
+    all.push_back({"present", present});
     all.push_back({"study, results as a matrix",
                    [](Program& p) { show_answers(p, StudyKind::pairwise, StudyShow::matrix); },
                    true});
@@ -535,7 +557,20 @@ SceneWindow::SceneWindow(double duration_s) : Program(twelve_with_long_names(dur
 
 SceneWindow::~SceneWindow() { stop_jobs(app); }
 
+void SceneWindow::leave_presentation() {
+    const bool was_larger = app.lesson.presenting;
+    leave_lesson(hands_of(app), app.lesson);
+    app.lesson.present_scale = kPresentScale;
+    if (was_larger) make_fonts(*this);
+}
+
+void SceneWindow::resize(ImVec2 size, float scale) {
+    leave_presentation();
+    Program::resize(size, scale);
+}
+
 void SceneWindow::show(const Scene& scene) {
+    leave_presentation();
     for (int k = 0; k < 3; ++k) press_key(key::kEscape);
     app.ui.dialog = Dialog::none;
     app.ui.question.reset();

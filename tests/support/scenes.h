@@ -28,7 +28,12 @@ struct SceneWindow : Program {
     // The first window again, then the scene.
     void show(const Scene& scene);
 
+    // A screen of this size, with nothing presented on it.
+    void resize(ImVec2 size, float scale);
+
   private:
+    void leave_presentation();
+
     Document document_;
 };
 

@@ -203,6 +203,7 @@ Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::string& extra_text)
     fonts.regular = add_font(loader, std::round(15.0F * scale), regular);
     fonts.semibold = add_font(loader, std::round(15.0F * scale), semibold);
     fonts.title = add_font(loader, std::round(17.0F * scale), semibold);
+    fonts.presented = add_font(loader, std::round(17.0F * scale), regular);
     fonts.fine = add_font(loader, std::round(12.0F * scale), regular);
     fonts.small = add_font(loader, std::round(13.0F * scale), regular);
     fonts.large = add_font(loader, std::round(20.0F * scale), semibold);

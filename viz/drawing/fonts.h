@@ -1,7 +1,7 @@
 // Type: Inter where it is installed, DejaVu Sans for what Inter lacks, further system fonts for
 // the scripts that names are written in.
 //
-// Five roles: title, value, body, label, fine print.
+// Five roles: title, value, body, label, fine print; and a body for those at the back of a room.
 //
 // Source    ui.md, but for titles a little above the body and labels on whole pixels: at any scale,
 //           so that no line is blurred.
@@ -24,6 +24,7 @@ struct Fonts {
     ImFont* regular = nullptr;                          // 15 px, body: text and numbers
     ImFont* semibold = nullptr;                         // 15 px: what stands out of the body
     ImFont* title = nullptr;                            // 17 px: of panes and dialogs
+    ImFont* presented = nullptr;                        // 17 px: a lesson's text before a class
     ImFont* small = nullptr;                            // 13 px, label: axes, units, captions
     ImFont* fine = nullptr;                             // 12 px, fine print: hints
     ImFont* large = nullptr;                            // 20 px, value: headline numbers

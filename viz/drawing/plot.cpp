@@ -68,6 +68,25 @@ std::string printed(const char* format, int digits, double value) {
     return result;
 }
 
+// 1, 2, 2.5 or 5 times a power of ten, of a positive value.
+double round_below(double value) {
+    const double decade = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double factor : {5.0, 2.5, 2.0}) {
+        if (factor * decade <= value) return factor * decade;
+    }
+    return decade;
+}
+
+// Along y, where numbers stand above each other: a low plot around zero has that and one more.
+std::vector<double> level_ticks(const Axis& axis, float text_px) {
+    std::vector<double> ticks = ticks_apart(axis, 1.4F * text_px);
+    const bool around_zero = axis.scale == Scale::linear && axis.low <= 0.0 && axis.high > 0.0;
+    if (ticks.size() > 1 || !around_zero || !std::isfinite(axis.high)) return ticks;
+    const double high = round_below(axis.high);
+    const float apart_px = std::abs(to_pixel(axis, high) - to_pixel(axis, 0.0));
+    return apart_px < text_px ? ticks : std::vector<double>{0.0, high};
+}
+
 // What lies between ticks; of a logarithmic axis none is asked for.
 double step_between(const Axis& axis, std::span<const double> ticks) {
     return axis.scale == Scale::linear && ticks.size() > 1 ? ticks[1] - ticks[0] : 0.0;
@@ -179,7 +198,7 @@ void draw_axes(ImDrawList& list, const Theme& theme, const Plot& plot, const Plo
     const Rect& area = plot.area;
     if (labels.y_grid) {
         const float right = area.min.x - theme.gap_px * 0.75F;
-        const std::vector<double> ticks = ticks_apart(plot.y, 1.4F * text_px);
+        const std::vector<double> ticks = level_ticks(plot.y, text_px);
         std::optional<float> below;  // a low plot has room for one number
         for (const double tick : ticks) {
             const float y = to_pixel(plot.y, tick);

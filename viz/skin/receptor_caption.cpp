@@ -73,13 +73,15 @@ void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line, const R
     draw_text(list, font, {bar.max.x + gap, line.min.y}, theme.dim_text, high);
 }
 
-bool has_legend(const ReceptorScene& scene) {
+bool is_activated(const ReceptorScene& scene) {
     return scene.grid != nullptr && scene.activation.radius_mm > 0.0;
 }
 
+bool has_legend(const ReceptorScene& scene) { return scene.legend && is_activated(scene); }
+
 // What receptor_state_text() says at most, a line each.
 std::vector<std::string> state_lines(const ReceptorScene& scene) {
-    if (!has_legend(scene) || scene.silent || !scene.centre_spikes) {
+    if (!is_activated(scene) || scene.silent || !scene.centre_spikes) {
         return {receptor_state_text(scene, nullptr, 1e6F)};
     }
     return {"centre fires " + std::to_string(*scene.centre_spikes) + " in " +
@@ -107,7 +109,8 @@ std::string receptor_state_text(const ReceptorScene& scene, const ImFont* font, 
         wordings = {"nothing in its band", "silent"};
     } else if (scene.grid != nullptr) {
         const std::string rate = significant(scene.activation.rate_hz) + " imp/s";
-        const std::string radius = ", " + significant(scene.activation.radius_mm, 2) + " mm";
+        const std::string radius =
+            ", as far as " + significant(scene.activation.radius_mm, 2) + " mm";
         wordings = {rate + radius, rate};
         if (scene.centre_spikes) {
             const std::string count = std::to_string(*scene.centre_spikes);
@@ -135,6 +138,13 @@ ImU32 value_colour(const Theme& theme, Receptor receptor, double value) {
     return mixed(skin_colour(theme), theme.receptor[index_of(receptor)],
                  kFaintest + (1.0F - kFaintest) * static_cast<float>(value));
 }
+
+// The text's colour, which stands out most in either theme, with a touch of its own.
+ImU32 firing_colour(const Theme& theme, Receptor receptor) {
+    return mixed(theme.receptor[index_of(receptor)], theme.text, theme.is_dark ? 0.9F : 0.75F);
+}
+
+ImU32 beyond_colour(const Theme& theme) { return mixed(theme.pane, theme.dim_text, 0.45F); }
 
 void draw_caption(ImDrawList& list, const Theme& theme, const Rect& caption,
                   const ReceptorScene& scene) {

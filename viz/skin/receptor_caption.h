@@ -1,5 +1,5 @@
 // The words, the colour scale and the scale bar of a map of receptors. Private to the receptor
-// view.
+// view and its legend.
 #pragma once
 
 #include <string>
@@ -13,6 +13,10 @@ float caption_line_px(const Theme& theme);
 
 // Opaque colour of a value of 0..1: what lies behind a mark must not change it.
 ImU32 value_colour(const Theme& theme, Receptor receptor, double value);
+
+// Of one that fires, and of one beyond the finger's edge.
+ImU32 firing_colour(const Theme& theme, Receptor receptor);
+ImU32 beyond_colour(const Theme& theme);
 
 // What a caption says of a type that fires, or why none does: as much as fits, nothing at last, and
 // what can be counted in the raster before what Eq. 2 gives.

@@ -107,14 +107,11 @@ void draw_stems(ImDrawList& list, const Theme& theme, const ReceptorLayout& layo
     }
 }
 
-// A firing receptor takes the text's colour, which stands out most in either theme, with a touch of
-// its own.
 void draw_mark(ImDrawList& list, const Theme& theme, const ReceptorScene& scene, const Mark& mark) {
-    const ImU32 grey = mixed(theme.pane, theme.dim_text, 0.45F);
+    const ImU32 grey = beyond_colour(theme);
     const ImU32 resting = mark.beyond ? grey : value_colour(theme, scene.receptor, mark.value);
     const ImU32 firing =
-        mark.beyond ? mixed(grey, theme.dim_text, 0.6F)
-                    : mixed(hue_of(theme, scene), theme.text, theme.is_dark ? 0.9F : 0.75F);
+        mark.beyond ? mixed(grey, theme.dim_text, 0.6F) : firing_colour(theme, scene.receptor);
     draw_receptor_mark(list, theme, mark.at, mark.radius, scene.receptor,
                        mixed(resting, firing, mark.flash));
 }

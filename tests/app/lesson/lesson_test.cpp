@@ -189,6 +189,34 @@ TEST_CASE("lesson: at a side the card is no wider than its lines are read with e
     CHECK(card.max.x - card.min.x > 0.6F * sixty);
 }
 
+TEST_CASE("lesson: along the foot the card is as high as its words, and no higher") {
+    Class program;
+    program.begin(kTourLesson);
+    program.resize({1600.0F, 1000.0F}, 1.0F);
+    program.wait_for_numbers();
+    program.lesson().dock = DockSide::bottom;
+    program.settle();
+    const Place card = program.at("tour");
+    const float below = card.max.y - program.at("lesson:source").max.y;
+    CHECK(below >= 0.5F * program.app.ui.theme.padding_px);
+    CHECK(below <= 2.0F * program.app.ui.theme.padding_px);
+    CHECK(card.min.y >= program.at("pane:Physiology").max.y);
+}
+
+TEST_CASE("presenting: all is as large on any screen, for those at the back of the room") {
+    CHECK(presented_growth({1280.0F, 720.0F}, 1.0F) == 1.0F);
+    CHECK(presented_growth({1600.0F, 1000.0F}, 1.0F) == 1.25F);
+    CHECK(presented_growth({2560.0F, 1440.0F}, 1.0F) == 2.0F);
+    CHECK(presented_growth({3840.0F, 2160.0F}, 2.0F) == 1.5F);
+    CHECK(presented_growth({7680.0F, 4320.0F}, 1.0F) == 3.0F);
+    Class program;
+    program.press_key(key::kF1 + 4);
+    program.app.ui.fonts_outdated = false;
+    ImGui::GetIO().DisplaySize = {2560.0F, 1440.0F};
+    program.frame();
+    CHECK(program.app.ui.fonts_outdated);  // the window makes them anew
+}
+
 TEST_CASE("lesson: the way on is in sight in a small window, at whatever edge the card stands") {
     Class program;
     program.begin(kTourLesson);

@@ -61,6 +61,17 @@ TEST_CASE("writing a lesson: a question with its options and the right one, open
     CHECK(again->steps[0].question == program.step().question);
 }
 
+TEST_CASE("writing a lesson: Up and Down stand beside each other, however narrow the card") {
+    Writing program;
+    for (const float share : {0.15F, 0.2F, 0.24F, 0.3F, 0.4F}) {
+        CAPTURE(share);
+        program.lesson().card_share = share;
+        program.settle();
+        CHECK(program.at("lesson edit:up").min.y == program.at("lesson edit:down").min.y);
+        CHECK(program.at("lesson edit:down").max.x <= program.at("tour").max.x);
+    }
+}
+
 TEST_CASE("writing a lesson: pairs are those on screen, and answered by the model") {
     Writing program;
     program.choose_kind("closest");

@@ -249,6 +249,30 @@ TEST_CASE("physiology: a pinned pattern runs below, with the difference between 
     CHECK_FALSE(program.shows("plot:brain pinned"));
 }
 
+TEST_CASE("physiology: both of a pair have one scale, and rows of one height") {
+    PatternSet set = rich_patterns();
+    std::get<Pattern>(set.vibrations[0].source).amplitude_g = 0.2;
+    PhysiologyProgram program(set);
+    const auto largest_hz = [&] {
+        program.app.physiology.view.open = Stage::receptors;
+        program.settle();
+        return std::stod(program.at("receptor key").value);
+    };
+    const double of_weak_hz = largest_hz();
+    program.app.work.selection.pinned = "p2";
+    program.settle();
+    program.wait_for_stages();
+    CHECK(largest_hz() > of_weak_hz);
+    program.app.physiology.view.open = Stage::filtered;
+    program.settle();
+    const auto height = [&](const std::string& plot) {
+        const Place place = program.at("plot:filtered " + plot);
+        return place.max.y - place.min.y;
+    };
+    CHECK(height("FA1") == doctest::Approx(height("FA1 difference")).epsilon(0.2));
+    CHECK(height("FA2") == doctest::Approx(height("FA2 pinned")).epsilon(0.05));
+}
+
 TEST_CASE("physiology: a twin of the pattern differs from it nowhere") {
     PatternSet set = rich_patterns();
     set.vibrations[1].source = set.vibrations[0].source;

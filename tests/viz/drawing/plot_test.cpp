@@ -186,6 +186,19 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("plot: a low plot says zero and how far it reaches") {
+    const std::string svg = drawn_svg([&](ImDrawList& list, const Theme& theme) {
+        const PlotLabels labels{.x_unit = "", .y_unit = ""};
+        const Plot plot =
+            plot_within({{0.0F, 0.0F}, {300.0F, 42.0F}}, theme, {.low = 0.0, .high = 1.0},
+                        {.low = -52.5, .high = 52.5}, labels);
+        draw_axes(list, theme, plot, labels);
+    });
+    std::vector<std::string> numbers;
+    for (const SvgElement& text : elements_of(svg, "text")) numbers.push_back(text.text);
+    CHECK(numbers == std::vector<std::string>{"0", "50"});
+}
+
 }  // namespace tact::plot_test
 
 TEST_CASE("ticks: bounds that differ by rounding alone have none, instead of no end of them") {

@@ -338,7 +338,7 @@ TEST_CASE("receptor view: the number in the caption is the number of spikes in t
             const ImFont* font = theme.fonts.small;
             const std::string count = std::to_string(seen);
             CHECK(receptor_state_text(scene, font, 1000.0F) ==
-                  "centre fires " + count + " in 1 s (rate by Eq. 2: 190 imp/s), 6.0 mm");
+                  "centre fires " + count + " in 1 s (rate by Eq. 2: 190 imp/s), as far as 6.0 mm");
             CHECK(receptor_state_text(scene, font, 100.0F) == "fires " + count + " in 1 s");
         });
     }
