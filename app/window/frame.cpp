@@ -54,7 +54,8 @@ namespace {
 constexpr float kStatusHeightPx = 26.0F;
 constexpr double kStatusFadeS = 8.0;
 
-// Of everything on screen. What is read from afar, or by somebody who takes part, grows with the window.
+// Of everything on screen. What is read from afar, or by somebody who takes part, grows with the
+// window.
 float wanted_scale(const App& app) {
     const float scale = app.ui.content_scale * app.ui.text_scale;
     const ImVec2 window_px = ImGui::GetIO().DisplaySize;
