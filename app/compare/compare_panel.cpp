@@ -25,6 +25,14 @@ namespace tact {
 
 namespace {
 
+// Ratings can be loaded from here unless a button below offers it.
+bool offers_below(const Workspace& work, const Comparing& comparing) {
+    const bool is_table = comparing.panel.view == CompareView::table;
+    if (comparing.panel.view == CompareView::findings || !comparing.comparison) return false;
+    if (work.document.set.vibrations.size() < 2 || comparing.comparison->people) return false;
+    return !is_table || comparing.comparison->fault.empty();
+}
+
 void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
     const float gap = 2.0F * ui.theme.scale;
     const auto view = [&](CompareView which, const char* name) {
@@ -36,6 +44,7 @@ void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
     view(CompareView::scatter, "Pairs");
     flow_on(chip_width(ui, "Findings"), gap);
     view(CompareView::findings, "Findings");
+    if (offers_below(work, comparing)) return;
     flow_on(ImGui::CalcTextSize("Load ratings...").x, 2.0F * ui.theme.gap_px);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x, corner.y + 2.0F * ui.theme.scale});
@@ -138,7 +147,7 @@ std::string tip_of(const ComparedMetric& row, bool synthetic) {
 enum class Columns { few, least, most, all };
 
 void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Best& best,
-              bool synthetic, Columns columns) {
+              bool synthetic) {
     const MetricTraits& metric = traits(row.metric);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -149,7 +158,7 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     }
     note_item(ui.rects, std::string("metric:") + metric.key, row_value(row));
     draw_tooltip(ui, tip_of(row, synthetic).c_str());
-    if (metric.is_reference && columns == Columns::few) {
+    if (metric.is_reference) {
         ImGui::SameLine();
         ImGui::PushFont(ui.theme.fonts.small);
         dim_text(ui, "ours");
@@ -258,7 +267,7 @@ void draw_table(Ui& ui, Comparing& comparing, const Comparison& comparison, cons
     if (ImGui::BeginTable("metrics", comparison.people ? 7 : 2, kFlags)) {
         draw_head(ui, columns, synthetic);
         for (const ComparedMetric& row : comparison.metrics) {
-            draw_row(ui, comparing, row, best, synthetic, columns);
+            draw_row(ui, comparing, row, best, synthetic);
         }
         ImGui::EndTable();
     }
