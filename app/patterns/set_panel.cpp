@@ -265,7 +265,10 @@ PatternDeed draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::
     if (ImGui::IsItemActive()) note_pressed(work, work.document.set.vibrations[index]);
     // Over the picture alone: beside it, it would cover the names that are being looked through.
     if (ImGui::GetIO().MousePos.x > corner.x + width - parts.strength_px - parts.thumbnail_px) {
-        draw_tooltip(ui, (std::string(kHoldHelp) + ". Drag a row to move it.").c_str());
+        draw_tooltip(ui, (std::string(kHoldHelp) +
+                          ". Drag a row to move it.\nA wave that is lighter, with an outline, is "
+                          "modulated faster than can be drawn.")
+                             .c_str());
     }
     if (ImGui::IsItemHovered()) {
         work.selection.hovered = index;
