@@ -13,13 +13,7 @@ namespace tact {
 
 namespace {
 
-constexpr const char* kCounted = "picked";
-
-// Right of the curve: half of the last count, and what is counted.
-float counted_room_px(const Theme& theme, std::size_t last) {
-    return 0.5F * text_size(theme.fonts.semibold, std::to_string(last)).x + 0.5F * theme.gap_px +
-           text_size(theme.fonts.small, kCounted).x;
-}
+constexpr const char* kCounted = "picked";  // on a line of its own: the last count keeps its place
 
 // Whole numbers below the curve, as many as have room, and what they count. The chosen one stands
 // in any case.
@@ -46,9 +40,9 @@ void draw_counts(const Ui& ui, const Plot& plot, const PickCurve& curve, std::si
                   is_chosen ? theme.text : theme.dim_text, std::to_string(point.count));
         free = at.high + gap;
     }
-    const float unit_left = plot.area.max.x + counted_room_px(theme, curve.points.back().count) -
-                            text_size(theme.fonts.small, kCounted).x;
-    draw_text(list, theme.fonts.small, {unit_left, y}, theme.dim_text, kCounted);
+    const float below = y + text_size(theme.fonts.semibold, "0").y;
+    const float left = plot.area.max.x - text_size(theme.fonts.small, kCounted).x;
+    draw_text(list, theme.fonts.small, {left, below}, theme.dim_text, kCounted);
 }
 
 // A line down to its count, and how far apart its weakest pair is: above it, on the side where the
@@ -79,9 +73,11 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
     const std::string title =
         shortened(theme.fonts.small, "weakest pair, " + quantity_of(curve.request), area.width());
     const PlotLabels labels{"", title, true};
-    const float counted_px = counted_room_px(theme, curve.points.back().count);
-    const float foot = text_size(theme.fonts.semibold, "0").y + 3.0F * theme.scale;
-    const Rect above{area.min, {area.max.x - counted_px, area.max.y - foot}};
+    const float half_px =
+        0.5F * text_size(theme.fonts.semibold, std::to_string(curve.points.back().count)).x;
+    const float foot = text_size(theme.fonts.semibold, "0").y +
+                       text_size(theme.fonts.small, kCounted).y + 3.0F * theme.scale;
+    const Rect above{area.min, {area.max.x - half_px, area.max.y - foot}};
     const Plot plot =
         plot_within(above, theme, {first - 0.5, last + 0.5}, {0.0, 1.05 * most}, labels);
     draw_axes(list, theme, plot, labels);
