@@ -151,6 +151,7 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     const MetricTraits& metric = traits(row.metric);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
+    const float room = ImGui::GetContentRegionAvail().x;
     if (ImGui::Selectable(metric.name, comparing.panel.metric == row.metric,
                           ImGuiSelectableFlags_SpanAllColumns)) {
         comparing.panel.metric = row.metric;
@@ -158,11 +159,15 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     }
     note_item(ui.rects, std::string("metric:") + metric.key, row_value(row));
     draw_tooltip(ui, tip_of(row, synthetic).c_str());
-    if (metric.is_reference) {
+    constexpr const char* kOurs = "ours";
+    const float beside = ImGui::CalcTextSize(metric.name).x + ImGui::GetStyle().ItemSpacing.x +
+                         text_size(ui.theme.fonts.small, kOurs).x;
+    if (metric.is_reference && beside <= room) {
         ImGui::SameLine();
         ImGui::PushFont(ui.theme.fonts.small);
-        dim_text(ui, "ours");
+        dim_text(ui, kOurs);
         ImGui::PopFont();
+        note_item(ui.rects, std::string("ours:") + metric.key);
     }
     if (row.evaluation) {
         const Evaluation& e = *row.evaluation;
@@ -185,7 +190,7 @@ void draw_head(Ui& ui, Columns columns, bool synthetic) {
         float weight;
     };
     constexpr std::array<Column, 7> kColumns{
-        {{"metric", "Click one for its pairs and its Shepard diagram.", Columns::least, 1.8F},
+        {{"metric", "Click one for its pairs and its Shepard diagram.", Columns::least, 2.4F},
          {"rho", "Spearman's rank correlation with the ratings, pair by pair: 1 the same order.",
           Columns::least, 1.0F},
          {"95 %", "Interval of rho if other patterns had been drawn: bootstrap over patterns.",

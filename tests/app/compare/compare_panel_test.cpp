@@ -74,6 +74,7 @@ TEST_CASE("compare tab: its numbers are those of the command line, to the last b
         }
     }
     CHECK(bench.program.shows("link:load ratings"));
+    CHECK(bench.program.shows("ours:no-physiology"));
     const std::string people = bench.program.at("compare:people").value;
     CHECK(contains(people, "people.csv: 1 participant, 15 of 15 pairs"));
     CHECK(contains(bench.program.at("compare:ceiling").value, "Noise ceiling unknown"));
