@@ -17,13 +17,13 @@ struct ColumnWidth {
 
 // In the order of the table; the width at a scale of 1.
 constexpr std::array kColumnWidths{ColumnWidth{CandidateColumn::picture, 56.0F, 260.0F},
-                                   ColumnWidth{CandidateColumn::name, 104.0F, 240.0F},
+                                   ColumnWidth{CandidateColumn::name, 100.0F, 240.0F},
                                    ColumnWidth{CandidateColumn::amplitude, 42.0F, 72.0F},
                                    ColumnWidth{CandidateColumn::carrier, 52.0F, 90.0F},
                                    ColumnWidth{CandidateColumn::modulation, 57.0F, 84.0F},
                                    ColumnWidth{CandidateColumn::rhythm, 70.0F, 140.0F},
                                    ColumnWidth{CandidateColumn::duration, 40.0F, 72.0F},
-                                   ColumnWidth{CandidateColumn::nearest, 66.0F, 110.0F},
+                                   ColumnWidth{CandidateColumn::nearest, 70.0F, 110.0F},
                                    ColumnWidth{CandidateColumn::picked, 54.0F, 64.0F}};
 
 constexpr std::array kFirstToGo{CandidateColumn::duration, CandidateColumn::picture,

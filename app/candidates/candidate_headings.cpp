@@ -37,6 +37,14 @@ const char* heading(CandidateColumn column) {
     return "";
 }
 
+// With its unit, if there is room for it.
+std::string heading_words(const ImFont* font, CandidateColumn column, float room_px) {
+    const char* name = heading(column);
+    if (column != CandidateColumn::nearest) return shortened(font, name, room_px);
+    const std::string with_unit = std::string(name) + " PM";
+    return text_size(font, with_unit).x <= room_px ? with_unit : shortened(font, name, room_px);
+}
+
 const char* heading_help(CandidateColumn column) {
     switch (column) {
         case CandidateColumn::picture:
@@ -82,8 +90,7 @@ void draw_heading(Ui& ui, CandidatesState& state, const ColumnSpan& place, const
     draw_tooltip(ui, heading_help(place.column));
     ImGui::PopID();
     const ImFont* font = theme.fonts.small;
-    const std::string words =
-        shortened(font, heading(place.column), cell.width() - 6.0F * theme.scale);
+    const std::string words = heading_words(font, place.column, cell.width() - 6.0F * theme.scale);
     const ImVec2 size = text_size(font, words);
     const float pad = 6.0F * theme.scale;
     const float y = cell.centre().y - size.y / 2.0F;

@@ -44,12 +44,23 @@ void draw_disagreement(Ui& ui, Workspace& work, Layout& layout, const Comparison
     ImGui::PopID();
 }
 
+// Heading and rows, of which only whole ones are shown: a name, and its ranks in small type.
+float whole_rows_px(const Ui& ui, std::size_t rows, float room_px) {
+    const float spacing = ImGui::GetStyle().ItemSpacing.y;
+    const float heading_px = ui.theme.fonts.semibold->FontSize + spacing;
+    const float row_px =
+        ui.theme.fonts.regular->FontSize + ui.theme.fonts.small->FontSize + 2.0F * spacing;
+    const float fitting = std::floor(std::max(0.0F, room_px - heading_px) / row_px);
+    return heading_px + row_px * std::clamp(fitting, 1.0F, static_cast<float>(rows));
+}
+
 void draw_list(Ui& ui, Workspace& work, Layout& layout, const Comparison& comparison,
                const ComparedMetric& row, const Rect& area) {
     ImGui::SetCursorScreenPos(area.min);
-    ImGui::BeginChild("disagreements", area.size());
+    const float height_px = whole_rows_px(ui, row.farthest.size(), area.height());
+    ImGui::BeginChild("disagreements", {area.width(), std::min(height_px, area.height())});
     ImGui::PushFont(ui.theme.fonts.semibold);
-    ImGui::TextUnformatted("Farthest apart");
+    ImGui::TextUnformatted("Largest disagreements");
     ImGui::PopFont();
     for (const Disagreement& apart : row.farthest)
         draw_disagreement(ui, work, layout, comparison, apart);
@@ -115,10 +126,8 @@ void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap
     const ComparedMetric& row =
         comparison.metrics[static_cast<std::size_t>(comparing.panel.metric)];
     const float s = ui.theme.scale;
-    const float line = ImGui::GetTextLineHeightWithSpacing();
     // The list scrolls before the picture becomes a strip.
-    const float rows = 1.0F + 2.0F * static_cast<float>(row.farthest.size());
-    const float list_px = std::min(rows * line, 0.45F * area.height());
+    const float list_px = whole_rows_px(ui, row.farthest.size(), 0.45F * area.height());
     const float least = std::min(0.42F * area.width(), 220.0F * s);
     const WordsAndPicture parts =
         words_and_picture(area, {least, std::max(least, 320.0F * s), list_px},

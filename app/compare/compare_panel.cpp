@@ -25,6 +25,14 @@ namespace tact {
 
 namespace {
 
+// Ratings can be loaded from here unless a button below offers it.
+bool offers_below(const Workspace& work, const Comparing& comparing) {
+    const bool is_table = comparing.panel.view == CompareView::table;
+    if (comparing.panel.view == CompareView::findings || !comparing.comparison) return false;
+    if (work.document.set.vibrations.size() < 2 || comparing.comparison->people) return false;
+    return !is_table || comparing.comparison->fault.empty();
+}
+
 void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
     const float gap = 2.0F * ui.theme.scale;
     const auto view = [&](CompareView which, const char* name) {
@@ -36,6 +44,7 @@ void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
     view(CompareView::scatter, "Pairs");
     flow_on(chip_width(ui, "Findings"), gap);
     view(CompareView::findings, "Findings");
+    if (offers_below(work, comparing)) return;
     flow_on(ImGui::CalcTextSize("Load ratings...").x, 2.0F * ui.theme.gap_px);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x, corner.y + 2.0F * ui.theme.scale});
@@ -138,10 +147,11 @@ std::string tip_of(const ComparedMetric& row, bool synthetic) {
 enum class Columns { few, least, most, all };
 
 void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Best& best,
-              bool synthetic, Columns columns) {
+              bool synthetic) {
     const MetricTraits& metric = traits(row.metric);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
+    const float room = ImGui::GetContentRegionAvail().x;
     if (ImGui::Selectable(metric.name, comparing.panel.metric == row.metric,
                           ImGuiSelectableFlags_SpanAllColumns)) {
         comparing.panel.metric = row.metric;
@@ -149,11 +159,15 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     }
     note_item(ui.rects, std::string("metric:") + metric.key, row_value(row));
     draw_tooltip(ui, tip_of(row, synthetic).c_str());
-    if (metric.is_reference && columns == Columns::few) {
+    constexpr const char* kOurs = "ours";
+    const float beside = ImGui::CalcTextSize(metric.name).x + ImGui::GetStyle().ItemSpacing.x +
+                         text_size(ui.theme.fonts.small, kOurs).x;
+    if (metric.is_reference && beside <= room) {
         ImGui::SameLine();
         ImGui::PushFont(ui.theme.fonts.small);
-        dim_text(ui, "ours");
+        dim_text(ui, kOurs);
         ImGui::PopFont();
+        note_item(ui.rects, std::string("ours:") + metric.key);
     }
     if (row.evaluation) {
         const Evaluation& e = *row.evaluation;
@@ -176,7 +190,7 @@ void draw_head(Ui& ui, Columns columns, bool synthetic) {
         float weight;
     };
     constexpr std::array<Column, 7> kColumns{
-        {{"metric", "Click one for its pairs and its Shepard diagram.", Columns::least, 1.8F},
+        {{"metric", "Click one for its pairs and its Shepard diagram.", Columns::least, 2.4F},
          {"rho", "Spearman's rank correlation with the ratings, pair by pair: 1 the same order.",
           Columns::least, 1.0F},
          {"95 %", "Interval of rho if other patterns had been drawn: bootstrap over patterns.",
@@ -258,7 +272,7 @@ void draw_table(Ui& ui, Comparing& comparing, const Comparison& comparison, cons
     if (ImGui::BeginTable("metrics", comparison.people ? 7 : 2, kFlags)) {
         draw_head(ui, columns, synthetic);
         for (const ComparedMetric& row : comparison.metrics) {
-            draw_row(ui, comparing, row, best, synthetic, columns);
+            draw_row(ui, comparing, row, best, synthetic);
         }
         ImGui::EndTable();
     }

@@ -211,8 +211,10 @@ void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     ImGui::PushFont(ui.theme.fonts.small);
     ImGui::AlignTextToFramePadding();
-    dim_text(ui, shortened(ui.theme.fonts.small, "points on the line are in perfect order",
-                           ImGui::GetContentRegionAvail().x));
+    const float room = ImGui::GetContentRegionAvail().x;
+    const std::string whole = "points on the line are in perfect order";
+    const bool has_room = text_size(ui.theme.fonts.small, whole).x <= room;
+    dim_text(ui, has_room ? whole : shortened(ui.theme.fonts.small, "line: perfect order", room));
     ImGui::PopFont();
     draw_shepard_diagram(ui, work, shown_map, comparing, rest_of_pane());
 }

@@ -94,7 +94,7 @@ void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
     const Rect row = take_row(20.0F * theme.scale);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float middle = row.min.x + row.width() * static_cast<float>(share);
-    const ImU32 nc_colour = faded(theme.series, 0.75F);
+    const ImU32 nc_colour = theme.series;
     const ImU32 oc_colour = theme.hover;
     if (share > 0.0) list.AddRectFilled(row.min, {middle, row.max.y}, nc_colour);
     if (share < 1.0) list.AddRectFilled({middle, row.min.y}, row.max, oc_colour);
@@ -102,7 +102,7 @@ void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
     const std::string oc_text = "rhythm " + percent(1.0 - share);
     const float y = row.centre().y - 0.5F * text_size(theme.fonts.small, "N").y;
     const float pad = 0.75F * theme.gap_px;
-    const ImU32 ink = readable_on(mixed(theme.pane, theme.series, 0.75F));
+    const ImU32 ink = readable_on(nc_colour);
     const ImVec2 oc_size = text_size(theme.fonts.small, oc_text);
     if (text_size(theme.fonts.small, nc_text).x + 2.0F * pad < middle - row.min.x) {
         draw_text(list, theme.fonts.small, {row.min.x + pad, y}, ink, nc_text);
@@ -173,10 +173,33 @@ void draw_channels(Ui& ui, const LiveDifference& live) {
     }
 }
 
+// Seconds below what is over time.
+void draw_seconds(Ui& ui, const Timeline& timeline) {
+    const Theme& theme = ui.theme;
+    const ImFont* font = theme.fonts.small;
+    const Rect row = take_row(time_axis_height(ui));
+    const Axis time{.low = timeline.range.start_s,
+                    .high = timeline.range.end_s,
+                    .low_px = row.min.x,
+                    .high_px = row.max.x};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto ticks = ticks_apart(time, text_size(font, "0.000 s").x + 2.0F * theme.gap_px);
+    for (const double tick : ticks) {
+        const std::string text = tick_text(tick) + (tick == ticks.back() ? " s" : "");
+        const float x = to_pixel(time, tick);
+        const float width = text_size(font, text).x;
+        const float left = std::clamp(x - 0.5F * width, row.min.x, row.max.x - width);
+        draw_upright_line(list, x, row.min.y, row.min.y + 3.0F * theme.scale, theme.hairline_px,
+                          theme.dim_text);
+        draw_text(list, font, {left, row.min.y + 3.0F * theme.scale}, theme.dim_text, text);
+    }
+    note_rect(ui.rects, "why:seconds", row.min, row.max,
+              ticks.empty() ? "" : tick_text(ticks.back()) + " s");
+}
+
 // The two as they are, on one scale of g: where there is room to look at them, too.
 void draw_vibrations(Ui& ui, Workspace& work, Timeline& timeline, const ChosenPair& pair,
                      float row_px) {
-    draw_heading(ui, "Vibrations", "both on one scale");
     const auto& all = work.document.set.vibrations;
     const std::array<std::size_t, 2> who{pair.current, pair.partner};
     std::array<const Waveform*, 2> waves{};
@@ -185,6 +208,7 @@ void draw_vibrations(Ui& ui, Workspace& work, Timeline& timeline, const ChosenPa
         waves[side] = waveform_in_time(work.cache, all[who[side]]);
         if (waves[side] != nullptr) most_g = std::max(most_g, peak_g(*waves[side]));
     }
+    draw_heading(ui, "Vibrations", "both on one scale, \u00b1" + significant(most_g) + " g");
     for (std::size_t side = 0; side < 2; ++side) {
         const float room = ImGui::GetContentRegionAvail().x;
         ImGui::PushFont(ui.theme.fonts.small);
@@ -203,7 +227,8 @@ void draw_vibrations(Ui& ui, Workspace& work, Timeline& timeline, const ChosenPa
 
 void draw_when(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDifference& live,
                float row_px) {
-    draw_heading(ui, "When", "the brain waveforms differ, squared");
+    const double most = live.apart.empty() ? 0.0 : *std::ranges::max_element(live.apart);
+    draw_heading(ui, "When", "the brain waveforms differ, squared: 0 to " + significant(most));
     TimeRow row{.id = "why apart",
                 .samples = live.apart,
                 .rate_hz = kStepRateHz,
@@ -261,14 +286,14 @@ void draw_way(Ui& ui, const Workspace& work, const Timeline& timeline, const Liv
 
 void draw_rhythm(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDifference& live,
                  const ChosenPair& pair) {
-    std::string detail = "which moments match";
+    std::string detail = "which moments of the envelopes match";
     if (live.decimation > 1) {
         const double rate_khz = 1e-3 * kModelRateHz / static_cast<double>(live.decimation);
         detail += ", at " + significant(rate_khz, 2) + " kHz";
     }
     draw_heading(ui, "Rhythm", detail);
-    const float height =
-        std::max(72.0F * ui.theme.scale, ImGui::GetContentRegionAvail().y - ui.theme.gap_px);
+    const float below = time_axis_height(ui) + ImGui::GetStyle().ItemSpacing.y + ui.theme.gap_px;
+    const float height = std::max(72.0F * ui.theme.scale, ImGui::GetContentRegionAvail().y - below);
     draw_tooltip(ui,
                  "Time warping lets either rhythm wait for the other. The lines are traced through "
                  "coarser envelopes where those are long; OC itself is computed at 10 kHz.");
@@ -284,21 +309,36 @@ void draw_rhythm(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDi
     if (ImGui::IsItemHovered()) gesture.hovered_s = at_s;
     if (ImGui::IsItemActive()) gesture.scrubbed_s = std::max(0.0, at_s);
     take_time_gesture(work, timeline, area, gesture);
+    draw_seconds(ui, timeline);
 }
 
-// What is over time, higher where the pane is; the two themselves where it is high.
+// Below the channels, as high as there is room: two rows with their names, under one heading.
+void draw_vibrations_below(Ui& ui, Workspace& work, Timeline& timeline, const ChosenPair& pair) {
+    const float spacing = ImGui::GetStyle().ItemSpacing.y;
+    const float names_px = ui.theme.fonts.semibold->FontSize +
+                           2.0F * ui.theme.fonts.small->FontSize + time_axis_height(ui) +
+                           5.0F * spacing + ui.theme.gap_px;
+    const float row_px = 0.5F * (ImGui::GetContentRegionAvail().y - names_px);
+    if (row_px < 36.0F * ui.theme.scale) return;
+    draw_vibrations(ui, work, timeline, pair, std::floor(row_px));
+    draw_seconds(ui, timeline);
+}
+
+// What is over time, higher where the pane is; the two themselves where it is high and they are
+// not beside.
 void draw_times(Ui& ui, Workspace& work, Timeline& timeline, const LiveDifference& live,
-                const ChosenPair& pair) {
+                const ChosenPair& pair, bool with_vibrations) {
     const float s = ui.theme.scale;
     const float room = ImGui::GetContentRegionAvail().y;
-    if (room > 480.0F * s) {
+    if (with_vibrations && room > 480.0F * s) {
         draw_vibrations(ui, work, timeline, pair, std::clamp(0.1F * room, 48.0F * s, 110.0F * s));
     }
     draw_when(ui, work, timeline, live, std::clamp(0.18F * room, 46.0F * s, 200.0F * s));
     draw_rhythm(ui, work, timeline, live, pair);
 }
 
-// Channels beside what is over time where the pane is wide or low, else above it.
+// Channels and the two themselves beside what is over time where the pane is wide or low, else
+// above it.
 void draw_live(Ui& ui, Workspace& work, Timeline& timeline, const LiveDifference& live,
                const ChosenPair& pair) {
     const float s = ui.theme.scale;
@@ -307,13 +347,15 @@ void draw_live(Ui& ui, Workspace& work, Timeline& timeline, const LiveDifference
     if (!beside) {
         draw_channels(ui, live);
     } else {
-        ImGui::BeginChild("channels", {std::min(0.42F * room.x, 460.0F * s), room.y});
+        const float most = std::max(460.0F * s, 0.3F * room.x);
+        ImGui::BeginChild("channels", {std::min(0.42F * room.x, most), room.y});
         draw_channels(ui, live);
+        draw_vibrations_below(ui, work, timeline, pair);
         ImGui::EndChild();
         ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
         ImGui::BeginChild("times", {0.0F, room.y});
     }
-    draw_times(ui, work, timeline, live, pair);
+    draw_times(ui, work, timeline, live, pair, !beside);
     if (beside) ImGui::EndChild();
 }
 

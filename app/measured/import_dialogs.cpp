@@ -3,8 +3,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "app/measured/import_follow.h"
 #include "app/measured/recording_fields.h"
@@ -14,27 +17,67 @@
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
+#include "viz/drawing/wave_body.h"
 
 namespace tact {
 
 namespace {
 
-// Names of the two curves above their right end.
+constexpr float kMeasuredInk = 0.7F;
+
+// Every other few pixels of a path whose points are a pixel apart.
+void draw_dashes(ImDrawList& list, const Theme& theme, std::span<const ImVec2> points) {
+    const auto dash = static_cast<std::size_t>(std::lround(5.0F * theme.scale));
+    for (std::size_t k = 0; k < points.size(); k += 2 * dash) {
+        const std::size_t count = std::min(dash + 1, points.size() - k);
+        draw_path(list, points.subspan(k, count), theme.text, 2.0F * theme.scale);
+    }
+}
+
+// How far a wave reaches up and down: dashed, so that both are seen where another is drawn.
+void draw_reach(ImDrawList& list, const Theme& theme, const Plot& plot, const Waveform& wave,
+                double least_g) {
+    constexpr double kWidestPx = 16.0;  // of a period whose crests are joined
+    const auto columns = static_cast<std::size_t>(std::max(1.0F, plot.area.width()));
+    const auto body =
+        body_columns(wave.samples_g, plot.x.low * wave.rate_hz, plot.x.high * wave.rate_hz, columns,
+                     {kWidestPx * double{theme.scale}, least_g});
+    for (const auto edge : {&Extremes::high, &Extremes::low}) {
+        std::vector<ImVec2> line;
+        for (std::size_t k = 0; k < body.size(); ++k) {
+            line.push_back(
+                {plot.area.min.x + static_cast<float>(k) + 0.5F, to_pixel(plot.y, body[k].*edge)});
+        }
+        draw_path(list, line, theme.pane, 4.0F * theme.scale);
+        draw_dashes(list, theme, line);
+    }
+}
+
+// Names of the two curves above their right end, each with how it is drawn.
 void draw_names(const Ui& ui, const Plot& plot, const char* measured) {
     const Theme& theme = ui.theme;
     const ImFont* font = theme.fonts.small;
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float sign_px = 25.0F * theme.scale;
+    const float middle = plot.outer.min.y + 0.55F * text_size(font, "x").y;
     float x = plot.area.max.x;
-    const auto name = [&](const char* text, ImU32 colour) {
+    const auto name = [&](const char* text) {
         x -= text_size(font, text).x;
-        draw_text(list, font, {x, plot.outer.min.y}, colour, text);
-        x -= theme.gap_px;
+        draw_text(list, font, {x, plot.outer.min.y}, theme.text, text);
+        x -= 0.5F * theme.gap_px + sign_px;
     };
-    name("intended", theme.dim_text);
-    name(measured, theme.series);
+    name("intended");
+    std::vector<ImVec2> sample;
+    for (float along = 0.0F; along <= sign_px; along += 1.0F) sample.push_back({x + along, middle});
+    draw_dashes(list, theme, sample);
+    x -= 2.0F * theme.gap_px;
+    name(measured);
+    const float half = 3.0F * theme.scale;
+    list.AddRectFilled({x, middle - half}, {x + sign_px, middle + half},
+                       faded(theme.series, kMeasuredInk));
 }
 
-// The measured signal over the intended one, on one scale.
+// The measured signal and how far the intended one reaches, on one scale.
 void draw_overlay(Ui& ui, Workspace& work, const Vibration& intended, const Twin& twin,
                   bool synthetic) {
     const Theme& theme = ui.theme;
@@ -51,10 +94,9 @@ void draw_overlay(Ui& ui, Workspace& work, const Vibration& intended, const Twin
         plot_within(outer, theme, {0.0, std::max(duration_s(drawn), 1e-3)}, {-most, most}, labels);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_axes(list, theme, plot, labels);
-    draw_signal(list, theme, plot, drawn.samples_g, drawn.rate_hz, faded(theme.dim_text, 0.6F),
-                TraceStyle::line);
-    draw_signal(list, theme, plot, measured.samples_g, measured.rate_hz, faded(theme.series, 0.8F),
-                TraceStyle::line);
+    draw_signal(list, theme, plot, measured.samples_g, measured.rate_hz,
+                faded(theme.series, kMeasuredInk), TraceStyle::line);
+    draw_reach(list, theme, plot, drawn, 0.01 * most);
     draw_names(ui, plot, synthetic ? "synthetic" : "measured");
 }
 

@@ -30,11 +30,12 @@ std::string pm_words(const Workspace& work, const ShownMap& shown_map, const Nei
 
 std::string verdict_help() {
     char text[320];
-    std::snprintf(text, sizeof text,
-                  "Same: no number differs by a felt step (Model, What people feel). Hard to tell: "
-                  "PM of at most %.0f %% of the set's largest. Clear: farther. A guess: PM counts "
-                  "ranks in this set, and nobody has measured where pairs are told apart.",
-                  100.0 * kHardShare);
+    std::snprintf(
+        text, sizeof text,
+        "Same: no number differs by a felt step (Model, What people feel). Hard to tell: "
+        "PM of at most %.0f %% of the set's largest. Clearly apart: farther. A guess: PM counts "
+        "ranks in this set, and nobody has measured where pairs are told apart.",
+        100.0 * kHardShare);
     return text;
 }
 

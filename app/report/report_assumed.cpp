@@ -40,6 +40,7 @@ constexpr const char* kLooks = R"css(
 .groups td:nth-child(1){width:50%}
 .wave{display:block;width:172px;height:32px}
 .wave path{fill:var(--accent)}
+.wave .edge{fill:none;stroke:var(--accent);stroke-width:1.5;vector-effect:non-scaling-stroke}
 audio{display:block;width:172px;height:28px;margin-top:4px}
 .verdict{display:inline-block;border-radius:10px;padding:1px 9px;font-size:12px;white-space:nowrap;
   border:1px solid currentColor}

@@ -16,6 +16,7 @@ constexpr std::size_t kMostPlayedBytes = 24'000'000;  // more, and pages are slo
 
 struct ShownWaves {
     std::vector<Waveform> waves;
+    std::vector<WaveThumbnail> thumbnails;
     double reach_g = 0.0;  // of the strongest
     double end_s = 0.0;    // of the longest
     bool played = true;
@@ -31,6 +32,8 @@ ShownWaves waves_of(const PatternSet& set) {
         bytes += player_bytes(shown.waves.back());
     }
     shown.played = bytes <= kMostPlayedBytes;
+    for (const Waveform& wave : shown.waves)
+        shown.thumbnails.push_back(thumbnail_html(wave, shown.reach_g, shown.end_s));
     return shown;
 }
 
@@ -97,13 +100,16 @@ std::string note_html(const Vibration& vibration) {
 std::string about_the_table(const Report& report, const ShownWaves& shown) {
     const ConfusionThresholds& at = report.confusion.thresholds;
     const std::string quantity = html_escaped(report.quantity);
+    const bool has_light = std::ranges::any_of(shown.thumbnails, &WaveThumbnail::is_light);
     std::string html =
         "<p>" + verdict_html(ConfusionVerdict::same) + " nearest neighbour below " + quantity +
         " " + significant_digits(at.same, 4) + ", " + verdict_html(ConfusionVerdict::hard_to_tell) +
         " below " + significant_digits(at.confused, 4) + ", " +
         verdict_html(ConfusionVerdict::clear) + " from there on.</p>\n" +
         "<p class=\"dim\">Waveforms: up to " + significant_digits(shown.reach_g, 3) + " g and " +
-        significant_digits(shown.end_s, 3) + " s.<span class=\"screen\"> ";
+        significant_digits(shown.end_s, 3) + " s." +
+        (has_light ? " Lighter with an outline: modulated faster than can be drawn." : "") +
+        "<span class=\"screen\"> ";
     if (!shown.played) {
         return html + "Players are left out: they would make the page too large.</span></p>\n";
     }
@@ -125,7 +131,7 @@ std::string patterns_section(const Report& report) {
         {{"#", true}, {"pattern"}, {"waveform"}, {"nearest"}, {"verdict"}}, {}, "patterns"};
     for (std::size_t k = 0; k < shown.waves.size(); ++k) {
         const Vibration& vibration = report.set.vibrations[k];
-        std::string wave = thumbnail_html(shown.waves[k], shown.reach_g, shown.end_s);
+        std::string wave = shown.thumbnails[k].html;
         if (shown.played) {
             wave += "<div class=\"screen\">" +
                     player_html(shown.waves[k], shown.reach_g, vibration.name) + "</div>";

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "app/report/html.h"
 #include "model/signal/resample.h"
@@ -25,26 +27,52 @@ int height_of(double g, double reach_g) {
     return static_cast<int>(std::lround(-share * kHalfHeight));
 }
 
-}  // namespace
-
-std::string thumbnail_html(const Waveform& waveform, double reach_g, double end_s) {
-    const Waveform whole = padded(waveform, sample_count(end_s, waveform.rate_hz));
-    const auto columns = body_columns(whole.samples_g, 0.0, end_s * whole.rate_hz, kColumns,
-                                      {.least = 0.01 * reach_g});
+// Of the columns from `first` to `last`. Silence is a line, too.
+std::string outline(std::span<const Extremes> columns, std::size_t first, std::size_t last,
+                    double reach_g) {
     std::string above;
     std::string below;
-    for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (std::size_t k = first; k <= last; ++k) {
         const std::string x = std::to_string(k);
-        // Silence is a line, too.
         const int top = height_of(columns[k].high, reach_g) - 1;
         const int bottom = height_of(columns[k].low, reach_g) + 1;
-        above += (k == 0 ? "M" : "L") + x + " " + std::to_string(top);
+        above += (k == first ? "M" : "L") + x + " " + std::to_string(top);
         below = "L" + x + " " + std::to_string(bottom) + below;
     }
+    return above + below + "Z";
+}
+
+}  // namespace
+
+WaveThumbnail thumbnail_html(const Waveform& waveform, double reach_g, double end_s) {
+    const Waveform whole = padded(waveform, sample_count(end_s, waveform.rate_hz));
+    const WaveBody body =
+        wave_body(whole.samples_g, 0.0, end_s * whole.rate_hz, kColumns, {.least = 0.01 * reach_g});
+    std::vector<int> tones_percent;
+    for (const double strength : body.strength)
+        tones_percent.push_back(static_cast<int>(10 * std::lround(10.0 * body_tone(strength))));
+    const bool is_light = std::ranges::any_of(tones_percent, [](int tone) { return tone < 100; });
+    std::string paths;
+    for (std::size_t k = 0; k < tones_percent.size();) {
+        const int tone = tones_percent[k];
+        std::size_t last = k;
+        while (last + 1 < tones_percent.size() && tones_percent[last + 1] == tone) ++last;
+        // To where the next begins.
+        const std::size_t end = std::min(last + 1, tones_percent.size() - 1);
+        const std::string opacity = tone < 100 ? " opacity=\"." + std::to_string(tone) + "\"" : "";
+        paths += "<path" + opacity + " d=\"" + outline(body.columns, k, end, reach_g) + "\"/>";
+        k = last + 1;
+    }
+    // What is light has an outline: how high it is stays as clear.
+    if (is_light) {
+        paths += "<path class=\"edge\" d=\"" +
+                 outline(body.columns, 0, body.columns.size() - 1, reach_g) + "\"/>";
+    }
     const std::string height = std::to_string(2 * kHalfHeight + 2);
-    return "<svg class=\"wave\" aria-hidden=\"true\" preserveAspectRatio=\"none\" viewBox=\"0 -" +
-           std::to_string(kHalfHeight + 1) + " " + std::to_string(kColumns - 1) + " " + height +
-           "\"><path d=\"" + above + below + "Z\"/></svg>";
+    return {"<svg class=\"wave\" aria-hidden=\"true\" preserveAspectRatio=\"none\" viewBox=\"0 -" +
+                std::to_string(kHalfHeight + 1) + " " + std::to_string(kColumns - 1) + " " +
+                height + "\">" + paths + "</svg>",
+            is_light};
 }
 
 std::string base64(std::string_view bytes) {

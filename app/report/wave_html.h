@@ -10,8 +10,14 @@
 
 namespace tact {
 
+// Light where it is modulated faster than can be drawn, with an outline.
+struct WaveThumbnail {
+    std::string html;
+    bool is_light = false;  // somewhere
+};
+
 // As a share of full scale, +-reach_g, over `end_s`: as the program's lists show it.
-std::string thumbnail_html(const Waveform& waveform, double reach_g, double end_s);
+WaveThumbnail thumbnail_html(const Waveform& waveform, double reach_g, double end_s);
 
 // As far as carriers go (1 kHz), with room for the filter; browsers play 3 kHz and more.
 inline constexpr double kPlayerRateHz = 4000.0;

@@ -121,9 +121,24 @@ void draw_settling(Ui& ui, const StudyAnswers& answers) {
     small_text(ui, settling.is_settled ? ui.theme.text : ui.theme.dim_text, text, "study:settling");
 }
 
+constexpr const char* kUnfinished = "Count unfinished ones";
+constexpr const char* kUse = "Use as the set's ratings";
+constexpr const char* kExport = "Export CSV...";
+
+// What is counted and what can be done with it, in one line: as wide as that is.
+float foot_px(const Ui& ui, const StudyState& studying) {
+    float width = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+                  ImGui::CalcTextSize(kUnfinished).x;
+    for (const char* scaling : {"As rated", "Own range", "Standardised"}) {
+        width += radio_width(ui, scaling) + 1.5F * ui.theme.gap_px;
+    }
+    width += ImGui::CalcTextSize(conduct_summary(studying.rule.who.conduct).c_str()).x;
+    return width + button_width(kUse) + button_width(kExport) + 4.5F * ui.theme.gap_px;
+}
+
 void draw_rule(Ui& ui, StudyState& studying) {
     CollectRule& rule = studying.rule;
-    draw_check(ui.theme, "Count unfinished ones", rule.unfinished_too);
+    draw_check(ui.theme, kUnfinished, rule.unfinished_too);
     note_item(ui.rects, "check:unfinished", rule.unfinished_too ? "on" : "off");
     struct Choice {
         RatingScaling scaling;
@@ -167,21 +182,22 @@ void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, C
                    "These answers are about other patterns than the set now has.",
                    "study:other patterns");
     }
-    const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing();
+    const bool is_one_line = foot_px(ui, studying) <= ImGui::GetContentRegionAvail().x;
+    const float foot = (is_one_line ? 1.0F : 2.0F) * ImGui::GetFrameHeightWithSpacing();
     const float height = std::max(ImGui::GetContentRegionAvail().y - foot, 60.0F * ui.theme.scale);
     ImGui::BeginChild("participants", {0.0F, height});
     draw_people_table(ui, work, timeline, play, studying, answers);
     ImGui::EndChild();
     draw_rule(ui, studying);
+    if (is_one_line) ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
     const bool counts = !answers.results->study.judgements.empty();
     ImGui::BeginDisabled(!counts);
-    if (ImGui::Button("Use as the set's ratings"))
-        use_as_ratings(ui, work, layout, comparing, studying);
+    if (ImGui::Button(kUse)) use_as_ratings(ui, work, layout, comparing, studying);
     note_item(ui.rects, "button:use as ratings");
     ImGui::EndDisabled();
     draw_tooltip(ui, "Compare then shows which metric agrees with them best. One undo step.");
-    flow_on(button_width("Export CSV..."), ui.theme.gap_px);
-    if (ImGui::Button("Export CSV...")) export_study_dialog(ui, work, studying);
+    flow_on(button_width(kExport), ui.theme.gap_px);
+    if (ImGui::Button(kExport)) export_study_dialog(ui, work, studying);
     note_item(ui.rects, "button:export study");
     draw_tooltip(ui, "A line an answer, those who are not counted marked: for R and Python.");
 }

@@ -87,6 +87,21 @@ void draw_star_cell(Ui& ui, const StudyAnswers& answers, const std::string& code
     if (ImGui::IsItemHovered()) draw_tooltip(ui, weights_text(answers, *person).c_str());
 }
 
+// What the stars are, if there is room for a line of it below the rows.
+void draw_star_legend(Ui& ui) {
+    const ImFont* font = ui.theme.fonts.small;
+    const char* text =
+        "goes by: a ray for each dimension of a common map, as long as its weight; thin line: the "
+        "mean of all";
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const ImVec2 size = text_size(font, text);
+    if (size.x > room.x || size.y > room.y) return;
+    ImGui::PushFont(ui.theme.fonts.small);
+    dim_text(ui, text);
+    ImGui::PopFont();
+    note_item(ui.rects, "study:stars", text);
+}
+
 void draw_cells(Ui& ui, const StudyAnswers& answers, const ParticipantSummary& person) {
     const auto cell = [](const std::string& text) {
         ImGui::TableNextColumn();
@@ -180,6 +195,7 @@ void draw_people_table(Ui& ui, const Workspace& work, Timeline& timeline, PlaySt
     for (std::size_t k = 0; k < answers.records.size(); ++k)
         draw_row(ui, work, timeline, play, studying, answers, k);
     ImGui::EndTable();
+    if (has_room && !answers.weights.people.empty()) draw_star_legend(ui);
 }
 
 }  // namespace tact

@@ -13,6 +13,8 @@ namespace tact {
 
 namespace {
 
+constexpr const char* kCounted = "picked";  // on a line of its own: the last count keeps its place
+
 // Whole numbers below the curve, as many as have room, and what they count. The chosen one stands
 // in any case.
 void draw_counts(const Ui& ui, const Plot& plot, const PickCurve& curve, std::size_t chosen) {
@@ -24,8 +26,6 @@ void draw_counts(const Ui& ui, const Plot& plot, const PickCurve& curve, std::si
         const float left = to_pixel(plot.x, static_cast<double>(count)) - 0.5F * width;
         return Range{double{left}, double{left + width}};
     };
-    const std::string unit = "picked";
-    const float unit_left = plot.area.max.x - text_size(theme.fonts.small, unit).x;
     const double gap = double{theme.gap_px};
     const Range own = place(theme.fonts.semibold, chosen);
     double free = double{plot.area.min.x} - gap;
@@ -34,14 +34,15 @@ void draw_counts(const Ui& ui, const Plot& plot, const PickCurve& curve, std::si
         const ImFont* font = is_chosen ? theme.fonts.semibold : theme.fonts.small;
         const Range at = place(font, point.count);
         const bool meets_chosen = at.high + 0.5 * gap > own.low && at.low - 0.5 * gap < own.high;
-        const bool has_room = at.low >= free && at.high + gap <= double{unit_left} && !meets_chosen;
+        const bool has_room = at.low >= free && !meets_chosen;
         if (!is_chosen && !has_room) continue;
         draw_text(list, font, {static_cast<float>(at.low), y},
                   is_chosen ? theme.text : theme.dim_text, std::to_string(point.count));
         free = at.high + gap;
     }
-    if (own.high + gap > double{unit_left}) return;
-    draw_text(list, theme.fonts.small, {unit_left, y}, theme.dim_text, unit);
+    const float below = y + text_size(theme.fonts.semibold, "0").y;
+    const float left = plot.area.max.x - text_size(theme.fonts.small, kCounted).x;
+    draw_text(list, theme.fonts.small, {left, below}, theme.dim_text, kCounted);
 }
 
 // A line down to its count, and how far apart its weakest pair is: above it, on the side where the
@@ -69,9 +70,14 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
     for (const CurvePoint& point : curve.points) most = std::max(most, point.bound);
     const auto first = static_cast<double>(curve.points.front().count);
     const auto last = static_cast<double>(curve.points.back().count);
-    const PlotLabels labels{"", "weakest pair", true};
-    const float foot = text_size(theme.fonts.semibold, "0").y + 3.0F * theme.scale;
-    const Rect above{area.min, {area.max.x, area.max.y - foot}};
+    const std::string title =
+        shortened(theme.fonts.small, "weakest pair, " + quantity_of(curve.request), area.width());
+    const PlotLabels labels{"", title, true};
+    const float half_px =
+        0.5F * text_size(theme.fonts.semibold, std::to_string(curve.points.back().count)).x;
+    const float foot = text_size(theme.fonts.semibold, "0").y +
+                       text_size(theme.fonts.small, kCounted).y + 3.0F * theme.scale;
+    const Rect above{area.min, {area.max.x - half_px, area.max.y - foot}};
     const Plot plot =
         plot_within(above, theme, {first - 0.5, last + 0.5}, {0.0, 1.05 * most}, labels);
     draw_axes(list, theme, plot, labels);

@@ -118,12 +118,6 @@ void draw_source(Ui& ui, const Workspace& work, SubsetState& picking) {
     draw_tooltip(ui, ("What says how far apart two patterns are. " + help).c_str());
 }
 
-std::string quantity_of(const Pick& pick) {
-    const auto& ratings = pick.request.map->request.set->ratings;
-    if (pick.request.by_ratings) return of_people("rating", has_synthetic(ratings));
-    return traits(pick.request.metric).name;
-}
-
 void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                 const SubsetState& picking, const Pick& pick) {
     const SubsetAnswer& answer = pick.answer;
@@ -201,7 +195,7 @@ void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& 
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     const float lower = ui.theme.fonts.large->FontSize - ui.theme.fonts.regular->FontSize;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);
-    const std::string what = quantity_of(pick) + " of the weakest pair";
+    const std::string what = quantity_of(pick.request) + " of the weakest pair";
     dim_text(ui, shortened(ui.theme.fonts.regular, what, ImGui::GetContentRegionAvail().x));
     draw_proof(ui, work, shown_map, picking, pick);
     draw_weakest_pair(ui, work, timeline, shown_map, play, picking, pick, a, b);
@@ -242,6 +236,12 @@ bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
 }
 
 }  // namespace
+
+std::string quantity_of(const PickRequest& request) {
+    const auto& ratings = request.map->request.set->ratings;
+    if (request.by_ratings) return of_people("rating", has_synthetic(ratings));
+    return traits(request.metric).name;
+}
 
 Rect rest_or_lines(float lines) {
     Rect area = rest_of_pane();

@@ -1,6 +1,8 @@
 // The views of the Subset tab.
 #pragma once
 
+#include <string>
+
 #include "app/document/workspace.h"
 #include "app/map/map_state.h"
 #include "app/patterns/pattern_menu.h"
@@ -19,7 +21,8 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
                          SubsetState& picking);
 
 // How far apart the weakest pair is for each count; a click chooses one.
-bool has_curve(const SubsetState& picking);  // or will have
+bool has_curve(const SubsetState& picking);           // or will have
+std::string quantity_of(const PickRequest& request);  // what "far apart" is in: "PM"
 void draw_curve(Ui& ui, SubsetState& picking, const Rect& area);
 
 // What is left of the pane, or where that is less so many lines, which scroll.

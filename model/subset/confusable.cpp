@@ -76,7 +76,7 @@ const char* words_of(PairVerdict verdict) {
         case PairVerdict::hard:
             return "hard to tell";
         case PairVerdict::clear:
-            return "clear";
+            return "clearly apart";
     }
     return "";
 }

@@ -113,6 +113,21 @@ std::vector<ImVec2> fit_line(const Plot& plot, std::span<const FitPoint> fit) {
     return line;
 }
 
+// Each step a bar on whole pixels: the joints of a polyline are wedges where steps are narrow.
+void draw_fit(ImDrawList& list, std::span<const ImVec2> corners, ImU32 colour, float width_px) {
+    const float width = std::max(1.0F, std::round(width_px));
+    const auto on_pixels = [width](ImVec2 corner) {
+        return ImVec2{std::round(corner.x - 0.5F * width), std::round(corner.y - 0.5F * width)};
+    };
+    for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+        const ImVec2 a = on_pixels(corners[k]);
+        const ImVec2 b = on_pixels(corners[k + 1]);
+        if (a.x == b.x && a.y == b.y && k > 0) continue;
+        list.AddRectFilled({std::min(a.x, b.x), std::min(a.y, b.y)},
+                           {std::max(a.x, b.x) + width, std::max(a.y, b.y) + width}, colour);
+    }
+}
+
 // The nearest point in the mouse's reach.
 std::optional<std::size_t> nearest(const Theme& theme, const Plot& plot, const ScatterScene& scene,
                                    std::size_t stride) {
@@ -158,7 +173,13 @@ void draw_titles(ImDrawList& list, const Theme& theme, const Rect& area, const P
     std::string corner{scene.corner};
     if (stride > 1) corner += (corner.empty() ? "" : ", ") + std::string("not all pairs drawn");
     const ImVec2 room = text_size(font, corner);
-    draw_text_halo(list, font, plot.area.max - room - ImVec2{theme.gap_px, theme.gap_px * 0.5F},
+    // Above the lowest line of the grid, where that is near the foot: on it nothing is read well.
+    float foot = plot.area.max.y;
+    const std::vector<double> ticks = round_ticks(plot.y.low, plot.y.high);
+    const float line = ticks.empty() ? foot : to_pixel(plot.y, ticks.front());
+    if (foot - line < room.y + theme.gap_px) foot = line;
+    draw_text_halo(list, font,
+                   {plot.area.max.x - room.x - theme.gap_px, foot - room.y - 0.5F * theme.gap_px},
                    theme.text, theme.pane, theme.scale, corner);
 }
 
@@ -207,7 +228,7 @@ ScatterAction draw_scatter(const char* id, const Theme& theme, const Rect& area,
     const bool over = ImGui::IsItemHovered();
     const std::size_t stride = stride_of(scene);
     draw_axes(list, theme, plot, {.x_unit = " ", .y_unit = scene.y_title});
-    draw_path(list, fit_line(plot, summary.fit), theme.text, 1.5F * theme.scale);
+    draw_fit(list, fit_line(plot, summary.fit), theme.text, 1.5F * theme.scale);
     draw_points(list, theme, plot, scene, stride);
     draw_titles(list, theme, area, plot, scene, stride);
     ScatterAction action;

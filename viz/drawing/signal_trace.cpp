@@ -92,15 +92,6 @@ double samples_per_pixel(const Plot& plot, double rate_hz) {
     return (plot.x.high - plot.x.low) * rate_hz / static_cast<double>(plot.area.width());
 }
 
-// Modulated faster than can be seen, a body is the lighter the weaker it is beside a steady tone.
-float tone_of(double strength) {
-    constexpr double kLightest = 0.25;
-    constexpr double kWeak = 0.65;
-    constexpr double kSteady = 0.9;  // two tones may be, and how crests lie between samples
-    const double share = std::clamp((strength - kWeak) / (kSteady - kWeak), 0.0, 1.0);
-    return static_cast<float>(std::lerp(kLightest, 1.0, share));
-}
-
 void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
                   std::span<const double> samples, double rate_hz, ImU32 colour) {
     constexpr double kWidestPx = 6.0;
@@ -125,7 +116,7 @@ void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
         const Extremes e = reach(c);
         strip.push_back({to_pixel(plot.x, columns.from_s(plot.x, c) + half_s),
                          to_pixel(plot.y, e.high) - half_px, to_pixel(plot.y, e.low) + half_px,
-                         tone_of(body.strength[c])});
+                         static_cast<float>(body_tone(body.strength[c]))});
     }
     draw_strip(list, strip, colour);
     const auto is_light = [](const StripColumn& column) { return column.tone < 1.0F; };

@@ -332,6 +332,13 @@ std::vector<double> by_steady_tones(const Strengths& strengths, double widest) {
 
 }  // namespace
 
+double body_tone(double strength) {
+    constexpr double kLightest = 0.25;
+    constexpr double kWeak = 0.65;
+    constexpr double kSteady = 0.9;  // two tones may be, and how crests lie between samples
+    return std::lerp(kLightest, 1.0, std::clamp((strength - kWeak) / (kSteady - kWeak), 0.0, 1.0));
+}
+
 double reach_beyond(double first, double last, std::size_t columns, const BodyScale& scale) {
     return 4.0 * scale.widest * (last - first) / static_cast<double>(columns);
 }

@@ -38,6 +38,10 @@ struct WaveBody {
     bool operator==(const WaveBody&) const = default;
 };
 
+// How opaque a column of that strength is drawn: what is modulated faster than can be seen is the
+// lighter the weaker it is beside a steady tone. 1: no lighter than the colour it has.
+double body_tone(double strength);
+
 // As `extremes` (plot.h), which these columns contain.
 WaveBody wave_body(std::span<const double> samples, double first, double last, std::size_t columns,
                    const BodyScale& scale);

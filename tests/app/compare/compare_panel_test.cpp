@@ -42,6 +42,7 @@ TEST_CASE("compare tab: without ratings it says what to load, and compares with 
     bench.program.click("tab:Compare");
     bench.wait_for_comparison();
     CHECK(bench.program.shows("button:load ratings"));
+    CHECK_FALSE(bench.program.shows("link:load ratings"));  // once is enough
     CHECK_FALSE(bench.program.shows("compare:people"));
     const double pm = std::stod(bench.program.at("metric:pm").value);
     CHECK(pm == 1.0);
@@ -72,6 +73,8 @@ TEST_CASE("compare tab: its numbers are those of the command line, to the last b
                           key << " " << name << ": " << got << " is not " << expected);
         }
     }
+    CHECK(bench.program.shows("link:load ratings"));
+    CHECK(bench.program.shows("ours:no-physiology"));
     const std::string people = bench.program.at("compare:people").value;
     CHECK(contains(people, "people.csv: 1 participant, 15 of 15 pairs"));
     CHECK(contains(bench.program.at("compare:ceiling").value, "Noise ceiling unknown"));

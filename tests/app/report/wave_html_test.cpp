@@ -99,16 +99,32 @@ TEST_CASE("thumbnails: a louder pattern is taller, a shorter one ends sooner, si
         }
         return most;
     };
-    const std::string loud = thumbnail_html(tone(100.0, 2.0, 1.0), 2.0, 1.0);
-    const std::string soft = thumbnail_html(tone(100.0, 0.5, 1.0), 2.0, 1.0);
+    const std::string loud = thumbnail_html(tone(100.0, 2.0, 1.0), 2.0, 1.0).html;
+    const std::string soft = thumbnail_html(tone(100.0, 0.5, 1.0), 2.0, 1.0).html;
     CHECK(height(loud) > 45);
     CHECK(height(soft) > 8);
     CHECK(height(soft) < 18);
-    CHECK(height(thumbnail_html({10'000.0, std::vector<double>(100, 0.0)}, 2.0, 1.0)) == 1);
-    const std::string brief = thumbnail_html(tone(100.0, 2.0, 0.25), 2.0, 1.0);
+    CHECK(height(thumbnail_html({10'000.0, std::vector<double>(100, 0.0)}, 2.0, 1.0).html) == 1);
+    const std::string brief = thumbnail_html(tone(100.0, 2.0, 0.25), 2.0, 1.0).html;
     CHECK(brief.find("L60 -1L") != std::string::npos);
     CHECK(loud.find("L60 -1L") == std::string::npos);
     CHECK(loud.size() < 2'000);
+}
+
+TEST_CASE("thumbnails: modulated faster than can be drawn is lighter, with an outline") {
+    Waveform fast = tone(200.0, 1.0, 1.0);
+    for (std::size_t n = 0; n < fast.samples_g.size(); ++n) {
+        const double time_s = static_cast<double>(n) / fast.rate_hz;
+        fast.samples_g[n] *= 0.5 + 0.5 * std::sin(2.0 * std::acos(-1.0) * 40.0 * time_s);
+    }
+    const WaveThumbnail light = thumbnail_html(fast, 1.0, 1.0);
+    CHECK(light.is_light);
+    CHECK(light.html.find("opacity=\".") != std::string::npos);
+    CHECK(light.html.find("class=\"edge\"") != std::string::npos);
+    const WaveThumbnail plain = thumbnail_html(tone(200.0, 1.0, 1.0), 1.0, 1.0);
+    CHECK_FALSE(plain.is_light);
+    CHECK(plain.html.find("opacity") == std::string::npos);
+    CHECK(plain.html.find("edge") == std::string::npos);
 }
 
 }  // namespace wave_html_test

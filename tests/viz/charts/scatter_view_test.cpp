@@ -218,6 +218,45 @@ TEST_CASE("scatter: points and the monotone fit are seen in both themes") {
     }
 }
 
+TEST_CASE("scatter: the fit has no spurs where pairs are tied or steps are narrower than a pixel") {
+    std::vector<double> x;
+    std::vector<double> fitted;
+    for (std::size_t k = 0; k < 90; ++k) {
+        x.push_back(k < 60 ? static_cast<double>(k / 3) : 20.0 + 0.01 * static_cast<double>(k));
+        fitted.push_back(static_cast<double>(k / 2));
+    }
+    const std::vector<double> none(x.size(), std::nan(""));
+    std::vector<ImVec2> line;
+    Theme used;
+    const Image image = draw_picture(400, 300, {}, [&](const Theme& theme) {
+        used = theme;
+        ScatterScene scene = scene_of(x, none);
+        scene.fitted = fitted;
+        line = scatter_fit_line(theme, kArea, scene);
+        draw_scatter("s", theme, kArea, scene);
+    });
+    REQUIRE(line.size() > 50);
+    const auto is_on_line = [&line](ImVec2 at) {
+        constexpr float kBesidePx = 2.0F;
+        for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+            const Rect step{{std::min(line[k].x, line[k + 1].x) - kBesidePx,
+                             std::min(line[k].y, line[k + 1].y) - kBesidePx},
+                            {std::max(line[k].x, line[k + 1].x) + kBesidePx,
+                             std::max(line[k].y, line[k + 1].y) + kBesidePx}};
+            if (step.contains(at)) return true;
+        }
+        return false;
+    };
+    int beside = 0;
+    for (int row = 0; row < image.height; ++row) {
+        for (int column = 0; column < image.width; ++column) {
+            const ImVec2 at{static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F};
+            if (pixel(image, column, row) == used.text && !is_on_line(at)) ++beside;
+        }
+    }
+    CHECK(beside == 0);
+}
+
 // 2, 260 and 1,000 patterns; from 260 on one polyline of all pairs outgrew its indices.
 TEST_CASE("scatter: the fit is drawn where it is, from end to end, of any number of pairs") {
     for (const std::size_t count : {1UL, 2UL, 5UL, 66UL, 33'670UL, 499'500UL}) {
