@@ -127,8 +127,7 @@ constexpr const char* kExport = "Export CSV...";
 
 // What is counted and what can be done with it, in one line: as wide as that is.
 float foot_px(const Ui& ui, const StudyState& studying) {
-    float width = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
-                  ImGui::CalcTextSize(kUnfinished).x;
+    float width = check_width(ui.theme, kUnfinished);
     for (const char* scaling : {"As rated", "Own range", "Standardised"}) {
         width += radio_width(ui, scaling) + 1.5F * ui.theme.gap_px;
     }
