@@ -56,9 +56,9 @@ constexpr double kStatusFadeS = 8.0;
 
 // Of everything on screen.
 float wanted_scale(const App& app) {
-    const float scale = app.ui.content_scale * app.ui.text_scale;
-    if (!is_presenting(app.lesson)) return scale;
-    return scale * presented_growth(ImGui::GetIO().DisplaySize, app.ui.content_scale);
+    const bool presents = is_presenting(app.lesson);
+    return app.ui.text_scale *
+           (presents ? presented_growth(ImGui::GetIO().DisplaySize) : app.ui.content_scale);
 }
 
 double status_left_s(const App& app) {

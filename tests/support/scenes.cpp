@@ -87,11 +87,8 @@ void make_fonts(Program& program) {
     program.settle();
 }
 
-// The text's scale is the screen's, too, where windows are headless.
 void present(Program& program) {
-    const float screen = program.app.ui.text_scale;
     run(program, "Present");
-    set_text_scale(program.app.ui, screen * program.app.ui.text_scale);
     make_fonts(program);
     wait_until(program, [&] { return answers_of(program.app.lesson) != nullptr; });
     program.wait_for_stages();
