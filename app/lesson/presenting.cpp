@@ -101,10 +101,8 @@ bool take_key(const LessonHands& hands, LessonState& state, const KeyPress& pres
 
 bool is_presenting(const LessonState& state) { return state.presenting && state.step; }
 
-float presented_growth(ImVec2 screen_px, float content_scale) {
-    const ImVec2 share{screen_px.x / (1280.0F * content_scale),
-                       screen_px.y / (720.0F * content_scale)};
-    return std::clamp(std::min(share.x, share.y), 1.0F, 3.0F);
+float presented_growth(ImVec2 screen_px) {
+    return std::clamp(std::min(screen_px.x / 1280.0F, screen_px.y / 720.0F), 0.8F, 4.0F);
 }
 
 void toggle_presenting(const LessonHands& hands, LessonState& state) {

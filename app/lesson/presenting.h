@@ -22,9 +22,9 @@ void toggle_presenting(const LessonHands& hands, LessonState& state);
 
 bool is_presenting(const LessonState& state);
 
-// How much larger than on a screen of 1280 x 720 everything is, at most three times: a class sees
-// a screen as a whole, however many pixels it has.
-float presented_growth(ImVec2 screen_px, float content_scale);
+// How much larger than on a screen of 1280 x 720 everything is, at most four times: a class sees a
+// screen as a whole, however many pixels it has and however near to them its owner sits.
+float presented_growth(ImVec2 screen_px);
 
 // Keys that mean something to a lesson do it; those for the rest of the program are left.
 std::vector<KeyPress> take_lesson_keys(const LessonHands& hands, LessonState& state,

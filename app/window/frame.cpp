@@ -57,11 +57,11 @@ constexpr double kStatusFadeS = 8.0;
 // Of everything on screen. What is read from afar, or by somebody who takes part, grows with the
 // window.
 float wanted_scale(const App& app) {
-    const float scale = app.ui.content_scale * app.ui.text_scale;
     const ImVec2 window_px = ImGui::GetIO().DisplaySize;
+    const float scale = app.ui.content_scale * app.ui.text_scale;
     if (is_study_running(app.studying)) return scale * wanted_page_scale(app.ui, window_px);
-    if (!is_presenting(app.lesson)) return scale;
-    return scale * presented_growth(window_px, app.ui.content_scale);
+    if (is_presenting(app.lesson)) return app.ui.text_scale * presented_growth(window_px);
+    return scale;
 }
 
 double status_left_s(const App& app) {

@@ -96,11 +96,8 @@ void begin_tour(Program& program) {
     program.wait_for_stages();
 }
 
-// The text's scale is the screen's, too, where windows are headless.
 void present(Program& program) {
-    const float screen = program.app.ui.text_scale;
     run(program, "Present");
-    set_text_scale(program.app.ui, screen * program.app.ui.text_scale);
     make_fonts(program);
     wait_until(program, [&] { return answers_of(program.app.lesson) != nullptr; });
     program.wait_for_stages();

@@ -204,11 +204,11 @@ TEST_CASE("lesson: along the foot the card is as high as its words, and no highe
 }
 
 TEST_CASE("presenting: all is as large on any screen, for those at the back of the room") {
-    CHECK(presented_growth({1280.0F, 720.0F}, 1.0F) == 1.0F);
-    CHECK(presented_growth({1600.0F, 1000.0F}, 1.0F) == 1.25F);
-    CHECK(presented_growth({2560.0F, 1440.0F}, 1.0F) == 2.0F);
-    CHECK(presented_growth({3840.0F, 2160.0F}, 2.0F) == 1.5F);
-    CHECK(presented_growth({7680.0F, 4320.0F}, 1.0F) == 3.0F);
+    CHECK(presented_growth({1280.0F, 720.0F}) == 1.0F);
+    CHECK(presented_growth({1600.0F, 1000.0F}) == 1.25F);
+    CHECK(presented_growth({2560.0F, 1440.0F}) == 2.0F);
+    CHECK(presented_growth({3840.0F, 2160.0F}) == 3.0F);
+    CHECK(presented_growth({7680.0F, 4320.0F}) == 4.0F);
     Class program;
     program.press_key(key::kF1 + 4);
     program.app.ui.fonts_outdated = false;
