@@ -1,5 +1,6 @@
-// photographs FOLDER [WORDS]: a PNG of every pane, tab, dialog, menu and popup, dark and light, at
-// four sizes of the window; of those only whose name has the words.
+// photographs FOLDER [WORDS [SHOTS]]: a PNG of every pane, tab, dialog, menu and popup, dark and
+// light, at four sizes of the window; of those only whose name has the words, and only such shots
+// ("1280x720", "dark", "1280x720/dark").
 //
 // The program's own frames, drawn without a screen.
 #include <cstdio>
@@ -48,18 +49,18 @@ void take_all(SceneWindow& window, const std::filesystem::path& folder, const st
 
 int main(int count, char** words) {
     if (count < 2) {
-        std::fprintf(stderr, "photographs FOLDER [WORDS]\n");
+        std::fprintf(stderr, "photographs FOLDER [WORDS [SHOTS]]\n");
         return 1;
     }
     try {
         SceneWindow window(1.0);
         for (const bool dark : {true, false}) {
             for (const Screen& screen : kScreens) {
+                const std::string shot = std::string(screen.name) + (dark ? "/dark" : "/light");
+                if (count > 3 && shot.find(words[3]) == std::string::npos) continue;
                 window.app.ui.dark = dark;
                 window.resize(screen.size, screen.scale);
-                take_all(window,
-                         std::filesystem::path(words[1]) / screen.name / (dark ? "dark" : "light"),
-                         count > 2 ? words[2] : "");
+                take_all(window, std::filesystem::path(words[1]) / shot, count > 2 ? words[2] : "");
             }
         }
     } catch (const std::exception& fault) {
