@@ -48,7 +48,7 @@ void take_all(SceneWindow& window, const std::filesystem::path& folder, const st
 }  // namespace
 
 int main(int count, char** words) {
-    if (count < 2) {
+    if (count < 2 || words[1][0] == '-') {
         std::fprintf(stderr, "photographs FOLDER [WORDS [SHOTS]]\n");
         return 1;
     }
