@@ -18,7 +18,7 @@ namespace {
 using What = StudyEvent::What;
 
 constexpr float kWindowWidthPx = 900.0F;  // that a page of ordinary size fills
-constexpr float kWindowHeightPx = 540.0F;
+constexpr float kWindowHeightPx = 600.0F;
 constexpr float kMeasurePx = 400.0F;  // of text to read: about 65 letters
 constexpr float kEntryPx = 172.0F;
 
@@ -239,13 +239,14 @@ void draw_column(Ui& ui, const Workspace& work, const PlayState& play, StudyStat
     const float text = ImGui::CalcTextSize(words.text.c_str(), nullptr, false, width).y + gap;
     const float form = has_form ? form_height() + gap : 0.0F;
     const float height = title + text + form + go_on_size(theme).y;
-    ImGui::SetCursorScreenPos({area.centre().x - 0.5F * width, area.min.y});
-    ImGui::BeginChild("page", {width, area.height()}, false, ImGuiWindowFlags_NoNav);
-    const ImVec2 corner =
-        ImGui::GetCursorScreenPos() + ImVec2{0.0F, 0.45F * std::max(0.0F, area.height() - height)};
+    const float edge = 4.0F * theme.scale;  // for the outlines of what begins the lines
+    ImGui::SetCursorScreenPos({area.centre().x - 0.5F * width - edge, area.min.y});
+    ImGui::BeginChild("page", {width + 2.0F * edge, area.height()}, false, ImGuiWindowFlags_NoNav);
+    const ImVec2 corner = ImGui::GetCursorScreenPos() +
+                          ImVec2{edge, 0.45F * std::max(0.0F, area.height() - height - edge)};
     draw_text(*ImGui::GetWindowDrawList(), theme.fonts.large, corner, theme.text, words.title);
     ImGui::SetCursorScreenPos({corner.x, corner.y + title});
-    ImGui::PushTextWrapPos(0.0F);
+    ImGui::PushTextWrapPos(edge + width);
     ImGui::TextUnformatted(words.text.c_str());
     ImGui::PopTextWrapPos();
     const ImVec2 below{corner.x, corner.y + title + text};

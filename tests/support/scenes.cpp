@@ -600,7 +600,7 @@ void SceneWindow::show(const Scene& scene) {
     }
     window.move({-100.0F, -100.0F});
     wait_for_exact_map();
-    settle();
+    wait_for_stages();  // of the scene before they may still be on screen
     remake_fonts(*this);
     scene.show(*this);
     remake_fonts(*this);
