@@ -131,7 +131,7 @@ MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixSce
     if (with_scale) {
         layout.scale = rect_at({layout.cells.max.x + 2.0F * theme.gap_px, layout.cells.min.y},
                                {theme.gap_px, std::min(extent.y, 160.0F * theme.scale)});
-    } else if (!layout.has_values) {
+    } else {
         const Rect line =
             rect_at({layout.cells.min.x, layout.cells.max.y + theme.gap_px}, {extent.x, text_px});
         if (line.max.y <= area.max.y) layout.scale_below = line;

@@ -45,7 +45,7 @@ MatrixAction draw_matrix(const char* id, const Theme& theme, const Rect& area,
 
 // Where the parts go: the cells, room for names left of and above them, the scale to the right.
 // Cells are as large as the pane has room for, wider than high where numbers then fit in them; for
-// those the scale goes. Pure, for tests.
+// those the scale goes below them, where a line is free. Pure, for tests.
 struct MatrixLayout {
     Rect cells;
     Rect scale;                  // empty where there is no room
