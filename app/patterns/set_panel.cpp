@@ -27,6 +27,8 @@ namespace {
 
 constexpr float kLeastRowPx = 25.0F;
 constexpr float kMostRowPx = 40.0F;
+constexpr float kMarkPx = 19.0F;  // its middle: rings around it leave the picked bar free
+constexpr float kNamePx = 33.0F;  // where names begin
 constexpr const char* kDragKind = "tact-vibration";
 constexpr const char* kUnfelt = "not felt";
 
@@ -51,7 +53,7 @@ RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t
     RowParts parts;
     parts.height_px = std::floor(std::clamp(each, kLeastRowPx * s, kMostRowPx * s));
     // One long name must not take the pictures of all.
-    const float free = room.x - 32.0F * s - std::min(widest, 0.45F * room.x);
+    const float free = room.x - (kNamePx + 6.0F) * s - std::min(widest, 0.45F * room.x);
     const float least = 48.0F * s;
     constexpr float kStrengthPx = 62.0F;
     if (free >= kStrengthPx * s + least) parts.strength_px = kStrengthPx * s;
@@ -59,11 +61,15 @@ RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t
     return parts;
 }
 
+std::string scale_text(const Workspace& work) {
+    return work.own_heights ? "own heights"
+                            : "\u00b1" + significant_digits(work.cache.reach_g, 3) + " g";
+}
+
 // One scale of g for the waveforms of all patterns, or each to its own height.
 void draw_scale_switch(Ui& ui, Workspace& work) {
     bool& own = work.own_heights;
-    const std::string text =
-        own ? "own heights" : "\u00b1" + significant_digits(work.cache.reach_g, 3) + " g";
+    const std::string text = scale_text(work);
     flow_on(chip_width(ui, text.c_str()), ui.theme.gap_px);
     if (draw_switch(ui, "heights", text.c_str(), !own)) own = !own;
     note_item(ui.rects, "button:heights", text);
@@ -72,7 +78,38 @@ void draw_scale_switch(Ui& ui, Workspace& work) {
                            "looks stronger. Press to draw each to its own height.");
 }
 
+constexpr float kLeastSearchPx = 72.0F;
+
+// What is typed is to be read: of what stands before it in the line, the switches give way that are
+// of less use meanwhile. One that filters stays.
+struct ToolbarParts {
+    bool heights = true;
+    bool picked = true;
+};
+
+ToolbarParts toolbar_parts(const Ui& ui, const Workspace& work) {
+    const auto& selection = work.selection;
+    ToolbarParts parts{true, !selection.picked.empty()};
+    if (selection.search.empty()) return parts;
+    const float s = ui.theme.scale;
+    const float gap = ui.theme.gap_px;
+    const float typed = text_size(ui.theme.fonts.regular, selection.search).x +
+                        2.0F * ImGui::GetStyle().FramePadding.x + gap;
+    const float wanted = std::clamp(typed, kLeastSearchPx * s, 180.0F * s);
+    const auto left_px = [&] {
+        float used = button_width("New") + gap + button_width("Duplicate") + gap;
+        if (parts.heights) used += chip_width(ui, scale_text(work).c_str()) + gap;
+        if (parts.picked) used += chip_width(ui, "picked") + gap;
+        return ImGui::GetContentRegionAvail().x - used;
+    };
+    if (left_px() < kLeastSearchPx * s) return parts;  // it has a line of its own
+    if (left_px() < wanted && !selection.only_picked) parts.picked = false;
+    if (left_px() < wanted) parts.heights = false;
+    return parts;
+}
+
 void draw_toolbar(Ui& ui, Workspace& work) {
+    const ToolbarParts parts = toolbar_parts(ui, work);
     if (ImGui::Button("New")) add_pattern(ui, work);
     note_item(ui.rects, "button:new");
     draw_tooltip(ui, "Add a pattern (Ctrl+N)");
@@ -82,15 +119,15 @@ void draw_toolbar(Ui& ui, Workspace& work) {
     note_item(ui.rects, "button:duplicate");
     draw_tooltip(ui, "Copy the selected patterns (Ctrl+D)");
     ImGui::EndDisabled();
-    draw_scale_switch(ui, work);
-    if (!work.selection.picked.empty()) {
+    if (parts.heights) draw_scale_switch(ui, work);
+    if (parts.picked) {
         flow_on(chip_width(ui, "picked"), ui.theme.gap_px);
         bool& only = work.selection.only_picked;
         if (draw_switch(ui, "only picked", "picked", only)) only = !only;
         note_item(ui.rects, "button:only picked", only ? "on" : "off");
         draw_tooltip(ui, "Only those of the most distinct subset, which have a bar at their left.");
     }
-    flow_on(72.0F * ui.theme.scale, ui.theme.gap_px);
+    flow_on(kLeastSearchPx * ui.theme.scale, ui.theme.gap_px);
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::InputTextWithHint("##search", "Search", &work.selection.search);
     note_item(ui.rects, "search");
@@ -174,13 +211,14 @@ void draw_unfelt(Ui& ui, const Workspace& work, const Vibration& vibration, cons
     note_rect(ui.rects, "not felt:" + vibration.name, pill.min, pill.max);
 }
 
-// Who is picked, at the left edge; fainter where that is of a preview.
+// Who is picked, at the left end, inside the frame of a selected row; fainter where that is of a
+// preview.
 void draw_picked_edge(Ui& ui, const Workspace& work, const Vibration& vibration, const Rect& row) {
     if (!work.selection.picked.contains(vibration.name)) return;
     const bool preview = work.selection.is_pick_preview;
     const float s = ui.theme.scale;
-    const Rect edge{{row.min.x, row.min.y + 3.0F * s},
-                    {row.min.x + 3.0F * s, row.max.y - 3.0F * s}};
+    const Rect edge{{row.min.x + 4.0F * s, row.min.y + 4.0F * s},
+                    {row.min.x + 7.0F * s, row.max.y - 4.0F * s}};
     ImGui::GetWindowDrawList()->AddRectFilled(
         edge.min, edge.max, faded(ui.theme.text, preview ? 0.4F : 0.85F), 1.5F * s);
     note_rect(ui.rects, "picked:" + vibration.name, edge.min, edge.max,
@@ -220,13 +258,13 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
     const float middle = row.centre().y;
     const float text_y = middle - ImGui::GetTextLineHeight() / 2.0F;
     const PatternLook look = look_of(ui, work, index);
-    const ImVec2 mark{row.min.x + 12.0F * s, middle};
+    const ImVec2 mark{row.min.x + kMarkPx * s, middle};
     if (work.selection.others.contains(index)) draw_selection_ring(list, theme, mark, 5.5F * s);
     draw_pattern_mark(list, theme, mark, 5.5F * s, look, theme.pane);
     note_rect(ui.rects, "look:" + vibration.name, mark, mark,
               vibration.colour + (vibration.ring ? " ring" : ""));
 
-    const float name_begin = row.min.x + 26.0F * s;
+    const float name_begin = row.min.x + kNamePx * s;
     RowParts end_parts = parts;
     end_parts.is_selected =
         index == work.selection.current || work.selection.others.contains(index);
@@ -237,8 +275,7 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
     draw_text(list, theme.fonts.regular, {name_begin, text_y},
               vibration.dropped ? theme.dim_text : theme.text, shown);
     if (work.selection.too_close.contains(vibration.name)) {
-        list.AddCircle({row.min.x + 12.0F * s, middle}, 9.0F * s, theme.warning, 0,
-                       1.5F * theme.hairline_px);
+        list.AddCircle(mark, 9.0F * s, theme.warning, 0, 1.5F * theme.hairline_px);
     }
     const ImVec2 corner{name_begin, text_y};
     note_rect(ui.rects, "row name:" + vibration.name, corner,
