@@ -254,8 +254,10 @@ void duplicate_selected(Ui& ui, Workspace& work) {
     }
     if (copies.empty()) return;
     const std::string label = of_selection(work, "Duplicate");
+    const std::string done = of_selection(work, "Made a duplicate");
     insert_after_current(work, std::move(copies));
     commit_step(ui, work, label);
+    say(ui, done + ".");
 }
 
 void remove_selected(Ui& ui, Workspace& work) {

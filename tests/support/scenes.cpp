@@ -592,6 +592,7 @@ void SceneWindow::show(const Scene& scene) {
     app.shown_map.cancelled = false;
     app.work.selection.search.clear();
     select_only(app.work, 0);
+    app.work.history.clear();
     if (!(app.work.document.set == document_.set)) {
         app.work.document = document_;
         app.work.committed = std::make_shared<const PatternSet>(document_.set);
