@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace tact {
 
@@ -23,8 +24,15 @@ RowPlaces places_in_document(const Workspace& work, const ShownMap& shown_map) {
     return places;
 }
 
-bool is_of_another_set(const RowPlaces& places) {
-    return std::ranges::none_of(places, [](const auto& place) { return place.has_value(); });
+bool shows_another_set(const Workspace& work, const ShownMap& shown_map) {
+    if (!shown_map.transition.shown) return false;
+    if (shown_map.transition.shown->request.revision == work.revision) return false;
+    const auto& shown = shown_map.transition.shown->request.set->vibrations;
+    const auto& now = work.document.set.vibrations;
+    std::unordered_set<std::string_view> names;
+    for (const Vibration& one : now) names.insert(one.name);
+    return std::ranges::none_of(
+        shown, [&names](const Vibration& one) { return names.contains(one.name); });
 }
 
 std::vector<std::size_t> rows_selected_too(const Workspace& work, const RowPlaces& places) {

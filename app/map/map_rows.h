@@ -16,8 +16,9 @@ using RowPlaces = std::vector<std::optional<std::size_t>>;
 // There must be a map.
 RowPlaces places_in_document(const Workspace& work, const ShownMap& shown_map);
 
-// Not one of its names is in the list.
-bool is_of_another_set(const RowPlaces& places);
+// Not one of the names in the map on screen is in the document: it says nothing of that. Without a
+// map: false.
+bool shows_another_set(const Workspace& work, const ShownMap& shown_map);
 
 // The rows of what is selected beside the current pattern, in ascending order.
 std::vector<std::size_t> rows_selected_too(const Workspace& work, const RowPlaces& places);

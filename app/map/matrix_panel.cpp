@@ -186,6 +186,7 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     if (area.empty()) return;
     const bool few = work.document.set.vibrations.size() < 2;
     const bool has_pairs = !few && shown_map.transition.shown &&
+                           !shows_another_set(work, shown_map) &&
                            !shown_map.transition.shown->prediction.pm.condensed.empty();
     if (!has_pairs || map_state(work, shown_map) == MapState::too_large) {
         if (failed) return;
@@ -212,8 +213,7 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     scene.quantity = quantity_name(shown_map.quantity);
     scene.largest = shown_largest(shown_map);
     scene.stale = looks_stale(ui, "matrix", shown_map.transition.shown,
-                              map_state(work, shown_map) == MapState::stale) ||
-                  is_of_another_set(places_in_document(work, shown_map));
+                              map_state(work, shown_map) == MapState::stale);
     const std::vector<std::size_t> selected = selected_rows(work, shown_map);
     scene.selected = selected;
     scene.pointed = pair_in_map(work, mapped);

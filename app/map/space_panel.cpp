@@ -134,11 +134,15 @@ float draw_headline(Ui& ui, Workspace& work, const ShownMap& shown_map, const Re
     const ImU32 ink = state == MapState::exact ? theme.text : theme.dim_text;
     float x = area.min.x;
     if (map.space.verdict != MdsVerdict::trivial) {
-        char stress[16];
-        std::snprintf(stress, sizeof stress, "%.3f", map.space.stress1);
-        x = draw_headline_number(ui, area.min, ink, stress,
-                                 "stress-1, " + stress_label(map.space.stress1)) +
-            3.0F * theme.gap_px;
+        // One of a preview would be read as that of the map.
+        char stress[16] = "preview";
+        std::string what = "stress-1 follows";
+        if (state != MapState::preview) {
+            std::snprintf(stress, sizeof stress, "%.3f", map.space.stress1);
+            what = "stress-1, " + stress_label(map.space.stress1);
+        }
+        note_rect(ui.rects, "map:stress", area.min, area.min, stress);
+        x = draw_headline_number(ui, area.min, ink, stress, what) + 3.0F * theme.gap_px;
     }
     const auto [a, b] = pair_at(map.prediction.pm.size, map.closest);
     const auto& all = map.request.set->vibrations;
@@ -189,10 +193,12 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     shown_map.has_headline = false;
     Rect area = rest_of_pane();
     if (area.empty()) return {};
-    const bool has_points = shown_map.transition.shown && shown_map.transition.to.rows() >= 2 &&
-                            shown_map.transition.shown->space.verdict != MdsVerdict::constant;
+    // Of another set nothing is shown.
+    const bool has_map = shown_map.transition.shown && shown_map.transition.to.rows() >= 2 &&
+                         !shows_another_set(work, shown_map);
     const bool constant =
-        shown_map.transition.shown && shown_map.transition.to.rows() >= 2 && !has_points;
+        has_map && shown_map.transition.shown->space.verdict == MdsVerdict::constant;
+    const bool has_points = has_map && !constant;
     if (constant && state != MapState::too_large) {
         draw_empty(
             *ImGui::GetWindowDrawList(), ui.theme, area, "No map",
@@ -205,9 +211,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
         return {};
     }
     const RowPlaces places = places_in_document(work, shown_map);
-    // The numbers of another set go.
-    const float headline_px =
-        is_of_another_set(places) ? 0.0F : draw_headline(ui, work, shown_map, area, places);
+    const float headline_px = draw_headline(ui, work, shown_map, area, places);
     shown_map.has_headline = headline_px > 0.0F;
     area.min.y += headline_px;
     const SpacePaneAction done = draw_space_scene(ui, work, shown_map, marks, places, area);

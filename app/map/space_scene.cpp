@@ -166,8 +166,7 @@ SpacePaneAction draw_space_scene(Ui& ui, Workspace& work, ShownMap& shown_map,
     const std::vector<std::size_t> selected_too = rows_selected_too(work, places);
     scene.selected_too = selected_too;
     scene.stale = looks_stale(ui, "space", shown_map.transition.shown,
-                              map_state(work, shown_map) == MapState::stale) ||
-                  is_of_another_set(places);
+                              map_state(work, shown_map) == MapState::stale);
     decorate(decor, scene);
     const auto& people = marks.people;
     if (people) {

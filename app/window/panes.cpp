@@ -18,6 +18,7 @@
 #include "app/document/shown_side.h"
 #include "app/lesson/lesson_place.h"
 #include "app/map/map_follow.h"
+#include "app/map/map_rows.h"
 #include "app/map/matrix_panel.h"
 #include "app/map/similar.h"
 #include "app/map/space_panel.h"
@@ -58,7 +59,8 @@ std::string map_state_text(const App& app) {
     char text[96];
     const bool busy = is_computing(app);
     const int percent = busy ? static_cast<int>(100.0F * app.shown_map.full_job->progress()) : 0;
-    switch (map_state(app.work, app.shown_map)) {
+    const bool another = shows_another_set(app.work, app.shown_map);
+    switch (another ? MapState::none : map_state(app.work, app.shown_map)) {
         case MapState::none:
             if (!busy) return {};
             std::snprintf(text, sizeof text, "computing, %d %%", percent);
@@ -78,19 +80,18 @@ std::string map_state_text(const App& app) {
     return {};
 }
 
-// "exact, 5.8 s", or where there is no room for that "exact".
+// "exact, 5.8 s", or where there is no room for that "exact"; a preview and an earlier state say so
+// in any case.
 std::vector<std::string> map_state_forms(const App& app) {
     const std::string whole = map_state_text(app);
-    return {whole, whole.substr(0, whole.find(','))};
+    return {whole, whole.substr(0, whole.find(',')), whole.substr(0, whole.find_first_of(",;"))};
 }
 
 std::vector<std::string> space_title_right(const App& app) {
     if (!app.shown_map.transition.shown || app.shown_map.transition.to.rows() < 2)
         return map_state_forms(app);
-    // Stress of an earlier state would be read as that of this one.
-    const MapState state_of_map = map_state(app.work, app.shown_map);
-    if (state_of_map != MapState::exact && state_of_map != MapState::preview)
-        return map_state_forms(app);
+    // Stress of an earlier state or of a preview would be read as that of this one.
+    if (map_state(app.work, app.shown_map) != MapState::exact) return map_state_forms(app);
     const PerceptualSpace& space = app.shown_map.transition.shown->space;
     if (space.verdict == MdsVerdict::constant || app.shown_map.has_headline)
         return map_state_forms(app);

@@ -1,5 +1,6 @@
 #include "app/map/map_follow.h"
 
+#include "app/map/map_rows.h"
 #include "app/window/jobs.h"
 #include "tests/support/program.h"
 
@@ -91,6 +92,26 @@ TEST_CASE("map: 2-D is asked for and shown") {
     program.click("radio:2-D");
     program.wait_for_exact_map();
     CHECK(program.app.shown_map.transition.to.cols() == 2);
+}
+
+TEST_CASE("map: of another set nothing is shown, of an earlier state it is said in both panes") {
+    Program program(short_patterns(6));
+    program.compute_map();
+    App& app = program.app;
+    app.layout.bench = BenchTab::matrix;
+    app.shown_map.full_job->cancel();
+    app.shown_map.maps_asked = ++app.work.revision;  // nobody computes it
+    program.settle();
+    CHECK(program.at("title right:Perceptual space").value.starts_with("before the edit"));
+    CHECK(program.at("title right:Matrix").value.starts_with("before the edit"));
+    CHECK(program.shows("matrix selected"));
+    for (Vibration& one : app.work.document.set.vibrations) one.name += " of another";
+    program.settle();
+    CHECK(shows_another_set(app.work, app.shown_map));
+    CHECK_FALSE(program.shows("matrix selected"));
+    CHECK_FALSE(program.shows("map:closest"));
+    CHECK_FALSE(program.shows("point:p1"));
+    stop_jobs(app);
 }
 
 }  // namespace map_follow_test
