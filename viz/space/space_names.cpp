@@ -45,6 +45,12 @@ std::vector<LabelRequest> requests(const SpaceStage& stage, std::optional<std::s
             order.push_back(*first);
         }
     }
+    const std::size_t asked = order.size();
+    for (const std::size_t i : stage.front_to_back) {
+        const auto end = order.begin() + static_cast<std::ptrdiff_t>(asked);
+        if (order.size() >= kMostNames || !stage.selected_too[i]) continue;
+        if (std::find(order.begin(), end, i) == end) order.push_back(i);
+    }
     const std::size_t special = order.size();
     // Chosen ones before others, then from front to back.
     for (const bool chosen : {true, false}) {
@@ -59,10 +65,11 @@ std::vector<LabelRequest> requests(const SpaceStage& stage, std::optional<std::s
     }
     std::vector<LabelRequest> result;
     const float most_px = stage.pane.width() * 0.4F;
+    const float least_px = 100.0F * stage.theme.scale;  // of a name that is still one
     for (const std::size_t i : order) {
         ImVec2 size = text_size(name_font(stage, hovered, i), stage.scene.labels[i]);
         size.x = std::min(size.x, most_px);
-        result.push_back({i, size});
+        result.push_back({i, size, least_px});
     }
     return result;
 }
@@ -123,12 +130,13 @@ void draw_names(const SpaceStage& stage, std::span<const Rect> occupied,
         if (passed_over) discs[i] = {{-1e6F, -1e6F}, 0.0F};
         const bool ringed =
             stage.chosen[i] || is_selected(stage, i) || asked_for(stage, hovered, i);
-        if (ringed) discs[i].radius += 4.0F * theme.scale;
+        if (ringed) discs[i].radius += (is_selected(stage, i) ? 5.5F : 4.0F) * theme.scale;
     }
     // Of many, lines to far names would be a web.
     constexpr std::size_t kMostLed = 60;
     const float far_px = wanted.size() <= kMostLed ? 14.0F * theme.scale : 0.0F;
-    const LabelField field{discs, occupied, stage.pane, 3.0F * theme.scale, far_px};
+    const ImVec2 apart{10.0F * theme.scale, 2.0F * theme.scale};
+    const LabelField field{discs, occupied, stage.pane, 3.0F * theme.scale, far_px, apart};
     const auto placed = place_labels(wanted, field);
     // No free place, but asked for: on a plate, which keeps others from under it.
     std::vector<Rect> plates(wanted.size());
@@ -141,13 +149,15 @@ void draw_names(const SpaceStage& stage, std::span<const Rect> occupied,
         const std::size_t i = wanted[k].disc;
         const ImFont* font = name_font(stage, hovered, i);
         const bool special = asked_for(stage, hovered, i);
-        const std::string name = shortened(font, stage.scene.labels[i], wanted[k].size.x + 0.5F);
+        const float width = placed[k] ? placed[k]->width() : wanted[k].size.x;
+        const std::string name = shortened(font, stage.scene.labels[i], width + 0.5F);
         const auto under = [&](const Rect& plate) {
             return !plate.empty() && plate.intersects(*placed[k]);
         };
         if (placed[k] && (special || std::none_of(plates.begin(), plates.end(), under))) {
             const float least = stage.chosen[i] ? 0.6F : 0.35F;
-            const float strength = special ? 1.0F : least + 0.4F * presence(stage, i);
+            const bool bright = special || is_selected(stage, i);
+            const float strength = bright ? 1.0F : least + 0.4F * presence(stage, i);
             if (const auto line = leader(discs[i], *placed[k], field.gap_px)) {
                 stage.list.AddLine(line->from, line->to, toned(stage, theme.dim_text, 0.6F),
                                    theme.hairline_px);

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -122,7 +123,9 @@ void draw_ghosts(const SpaceStage& stage) {
 void draw_points(const SpaceStage& stage, std::optional<std::size_t> hovered) {
     const Theme& theme = stage.theme;
     const float edge = 1.5F * theme.scale;
-    for (auto it = stage.front_to_back.rbegin(); it != stage.front_to_back.rend(); ++it) {
+    std::vector<std::size_t> order = stage.front_to_back;
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return layer(stage, hovered, i); });
+    for (auto it = order.rbegin(); it != order.rend(); ++it) {
         const std::size_t i = *it;
         const Disc& d = stage.discs[i];
         const bool marked = asked_for(stage, hovered, i);

@@ -68,6 +68,15 @@ bool is_cloud(const SpaceStage& stage, std::size_t i) {
     return stage.discs.size() > kMany && !stage.scene.chosen.empty() && !stage.chosen[i];
 }
 
+int layer(const SpaceStage& stage, std::optional<std::size_t> hovered, std::size_t i) {
+    if (stage.scene.selected == i) return 0;
+    if (stage.selected_too[i]) return 1;
+    if (stage.chosen[i] && !stage.faint[i]) return 2;
+    if (hovered == i) return 3;
+    if (is_cloud(stage, i)) return 6;
+    return stage.faint[i] ? 5 : 4;
+}
+
 void place_maybes(SpaceStage& stage) {
     const auto places = [&](const Eigen::MatrixXd* points) {
         std::vector<ImVec2> seen;
@@ -113,7 +122,9 @@ void place_points(SpaceStage& stage, const SpaceCamera& camera) {
     }
     std::stable_sort(stage.front_to_back.begin(), stage.front_to_back.end(),
                      [&](std::size_t a, std::size_t b) {
-                         if (is_cloud(stage, a) != is_cloud(stage, b)) return is_cloud(stage, b);
+                         const int over = layer(stage, std::nullopt, a);
+                         const int under = layer(stage, std::nullopt, b);
+                         if (over != under) return over < under;
                          return stage.projected[a].depth > stage.projected[b].depth;
                      });
 }

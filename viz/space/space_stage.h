@@ -19,7 +19,7 @@ struct SpaceStage {
     SpaceProjection seen{};
     std::vector<Projected> projected;  // by point
     std::vector<Disc> discs;           // by point
-    // Only points that can be seen; a cloud lies behind all that was chosen.
+    // Only points that can be seen, by layer and then by depth.
     std::vector<std::size_t> front_to_back;
     std::vector<bool> chosen;          // by point
     std::vector<bool> faint;           // by point
@@ -57,5 +57,10 @@ bool is_selected(const SpaceStage& stage, std::size_t i);
 
 // Beside a subset chosen from many, the others are a cloud without names and drop lines.
 bool is_cloud(const SpaceStage& stage, std::size_t i);
+
+// What lies over what, whatever its depth, 0 on top: the selected point, others that are selected,
+// chosen ones, the hovered one, others, and those that were filtered out or are a cloud. A ring
+// would else frame the point before its own.
+int layer(const SpaceStage& stage, std::optional<std::size_t> hovered, std::size_t i);
 
 }  // namespace tact

@@ -117,4 +117,55 @@ TEST_CASE("labels: a name that has room only farther off gets a line to its poin
     CHECK_FALSE(leader(discs[0], {{209, 194}, {229, 206}}, field.gap_px));
 }
 
+TEST_CASE("labels: beside its point a name is nearer to that than to any other one") {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const Crowd c = crowd(40, 5, seed);
+        const auto placed = place_labels(c.requests, {c.discs, {}, kPane, 3.0F, 14.0F});
+        for (std::size_t i = 0; i < placed.size(); ++i) {
+            const Disc& own = c.discs[c.requests[i].disc];
+            if (!placed[i] || leader(own, *placed[i], 3.0F)) continue;
+            const auto off = [&](const Disc& d) {
+                return std::sqrt(squared_distance(*placed[i], d.centre)) - d.radius;
+            };
+            // A pixel where two points are in one place.
+            for (const Disc& d : c.discs) CHECK(off(d) > off(own) - 1.01F);
+        }
+    }
+}
+
+TEST_CASE("labels: no line to a far name strikes through another name") {
+    int lines = 0;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const Crowd c = crowd(40, 5, seed);
+        const auto placed = place_labels(c.requests, {c.discs, {}, kPane, 3.0F, 14.0F});
+        for (std::size_t i = 0; i < placed.size(); ++i) {
+            const auto line =
+                placed[i] ? leader(c.discs[c.requests[i].disc], *placed[i], 3.0F) : std::nullopt;
+            if (!line) continue;
+            ++lines;
+            for (std::size_t j = 0; j < placed.size(); ++j) {
+                if (i == j || !placed[j]) continue;
+                for (int step = 0; step <= 50; ++step) {
+                    const ImVec2 at =
+                        line->from + (line->to - line->from) * (static_cast<float>(step) / 50.0F);
+                    CHECK_FALSE(inset(*placed[j], 0.1F).contains(at));
+                }
+            }
+        }
+    }
+    CHECK(lines > 0);
+}
+
+TEST_CASE("labels: a long name is shortened at its point's height before it goes elsewhere") {
+    const std::vector<Disc> discs{{{400, 100}, 6.0F}, {{200, 100}, 6.0F}};
+    const LabelRequest request{0, {220, 12}, 100.0F};
+    const LabelField field{discs, {}, {{0, 0}, {420, 200}}, 3.0F};
+    const auto placed = place_labels(std::span{&request, 1}, field)[0];
+    REQUIRE(placed);
+    CHECK(placed->max.x < 395.0F);
+    CHECK(placed->min.x > 206.0F);
+    CHECK(std::abs(placed->centre().y - 100.0F) <= 1.0F);
+    CHECK(placed->width() >= 100.0F);
+}
+
 }  // namespace tact::label_placement_test

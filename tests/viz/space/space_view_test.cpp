@@ -216,6 +216,30 @@ TEST_CASE("space view: the selected point and the hovered one are joined, with t
     CHECK(count_pixels(image, kPane, dark_theme(1.0F).hover) > 200);
 }
 
+TEST_CASE("space view: what is selected or chosen lies over what is not, whatever its depth") {
+    Example e = example(2, 3);
+    e.labels = {"", ""};
+    for (const Eigen::Index far : {0, 1}) {
+        // One behind the other, seen by the camera as it is at first.
+        const Eigen::Vector3d to_eye = turn_of({}, false).row(2);
+        e.points.row(far) = -to_eye;
+        e.points.row(1 - far) = to_eye;
+        const std::vector<std::size_t> behind{static_cast<std::size_t>(far)};
+        SpaceScene plain = scene_of(e);
+        SpaceScene selected = scene_of(e);
+        selected.selected = behind[0];
+        SpaceScene chosen = scene_of(e);
+        chosen.chosen = behind;
+        const auto colour_at = [&e, far](const SpaceScene& scene) {
+            const ImVec2 at = project({}, fit(e.points), kPane, point_of(e.points, far)).at;
+            return pixel(picture(scene), static_cast<int>(at.x), static_cast<int>(at.y));
+        };
+        const ImU32 own = e.looks[behind[0]].colour;
+        CHECK(colour_at(selected) == own);
+        CHECK(colour_at(chosen) != colour_at(plain));
+    }
+}
+
 TEST_CASE("space view: points without coordinates are left out, not drawn at random") {
     Example e = example(12, 3);
     e.points.row(4).setConstant(NAN);
