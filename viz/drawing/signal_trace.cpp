@@ -146,22 +146,49 @@ std::vector<StripColumn> edge_of(std::span<const StripColumn> strip, float zero_
     return edge;
 }
 
+// Columns that stand for bars narrower than can be told apart: several in a row in which the signal
+// is high and low. Of a lone bar no more than its sides are such columns.
+std::vector<bool> merged_columns(const WaveBody& body, double least) {
+    constexpr std::size_t kInRow = 4;
+    const auto is_mixed = [&](const Extremes& e) { return e.high - e.low > least; };
+    std::vector<bool> merged(body.columns.size(), false);
+    std::size_t run = 0;
+    for (std::size_t c = 0; c < merged.size(); ++c) {
+        run = is_mixed(body.columns[c]) ? run + 1 : 0;
+        if (run < kInRow) continue;
+        for (std::size_t k = c + 1 - kInRow; k <= c; ++k) merged[k] = true;
+    }
+    return merged;
+}
+
 // From zero to each value for as long as it lasts: bars, with upright sides on whole pixels. Faint
-// below their edge: a signal that stays high is no slab.
+// below their edge: a signal that stays high is no slab. Bars that merge are fainter still, down to
+// what lies between them: a row of pulses looks like no signal that stays, however narrow.
 void draw_steps(ImDrawList& list, const Theme& theme, const Plot& plot,
                 std::span<const double> samples, double rate_hz, ImU32 colour) {
+    constexpr float kGround = 0.4F;
+    constexpr float kMerged = 0.4F;                                                // of that
+    constexpr float kKept = 1.0F - (1.0F - kGround) / (1.0F - kMerged * kGround);  // makes it whole
     std::vector<StripColumn> strip;
-    const auto add = [&](double from_s, double to_s, const Extremes& e) {
+    std::vector<StripColumn> kept;  // of merged bars, what stays between them
+    const auto add = [&](double from_s, double to_s, const Extremes& e, bool merged) {
         // Values may grow downwards.
         const auto [top, bottom] = std::minmax(
             {to_pixel(plot.y, std::max(0.0, e.high)), to_pixel(plot.y, std::min(0.0, e.low))});
         const float left = std::round(to_pixel(plot.x, from_s));
         const float right = std::round(to_pixel(plot.x, to_s));
+        const float tone = merged ? kMerged : 1.0F;
         const bool goes_on = !strip.empty() && strip.back().top == top &&
-                             strip.back().bottom == bottom && strip.back().x == left;
-        if (!goes_on) strip.push_back({left, top, bottom});
+                             strip.back().bottom == bottom && strip.back().x == left &&
+                             strip.back().tone == tone;
+        if (!goes_on) strip.push_back({left, top, bottom, tone});
         if (goes_on && strip.size() > 1) strip.pop_back();
-        strip.push_back({right, top, bottom});
+        strip.push_back({right, top, bottom, tone});
+        const double stays = std::clamp(0.0, std::min(e.low, e.high), std::max(e.low, e.high));
+        const auto [high, low] = std::minmax({to_pixel(plot.y, 0.0), to_pixel(plot.y, stays)});
+        const float opaque = merged && stays != 0.0 ? 1.0F : 0.0F;
+        kept.push_back({left, high, low, opaque});
+        kept.push_back({right, high, low, opaque});
     };
     if (samples_per_pixel(plot, rate_hz) < 1.0) {
         const double last_index = static_cast<double>(samples.size()) - 1.0;
@@ -169,17 +196,23 @@ void draw_steps(ImDrawList& list, const Theme& theme, const Plot& plot,
         const double last = std::clamp(std::ceil(plot.x.high * rate_hz), 0.0, last_index);
         for (double i = first; i <= last; i += 1.0) {
             const double value = samples[static_cast<std::size_t>(i)];
-            add(i / rate_hz, (i + 1.0) / rate_hz, {value, value});
+            add(i / rate_hz, (i + 1.0) / rate_hz, {value, value}, false);
         }
     } else {
         constexpr double kWidestPx = 3.0;  // a pause of two pixels is seen beside a bar
         const PixelColumns columns = pixel_columns(theme, plot, samples, rate_hz, kWidestPx);
+        const std::vector<bool> merged = merged_columns(*columns.body, unseen(plot.y));
         for (std::size_t c = columns.begin; c < columns.end; ++c) {
-            add(columns.from_s(plot.x, c), columns.from_s(plot.x, c + 1), columns.body->columns[c]);
+            add(columns.from_s(plot.x, c), columns.from_s(plot.x, c + 1), columns.body->columns[c],
+                merged[c]);
         }
     }
-    constexpr float kGround = 0.4F;
     draw_strip(list, strip, faded(colour, kGround));
+    const auto is_kept = [](const StripColumn& column) { return column.tone > 0.0F; };
+    if (std::ranges::any_of(kept, is_kept)) {
+        draw_strip(list, kept, faded(colour, kKept));
+    }
+    for (StripColumn& column : strip) column.tone = 1.0F;
     draw_strip(list, edge_of(strip, to_pixel(plot.y, 0.0), theme.trace_px), colour);
 }
 
