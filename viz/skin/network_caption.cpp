@@ -14,7 +14,9 @@ namespace {
 constexpr float kCaptionLine = 1.15F;  // by the size of its type
 
 std::string centre_text(const NetworkScene& scene, std::size_t k) {
-    return "centre " + tick_text(scene.layers[k].centre());
+    const double centre = scene.layers[k].centre();
+    const std::string exact = tick_text(centre);
+    return "centre " + (exact.size() > 4 ? significant(centre) : exact);
 }
 
 // A line of words and symbols filled from the left, as long as there is room.
@@ -73,11 +75,9 @@ ImU32 activity_colour(double spikes, double cap) {
 }
 
 float caption_width_px(const Theme& theme, const NetworkScene& scene) {
-    float widest = 0.0F;
-    for (std::size_t k = 0; k < scene.layers.size(); ++k) {
-        for (const std::string& words : {scene.names[k], centre_text(scene, k)}) {
-            widest = std::max(widest, text_size(theme.fonts.small, words).x);
-        }
+    float widest = text_size(theme.fonts.small, "centre 00.0").x;
+    for (const std::string& name : scene.names) {
+        widest = std::max(widest, text_size(theme.fonts.small, name).x);
     }
     return widest;
 }

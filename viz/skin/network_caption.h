@@ -9,7 +9,7 @@ namespace tact {
 // beside a saturated layer.
 ImU32 activity_colour(double spikes, double cap);
 
-// The widest of all captions.
+// What any caption needs, whatever the centres hold.
 float caption_width_px(const Theme& theme, const NetworkScene& scene);
 
 // A layer's name, and what its centre holds: in the middle beneath a map, or flush left beside it.

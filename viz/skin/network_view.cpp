@@ -49,6 +49,7 @@ void draw_cells(ImDrawList& list, const Theme& theme, const NetworkLayout& layou
     const auto colour_at = [&](int column, int row) {
         return activity_colour(layer.at(column, row), scene.cap);
     };
+    // Cells without activity are one ground: a silent network looks the same at any cell size.
     if (told_apart) add_rect(list, layout.maps[k], seam_colour());
     for (int row = -layer.half_width; row <= layer.half_width; ++row) {
         for (int column = -layer.half_width; column <= layer.half_width;) {
@@ -57,7 +58,8 @@ void draw_cells(ImDrawList& list, const Theme& theme, const NetworkLayout& layou
             while (!told_apart && end <= layer.half_width && colour_at(end, row) == colour) ++end;
             const Rect first = cell_rect(layout, scene, {k, column, row});
             const Rect last = cell_rect(layout, scene, {k, end - 1, row});
-            add_rect(list, {first.min, last.max - ImVec2{seam, seam}}, colour);
+            const float apart = layer.at(column, row) > 0.0 ? seam : 0.0F;
+            add_rect(list, {first.min, last.max - ImVec2{apart, apart}}, colour);
             column = end;
         }
     }
@@ -137,11 +139,13 @@ void draw_arrow(ImDrawList& list, const Theme& theme, const NetworkLayout& layou
     const Rect& before = layout.maps[to - 1];
     const Rect& after = layout.maps[to];
     const float y = after.centre().y;
+    // Beside words arrows share their columns with those of other networks, whatever the maps'
+    // sizes.
     const float from_px = layout.beside ? layout.captions[to - 1].max.x : before.max.x;
-    const float room = after.min.x - from_px;
+    const float room = layout.beside ? layout.between_px : after.min.x - from_px;
     const float head = std::clamp(0.1F * room, 3.0F * theme.scale, 7.0F * theme.scale);
     if (room < 3.0F * head || std::abs(before.centre().y - y) > 1.0F) return;
-    const float length = std::min(0.6F * room, 96.0F * theme.scale);
+    const float length = std::min(0.6F * room, 40.0F * theme.scale);
     const ImVec2 tip{from_px + 0.5F * (room + length), y};
     draw_level_line(list, y, tip.x - length, tip.x - head, 1.5F * theme.scale, theme.dim_text);
     list.AddTriangleFilled({tip.x - 1.4F * head, y - head}, tip, {tip.x - 1.4F * head, y + head},
@@ -183,6 +187,7 @@ struct Slots {
     float between_px = 0.0F;  // of neighbours
     ImVec2 caption{0, 0};     // 0 where words do not fit
     bool beside = false;      // the caption is
+    float room_px = 0.0F;     // side of the square for a map, whatever its cells
     float cell_px = 0.0F;
 };
 
@@ -205,15 +210,17 @@ Slots slots_for(const Theme& theme, const Rect& area, std::size_t count, std::si
                   (area.height() - (in_column - 1.0F) * 0.5F * gap) / in_column};
     const bool words = slots.size.x >= 4.0F * text_px && slots.size.y >= 5.0F * text_px;
     if (words) slots.caption = {slots.size.x, 2.6F * text_px};
-    slots.cell_px = cell_size(theme, std::min(slots.size.x, slots.size.y - slots.caption.y), cells);
+    slots.room_px = std::min(slots.size.x, slots.size.y - slots.caption.y);
+    slots.cell_px = cell_size(theme, slots.room_px, cells);
     return slots;
 }
 
-// In a low and wide area maps are as high as it is, and words stand beside them; arrows have what
-// is left.
+// In a low and wide area maps are as high as it is, and words stand beside them; arrows have some
+// of what is left. Columns depend on the area alone: networks below each other share them.
 Slots slots_beside(const Theme& theme, const Rect& area, const NetworkScene& scene, int cells) {
     const float gap = 0.75F * theme.gap_px;
     const float least_between = 3.0F * theme.gap_px;
+    const float most_between = std::max(96.0F * theme.scale, 0.08F * area.width());
     const float text_px = font_or_current(theme.fonts.small).FontSize;
     Slots slots;
     slots.beside = true;
@@ -223,16 +230,18 @@ Slots slots_beside(const Theme& theme, const Rect& area, const NetworkScene& sce
     const auto count = static_cast<float>(slots.columns);
     const float words_px = gap + slots.caption.x;
     const float each = (area.width() - (count - 1.0F) * least_between) / count - words_px;
-    slots.cell_px = cell_size(theme, std::min(each, area.height()), cells);
-    slots.size = {slots.cell_px * static_cast<float>(cells) + words_px, area.height()};
-    slots.between_px = (area.width() - count * slots.size.x) / (count - 1.0F);
+    slots.room_px = std::max(0.0F, std::min(each, area.height()));
+    slots.cell_px = cell_size(theme, slots.room_px, cells);
+    slots.size = {slots.room_px + words_px, area.height()};
+    slots.between_px =
+        std::min((area.width() - count * slots.size.x) / (count - 1.0F), most_between);
     return slots;
 }
 
-// Larger cells, unless that costs the words.
+// Larger maps, unless that costs the words.
 bool is_better(const Slots& a, const Slots& b) {
     const auto worth = [](const Slots& slots) {
-        return slots.cell_px * (slots.caption.x > 0.0F ? 1.25F : 1.0F);
+        return slots.room_px * (slots.caption.x > 0.0F ? 1.25F : 1.0F);
     };
     return worth(a) > worth(b);
 }
@@ -275,9 +284,8 @@ NetworkLayout network_layout(const Theme& theme, const Rect& area, const Network
     if (best.cell_px <= 0.0F) return {};
     layout.cell_px = best.cell_px;
     layout.beside = best.beside;
+    layout.between_px = best.between_px;
     const float side = best.cell_px * static_cast<float>(cells);
-    // Beside the words a map stands in a square of its own.
-    const float map_px = best.beside ? side : best.size.x;
     const float middle = best.beside ? best.size.y / 2.0F : side / 2.0F;
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t whole_rows = k / best.columns;
@@ -286,8 +294,9 @@ NetworkLayout network_layout(const Theme& theme, const Rect& area, const Network
         const ImVec2 corner = maps.min + ImVec2{column * (best.size.x + best.between_px),
                                                 row * (best.size.y + 0.75F * theme.gap_px)};
         const float own = best.cell_px * static_cast<float>(2 * scene.layers[k].half_width + 1);
-        const ImVec2 first{std::round(corner.x + (map_px - own) / 2.0F),
-                           std::round(corner.y + middle - own / 2.0F)};
+        // Beside its words a map is next to them, whatever its size.
+        const float left = best.beside ? best.room_px - own : 0.5F * (best.size.x - own);
+        const ImVec2 first{std::round(corner.x + left), std::round(corner.y + middle - own / 2.0F)};
         layout.maps.push_back(rect_at(first, {own, own}));
         const ImVec2 words = best.beside ? ImVec2{corner.x + best.size.x - best.caption.x,
                                                   corner.y + middle - best.caption.y / 2.0F}

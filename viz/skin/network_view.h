@@ -57,6 +57,7 @@ struct NetworkLayout {
     std::vector<Rect> maps;      // the cells of each layer, its own width
     std::vector<Rect> captions;  // beneath or right of each map; empty where there is no room
     bool beside = false;         // they are right of them
+    float between_px = 0.0F;     // then, from a caption to the next one's place for a map
     Rect legend;                 // one line at the bottom; empty where there is no room
     float cell_px = 0.0F;        // the same in all maps
 };

@@ -170,11 +170,14 @@ RasterLayout raster_layout(const Theme& theme, const Rect& area, const RasterSce
     const float text_px = font_or_current(theme.fonts.small).FontSize;
     const float gap = 0.75F * theme.gap_px;
     float free = layout.plot.area.height() + gap;
+    // What never fires leaves those that do the most of a low area.
+    const float silent_px = std::min(
+        text_px, 0.4F * free / static_cast<float>(std::max<std::size_t>(1, scene.channels.size())));
     std::vector<std::size_t> rows;
     for (const RasterChannel& channel : scene.channels) {
         layout.bands.push_back({.fires = any_spike(channel)});
         rows.push_back(layout.bands.back().fires ? channel.spike_count.size() : 0);
-        free -= gap + (layout.bands.back().fires ? 0.0F : text_px);
+        free -= gap + (layout.bands.back().fires ? 0.0F : silent_px);
     }
     const auto firing = static_cast<float>(rows.size() - std::ranges::count(rows, 0U));
     float rate_px = scene.rates ? 18.0F * theme.scale : 0.0F;
@@ -183,7 +186,7 @@ RasterLayout raster_layout(const Theme& theme, const Rect& area, const RasterSce
     float top = layout.plot.area.min.y;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         RasterBand& band = layout.bands[i];
-        const float height = band.fires ? std::floor(heights[i]) : text_px;
+        const float height = band.fires ? std::floor(heights[i]) : silent_px;
         band.rows = {{layout.plot.area.min.x, top}, {layout.plot.area.max.x, top + height}};
         band.rate = {{band.rows.min.x, band.rows.max.y},
                      {band.rows.max.x, band.rows.max.y + (band.fires ? rate_px : 0.0F)}};

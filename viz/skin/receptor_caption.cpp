@@ -27,13 +27,13 @@ void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const Rec
     const ImFont* font = theme.fonts.regular;
     const float mark_px = 3.2F * theme.mark_px;
     const float room = line.width() - mark_px;
+    std::string name = traits(scene.receptor).name;
     std::string count;
     if (scene.grid != nullptr && scene.activation.radius_mm > 0.0) {
         count = "  " + std::to_string(scene.grid->activated);
+        const std::string unit = scene.grid->activated == 1 ? " receptor" : " receptors";
+        if (text_size(font, name + count + unit).x <= room) count += unit;
     }
-    // The count stays: where both have no room, the afferent's name stands for the type's.
-    std::string name = traits(scene.receptor).name;
-    if (text_size(font, name + count).x > room) name = traits(scene.receptor).afferent;
     if (text_size(font, name + count).x > room) count.clear();
     name = shortened(font, name, room);
     const float name_px = text_size(font, name).x;
@@ -153,6 +153,7 @@ void draw_caption(ImDrawList& list, const Theme& theme, const Rect& caption,
     Rect line = rect_at(caption.min, {caption.width(), 1.15F * text_px});
     draw_name(list, theme, line, scene, Flush::middle);
     line = rect_at({line.min.x, line.max.y}, {line.width(), text_px});
+    if (line.max.y > caption.max.y + 0.5F) return;
     const ImFont* font = theme.fonts.small;
     const std::string state = receptor_state_text(scene, font, line.width());
     draw_text(list, font, {line.centre().x - text_size(font, state).x / 2.0F, line.min.y},
@@ -208,15 +209,14 @@ void draw_caption_beside(ImDrawList& list, const Theme& theme, const Rect& capti
               theme.dim_text, tick_text(bar_mm) + " mm");
 }
 
-void draw_scale_bar(ImDrawList& list, const Theme& theme, const Rect& map, float px_per_mm) {
-    if (map.height() < 6.0F * font_or_current(theme.fonts.small).FontSize) return;
-    const double length_mm = bar_length_mm(px_per_mm, 0.3F * map.width());
+void draw_scale_bar(ImDrawList& list, const Theme& theme, const Rect& map, float right_px,
+                    float px_per_mm) {
+    if (map.height() < 4.0F * font_or_current(theme.fonts.small).FontSize) return;
+    const ImVec2 left{map.max.x + 0.5F * theme.gap_px, map.max.y - 2.0F * theme.scale};
+    const double length_mm =
+        bar_length_mm(px_per_mm, std::min(0.5F * map.width(), right_px - left.x));
     const std::string text = tick_text(length_mm) + " mm";
-    if (length_mm <= 0.0 ||
-        text_size(theme.fonts.small, text).x > map.width() - 4.0F * theme.scale) {
-        return;
-    }
-    const ImVec2 left{map.min.x + 2.0F * theme.scale, map.max.y - 2.0F * theme.scale};
+    if (length_mm <= 0.0 || left.x + text_size(theme.fonts.small, text).x > right_px) return;
     const float length = static_cast<float>(length_mm) * px_per_mm;
     draw_level_line(list, left.y, left.x, left.x + length, 1.5F * theme.scale, theme.dim_text);
     const float text_px = font_or_current(theme.fonts.small).FontSize;

@@ -35,8 +35,9 @@ void draw_caption_beside(ImDrawList& list, const Theme& theme, const Rect& capti
 // What words beside a map need at least.
 float least_caption_px(const Theme& theme);
 
-// A bar of a round number of mm in the lower left corner, which the fingertip leaves free; none in
-// a map so small that it does not.
-void draw_scale_bar(ImDrawList& list, const Theme& theme, const Rect& map, float px_per_mm);
+// A bar of a round number of mm right of the map's foot, as far as `right_px`; none where it does
+// not fit.
+void draw_scale_bar(ImDrawList& list, const Theme& theme, const Rect& map, float right_px,
+                    float px_per_mm);
 
 }  // namespace tact

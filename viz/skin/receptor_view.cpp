@@ -229,9 +229,10 @@ double common_width_mm(const PerReceptor<Activation>& activation) {
 // it.
 ReceptorLayout receptor_layout(const Theme& theme, const Rect& area, const ReceptorScene& scene) {
     ReceptorLayout layout;
+    // The name stands at any size: colours alone tell nobody which type it is.
     const float lines = area.height() >= 150.0F * theme.scale  ? 3.2F
                         : area.height() >= 90.0F * theme.scale ? 2.2F
-                                                               : 0.0F;
+                                                               : 1.2F;
     const float caption_px = lines * caption_line_px(theme);
     const double half_width_mm =
         scene.half_width_mm > 0.0 ? scene.half_width_mm : scene.half_extent_mm;
@@ -283,7 +284,7 @@ ReceptorAction draw_receptors(const char* id, const Theme& theme, const Rect& ar
     if (layout.beside) {
         draw_caption_beside(list, theme, layout.caption, scene, layout.skin.px_per_mm);
     } else {
-        draw_scale_bar(list, theme, layout.map, layout.skin.px_per_mm);
+        draw_scale_bar(list, theme, layout.map, area.max.x, layout.skin.px_per_mm);
         draw_caption(list, theme, layout.caption, scene);
     }
     return action;
