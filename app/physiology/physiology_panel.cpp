@@ -25,12 +25,35 @@ namespace tact {
 namespace {
 
 constexpr float kLabelColumnPx = 96.0F;
-constexpr float kLowestUnitPx = 28.0F;  // below, the column scrolls
-constexpr float kLowestPairUnitPx = 84.0F;
 
-// Height of each stage in the overview, in units.
+// Height of each stage in the overview, in units. Signals have what the pictures leave.
 constexpr std::array<float, kStages.size()> kUnits{1.0F, 2.1F, 1.8F, 3.2F, 2.1F,
-                                                   2.2F, 1.2F, 0.9F, 1.1F};
+                                                   2.2F, 1.7F, 0.9F, 1.1F};
+constexpr std::array<float, kStages.size()> kPairUnits{0.9F, 2.1F, 2.4F, 3.2F, 2.2F,
+                                                       2.2F, 2.2F, 1.1F, 1.1F};
+constexpr float kLowestUnitPx = 28.0F;  // below, the column scrolls
+constexpr float kLowestPairUnitPx = 36.0F;
+constexpr float kScrolledPairUnitPx = 72.0F;  // once it scrolls, lanes are as high as is good
+
+// What a picture needs, and what it makes good use of, in heights of small text.
+struct PictureHeight {
+    float least;
+    float most;
+};
+
+std::optional<PictureHeight> picture_height(Stage stage, bool is_pair) {
+    // Of two, with a line of words between them; the choice of networks stands above both.
+    if (stage == Stage::spectrum) {
+        return is_pair ? PictureHeight{12.6F, 14.0F} : PictureHeight{5.6F, 14.0F};
+    }
+    if (stage == Stage::receptors) {
+        return is_pair ? PictureHeight{10.8F, 14.5F} : PictureHeight{4.0F, 22.0F};
+    }
+    if (stage == Stage::networks) {
+        return is_pair ? PictureHeight{11.6F, 14.0F} : PictureHeight{4.0F, 14.0F};
+    }
+    return std::nullopt;
+}
 
 // The patterns on screen: the current one, then the pinned one; without those whose stages are on
 // their way.
@@ -74,7 +97,8 @@ void follow_difference(Physiology& physiology, const std::vector<ShownStages>& p
 }
 
 // Name and what is plotted, left of the plots; the name opens the stage, the "i" explains it.
-void draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& area) {
+// Where it ends.
+float draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& area) {
     const Theme& theme = ui.theme;
     const StageText& text = text_of(stage);
     ImGui::SetCursorScreenPos(area.min);
@@ -101,7 +125,11 @@ void draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& a
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
 
-    if (ui.as_picture) return ImGui::PopID();
+    const float below = area.min.y + size.y;
+    if (ui.as_picture) {
+        ImGui::PopID();
+        return below;
+    }
     const ImVec2 centre{area.max.x - icon * 0.6F, area.min.y + line * 0.5F};
     ImGui::SetCursorScreenPos({centre.x - icon * 0.5F, centre.y - icon * 0.5F});
     if (ImGui::InvisibleButton("i", {icon, icon})) {
@@ -112,23 +140,55 @@ void draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& a
     note_item(ui.rects, std::string("explain:") + text.key);
     draw_tooltip(ui, "What happens here?");
     ImGui::PopID();
+    return below;
 }
 
 using StageHeights = std::array<float, kStages.size()>;
 
-// The names beside a spectrum, one below the other, and its axis have to fit, however large the
-// text; a pair has the room.
 StageHeights stage_heights(const Theme& theme, float free, float lowest_unit, bool is_pair) {
-    constexpr std::size_t kSpectrum = index_of(Stage::spectrum);
-    const float least_px = is_pair ? 0.0F : 5.6F * font_or_current(theme.fonts.small).FontSize;
-    const float units = std::accumulate(kUnits.begin(), kUnits.end(), 0.0F);
-    float unit = std::max(free / units, lowest_unit);
-    const bool is_low = unit * kUnits[kSpectrum] < least_px;
-    if (is_low) unit = std::max((free - least_px) / (units - kUnits[kSpectrum]), lowest_unit);
+    const auto& units = is_pair ? kPairUnits : kUnits;
+    const float text_px = font_or_current(theme.fonts.small).FontSize;
+    const float unit =
+        std::max(free / std::accumulate(units.begin(), units.end(), 0.0F), lowest_unit);
     StageHeights heights{};
-    for (std::size_t k = 0; k < heights.size(); ++k) heights[k] = unit * kUnits[k];
-    if (is_low) heights[kSpectrum] = least_px;
+    float signal_units = 0.0F;
+    float left = free;
+    for (const Stage stage : kStages) {
+        const std::size_t k = index_of(stage);
+        const auto picture = picture_height(stage, is_pair);
+        if (!picture) {
+            signal_units += units[k];
+            continue;
+        }
+        heights[k] = std::clamp(unit * units[k], picture->least * text_px, picture->most * text_px);
+        left -= heights[k];
+    }
+    float signal_unit = left / signal_units;
+    if (signal_unit < lowest_unit) {
+        signal_unit =
+            is_pair ? std::max(lowest_unit, kScrolledPairUnitPx * theme.scale) : lowest_unit;
+    }
+    for (const Stage stage : kStages) {
+        const std::size_t k = index_of(stage);
+        if (!picture_height(stage, is_pair)) heights[k] = signal_unit * units[k];
+    }
     return heights;
+}
+
+// How far up and down signals reach, at the foot of the label of a stage that has the room.
+void draw_reach(Ui& ui, const Rect& label, Stage stage, const std::string& text) {
+    const float top = label.max.y - text_size(ui.theme.fonts.small, text).y;
+    if (text.empty() || top < label.min.y) return;
+    draw_text(*ImGui::GetWindowDrawList(), ui.theme.fonts.small, {label.min.x, top},
+              ui.theme.dim_text, text);
+    note_rect(ui.rects, std::string("reach:") + text_of(stage).key, {label.min.x, top}, label.max,
+              text);
+}
+
+// So that it is said once.
+bool have_one_reach(const Workspace& work, const std::vector<ShownStages>& patterns, Stage stage) {
+    return !patterns.empty() &&
+           reach_text(work, patterns.front(), stage) == reach_text(work, patterns.back(), stage);
 }
 
 void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
@@ -159,7 +219,13 @@ void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     for (const Stage stage : kStages) {
         const float bottom = top + heights[index_of(stage)];
         const Rect area{{corner.x + label, top}, {corner.x + width, bottom}};
-        draw_stage_label(ui, physiology, stage, {{corner.x, top}, {corner.x + label, bottom}});
+        const Rect words{{corner.x, top}, {corner.x + label, bottom}};
+        const float named = draw_stage_label(ui, physiology, stage, words);
+        if (have_one_reach(work, patterns, stage)) {
+            const float line = text_size(theme.fonts.small, "X").y;
+            draw_reach(ui, {{corner.x, named}, {words.max.x, std::min(bottom, named + line)}},
+                       stage, reach_text(work, patterns[0], stage));
+        }
         StageSize size;
         size.time_axis = stage == kStages.back();
         draw_patterns(ui, work, timeline, physiology, patterns, stage, area, size);
@@ -224,10 +290,18 @@ void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& phy
     const float label = text_size(ui.theme.fonts.small, "X").y + 0.5F * ui.theme.gap_px;
     float left = area.min.x;
     for (const Stage stage : kRowStages) {
-        const Rect cell{{left, area.min.y}, {left + width, area.max.y}};
+        Rect cell{{left, area.min.y}, {left + width, area.max.y}};
         draw_stage_label(ui, physiology, stage, {cell.min, {cell.max.x, cell.min.y + label}});
-        draw_patterns(ui, work, timeline, physiology, patterns, stage,
-                      {{cell.min.x, cell.min.y + label}, cell.max}, {});
+        cell.min.y += label;
+        if (stage == Stage::vibration && cell.height() > 4.0F * label) {
+            const float line = text_size(ui.theme.fonts.small, "X").y;
+            draw_reach(ui, {cell.min, {cell.max.x, cell.min.y + line}}, stage,
+                       reach_text(work, patterns[0], stage));
+            cell.min.y += line;
+        }
+        StageSize size;
+        size.names = false;
+        draw_patterns(ui, work, timeline, physiology, patterns, stage, cell, size);
         left += width + gap;
     }
 }

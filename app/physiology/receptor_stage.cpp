@@ -235,6 +235,8 @@ const std::vector<RelayLayer>& layers_of(const Timeline& timeline, Physiology& p
     return known.layers[c];
 }
 
+constexpr const char* kNoSpikes = "no spikes in this step";
+
 // Of what comes in there may be nothing: then that is said in `words`, else there is a legend if it
 // is asked for.
 struct NetworkWords {
@@ -258,11 +260,10 @@ void draw_one_network(Ui& ui, const Timeline& timeline, Physiology& physiology,
     note_rect(ui.rects, id, area.min, area.max);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImFont* font = ui.theme.fonts.small;
-    const std::string silent = "no spikes in this step";
     if (!is_silent(scene)) {
         if (words.legend) draw_network_legend(list, ui.theme, words.place, scene.cap);
-    } else if (text_size(font, silent).x <= words.place.width()) {
-        draw_text(list, font, words.place.min, ui.theme.dim_text, silent);
+    } else if (text_size(font, kNoSpikes).x <= words.place.width()) {
+        draw_text(list, font, words.place.min, ui.theme.dim_text, kNoSpikes);
     }
     if (!action.hovered) return;
     const NetworkCell& cell = *action.hovered;
@@ -282,29 +283,26 @@ void draw_one_network(Ui& ui, const Timeline& timeline, Physiology& physiology,
 Rect draw_network_choice(Ui& ui, Physiology& physiology, const Rect& area) {
     PhysiologyState& state = physiology.view;
     const float gap = 2.0F * ui.theme.scale;
-    const auto width = [&](auto name_of) {
-        float px = 0.0F;
-        for (const Receptor type : kReceptors) px += chip_width(ui, name_of(type)) + gap;
-        return px;
-    };
-    const auto name = [](Receptor type) { return traits(type).name; };
-    const auto afferent = [](Receptor type) { return traits(type).afferent; };
-    const bool in_full = width(name) <= area.width();
+    float names_px = 0.0F;
+    for (const Receptor type : kReceptors) names_px += chip_width(ui, traits(type).name) + gap;
+    const bool in_full = names_px <= area.width();
+    const float room = (area.width() - 3.0F * gap) / 4.0F - chip_width(ui, "");
     ImGui::SetCursorScreenPos(area.min);
     for (const Receptor type : kReceptors) {
         const std::string id = std::string("network:") + traits(type).afferent;
-        const char* const text = in_full ? name(type) : afferent(type);
-        if (draw_chip(ui, id.c_str(), text, state.network == type)) {
+        const char* const name = traits(type).name;
+        const std::string text = in_full ? name : shortened(ui.theme.fonts.small, name, room);
+        if (draw_chip(ui, id.c_str(), text.c_str(), state.network == type)) {
             state.network = type;
             state.network_chosen = true;
         }
         note_item(ui.rects, id);
-        if (!in_full) draw_tooltip(ui, name(type));
+        if (!in_full) draw_tooltip(ui, name);
         ImGui::SameLine(0.0F, gap);
     }
     const float words_px = font_or_current(ui.theme.fonts.small).FontSize;
     const float top = area.min.y + 4.0F * ui.theme.scale;
-    const float left = area.min.x + (in_full ? width(name) : width(afferent));
+    const float left = std::min(area.min.x + names_px, area.max.x);
     return {{left + 2.0F * ui.theme.gap_px, top}, {area.max.x, top + words_px}};
 }
 
@@ -362,7 +360,7 @@ void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiol
     scene.channels = channels;
     scene.start_s = timeline.range.start_s;
     scene.end_s = timeline.range.end_s;
-    // The names take more room than values do; small, the colours say it.
+    // Large, names stand with their peaks on the left; small, beside the lanes on the right.
     if (!size.large) scene.names_px = 0.0F;
     scene.time_axis = size.time_axis;
     scene.rates = size.large;
@@ -373,6 +371,17 @@ void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiol
     scene.stale = shown.stale;
     const std::string id = id_of(shown, "raster");
     const RasterAction action = draw_raster(id.c_str(), ui.theme, area, scene);
+    if (!size.large && size.lanes_px > 0.0F) {
+        const RasterLayout layout = raster_layout(ui.theme, area, scene);
+        for (std::size_t c = 0; c < layout.bands.size(); ++c) {
+            const Rect& rows = layout.bands[c].rows;
+            const float half_gap = 0.375F * ui.theme.gap_px;
+            draw_lane_name(ui,
+                           {{area.max.x, rows.min.y - half_gap},
+                            {area.max.x + size.lanes_px, rows.max.y + half_gap}},
+                           channels[c].receptor);
+        }
+    }
     note_rect(ui.rects, "plot:" + id, area.min, area.max);
     take_time_gesture(work, timeline, area, {action.hovered_s, action.scrubbed_s});
     const auto place = [](const RasterSpot& s) {
@@ -393,37 +402,39 @@ void draw_network_stage(Ui& ui, const Timeline& timeline, Physiology& physiology
         if (!state.network_chosen) state.network = strongest_channel(*shown.live);
         Rect map = area;
         NetworkWords words;
-        if (!shown.pinned) {
-            words.place = draw_network_choice(ui, physiology, area);
-            map.min.y += chip_height(ui) + 2.0F * theme.scale;
-        }
+        if (!shown.pinned) words.place = draw_network_choice(ui, physiology, area);
+        // The second of a pair keeps the room of the choice, and so has the same columns.
+        map.min.y += chip_height(ui) + 2.0F * theme.scale;
         return draw_one_network(ui, timeline, physiology, shown, state.network, map, words);
     }
     const float text_px = font_or_current(theme.fonts.small).FontSize;
     const float gap = theme.gap_px;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    // One legend for all: they have one scale.
+    // One legend for all: they have one scale. Two patterns keep its room, and so have the same
+    // columns.
     Rect rest = area;
+    rest.max.y -= 1.8F * text_px;
     if (!shown.pinned) {
-        rest.max.y -= 1.8F * text_px;
         draw_network_legend(list, theme, {{area.min.x, area.max.y - 1.25F * text_px}, area.max},
                             shown.live->request.model.coding.spike_cap);
     }
+    // Names have a column of their own: above the maps they would cost them height.
     const float height = (rest.height() - 3.0F * gap) / 4.0F;
+    const float names_px = text_size(theme.fonts.small, kNoSpikes).x + 2.0F * gap;
     for (const Receptor type : kReceptors) {
         const ImVec2 corner{rest.min.x,
                             rest.min.y + static_cast<float>(index_of(type)) * (height + gap)};
         const ImU32 colour = theme.receptor[index_of(type)];
-        const char* const name = traits(type).name;
         const float mark_px = 2.6F * theme.mark_px;
-        draw_receptor_mark(list, theme, corner + ImVec2{theme.mark_px, 0.55F * text_px},
+        const ImVec2 named = corner + ImVec2{0.0F, std::floor(0.5F * height - 1.1F * text_px)};
+        draw_receptor_mark(list, theme, named + ImVec2{theme.mark_px, 0.55F * text_px},
                            0.85F * theme.mark_px, type, colour);
-        draw_text(list, theme.fonts.small, corner + ImVec2{mark_px, 0.0F}, colour, name);
-        const float named = mark_px + text_size(theme.fonts.small, name).x + gap;
+        draw_text(list, theme.fonts.small, named + ImVec2{mark_px, 0.0F}, colour,
+                  traits(type).name);
         draw_one_network(
             ui, timeline, physiology, shown, type,
-            {corner + ImVec2{0.0F, 1.35F * text_px}, corner + ImVec2{rest.width(), height}},
-            {{corner + ImVec2{named, 0.0F}, corner + ImVec2{rest.width(), text_px}}, false});
+            {corner + ImVec2{names_px, 0.0F}, corner + ImVec2{rest.width(), height}},
+            {rect_at(named + ImVec2{0.0F, 1.25F * text_px}, {names_px, text_px}), false});
     }
 }
 

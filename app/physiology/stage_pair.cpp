@@ -14,29 +14,58 @@ namespace tact {
 
 namespace {
 
-// Whose signals these are, at the right end of a row of plots.
-void draw_row_name(Ui& ui, const Rect& area, const std::string& name, const std::string& id,
-                   ImU32 colour, bool top = false) {
-    const ImFont* font = ui.theme.fonts.small;
-    const float pad = 3.0F * ui.theme.scale;
-    const std::string text = shortened(font, name, 0.5F * area.width());
-    const ImVec2 size = text_size(font, text);
-    if (area.height() < size.y) return;
-    // Clear of what stands at the top right of some plots.
-    const ImVec2 corner{area.max.x - size.x - pad, top ? area.min.y : area.max.y - size.y - pad};
+// Whose signals these are, beside a row of plots: a mark in its colour, as small text in it would
+// be hard to read, its name, and below it what else there is to say.
+struct RowName {
+    std::string id;
+    std::string name;
+    std::string more{};
+    PatternLook look;
+};
+
+float mark_room_px(const Theme& theme) { return theme.gap_px + 2.6F * theme.mark_px; }
+
+void draw_row_name(Ui& ui, const Rect& place, const RowName& row) {
+    const Theme& theme = ui.theme;
+    const ImFont* font = theme.fonts.small;
+    const float text_px = font_or_current(font).FontSize;
+    const float left = place.min.x + mark_room_px(theme);
+    const bool has_more = !row.more.empty() && place.height() >= 2.2F * text_px;
+    const float height = (has_more ? 2.2F : 1.1F) * text_px;
+    if (place.height() < 0.9F * text_px) return;
+    float top = std::round(place.centre().y - 0.5F * height);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(corner - ImVec2{pad, 0.0F}, corner + size + ImVec2{pad, 0.0F}, ui.theme.pane,
-                       ui.theme.rounding_px);
-    draw_text(list, font, corner, colour, text);
-    note_rect(ui.rects, id, corner, corner + size, name);
+    draw_pattern_mark(list, theme,
+                      {place.min.x + theme.gap_px + theme.mark_px, top + 0.55F * text_px},
+                      0.85F * theme.mark_px, row.look, theme.pane);
+    const auto line = [&](const std::string& words, ImU32 colour) {
+        const std::string text = shortened(font, words, place.max.x - left);
+        draw_text(list, font, {left, top}, colour, text);
+        top += 1.1F * text_px;
+        return text_size(font, text);
+    };
+    const ImVec2 corner{left, top};
+    const ImVec2 size = line(row.name, theme.text);
+    note_rect(ui.rects, row.id, corner, corner + size,
+              row.more.empty() ? row.name : row.name + ", " + row.more);
+    if (has_more) line(row.more, theme.dim_text);
 }
 
 // The number that the paper makes of a pair at this stage, where it makes one.
-std::string difference_name(const Physiology& physiology, Stage stage) {
-    const std::string name = "difference";
-    if (stage == Stage::brain) return name + ", NC " + significant(physiology.view.difference.nc);
-    if (stage != Stage::envelope || !physiology.view.pair_oc) return name;
-    return name + ", OC " + significant(*physiology.view.pair_oc);
+std::string paper_number(const Physiology& physiology, Stage stage) {
+    if (stage == Stage::brain) return "NC " + significant(physiology.view.difference.nc);
+    if (stage != Stage::envelope || !physiology.view.pair_oc) return {};
+    return "OC " + significant(*physiology.view.pair_oc);
+}
+
+// Right of all plots: as wide as names need, within limits.
+float row_names_px(const Ui& ui, const std::vector<ShownStages>& patterns, float width_px) {
+    float words_px = text_size(ui.theme.fonts.small, "difference").x;
+    for (const ShownStages& shown : patterns) {
+        const std::string& name = shown.live->request.vibration.name;
+        words_px = std::max(words_px, text_size(ui.theme.fonts.small, name).x);
+    }
+    return std::min(words_px + 1.0F + mark_room_px(ui.theme), 0.22F * width_px);
 }
 
 }  // namespace
@@ -45,42 +74,57 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
                    const std::vector<ShownStages>& patterns, Stage stage, const Rect& area,
                    const StageSize& size) {
     if (patterns.empty()) return;
-    if (patterns.size() < 2)
-        return draw_stage(ui, work, timeline, physiology, patterns[0], stage, area, size);
     const std::size_t rows = signals_of(*patterns[0].live, stage).size();
     const bool has_signals = rows > 0;
-    // Several rows are as high in between as above and below; large, they have names and values.
+    Rect plots = area;
+    StageSize upper = size;
+    if (patterns.size() > 1) plots.max.x -= row_names_px(ui, patterns, area.width());
+    const Rect names{{plots.max.x, area.min.y}, area.max};
+    // All time axes end at one place, whether there are lanes or not.
+    if (has_signals && size.names) {
+        upper.lanes_px = lane_names_px(ui, area.width());
+        plots.max.x -= upper.lanes_px;
+    }
+    if (patterns.size() < 2)
+        return draw_stage(ui, work, timeline, physiology, patterns[0], stage, plots, upper);
+    const StageSize lower = upper;
+    upper.time_axis = false;
+    // Several rows are as high in between as above and below; large, they have values.
     const float of_many = size.large ? 0.35F : 0.3F;
     const float share = rows > 1 ? of_many : 0.24F;
     const float axis = size.time_axis ? time_axis_height(ui) : 0.0F;
     const float text = font_or_current(ui.theme.fonts.small).FontSize;
-    const float middle = has_signals ? std::max(text, share * (area.height() - axis)) : text * 1.2F;
-    const float each = 0.5F * (area.height() - axis - middle);
-    const float y1 = area.min.y + each;
-    const float y2 = y1 + middle;
-    StageSize upper = size;
-    upper.time_axis = false;
-    // A name has its own line, but above networks, where it stands behind the first one's, and
-    // where plots are too low to give one up.
-    const bool has_line =
-        stage == Stage::receptors || (has_signals && each >= 4.5F * text && middle >= 3.0F * text);
-    const bool top = has_line || stage == Stage::networks;
-    const ImVec2 named{0.0F, has_line ? 1.1F * text : 0.0F};
-    draw_stage(ui, work, timeline, physiology, patterns[0], stage,
-               {area.min + named, {area.max.x, y1}}, upper);
-    draw_stage_difference(ui, work, timeline, physiology, patterns[0], patterns[1], stage,
-                          {ImVec2{area.min.x, y1} + named, {area.max.x, y2}}, upper);
-    draw_stage(ui, work, timeline, physiology, patterns[1], stage,
-               {ImVec2{area.min.x, y2} + named, area.max}, size);
+    const float gap = std::min(0.5F * ui.theme.gap_px, 0.04F * area.height());
+    const float free = area.height() - axis - 2.0F * gap;
+    const float middle = has_signals ? std::max(text, share * free) : text * 1.2F;
+    const float each = 0.5F * (free - middle);
+    const float y1 = area.min.y + each + gap;
+    const float y2 = y1 + middle + gap;
+    const Rect above{plots.min, {plots.max.x, y1 - gap}};
+    const Rect between{{plots.min.x, y1}, {plots.max.x, y2 - gap}};
+    const Rect below{{plots.min.x, y2}, plots.max};
+    draw_stage(ui, work, timeline, physiology, patterns[0], stage, above, upper);
+    draw_stage_difference(ui, work, timeline, physiology, patterns[0], patterns[1], stage, between,
+                          upper);
+    draw_stage(ui, work, timeline, physiology, patterns[1], stage, below, lower);
     const std::string key = text_of(stage).key;
-    const auto name_of = [&](std::size_t k) { return patterns[k].live->request.vibration.name; };
-    draw_row_name(ui, {area.min, {area.max.x, y1}}, name_of(0), "row a:" + key,
-                  patterns[0].look.colour, top);
-    draw_row_name(ui, {{area.min.x, y2}, {area.max.x, area.max.y - axis}}, name_of(1),
-                  "row b:" + key, patterns[1].look.colour, top);
+    // Where both reach as far, the stage's label says it.
+    const bool apart =
+        !size.large && reach_text(work, patterns[0], stage) != reach_text(work, patterns[1], stage);
+    const auto name = [&](const char* row, const Rect& of, std::size_t k) {
+        const ShownStages& shown = patterns[k];
+        draw_row_name(ui, {{names.min.x, of.min.y}, {names.max.x, of.max.y}},
+                      {row + key, shown.live->request.vibration.name,
+                       apart ? reach_text(work, shown, stage) : std::string(), shown.look});
+    };
+    name("row a:", above, 0);
+    name("row b:", {below.min, {below.max.x, below.max.y - axis}}, 1);
     if (!has_signals) return;
-    draw_row_name(ui, {{area.min.x, y1}, {area.max.x, y2}}, difference_name(physiology, stage),
-                  "row difference:" + key, difference_colour(ui.theme), top);
+    draw_row_name(ui, {{names.min.x, between.min.y}, {names.max.x, between.max.y}},
+                  {"row difference:" + key,
+                   "difference",
+                   paper_number(physiology, stage),
+                   {difference_colour(ui.theme), false}});
 }
 
 float draw_remark(Ui& ui, const std::vector<ShownStages>& patterns, Stage stage, const Rect& beside,

@@ -31,9 +31,10 @@ ImU32 colour_of(const Ui& ui, const ShownStages& shown, const StageSignal& signa
     return stage == Stage::brain ? ui.theme.text : ui.theme.dim_text;
 }
 
-// A silent channel's line: its name and why there is nothing.
-void draw_silent_row(const Ui& ui, const Rect& area, const StageSignal& signal) {
+// A silent channel's line, from where the others' time begins: its name and why there is nothing.
+void draw_silent_row(const Ui& ui, Rect area, const StageSignal& signal, bool large) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (large) area.min.x += value_room_px(ui);
     const float y = std::round(area.centre().y);
     draw_level_line(list, y, area.min.x, area.max.x, ui.theme.hairline_px, ui.theme.line);
     const std::string text = std::string(traits(*signal.receptor).name) + " silent";
@@ -47,29 +48,9 @@ void draw_silent_row(const Ui& ui, const Rect& area, const StageSignal& signal) 
     draw_text(list, ui.theme.fonts.small, corner, ui.theme.dim_text, text);
 }
 
-// Large signals of channels begin below the line of their name: where a unit stands beside it, the
-// plot leaves that line free itself.
-Rect below_name(const Ui& ui, Rect area, const StageSignal& signal, const StageSize& size) {
-    if (!size.large || !signal.receptor || *signal.unit != '\0') return area;
-    area.min.y += 0.8F * font_or_current(ui.theme.fonts.small).FontSize;
-    return area;
-}
-
-// Names a channel above its plot, or where that begins at its row's top, within it on a plate: a
-// filled body would swallow a halo.
-void draw_channel_name(const Ui& ui, const Rect& area, Receptor receptor, bool over_plot) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    // Left of the plot stand values and their unit.
-    const float left = area.min.x + value_room_px(ui) + 4.0F * ui.theme.scale;
-    const float pad = 3.0F * ui.theme.scale;
-    const Rect text =
-        rect_at({left, area.min.y}, text_size(ui.theme.fonts.small, traits(receptor).name));
-    if (over_plot) {
-        list.AddRectFilled(text.min - ImVec2{pad, 0.0F}, text.max + ImVec2{pad, 0.0F},
-                           ui.theme.pane, ui.theme.rounding_px);
-    }
-    draw_text(list, ui.theme.fonts.small, text.min, ui.theme.receptor[index_of(receptor)],
-              traits(receptor).name);
+// What is right of a lane.
+Rect beside_lane(const Rect& lane, const StageSize& size) {
+    return {{lane.max.x, lane.min.y}, {lane.max.x + size.lanes_px, lane.max.y}};
 }
 
 // Of the rows that share an area: channels that are silent in all patterns on screen take less.
@@ -111,19 +92,6 @@ double reach_of(const Workspace& work, const StageSignal& signal, Stage stage) {
     double peak = reach_g;
     for (const double sample : signal.samples) peak = std::max(peak, std::abs(sample));
     return peak;
-}
-
-// Without an axis, how many g the upper edge is.
-void draw_reach(Ui& ui, const Rect& area, const char* id, double reach_g) {
-    const std::string text = "\u00b1" + significant_digits(reach_g, 3) + " g";
-    const ImVec2 size = text_size(ui.theme.fonts.small, text);
-    if (area.height() < 2.0F * size.y) return;
-    const ImVec2 corner{area.max.x - size.x - 2.0F * ui.theme.scale, area.min.y};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 pad{3.0F * ui.theme.scale, 0.0F};  // a plate: over a body no halo is enough
-    list.AddRectFilled(corner - pad, corner + size + pad, ui.theme.pane, ui.theme.rounding_px);
-    draw_text(list, ui.theme.fonts.small, corner, ui.theme.dim_text, text);
-    note_rect(ui.rects, std::string("reach:") + id, corner, corner + size, text);
 }
 
 // In a trace that shows nothing of the vibration, what it does show.
@@ -173,26 +141,26 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Physi
         shared_out(area, row_weights(physiology, *shown.live, stage), axis_px);
     for (std::size_t k = 0; k < signals.size(); ++k) {
         const bool last = k + 1 == signals.size();
-        if (signals[k].receptor && is_silent(signals[k]) && !(last && size.time_axis)) {
-            draw_silent_row(ui, rects[k], signals[k]);
+        Rect lane = rects[k];
+        if (last) lane.max.y -= axis_px;
+        if (signals[k].receptor && size.lanes_px > 0.0F) {
+            draw_lane_name(ui, beside_lane(lane, size), *signals[k].receptor);
+        }
+        const bool silent = signals[k].receptor && is_silent(signals[k]);
+        if (silent && !(last && size.time_axis)) {
+            draw_silent_row(ui, lane, signals[k], size.large);
             continue;
         }
         TimeRow row = row_of(ui, shown, signals[k], stage);
         row.large = size.large;
         row.largest = reach_of(work, signals[k], stage);
         row.time_axis = last && size.time_axis;
-        draw_time_row(ui, work, timeline, below_name(ui, rects[k], signals[k], size), row);
-        const bool first_of_filters = stage == Stage::filtered && k == 0;
-        if ((stage == Stage::vibration || first_of_filters) && !size.large && row.largest > 0.0) {
-            draw_reach(ui, rects[k], text_of(stage).key, row.largest);
-        }
+        draw_time_row(ui, work, timeline, rects[k], row);
+        if (silent) draw_silent_row(ui, lane, signals[k], size.large);
         // Large, the remark above says it.
         if (stage == Stage::filtered && !size.large &&
             only_leaks(*shown.live, *signals[k].receptor)) {
             draw_leak_note(ui, rects[k], *signals[k].receptor);
-        }
-        if (signals[k].receptor && size.large) {
-            draw_channel_name(ui, rects[k], *signals[k].receptor, false);
         }
     }
 }
@@ -215,6 +183,36 @@ void draw_difference_text(const Ui& ui, const Rect& area, Stage stage,
 }
 
 }  // namespace
+
+float lane_names_px(const Ui& ui, float width_px) {
+    float names_px = 0.0F;
+    for (const Receptor type : kReceptors) {
+        names_px = std::max(names_px, text_size(ui.theme.fonts.small, traits(type).name).x);
+    }
+    const float marks_px = ui.theme.gap_px + 2.6F * ui.theme.mark_px;
+    return names_px + marks_px < 0.16F * width_px ? names_px + marks_px : marks_px;
+}
+
+void draw_lane_name(const Ui& ui, const Rect& place, Receptor receptor) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImFont* font = ui.theme.fonts.small;
+    const float text_px = font_or_current(font).FontSize;
+    const float left = place.min.x + ui.theme.gap_px;
+    const float y = std::round(place.centre().y);
+    const float radius = std::min(0.85F * ui.theme.mark_px, 0.4F * place.height());
+    draw_receptor_mark(list, ui.theme, {left + ui.theme.mark_px, y}, radius, receptor);
+    const float words_px = left + 2.6F * ui.theme.mark_px;
+    const char* const name = traits(receptor).name;
+    if (place.height() < 0.8F * text_px) return;  // none of the names reaches below its line
+    if (words_px + text_size(font, name).x > place.max.x + 1.0F) return;
+    draw_text(list, font, {words_px, y - 0.55F * text_px}, ui.theme.text, name);
+}
+
+std::string reach_text(const Workspace& work, const ShownStages& shown, Stage stage) {
+    if (stage != Stage::vibration && stage != Stage::filtered) return {};
+    const double reach_g = reach_of(work, signals_of(*shown.live, stage)[0], stage);
+    return reach_g > 0.0 ? "\u00b1" + significant_digits(reach_g, 3) + " g" : std::string();
+}
 
 ImU32 difference_colour(const Theme& theme) {
     return theme.is_dark ? IM_COL32(0xB1, 0x8C, 0xFF, 0xFF) : IM_COL32(0x6A, 0x3F, 0xC4, 0xFF);
@@ -276,9 +274,8 @@ void draw_stage_difference(Ui& ui, const Workspace& work, Timeline& timeline,
         row.large = size.large;
         row.stale = a.stale || b.stale;
         draw_time_row(ui, work, timeline, rects[k], row);
-        const float text_px = font_or_current(ui.theme.fonts.small).FontSize;
-        if (signals[k].receptor && size.large && rects[k].height() > 1.5F * text_px) {
-            draw_channel_name(ui, rects[k], *signals[k].receptor, true);
+        if (signals[k].receptor && size.lanes_px > 0.0F) {
+            draw_lane_name(ui, beside_lane(rects[k], size), *signals[k].receptor);
         }
     }
 }
