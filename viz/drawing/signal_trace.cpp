@@ -1,8 +1,11 @@
 // Long signals as lines and bars, for plots of any width.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "viz/drawing/body_cache.h"
 #include "viz/drawing/colour.h"
@@ -13,33 +16,33 @@
 namespace tact {
 namespace {
 
-// One column of a strip at x: soft edge, top, bottom, soft edge.
-struct StripColumn {
-    float x;
-    float top;
-    float bottom;
-    float tone = 1.0F;  // of the colour's opacity
+// Where a band is crossed from one side to the other: soft edge, ink, ink, soft edge.
+struct Crossing {
+    std::array<ImVec2, 4> at;
+    ImU32 ink;
 };
 
-// A band between two lines with edges that fade over one pixel, or do not in vector pictures.
-void draw_strip(ImDrawList& list, std::span<const StripColumn> columns, ImU32 colour) {
-    if (columns.size() < 2) return;
+// How far an edge fades; in vector pictures it does not.
+float softness(const ImDrawList& list) {
+    return (list.Flags & ImDrawListFlags_AntiAliasedFill) != 0 ? 0.5F : 0.0F;
+}
+
+void draw_band(ImDrawList& list, std::span<const Crossing> crossings) {
+    if (crossings.size() < 2) return;
     const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
-    const ImU32 clear = colour & ~IM_COL32_A_MASK;
-    const float soft = (list.Flags & ImDrawListFlags_AntiAliasedFill) != 0 ? 0.5F : 0.0F;
     // Batches keep within the 16-bit indices of one draw command.
     constexpr std::size_t kBatch = 4096;
-    for (std::size_t begin = 0; begin + 1 < columns.size(); begin += kBatch) {
-        const std::size_t count = std::min(kBatch + 1, columns.size() - begin);
+    for (std::size_t begin = 0; begin + 1 < crossings.size(); begin += kBatch) {
+        const std::size_t count = std::min(kBatch + 1, crossings.size() - begin);
         const int quads = static_cast<int>(count - 1) * 3;
         list.PrimReserve(quads * 6, static_cast<int>(count) * 4);
         const unsigned base = list._VtxCurrentIdx;
-        for (const StripColumn& c : columns.subspan(begin, count)) {
-            list.PrimWriteVtx({c.x, c.top - soft}, uv, clear);
-            const ImU32 ink = c.tone < 1.0F ? faded(colour, c.tone) : colour;
-            list.PrimWriteVtx({c.x, c.top + soft}, uv, ink);
-            list.PrimWriteVtx({c.x, c.bottom - soft}, uv, ink);
-            list.PrimWriteVtx({c.x, c.bottom + soft}, uv, clear);
+        for (const Crossing& c : crossings.subspan(begin, count)) {
+            const ImU32 clear = c.ink & ~IM_COL32_A_MASK;
+            list.PrimWriteVtx(c.at[0], uv, clear);
+            list.PrimWriteVtx(c.at[1], uv, c.ink);
+            list.PrimWriteVtx(c.at[2], uv, c.ink);
+            list.PrimWriteVtx(c.at[3], uv, clear);
         }
         for (unsigned i = 0; i + 1 < count; ++i) {
             for (unsigned band = 0; band < 3; ++band) {
@@ -50,6 +53,67 @@ void draw_strip(ImDrawList& list, std::span<const StripColumn> columns, ImU32 co
             }
         }
     }
+}
+
+// One column of a strip at x.
+struct StripColumn {
+    float x;
+    float top;
+    float bottom;
+    float tone = 1.0F;  // of the colour's opacity
+};
+
+// What is between two lines.
+void draw_strip(ImDrawList& list, std::span<const StripColumn> columns, ImU32 colour) {
+    const float soft = softness(list);
+    std::vector<Crossing> crossings;
+    crossings.reserve(columns.size());
+    for (const StripColumn& c : columns) {
+        crossings.push_back({{ImVec2{c.x, c.top - soft},
+                              {c.x, c.top + soft},
+                              {c.x, c.bottom - soft},
+                              {c.x, c.bottom + soft}},
+                             c.tone < 1.0F ? faded(colour, c.tone) : colour});
+    }
+    draw_band(list, crossings);
+}
+
+// A line through points. Its sharp turns are cut off: mitred, as ImGui has them, each crest would
+// end in a needle that is no part of the signal.
+void draw_stroke(ImDrawList& list, std::span<const ImVec2> points, ImU32 colour, float width_px) {
+    if (points.size() < 2) return;
+    const float soft = softness(list);
+    const float reach = 0.5F * width_px + soft;
+    const float ink = std::max(0.0F, 0.5F * width_px - soft);
+    std::vector<Crossing> crossings;
+    crossings.reserve(points.size());
+    const auto add = [&](ImVec2 at, ImVec2 normal) {
+        crossings.push_back(
+            {{at - normal * reach, at - normal * ink, at + normal * ink, at + normal * reach},
+             colour});
+    };
+    const auto normal_after = [&](std::size_t k) {
+        const ImVec2 way = points[k + 1] - points[k];
+        const float length = std::hypot(way.x, way.y);
+        return length > 0.0F ? ImVec2{way.y / length, -way.x / length} : ImVec2{};
+    };
+    ImVec2 before = normal_after(0);
+    add(points.front(), before);
+    for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+        constexpr float kSharp = 0.5F;
+        const ImVec2 after = normal_after(k);
+        const ImVec2 sum = before + after;
+        const float squared = sum.x * sum.x + sum.y * sum.y;
+        if (squared > 4.0F * kSharp) {
+            add(points[k], sum * (2.0F / squared));
+        } else {
+            add(points[k], before);
+            add(points[k], after);
+        }
+        before = after;
+    }
+    add(points.back(), before);
+    draw_band(list, crossings);
 }
 
 // A quarter of a pixel, in values.
@@ -92,31 +156,57 @@ double samples_per_pixel(const Plot& plot, double rate_hz) {
     return (plot.x.high - plot.x.low) * rate_hz / static_cast<double>(plot.area.width());
 }
 
-void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
-                  std::span<const double> samples, double rate_hz, ImU32 colour) {
-    constexpr double kWidestPx = 6.0;
-    const PixelColumns columns = pixel_columns(theme, plot, samples, rate_hz, kWidestPx);
+// The columns [begin, end) of a wave whose periods can be seen: through the least and the most of
+// each in the order of their samples, at their own times.
+void draw_seen(ImDrawList& list, const Theme& theme, const Plot& plot,
+               std::span<const double> samples, double rate_hz, const PixelColumns& columns,
+               std::size_t begin, std::size_t end, ImU32 colour) {
+    const double last_index = static_cast<double>(samples.size()) - 1.0;
+    const auto sample_before = [&](std::size_t column) {
+        const double at = std::ceil(columns.from_s(plot.x, column) * rate_hz) - 1.0;
+        return static_cast<std::size_t>(std::clamp(at, 0.0, last_index));
+    };
+    std::vector<ImVec2> points;
+    std::optional<std::size_t> drawn;
+    const auto add = [&](std::size_t i, double value) {
+        if (drawn && i <= *drawn) return;
+        drawn = i;
+        points.push_back(
+            {to_pixel(plot.x, static_cast<double>(i) / rate_hz), to_pixel(plot.y, value)});
+    };
+    for (std::size_t c = begin; c < end; ++c) {
+        const std::size_t first = sample_before(c);
+        const std::size_t last = sample_before(c + 1);
+        const auto [low, high] =
+            std::ranges::minmax_element(samples.subspan(first, last - first + 1));
+        const auto least = static_cast<std::size_t>(low - samples.begin());
+        const auto most = static_cast<std::size_t>(high - samples.begin());
+        const Extremes& e = columns.body->columns[c];  // with the crests between samples
+        if (c == begin) add(first, samples[first]);
+        if (least < most) {
+            add(least, e.low);
+            add(most, e.high);
+        } else {
+            add(most, e.high);
+            add(least, e.low);
+        }
+        if (c + 1 == end) add(last, samples[last]);
+    }
+    draw_stroke(list, points, colour, theme.trace_px);
+}
+
+// The columns [begin, end) of a wave whose periods cannot.
+void draw_filled(ImDrawList& list, const Theme& theme, const Plot& plot,
+                 const PixelColumns& columns, std::size_t begin, std::size_t end, ImU32 colour) {
     const float half_px = theme.trace_px / 2.0F;
     const double half_s = 0.5 * (columns.from_s(plot.x, 1) - plot.x.low);
-    const WaveBody& body = *columns.body;
-    // A stroke is as wide on a flank as on a crest, where it is wider than a pixel.
-    const auto beside = static_cast<std::size_t>(half_px);
-    const auto reach = [&](std::size_t c) {
-        Extremes e = body.columns[c];
-        const std::size_t last = std::min(c + beside + 1, columns.end);
-        for (std::size_t k = std::max(columns.begin + beside, c) - beside; k < last; ++k) {
-            e.low = std::min(e.low, body.columns[k].low);
-            e.high = std::max(e.high, body.columns[k].high);
-        }
-        return e;
-    };
     std::vector<StripColumn> strip;
-    strip.reserve(columns.end - columns.begin);
-    for (std::size_t c = columns.begin; c < columns.end; ++c) {
-        const Extremes e = reach(c);
+    strip.reserve(end - begin);
+    for (std::size_t c = begin; c < end; ++c) {
+        const Extremes& e = columns.body->columns[c];
         strip.push_back({to_pixel(plot.x, columns.from_s(plot.x, c) + half_s),
                          to_pixel(plot.y, e.high) - half_px, to_pixel(plot.y, e.low) + half_px,
-                         static_cast<float>(body_tone(body.strength[c]))});
+                         static_cast<float>(body_tone(columns.body->strength[c]))});
     }
     draw_strip(list, strip, colour);
     const auto is_light = [](const StripColumn& column) { return column.tone < 1.0F; };
@@ -133,7 +223,28 @@ void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
     draw_strip(list, lower, colour);
 }
 
-// The edge that faces away from zero, a stroke wide: what the height of a bar is read at.
+void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
+                  std::span<const double> samples, double rate_hz, ImU32 colour) {
+    const double widest_px = 5.0 * std::max(1.0, double{theme.trace_px});
+    const PixelColumns columns = pixel_columns(theme, plot, samples, rate_hz, widest_px);
+    const std::vector<bool>& filled = columns.body->filled;
+    for (std::size_t begin = columns.begin; begin < columns.end;) {
+        std::size_t end = begin + 1;
+        while (end < columns.end && filled[end] == filled[begin]) ++end;
+        if (filled[begin]) {
+            draw_filled(list, theme, plot, columns, begin, end, colour);
+        } else {
+            // Into the columns beside them, whose strips end in their middles.
+            draw_seen(list, theme, plot, samples, rate_hz, columns,
+                      std::max(begin, columns.begin + 1) - 1, std::min(end + 1, columns.end),
+                      colour);
+        }
+        begin = end;
+    }
+}
+
+// The edge that faces away from zero, a stroke wide: what the height of a bar is read at. The
+// narrow steps of a flank have none: each is but on the way.
 std::vector<StripColumn> edge_of(std::span<const StripColumn> strip, float zero_px,
                                  float stroke_px) {
     std::vector<StripColumn> edge(strip.begin(), strip.end());
@@ -142,6 +253,20 @@ std::vector<StripColumn> edge_of(std::span<const StripColumn> strip, float zero_
             column.bottom = std::min(column.bottom, column.top + stroke_px);
         else
             column.top = std::max(column.top, column.bottom - stroke_px);
+    }
+    // Every bar is two columns.
+    const std::vector<StripColumn> all = edge;
+    for (std::size_t k = 2; k + 3 < all.size(); k += 2) {
+        const StripColumn& before = all[k - 1];
+        const StripColumn& after = all[k + 2];
+        const bool is_narrow = all[k + 1].x - all[k].x <= 2.0F * stroke_px;
+        const bool is_between = before.x == all[k].x && after.x == all[k + 1].x;
+        const float rise = all[k].top - before.top;
+        const float next = after.top - all[k].top;
+        if (is_narrow && is_between && rise * next > 0.0F && std::abs(rise) > stroke_px &&
+            std::abs(next) > stroke_px) {
+            edge[k].tone = edge[k + 1].tone = 0.0F;
+        }
     }
     return edge;
 }
@@ -226,7 +351,7 @@ void draw_polyline(ImDrawList& list, const Theme& theme, const Plot& plot,
         points.push_back(
             {to_pixel(plot.x, static_cast<double>(i) / rate_hz), to_pixel(plot.y, samples[i])});
     }
-    draw_path(list, points, colour, theme.trace_px);
+    draw_stroke(list, points, colour, theme.trace_px);
 }
 
 }  // namespace

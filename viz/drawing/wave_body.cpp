@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace tact {
 namespace {
@@ -345,7 +346,7 @@ double reach_beyond(double first, double last, std::size_t columns, const BodySc
 
 WaveBody wave_body(std::span<const double> samples, double first, double last, std::size_t columns,
                    const BodyScale& scale) {
-    WaveBody body{extremes(samples, first, last, columns), {}};
+    WaveBody body{extremes(samples, first, last, columns), {}, {}};
     std::vector<Extremes>& result = body.columns;
     if (result.empty()) return body;
     const double step = (last - first) / static_cast<double>(columns);
@@ -372,6 +373,8 @@ WaveBody wave_body(std::span<const double> samples, double first, double last, s
         raise_to_bridges(edge, first, step, columns, raise);
         add(strengths, periods_of(edge, samples, scale.widest * step), first, step);
     }
+    std::ranges::transform(strengths.tone, std::back_inserter(body.filled),
+                           [](double tone) { return tone > 0.0; });
     body.strength = by_steady_tones(strengths, scale.widest);
     return body;
 }

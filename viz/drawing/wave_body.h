@@ -34,6 +34,7 @@ struct WaveBody {
     std::vector<Extremes> columns;
     // As many: root mean square of what was filled, by that of a tone as high; 1 where nothing was.
     std::vector<double> strength;
+    std::vector<bool> filled;  // as many: within periods that are too narrow to be seen
 
     bool operator==(const WaveBody&) const = default;
 };
