@@ -1,13 +1,18 @@
 #include "app/wave_strip/strip_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/wave_strip/note_grips.h"
 #include "model/text/numbers.h"
+#include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
 
 namespace tact {
 
@@ -15,17 +20,13 @@ namespace {
 
 constexpr float kGripPx = 4.0F;  // radius
 
-ImU32 faded(ImU32 colour, unsigned alpha) {
-    return (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
-}
-
 // The upper half of the wave, as the axis begins at 0.
 void draw_body(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     if (scene.waveform == nullptr) return;
     const Plot& lane = scene.scale.amplitude;
     list.PushClipRect(lane.area.min, lane.area.max, true);
     draw_signal(list, theme, lane, scene.waveform->samples_g, scene.waveform->rate_hz,
-                faded(scene.colour, 150), TraceStyle::line);
+                faded(scene.colour, 0.6F), TraceStyle::line);
     list.PopClipRect();
 }
 
@@ -152,24 +153,52 @@ void draw_help(ImDrawList& list, const Theme& theme, const Rect& area, const Str
                    2.0F * theme.scale, shortened(theme.fonts.small, text, area.max.x - left));
 }
 
-// A lane with room for one number says from where to where it reaches.
-std::string frequency_unit(const Theme& theme, const Axis& axis) {
-    const float text_px = font_or_current(theme.fonts.small).FontSize;
-    const std::vector<double> ticks = ticks_apart(axis, 1.4F * text_px);
-    const auto pixel = [&axis](double value) { return to_pixel(axis, value); };
-    const bool has_two =
-        ticks.size() > 1 && std::abs(pixel(ticks.back()) - pixel(ticks.front())) >= text_px;
-    if (has_two) return "Hz";
-    return significant_digits(axis.low, 3) + " to " + significant_digits(axis.high, 3) + " Hz";
+// The axis of a lane. One too low for two round numbers has those that it shows instead: one round
+// number beside a line would be read as that line's.
+void draw_lane_axis(ImDrawList& list, const Theme& theme, const Plot& lane,
+                    const PlotLabels& labels, std::span<const double> shown) {
+    const ImFont* font = theme.fonts.small;
+    const float text_px = font_or_current(font).FontSize;
+    const std::vector<double> round = ticks_apart(lane.y, 1.4F * text_px);
+    const auto above = std::ranges::find_if(round, [&](double tick) { return tick > lane.y.low; });
+    const bool has_two = round.end() - above > 1 && std::abs(to_pixel(lane.y, round.back()) -
+                                                             to_pixel(lane.y, *above)) >= text_px;
+    draw_axes(list, theme, lane, {labels.x_unit, labels.y_unit, has_two});
+    if (has_two) return;
+    const float right = lane.area.min.x - 0.75F * theme.gap_px;
+    const auto left_of = [&](const std::string& text) {
+        return std::max(lane.outer.min.x, right - text_size(font, text).x);
+    };
+    std::optional<float> below;
+    for (const double value : shown) {
+        const float y = to_pixel(lane.y, value);
+        if (below && std::abs(*below - y) < text_px) continue;
+        below = y;
+        draw_level_line(list, y, lane.area.min.x, lane.area.max.x, theme.hairline_px,
+                        faded(theme.line, 0.7F));
+        const std::string text = significant_digits(value, 3);
+        draw_text(list, font, {left_of(text), y - 0.55F * text_px}, theme.dim_text, text);
+    }
+    const std::string unit{labels.y_unit};
+    draw_text(list, font, {left_of(unit), lane.outer.min.y - 0.15F * text_px}, theme.dim_text,
+              unit);
+}
+
+// From the lowest frequency of the first carrier to its highest.
+std::vector<double> shown_hz(const Pattern& pattern) {
+    if (pattern.frequency_curve.empty()) return {pattern.carriers[0].frequency_hz};
+    const auto [low, high] =
+        std::ranges::minmax(pattern.frequency_curve, {}, &FrequencyPoint::frequency_hz);
+    return {low.frequency_hz, high.frequency_hz};
 }
 
 }  // namespace
 
 void draw_strip_picture(ImDrawList& list, const Theme& theme, const Rect& area,
                         const StripScene& scene) {
-    draw_axes(list, theme, scene.scale.amplitude, {"", "g"});
-    const std::string unit = frequency_unit(theme, scene.scale.frequency.y);
-    draw_axes(list, theme, scene.scale.frequency, {"s", unit.c_str()});
+    draw_lane_axis(list, theme, scene.scale.amplitude, {"", "g"},
+                   std::array{0.0, scene.pattern.amplitude_g});
+    draw_lane_axis(list, theme, scene.scale.frequency, {"s", "Hz"}, shown_hz(scene.pattern));
     draw_body(list, theme, scene);
     draw_notes(list, theme, scene);
     draw_lines(list, theme, scene);

@@ -17,7 +17,7 @@ struct GripHold {
     bool moved = false;
 };
 
-inline constexpr Range kStripHeight{120.0, 420.0};  // px at a scale of 1
+inline constexpr Range kStripHeight{120.0, 900.0};  // px at a scale of 1
 
 struct StripState {
     std::string pattern;            // its name; all below is of it

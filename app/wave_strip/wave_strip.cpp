@@ -122,14 +122,19 @@ void double_click(Ui& ui, Workspace& work, StripState& strip, const Pattern& pat
 }
 
 // As high as the person made it. Before that, in a wide pane it has the height for its width, where
-// the pane has it.
+// the pane has it, and all that its fields leave: it is what is drawn on by hand.
 float wanted_height_px(const Ui& ui, const StripState& strip, ImVec2 room) {
     constexpr float kByWidth = 0.16F;
     constexpr float kOfPane = 0.35F;
+    constexpr float kWidePx = 900.0F;
+    constexpr float kFieldsPx = 500.0F;
     const float own_px = strip.height * ui.theme.scale;
     if (strip.height != StripState{}.height) return own_px;
     const auto most_px = static_cast<float>(kStripHeight.high) * ui.theme.scale;
-    return std::max(own_px, std::min({kByWidth * room.x, kOfPane * room.y, most_px}));
+    const float by_width_px = std::min(kByWidth * room.x, kOfPane * room.y);
+    const float left_px =
+        room.x < kWidePx * ui.theme.scale ? 0.0F : room.y - kFieldsPx * ui.theme.scale;
+    return std::max(own_px, std::min(std::max(by_width_px, left_px), most_px));
 }
 
 void draw_height_bar(const Ui& ui, StripState& strip, float shown_px) {
