@@ -111,9 +111,9 @@ void draw_partner(Ui& ui, const Workspace& work, const ShownMap& shown_map) {
         shown_map.transition.shown ? rows_in_map(work, shown_map, *pair) : std::nullopt;
     std::string words = "PM to " + name + ": not computed yet";
     if (rows) {
-        const Dissimilarity& pm = shown_map.transition.shown->prediction.pm;
-        words = "PM to " + name + ": " + significant(pm(rows->first, rows->second)) + " of " +
-                std::to_string(pm.condensed.size());
+        const LiveMap& map = *shown_map.transition.shown;
+        words = "PM to " + name + ": " + significant(map.prediction.pm(rows->first, rows->second)) +
+                " of " + significant(map.sorted_pm.back());
         const MapState state = map_state(work, shown_map);
         if (state == MapState::preview) words += ", a preview";
         if (state == MapState::stale) words += ", of before the last change";
@@ -122,7 +122,10 @@ void draw_partner(Ui& ui, const Workspace& work, const ShownMap& shown_map) {
     dim_text(ui, words);
     ImGui::PopTextWrapPos();
     note_item(ui.rects, "editor:partner", words);
-    draw_tooltip(ui, "The pair that is chosen. PM is a weighted rank among all pairs of the set.");
+    draw_tooltip(
+        ui,
+        "The pair that is chosen. PM is a weighted rank among all pairs of the set; behind it "
+        "stands the set's largest.");
 }
 
 bool is_saved(const PatternSet& saved, const Vibration& vibration) {
