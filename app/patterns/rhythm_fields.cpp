@@ -102,17 +102,29 @@ void place_beside_fields(const Theme& theme, float width_px) {
     ImGui::SetNextWindowPos({left, ImGui::GetItemRectMin().y}, ImGuiCond_Appearing);
 }
 
+// In the popup: no lower than the pane that it was opened from, where that is high enough for it.
+void keep_beside(const ImRect& pane) {
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const float height = ImGui::GetWindowSize().y;
+    const float below = corner.y + height - pane.Max.y;
+    if (below > 0.0F && height <= pane.GetHeight()) {
+        ImGui::SetWindowPos({corner.x, corner.y - below});
+    }
+}
+
 // It stays open while one rhythm after the other is tried.
 void draw_rhythm_popup(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                        const Pattern& pattern) {
     const float width = 340.0F * ui.theme.scale;
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, 1e4F});
     place_beside_fields(ui.theme, width);
+    const ImRect pane = ImGui::GetCurrentWindowRead()->RootWindow->Rect();
     if (!ImGui::BeginPopup("rhythm list")) return;
     const auto chosen = [&pattern](const std::string& text) { return text == pattern.rhythm.text; };
     const RhythmListAction action =
         draw_rhythm_list(ui, pattern_panes.editor.rhythms, pattern, chosen);
     if (action.pressed) set_rhythm(ui, work, *action.pressed);
+    keep_beside(pane);
     keep_on_screen(ui.theme);
     ImGui::EndPopup();
 }

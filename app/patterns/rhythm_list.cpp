@@ -181,7 +181,7 @@ void draw_envelope(Ui& ui, RhythmChoice& choice, const Pattern& pattern) {
     plot.area = inner;
     plot.x = {0.0, shown.duration_s, Scale::linear, inner.min.x, inner.max.x};
     plot.y = {0.0, 1.0, Scale::linear, inner.max.y, inner.min.y};
-    draw_signal(list, theme, plot, choice.envelope, kModelRateHz, theme.series, TraceStyle::line);
+    draw_signal(list, theme, plot, choice.envelope, kModelRateHz, theme.series, TraceStyle::filled);
 }
 
 }  // namespace
