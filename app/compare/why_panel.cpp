@@ -104,11 +104,18 @@ void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
     const float pad = 0.75F * theme.gap_px;
     const ImU32 ink = readable_on(nc_colour);
     const ImVec2 oc_size = text_size(theme.fonts.small, oc_text);
-    if (text_size(theme.fonts.small, nc_text).x + 2.0F * pad < middle - row.min.x) {
-        draw_text(list, theme.fonts.small, {row.min.x + pad, y}, ink, nc_text);
-    }
-    if (oc_size.x + 2.0F * pad < row.max.x - middle) {
+    const bool nc_fits = text_size(theme.fonts.small, nc_text).x + 2.0F * pad < middle - row.min.x;
+    const bool oc_fits = oc_size.x + 2.0F * pad < row.max.x - middle;
+    if (nc_fits) draw_text(list, theme.fonts.small, {row.min.x + pad, y}, ink, nc_text);
+    if (oc_fits) {
         draw_text(list, theme.fonts.small, {row.max.x - oc_size.x - pad, y}, theme.text, oc_text);
+    }
+    if (!nc_fits || !oc_fits) {
+        // Below its end of the bar.
+        const Rect below = take_row(oc_size.y);
+        if (!nc_fits) draw_text(list, theme.fonts.small, below.min, theme.text, nc_text);
+        const ImVec2 corner{below.max.x - oc_size.x, below.min.y};
+        if (!oc_fits) draw_text(list, theme.fonts.small, corner, theme.text, oc_text);
     }
     note_rect(ui.rects, "why:parts", row.min, row.max, nc_text + ", " + oc_text);
 }
@@ -238,15 +245,18 @@ void draw_when(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDiff
     draw_time_row(ui, work, timeline, take_row(row_px), row);
 }
 
-// Both envelopes, and lines between the moments that are taken for one another.
+// Both envelopes between their names, and lines between the moments that are taken for one another.
 void draw_way(Ui& ui, const Workspace& work, const Timeline& timeline, const LiveDifference& live,
               const ChosenPair& pair, const Rect& area) {
     const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float third = area.height() / 3.0F;
+    const float name_px = text_size(theme.fonts.small, "N").y + 2.0F * theme.scale;
+    const float third = (area.height() - 2.0F * name_px) / 3.0F;
     const double rate_hz = kModelRateHz / static_cast<double>(live.decimation);
-    const std::array<Rect, 2> rooms{Rect{area.min, {area.max.x, area.min.y + third}},
-                                    Rect{{area.min.x, area.max.y - third}, area.max}};
+    const float top = area.min.y + name_px;
+    const float bottom = area.max.y - name_px;
+    const std::array<Rect, 2> rooms{Rect{{area.min.x, top}, {area.max.x, top + third}},
+                                    Rect{{area.min.x, bottom - third}, {area.max.x, bottom}}};
     const std::array<const std::vector<double>*, 2> envelopes{&live.envelope_a, &live.envelope_b};
     const std::array<std::size_t, 2> who{pair.current, pair.partner};
     Axis time{.low = timeline.range.start_s, .high = timeline.range.end_s};
@@ -268,17 +278,13 @@ void draw_way(Ui& ui, const Workspace& work, const Timeline& timeline, const Liv
         plot.y.high_px = side == 0 ? rooms[side].min.y : rooms[side].max.y;
         draw_signal(list, theme, plot, *envelopes[side], rate_hz,
                     look_of(ui, work, who[side]).colour, TraceStyle::filled);
-        const std::string name =
-            shortened(theme.fonts.small, work.document.set.vibrations[who[side]].name,
-                      area.width() - 8.0F * theme.scale);
-        const float text_px = text_size(theme.fonts.small, name).y;
-        const float top =
-            side == 0 ? rooms[0].max.y + theme.scale : rooms[1].min.y - text_px - theme.scale;
-        draw_text_halo(list, theme.fonts.small, {area.min.x + 4.0F * theme.scale, top}, theme.text,
-                       theme.pane, 2.0F * theme.scale, name);
+        const std::string name = shortened(
+            theme.fonts.small, work.document.set.vibrations[who[side]].name, area.width());
+        const float name_y = side == 0 ? area.min.y : bottom + 2.0F * theme.scale;
+        draw_text(list, theme.fonts.small, {area.min.x, name_y}, theme.dim_text, name);
     }
-    draw_upright_line(list, to_pixel(time, timeline.playhead.at_s), area.min.y, area.max.y,
-                      theme.hairline_px, theme.accent);
+    draw_upright_line(list, to_pixel(time, timeline.playhead.at_s), top, bottom, theme.hairline_px,
+                      theme.accent);
     list.PopClipRect();
     note_rect(ui.rects, "plot:why path", area.min, area.max,
               std::to_string(live.path.steps.size()));
@@ -293,7 +299,7 @@ void draw_rhythm(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDi
     }
     draw_heading(ui, "Rhythm", detail);
     const float below = time_axis_height(ui) + ImGui::GetStyle().ItemSpacing.y + ui.theme.gap_px;
-    const float height = std::max(72.0F * ui.theme.scale, ImGui::GetContentRegionAvail().y - below);
+    const float height = std::max(96.0F * ui.theme.scale, ImGui::GetContentRegionAvail().y - below);
     draw_tooltip(ui,
                  "Time warping lets either rhythm wait for the other. The lines are traced through "
                  "coarser envelopes where those are long; OC itself is computed at 10 kHz.");
