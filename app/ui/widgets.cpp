@@ -69,7 +69,14 @@ bool is_alone(const Layout& layout, Pane pane) {
     return layout.arrangement == Arrangement::physiology && pane == Pane::physiology;
 }
 
-// The title goes first; the detail has what it leaves, the right end what both leave.
+// What the detail leaves to the right end, which tells a state, as that several are edited
+// together.
+float kept_px(const ImFont* font, const std::vector<std::string>& forms, float gap_px) {
+    return forms.empty() || forms.back().empty() ? 0.0F : text_size(font, forms.back()).x + gap_px;
+}
+
+// The title goes first; the detail has what it and the shortest form of the right end leave, the
+// right end what both leave.
 void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) {
     const Theme& theme = ui.theme;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -80,10 +87,6 @@ void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) 
     draw_title_part(ui, fonts.title, corner, theme.text, head, "title text:" + title.title);
     // On the line that the title stands on.
     const float lower = 0.8F * (size.y - text_size(fonts.regular, "0").y);
-    const std::string detail = cut(title.detail, fonts.regular, size.x - used);
-    draw_title_part(ui, fonts.regular, corner + ImVec2{used, lower}, theme.dim_text, detail,
-                    "title detail:" + title.title);
-    if (!detail.empty()) used += text_size(fonts.regular, detail).x + 2.0F * theme.gap_px;
     float end_px = size.x;
     constexpr const char* kRestore = "Restore";
     if (layout.maximised == pane && !is_alone(layout, pane)) {
@@ -95,6 +98,11 @@ void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) 
         end_px -= 2.0F * theme.gap_px;
         ImGui::SetCursorScreenPos(corner);
     }
+    const float kept = kept_px(fonts.regular, title.right, 2.0F * theme.gap_px);
+    const std::string detail = cut(title.detail, fonts.regular, end_px - used - kept);
+    draw_title_part(ui, fonts.regular, corner + ImVec2{used, lower}, theme.dim_text, detail,
+                    "title detail:" + title.title);
+    if (!detail.empty()) used += text_size(fonts.regular, detail).x + 2.0F * theme.gap_px;
     const std::string right = fitting(title.right, fonts.regular, end_px - used);
     const float right_px = text_size(fonts.regular, right).x;
     draw_title_part(ui, fonts.regular, corner + ImVec2{end_px - right_px, lower}, theme.dim_text,

@@ -106,7 +106,7 @@ std::vector<std::string> space_title_right(const App& app) {
 std::vector<std::string> together_forms(const App& app) {
     if (app.work.selection.others.empty()) return {};
     const std::string count = std::to_string(app.work.selection.others.size() + 1);
-    return {count + " edited together", count + " together", count};
+    return {count + " edited together"};
 }
 
 // What the map leaves out is said over it.
@@ -133,6 +133,11 @@ void do_with_pattern(App& app, PatternDeed deed) {
     }
 }
 
+std::string current_name(const App& app) {
+    const Vibration* current = current_vibration(app.work);
+    return current == nullptr ? "" : current->name;
+}
+
 PaneTitle bench_title(const App& app) {
     switch (app.layout.bench) {
         case BenchTab::matrix:
@@ -153,7 +158,10 @@ PaneTitle bench_title(const App& app) {
         case BenchTab::model:
             return {"Model", "parameters of PM", {}};
         case BenchTab::device:
-            return {"Device", "what an actuator makes of it", {}};
+            return {"Device",
+                    "what an actuator makes of " +
+                        (current_vibration(app.work) == nullptr ? "it" : current_name(app)),
+                    {}};
     }
     return {};
 }
@@ -184,8 +192,7 @@ PaneTitle with_origin(const App& app, PaneTitle title) {
 }
 
 PaneTitle title_of(const App& app, Pane pane) {
-    const Vibration* current = current_vibration(app.work);
-    const std::string name = current == nullptr ? "" : current->name;
+    const std::string name = current_name(app);
     switch (pane) {
         case Pane::patterns:
             if (app.layout.arrangement == Arrangement::select)
