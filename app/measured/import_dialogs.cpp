@@ -24,6 +24,7 @@ namespace tact {
 namespace {
 
 constexpr float kMeasuredInk = 0.7F;
+constexpr float kPreviewPx = 170.0F;
 
 // Every other few pixels of a path whose points are a pixel apart.
 void draw_dashes(ImDrawList& list, const Theme& theme, std::span<const ImVec2> points) {
@@ -48,7 +49,6 @@ void draw_reach(ImDrawList& list, const Theme& theme, const Plot& plot, const Wa
             line.push_back(
                 {plot.area.min.x + static_cast<float>(k) + 0.5F, to_pixel(plot.y, body[k].*edge)});
         }
-        draw_path(list, line, theme.pane, 4.0F * theme.scale);
         draw_dashes(list, theme, line);
     }
 }
@@ -83,7 +83,7 @@ void draw_overlay(Ui& ui, Workspace& work, const Vibration& intended, const Twin
     const Theme& theme = ui.theme;
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const Rect outer = rect_at(corner, {width, 130.0F * theme.scale});
+    const Rect outer = rect_at(corner, {width, kPreviewPx * theme.scale});
     ImGui::Dummy(outer.size());
     note_rect(ui.rects, "import:preview", outer.min, outer.max);
     const Waveform& drawn = cached_waveform(work.cache, intended);
@@ -102,7 +102,8 @@ void draw_overlay(Ui& ui, Workspace& work, const Vibration& intended, const Twin
 
 void draw_empty_overlay(const Ui& ui, const char* title, const std::string& reason) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const Rect area = rect_at(corner, {ImGui::GetContentRegionAvail().x, 130.0F * ui.theme.scale});
+    const Rect area =
+        rect_at(corner, {ImGui::GetContentRegionAvail().x, kPreviewPx * ui.theme.scale});
     ImGui::Dummy(area.size());
     draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, title, reason);
 }
