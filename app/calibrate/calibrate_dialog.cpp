@@ -99,7 +99,7 @@ void draw_signal_part(Ui& ui, const Workspace& work, Timeline& timeline, PlaySta
     const bool has_device = can_be_calibrated(play);
     wrapped_dim(ui, significant(signal_s(calibrating.params), 3) + " s on " +
                         (has_device ? device_text(play) : "an audio output, once one is chosen") +
-                        ", up to " + most + " of full scale whatever the level of the bar. Begin " +
+                        ", up to " + most + " of full scale whatever the playback level. Begin " +
                         "recording before it, and end after it.");
     if (calibrating.is_playing) return draw_playing(ui, timeline, play, calibrating);
     ImGui::BeginDisabled(!can_sound(play));
@@ -183,7 +183,7 @@ void draw_doubts(Ui& ui, const CalibrationResult& result) {
 }
 
 void draw_result_part(Ui& ui, const CalibrateState& calibrating) {
-    heading(ui, "3  g at full scale");
+    heading(ui, "3  Its strength at full scale, in g");
     const ResponseAnswer* const answer = current_answer(calibrating);
     if (answer != nullptr && answer->fault.empty()) {
         draw_response_plot(ui, answer->result);
@@ -227,7 +227,8 @@ void draw_about_part(Ui& ui, CalibrateState& calibrating) {
         const double normal = Calibration{}.*number;
         draw_number_row(ui, {id, label, normal, {0.0, most}, unit}, about.*number);
     };
-    row("calibrate:mass", "Moved mass", &Calibration::load_mass_g, 1e5, "g");
+    row("calibrate:mass", "Moved mass", &Calibration::load_mass_g, 1e5,
+        "grams, with what it is fixed to; 0: not known");
     row("calibrate:excursion", "Travel", &Calibration::excursion_limit_mm, 100.0,
         "mm to either side at most; 0: not known");
     row("calibrate:rms", "Heat", &Calibration::rms_limit, 1.0,

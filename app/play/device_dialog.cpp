@@ -216,7 +216,7 @@ void draw_devices(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
     ImGui::BeginDisabled(!can_sound(play));
     if (ImGui::Button("Test buzz")) play_test_buzz(ui, timeline, play);
     note_item(ui.rects, "button:test buzz");
-    draw_tooltip(ui, "150 Hz for 0.3 s, at the level of the bar");
+    draw_tooltip(ui, "150 Hz for 0.3 s, at the playback level");
     ImGui::EndDisabled();
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     if (ImGui::Button("Refresh")) refresh_devices(play);

@@ -28,6 +28,20 @@ std::string percent(double share) {
     return text;
 }
 
+// Of what is read in rows: wider, the numbers of a row would stand too far from each other.
+float read_width(const Theme& theme) {
+    constexpr float kMostPx = 560.0F;
+    return std::min(ImGui::GetContentRegionAvail().x, kMostPx * theme.scale);
+}
+
+// A number stays with its unit where a line is broken.
+std::string unbroken(std::string text) {
+    for (std::size_t at = 0; (at = text.find(" %", at)) != std::string::npos;) {
+        text.replace(at, 1, "\u00A0");
+    }
+    return text;
+}
+
 void draw_kind(Ui& ui, Workspace& work, RenderingState& rendered) {
     const float wide = 190.0F * ui.theme.scale;
     ImGui::SetNextItemWidth(std::min(wide, ImGui::GetContentRegionAvail().x));
@@ -69,7 +83,10 @@ void draw_full_scale(Ui& ui, Workspace& work, RenderingState& rendered) {
                     "The acceleration that the device's strongest is taken for. "
                     "Uncalibrated: nobody has measured it."};
     field.normal = RenderingState{}.by.full_scale_g;
+    if (!ImGui::BeginTable("full scale", 1, 0, {read_width(ui.theme), 0.0F})) return;
+    ImGui::TableNextColumn();
     const FieldEdit edit = draw_field(ui, field, rendered.by.full_scale_g);
+    ImGui::EndTable();
     if (edit.changed && rendered.on) predictions_changed(work);
 }
 
@@ -78,13 +95,14 @@ void take_level(Workspace& work, RenderingState& rendered, double level) {
 }
 
 void draw_level(Ui& ui, Workspace& work, RenderingState& rendered, const PlayState& play) {
-    const std::string words = "At the level of the bar, " + percent(play.level);
+    const std::string words = "At the playback level, " + percent(play.level);
     if (draw_check(ui.theme, (words + "###level").c_str(), rendered.at_bar_level)) {
         take_level(work, rendered, rendered.at_bar_level ? play.level : 1.0);
     }
     note_item(ui.rects, "rendering:at bar level", rendered.at_bar_level ? "on" : "off");
     draw_tooltip(ui,
-                 "What is played now, a weak motor's dead zone and all. Else patterns are taken at "
+                 "As strong as it is played now, by the level at the top of the window: a weak "
+                 "motor's dead zone and all. Else patterns are taken at "
                  "full level, with the strength that they say.");
 }
 
@@ -160,7 +178,8 @@ void draw_bands(Ui& ui, const Rendering& rendering) {
     for (const BandEnergy& band : rendering.bands) whole_g2 += band.intended_g2;
     if (!(whole_g2 > 0.0)) return dim_text(ui, "Silence: there is nothing to lose.");
     ImGui::PushFont(ui.theme.fonts.small);
-    if (ImGui::BeginTable("bands", 4, ImGuiTableFlags_SizingStretchProp)) {
+    if (ImGui::BeginTable("bands", 4, ImGuiTableFlags_SizingStretchProp,
+                          {read_width(ui.theme), 0.0F})) {
         ImGui::TableSetupColumn("band", 0, 1.3F);
         for (const char* name : {"meant", "played", "lost of it"}) ImGui::TableSetupColumn(name);
         ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
@@ -213,7 +232,7 @@ void draw_summary(Ui& ui, const Rendering& rendering, bool at_bar_level) {
     }
     text += ".";
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(unbroken(text).c_str());
     note_item(ui.rects, "rendering:summary", text);
     ImGui::PushFont(ui.theme.fonts.small);
     for (const std::string& remark : remarks_on(rendering)) dim_text(ui, remark);
@@ -222,8 +241,8 @@ void draw_summary(Ui& ui, const Rendering& rendering, bool at_bar_level) {
         (is_calibrated(rendering.by) ? ". Computed from its measured response"
                                      : ". Computed from how it is told, not measured") +
         ", at a level of " + percent(rendering.by.level) +
-        (at_bar_level ? ", that of the bar." : ", not that of the bar.");
-    dim_text(ui, origin);
+        (at_bar_level ? ", the playback level." : ", not the playback level.");
+    dim_text(ui, unbroken(origin));
     note_item(ui.rects, "rendering:origin", origin);
     ImGui::PopFont();
     ImGui::PopTextWrapPos();

@@ -108,14 +108,14 @@ TEST_CASE("device tab: at the level of the bar it reports what is played, and fo
             program.frame();
         }
     };
-    wait_for("at a level of 100 %, not that of the bar");
+    wait_for("at a level of 100 %, not the playback level");
     const double full = peak_g(app.rendered.shown->rendering.waveform);
     program.click("rendering:at bar level");
     REQUIRE(app.play.level < 1.0);
-    wait_for("that of the bar.");
+    wait_for("the playback level.");
     CHECK(app.rendered.by.level == app.play.level);
     app.play.level = 0.5;
-    wait_for("at a level of 50 %, that of the bar");
+    wait_for("at a level of 50 %, the playback level");
     CHECK(peak_g(app.rendered.shown->rendering.waveform) < full);
     program.click("rendering:at bar level");
     wait_for("at a level of 100 %");
