@@ -1,7 +1,6 @@
 // What people said, as a matrix or as a map: of all who count, or of one beside them.
 
 #include <Eigen/Core>
-#include <cmath>
 
 #include "app/compare/people_text.h"
 #include "app/document/pattern_looks.h"
@@ -98,23 +97,12 @@ void draw_study_answers(Ui& ui, const Workspace& work, ShownMap& shown_map, Stud
     draw_choice(ui, studying);
     const Rect area = rest_of_pane();
     if (area.width() < 40.0F || area.height() < 40.0F) return;
-    const bool is_map = studying.show == StudyShow::map;
-    // Where there is room for both, both; the choice is which is the larger.
-    const float s = ui.theme.scale;
-    const bool has_both = area.width() >= 900.0F * s && area.height() >= 300.0F * s;
-    const float share = is_map ? 0.38F : 0.62F;
-    const float x = has_both ? area.min.x + std::round(share * area.width())
-                             : (is_map ? area.min.x : area.max.x);
-    const float gap = has_both ? ui.theme.gap_px : 0.0F;
-    if (has_both || !is_map) {
-        const Rect left{area.min, {x - gap, area.max.y}};
-        draw_values(ui, studying, *answers, left);
-        note_rect(ui.rects, "study matrix", left.min, left.max);
-    }
-    if (has_both || is_map) {
-        const Rect right{{x + gap, area.min.y}, area.max};
-        draw_map(ui, work, shown_map, studying, *answers, right);
-        note_rect(ui.rects, "study map", right.min, right.max);
+    if (studying.show == StudyShow::map) {
+        draw_map(ui, work, shown_map, studying, *answers, area);
+        note_rect(ui.rects, "study map", area.min, area.max);
+    } else {
+        draw_values(ui, studying, *answers, area);
+        note_rect(ui.rects, "study matrix", area.min, area.max);
     }
 }
 

@@ -97,11 +97,14 @@ std::string raters_text(const StudyAnswers& answers) {
     }
     const auto add = [&text](const char* what, const Shift& shift) {
         if (shift.comparisons == 0) return;
-        text += std::string(text.empty() ? "" : " ") + what + " p " + digits(shift.p, 3) + ".";
+        const std::string p = shift.p < 0.001 ? "p < 0.001" : "p = " + digits(shift.p, 3);
+        text += text.empty() ? "" : " ";
+        text += shift.p < 0.05 ? "Ratings shift with " : "No sign that ratings shift with ";
+        text += std::string(what) + " (" + p + ").";
     };
-    add("Order felt:", answers.effects.felt_first);
-    add("Sides:", answers.effects.side);
-    add("Practice:", answers.effects.practice);
+    add("the order felt", answers.effects.felt_first);
+    add("the side", answers.effects.side);
+    add("practice", answers.effects.practice);
     return text;
 }
 
@@ -208,7 +211,12 @@ void draw_people(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
     draw_device(ui, play, studying);
     (void)draw_failure(ui, "study", failure_of(studying.job));
     const std::shared_ptr<const StudyAnswers> answers = studying.answers;
-    if (!answers) return;
+    if (!answers) {
+        const Rect area = rest_of_pane();
+        if (area.empty()) return;
+        return draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "Reading the answers",
+                          "Whoever took part is listed here.");
+    }
     if (!answers->fault.empty()) {
         return small_text(ui, ui.theme.error, answers->fault, "study:fault");
     }

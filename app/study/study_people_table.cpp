@@ -1,6 +1,7 @@
 // The table of who took part: a row a participant, what their answers are worth, and what each one
 // goes by. Declared in app/study/study_panels.h.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -16,7 +17,7 @@ namespace tact {
 namespace {
 
 constexpr int kColumns = 8;
-constexpr float kStarLines = 1.2F;
+constexpr float kStarLines = 2.2F;
 
 std::string state_of(const ParticipantSummary& person) {
     if (!person.excluded.empty()) return (person.synthetic ? "synthetic, " : "") + person.excluded;
@@ -28,9 +29,20 @@ std::string state_of(const ParticipantSummary& person) {
 std::string identical_text(const ParticipantSummary& person) {
     std::string text;
     for (const double similarity : person.attention) {
-        text += (text.empty() ? "" : " ") + std::to_string(std::lround(similarity));
+        text += (text.empty() ? "" : ", ") + std::to_string(std::lround(similarity));
     }
     return text.empty() ? "\u2013" : text;
+}
+
+// Words stand in the middle of a row so high.
+float text_inset_px(float row_px) {
+    return std::round(0.5F * std::max(0.0F, row_px - ImGui::GetTextLineHeight()));
+}
+
+bool next_cell(float row_px) {
+    const bool is_seen = ImGui::TableNextColumn();
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + text_inset_px(row_px));
+    return is_seen;
 }
 
 // What is next to be done about a participant: go on, leave out, count again.
@@ -71,19 +83,26 @@ std::string weights_text(const StudyAnswers& answers, const PersonWeights& perso
            " % of their ratings explained; thin line: the mean of all. Not tested.";
 }
 
-// A star as high as the row.
-void draw_star_cell(Ui& ui, const StudyAnswers& answers, const std::string& code) {
-    if (!ImGui::TableNextColumn()) return;
+// The dimension that weighs most, with its weight; before it the star of all, as high as the row,
+// where rows are high enough to tell stars apart.
+void draw_weights_cell(Ui& ui, const StudyAnswers& answers, const std::string& code, float row_px,
+                       bool has_stars) {
+    if (!next_cell(row_px)) return;
     const PersonWeights* const person = weights_of(answers, code);
     if (person == nullptr) return dim_text(ui, "\u2013");
-    const float side = kStarLines * ImGui::GetTextLineHeight();
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::Dummy({side, side});
-    draw_star(*ImGui::GetWindowDrawList(), ui.theme, {corner, corner + ImVec2(side, side)},
-              person->weights, answers.weights.mean);
-    std::string noted;
-    for (const double weight : person->weights) noted += digits(weight, 2) + " ";
-    note_item(ui.rects, "star:" + code, noted);
+    const auto most = std::ranges::max_element(person->weights);
+    const std::string words =
+        "D" + std::to_string(most - person->weights.begin() + 1) + "  " + digits(*most, 2);
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (has_stars) {
+        const Rect star = rect_at({corner.x, corner.y - text_inset_px(row_px)}, {row_px, row_px});
+        draw_star(*ImGui::GetWindowDrawList(), ui.theme, star, person->weights,
+                  answers.weights.mean);
+        corner.x += row_px + ui.theme.gap_px;
+        ImGui::SetCursorScreenPos(corner);
+    }
+    ImGui::TextUnformatted(words.c_str());
+    note_item(ui.rects, "goes by:" + code, words);
     if (ImGui::IsItemHovered()) draw_tooltip(ui, weights_text(answers, *person).c_str());
 }
 
@@ -91,8 +110,8 @@ void draw_star_cell(Ui& ui, const StudyAnswers& answers, const std::string& code
 void draw_star_legend(Ui& ui) {
     const ImFont* font = ui.theme.fonts.small;
     const char* text =
-        "goes by: a ray for each dimension of a common map, as long as its weight; thin line: the "
-        "mean of all";
+        "goes by: the dimension of a common map that weighs most; a ray for each, as long as its "
+        "weight; thin line: the mean of all";
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 size = text_size(font, text);
     if (size.x > room.x || size.y > room.y) return;
@@ -102,17 +121,18 @@ void draw_star_legend(Ui& ui) {
     note_item(ui.rects, "study:stars", text);
 }
 
-void draw_cells(Ui& ui, const StudyAnswers& answers, const ParticipantSummary& person) {
-    const auto cell = [](const std::string& text) {
-        ImGui::TableNextColumn();
+void draw_cells(Ui& ui, const StudyAnswers& answers, const ParticipantSummary& person, float row_px,
+                bool has_stars) {
+    const auto cell = [row_px](const std::string& text) {
+        next_cell(row_px);
         ImGui::TextUnformatted(text.c_str());
     };
     cell(std::to_string(person.answers) + " of " + std::to_string(person.wanted));
     cell(identical_text(person));
     cell(std::isnan(person.rho_with_others) ? "\u2013" : significant(person.rho_with_others, 2));
     cell(significant(person.minutes, 2));
-    draw_star_cell(ui, answers, person.code);
-    ImGui::TableNextColumn();
+    draw_weights_cell(ui, answers, person.code, row_px, has_stars);
+    next_cell(row_px);
     const std::string state = state_of(person);
     const bool is_odd = !person.excluded.empty() || person.is_outlier;
     ImGui::PushStyleColor(ImGuiCol_Text, is_odd ? ui.theme.warning : ui.theme.dim_text);
@@ -125,7 +145,8 @@ void draw_cells(Ui& ui, const StudyAnswers& answers, const ParticipantSummary& p
 }
 
 void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
-              StudyState& studying, const StudyAnswers& answers, std::size_t k) {
+              StudyState& studying, const StudyAnswers& answers, std::size_t k, float row_px,
+              bool has_stars) {
     const StudyRecord& record = answers.records[k];
     const std::string& code = record.header.participant.code;
     const ParticipantSummary* person = nullptr;
@@ -139,14 +160,16 @@ void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play
     // It lies under all columns: a click on the link in the last one is not one on the row.
     constexpr ImGuiSelectableFlags kRow =
         ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap;
-    if (ImGui::Selectable(code.c_str(), studying.shown == k, kRow)) {
+    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0.0F, 0.5F));
+    if (ImGui::Selectable(code.c_str(), studying.shown == k, kRow, {0.0F, row_px})) {
         studying.shown = studying.shown == k ? std::nullopt : std::optional(k);
     }
+    ImGui::PopStyleVar();
     note_item(ui.rects, "participant:" + code,
               std::to_string(person->answers) + " of " + std::to_string(person->wanted) + ", " +
                   state_of(*person));
-    draw_cells(ui, answers, *person);
-    ImGui::TableSetColumnIndex(kColumns - 1);
+    draw_cells(ui, answers, *person, row_px, has_stars);
+    next_cell(row_px);
     draw_row_link(ui, work, timeline, play, studying, record, *person);
     ImGui::PopID();
 }
@@ -164,18 +187,29 @@ void draw_people_table(Ui& ui, const Workspace& work, Timeline& timeline, PlaySt
     };
     constexpr std::array<Column, kColumns> kHeads{
         {{"participant", "Click one for their own matrix and map.", 2.2F},
-         {"answers", "Given, of those wanted.", 1.4F},
-         {"identical", "Similarities of identical patterns: the test of attention.", 1.5F, true},
+         {"answers", "Given, of those wanted.", 1.5F},
+         {"identical, of 100",
+          "How similar they rated pairs of one and the same pattern, 100 the same: the test of "
+          "attention.",
+          2.2F, true},
          {"rho", "Spearman's rho with the mean of the others who count.", 1.5F},
          {"min", "Minutes spent on answers.", 0.8F, true},
          {"goes by",
-          "How much of each one's ratings stands in every dimension of a common map: a ray each.",
-          1.0F, true},
-         {"", "", 2.6F},
-         {"", "", 1.7F}}};
+          "The dimension of a common map in which most of their ratings stands, and how much; rest "
+          "on it for all.",
+          1.9F, true},
+         {"status", "Whether their answers count, and if not, why.", 2.2F},
+         {"action", "What can be done next.", 1.7F}}};
     constexpr ImGuiTableFlags kFlags =
         ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
-    const bool has_room = ImGui::GetContentRegionAvail().x >= 660.0F * ui.theme.scale;
+    const bool has_room = ImGui::GetContentRegionAvail().x >= 700.0F * ui.theme.scale;
+    // High rows only where all of them are seen at once.
+    const float star_px = std::round(kStarLines * ImGui::GetTextLineHeight());
+    const float lines = ImGui::GetContentRegionAvail().y - 3.0F * ImGui::GetFrameHeight();
+    const float high_px = star_px + 2.0F * ImGui::GetStyle().CellPadding.y;
+    const bool has_stars = has_room && !answers.weights.people.empty() &&
+                           static_cast<float>(answers.records.size()) * high_px <= lines;
+    const float row_px = has_stars ? star_px : ImGui::GetTextLineHeight();
     if (!ImGui::BeginTable("participants", kColumns, kFlags)) return;
     for (const Column& column : kHeads) {
         const bool is_shown = has_room || !column.needs_room;
@@ -189,13 +223,13 @@ void draw_people_table(Ui& ui, const Workspace& work, Timeline& timeline, PlaySt
         ImGui::TableNextColumn();
         const std::string name = column.name;
         dim_text(ui, of_people(name, answers.results->synthetic && name == "rho"));
-        if (*column.tip != '\0') draw_tooltip(ui, column.tip);
+        draw_tooltip(ui, column.tip);
     }
     ImGui::PopFont();
     for (std::size_t k = 0; k < answers.records.size(); ++k)
-        draw_row(ui, work, timeline, play, studying, answers, k);
+        draw_row(ui, work, timeline, play, studying, answers, k, row_px, has_stars);
     ImGui::EndTable();
-    if (has_room && !answers.weights.people.empty()) draw_star_legend(ui);
+    if (has_stars) draw_star_legend(ui);
 }
 
 }  // namespace tact

@@ -156,19 +156,24 @@ void open_people(Program& program, StudyKind kind) {
     program.settle();
 }
 
+void wait_for_answers(Program& program) {
+    const StudyState& studying = program.app.studying;
+    wait_until(program, [&studying] {
+        return studying.answers && studying.answers->question == studying.asked;
+    });
+}
+
 // Three who answer as the model predicts, with noise.
 void show_answers(Program& program, StudyKind kind, StudyShow show) {
     open_people(program, kind);
     App& app = program.app;
-    const auto are_read = [&app] {
-        return app.studying.answers && app.studying.answers->question == app.studying.asked;
-    };
-    wait_until(program, are_read);
+    wait_for_answers(program);
     for (std::size_t k = app.studying.answers->records.size(); k < 3; ++k) {
         simulate_participant(app.ui, app.work, app.shown_map, app.play, app.studying);
     }
     program.settle();
-    wait_until(program, [&] { return are_read() && app.studying.answers->results; });
+    wait_for_answers(program);
+    wait_until(program, [&] { return app.studying.answers->results.has_value(); });
     app.studying.show = show;
     program.settle();
 }
@@ -249,11 +254,13 @@ void add_arrangements(std::vector<Scene>& all) {
                        run(p, "Study");
                        p.app.studying.kind = StudyKind::pairwise;
                        p.settle();
+                       wait_for_answers(p);
                    }});
     all.push_back({"study, sorting", [](Program& p) {
                        run(p, "Study");
                        p.app.studying.kind = StudyKind::sorting;
                        p.settle();
+                       wait_for_answers(p);
                    }});
     all.push_back({"present", present});
     all.push_back({"study, results as a matrix",
