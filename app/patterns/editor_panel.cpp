@@ -205,7 +205,7 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
     }
     if (work.selection.too_close.contains(vibration->name)) {
         ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
-        ImGui::TextWrapped("Too close to another pattern: see Subset, Too close.");
+        ImGui::TextWrapped("In a pair that is listed in Subset, Too close.");
         ImGui::PopStyleColor();
         note_item(ui.rects, "editor:too close");
     }

@@ -1,6 +1,7 @@
 #include "app/subset/alternatives.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "app/subset/subset_follow.h"
 #include "app/ui/widgets.h"
@@ -11,68 +12,104 @@ namespace tact {
 
 namespace {
 
+constexpr const char* kFor = "for ";
+
 // What another subset has that the best has not, and what it has not.
 struct Exchange {
-    std::string in;
-    std::string out;
+    std::vector<std::string> in;
+    std::vector<std::string> out;
 };
 
 Exchange exchange_of(const Pick& pick, const Subset& other) {
     const Subset& best = pick.answer.best;
-    std::string out;
-    std::string in;
+    Exchange exchange;
     for (const std::size_t member : best.members) {
         if (!std::ranges::binary_search(other.members, member)) {
-            out += (out.empty() ? "" : ", ") + name_of(pick, member);
+            exchange.out.push_back(name_of(pick, member));
         }
     }
     for (const std::size_t member : other.members) {
         if (!std::ranges::binary_search(best.members, member)) {
-            in += (in.empty() ? "" : ", ") + name_of(pick, member);
+            exchange.in.push_back(name_of(pick, member));
         }
     }
-    return {in, out};
+    return exchange;
 }
 
-// Both sides of it are seen: what one does not need of its half the other has.
-std::string exchange_text(const ImFont* font, const Exchange& exchange, float room_px) {
-    constexpr const char* kFor = " for ";
-    const float room = std::max(0.0F, room_px - text_size(font, kFor).x);
-    const float in_px = text_size(font, exchange.in).x;
-    const float out_px = text_size(font, exchange.out).x;
-    if (in_px + out_px <= room) return exchange.in + kFor + exchange.out;
-    const float for_in = std::min(in_px, std::max(0.5F * room, room - out_px));
-    return shortened(font, exchange.in, for_in) + kFor +
-           shortened(font, exchange.out, room - for_in);
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
 }
 
-// Who comes for whom, and at the right how far the weakest pair is apart then.
-void draw_alternative(Ui& ui, SubsetState& picking, const Pick& pick, std::size_t k) {
-    const Theme& theme = ui.theme;
+// Every name is seen: the longest are cut, alike, until all fit.
+std::string fitting(const ImFont* font, std::vector<std::string> names, float room_px) {
+    std::vector<float> widths;
+    for (const std::string& name : names) widths.push_back(text_size(font, name).x);
+    float room = room_px;
+    if (names.size() > 1) room -= text_size(font, ", ").x * static_cast<float>(names.size() - 1);
+    std::ranges::sort(widths);
+    float most = 0.0F;
+    for (std::size_t k = 0; k < widths.size(); ++k) {
+        most = std::max(0.0F, room) / static_cast<float>(widths.size() - k);
+        if (widths[k] > most) break;
+        room -= widths[k];
+        most = widths[k];
+    }
+    for (std::string& name : names) name = shortened(font, name, most);
+    return joined(names);
+}
+
+struct Alternative {
+    Exchange exchange;
+    std::string words;
+    std::string value;  // how far the weakest pair is apart then
+    bool is_one_line = false;
+};
+
+Alternative alternative_of(const Theme& theme, const Pick& pick, std::size_t k, float width_px) {
     const Subset& other = pick.answer.alternatives[k];
     const bool as_good = other.weakest_dissimilarity == pick.answer.best.weakest_dissimilarity;
-    const Exchange exchange = exchange_of(pick, other);
-    const std::string text = exchange.in + " for " + exchange.out;
+    Alternative one;
+    one.exchange = exchange_of(pick, other);
+    one.value = as_good ? "the same" : grouped(other.weakest_dissimilarity);
+    one.words = joined(one.exchange.in) + " " + kFor + joined(one.exchange.out);
+    const ImFont* font = theme.fonts.regular;
+    one.is_one_line =
+        text_size(font, one.words).x + theme.gap_px + text_size(font, one.value).x <= width_px;
+    return one;
+}
+
+float height_px(const Alternative& one) {
+    const float line = ImGui::GetTextLineHeight();
+    return one.is_one_line ? line : 2.0F * line;
+}
+
+// Who comes for whom, in two lines where one has no room, and at the right what it is worth.
+void draw_alternative(Ui& ui, SubsetState& picking, const Pick& pick, std::size_t k) {
+    const Theme& theme = ui.theme;
+    const ImFont* font = theme.fonts.regular;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    std::string value = as_good ? "the same" : grouped(other.weakest_dissimilarity);
-    const auto px = [&theme](const std::string& words) {
-        return text_size(theme.fonts.regular, words).x;
-    };
-    // Names are worth more room than these two words.
-    if (as_good && px(text) + theme.gap_px + px(value) > width) value = "=";
-    const float value_px = px(value);
+    const Alternative one = alternative_of(theme, pick, k, width);
+    const float line = ImGui::GetTextLineHeight();
+    const float value_px = text_size(font, one.value).x;
     ImGui::PushID(static_cast<int>(k));
-    if (ImGui::Selectable("##alternative", picking.alternative == k)) picking.alternative = k;
+    if (ImGui::Selectable("##alternative", picking.alternative == k, 0, {0.0F, height_px(one)})) {
+        picking.alternative = k;
+    }
     ImGui::PopID();
-    note_item(ui.rects, "alternative:" + std::to_string(k + 1), text + ": " + value);
-    const std::string shown =
-        exchange_text(theme.fonts.regular, exchange, width - value_px - theme.gap_px);
-    if (shown != text) draw_tooltip(ui, (text + ": " + value).c_str());
+    note_item(ui.rects, "alternative:" + std::to_string(k + 1), one.words + ": " + one.value);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_text(list, theme.fonts.regular, corner, theme.text, shown);
-    draw_text(list, theme.fonts.regular, {corner.x + width - value_px, corner.y}, theme.dim_text,
-              value);
+    const float last_y = corner.y + height_px(one) - line;
+    draw_text(list, font, {corner.x + width - value_px, last_y}, theme.dim_text, one.value);
+    if (one.is_one_line) return draw_text(list, font, corner, theme.text, one.words);
+    draw_tooltip(ui, (one.words + ": " + one.value).c_str());
+    draw_text(list, font, corner, theme.text, fitting(font, one.exchange.in, width));
+    const float for_px = text_size(font, kFor).x;
+    draw_text(list, font, {corner.x, last_y}, theme.dim_text, kFor);
+    draw_text(list, font, {corner.x + for_px, last_y}, theme.text,
+              fitting(font, one.exchange.out, width - for_px - value_px - theme.gap_px));
 }
 
 }  // namespace
@@ -81,12 +118,15 @@ const std::string& name_of(const Pick& pick, std::size_t member) {
     return pick.request.map->request.set->vibrations[member].name;
 }
 
-float alternatives_px(const Ui& ui, const SubsetState& picking, const Pick& pick) {
+float alternatives_px(const Ui& ui, const SubsetState& picking, const Pick& pick, float width_px) {
     if (pick.answer.alternatives.empty()) return 0.0F;
-    const std::size_t rows = pick.answer.alternatives.size() + (picking.alternative ? 1 : 0);
     const float gap = ImGui::GetStyle().ItemSpacing.y;
-    return 0.5F * ui.theme.gap_px + gap + text_size(ui.theme.fonts.small, "N").y + gap +
-           static_cast<float>(rows) * ImGui::GetTextLineHeightWithSpacing();
+    float height = 0.5F * ui.theme.gap_px + gap + text_size(ui.theme.fonts.small, "N").y + gap;
+    if (picking.alternative) height += ImGui::GetTextLineHeightWithSpacing();
+    for (std::size_t k = 0; k < pick.answer.alternatives.size(); ++k) {
+        height += height_px(alternative_of(ui.theme, pick, k, width_px)) + gap;
+    }
+    return height;
 }
 
 void draw_alternatives(Ui& ui, SubsetState& picking, const Pick& pick) {

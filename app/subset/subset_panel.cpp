@@ -267,7 +267,8 @@ PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const Sh
     const float s = ui.theme.scale;
     const float list_px =
         member_row_px(ui, area.width()) * static_cast<float>(subset.members.size());
-    const WordsWanted list{150.0F * s, 560.0F * s, list_px + alternatives_px(ui, picking, *pick)};
+    const WordsWanted list{212.0F * s, 560.0F * s,
+                           list_px + alternatives_px(ui, picking, *pick, area.width())};
     WordsAndPicture parts{area, {area.max, area.max}};
     if (has_curve(picking)) {
         parts = words_and_picture(area, list, {90.0F * s, 120.0F * s}, 1.5F * ui.theme.gap_px);

@@ -24,7 +24,7 @@ namespace {
 
 void draw_share_slider(Ui& ui, SubsetState& picking) {
     constexpr Field kShare{.id = "closest_percent",
-                           .label = "Closest",
+                           .label = "Share",
                            .format = "%.3g %%",
                            .slider = {0.5, 30.0},
                            .typed = {0.5, 100.0},
@@ -98,6 +98,25 @@ std::string felt_steps_text(double steps) {
     return text + (text == "1" ? " felt step" : " felt steps");
 }
 
+// Which pairs are listed: what "too close" means here.
+std::string criterion_of(const TooClosePairs& pairs, const SubsetState& picking) {
+    const std::string share = significant_digits(100.0 * pairs.share, 3) + " %";
+    switch (pairs.by) {
+        case TooClose::felt:
+            return "within a felt step";
+        case TooClose::share:
+            return "among the closest " + share;
+        case TooClose::picked:
+            return "among the closest " + share + " of the picked";
+        case TooClose::reference:
+            return "no farther apart than " + picking.reference_a + " \u2013 " +
+                   picking.reference_b;
+        case TooClose::ratings:
+            return "among the " + share + " rated closest";
+    }
+    return {};
+}
+
 // What the list has, or why it has nothing.
 std::string summary_of(const SubsetState& picking, const TooClosePairs& pairs) {
     if (pairs.by == TooClose::picked && pairs.picked.size() < 2) {
@@ -107,15 +126,17 @@ std::string summary_of(const SubsetState& picking, const TooClosePairs& pairs) {
         return "Click a pattern in the map, then another one, and take them.";
     }
     if (pairs.by == TooClose::felt && pairs.pairs.empty()) {
-        return "Any two differ by a felt step in some number.";
+        return "Any two differ by a felt step in some number. By PM two may be close all the same: "
+               "see Closest.";
     }
     if (pairs.pairs.empty()) return "None is closer than this.";
     const std::string total = grouped_digits(pairs.count) + (pairs.count == 1 ? " pair" : " pairs");
     const bool nobody =
         pairs.by == TooClose::ratings && has_synthetic(pairs.of->request.set->ratings);
-    const std::string by = nobody ? ", by synthetic ratings" : "";
-    if (pairs.count == pairs.pairs.size()) return total + ", the closest first" + by;
-    return "The closest " + grouped_digits(pairs.pairs.size()) + " of " + total + by;
+    const std::string which =
+        " " + criterion_of(pairs, picking) + (nobody ? ", by synthetic ratings" : "");
+    if (pairs.count == pairs.pairs.size()) return total + which;
+    return "The first " + grouped_digits(pairs.pairs.size()) + " of " + total + which;
 }
 
 void draw_pair(Ui& ui, Workspace& work, SubsetState& picking, const TooClosePairs& pairs,
@@ -138,9 +159,23 @@ void draw_pair(Ui& ui, Workspace& work, SubsetState& picking, const TooClosePair
     draw_text(list, font, {corner.x + begin, corner.y}, ui.theme.text, shown);
 }
 
-// As wide as the widest of the numbers, which stand at its right.
+const char* unit_of(const TooClosePairs& pairs) {
+    return pairs.by == TooClose::ratings ? "rating" : "PM";
+}
+
+// Above the numbers what they are.
+void draw_unit(const Ui& ui, const TooClosePairs& pairs, float column_px) {
+    const ImFont* small = ui.theme.fonts.small;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size = text_size(small, unit_of(pairs));
+    draw_text(*ImGui::GetWindowDrawList(), small, {corner.x + column_px - size.x, corner.y},
+              ui.theme.dim_text, unit_of(pairs));
+    ImGui::Dummy({column_px, size.y});
+}
+
+// As wide as the widest of the numbers, which stand at its right, and what they are.
 float value_column_px(const Ui& ui, const TooClosePairs& pairs) {
-    float widest = 0.0F;
+    float widest = text_size(ui.theme.fonts.small, unit_of(pairs)).x;
     for (const ConfusablePair& pair : pairs.pairs) {
         widest = std::max(widest, text_size(ui.theme.fonts.regular, grouped(pair.dissimilarity)).x);
     }
@@ -155,7 +190,8 @@ void draw_pair_list(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
         const bool waits = (pairs.by == TooClose::picked && pairs.picked.size() < 2) ||
                            (pairs.by == TooClose::reference && picking.reference_a.empty());
         draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area,
-                   waits ? "No pairs to show yet" : "No pair is too close", summary);
+                   waits ? "No pairs to show yet" : "No pair is " + criterion_of(pairs, picking),
+                   summary);
         return note_rect(ui.rects, "too close", area.min, area.max, summary);
     }
     ImGui::PushFont(ui.theme.fonts.small);
@@ -164,6 +200,7 @@ void draw_pair_list(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
     note_item(ui.rects, "too close", summary);
     const auto opened = opened_rows(shown_map, picking);
     const float column_px = value_column_px(ui, pairs);
+    draw_unit(ui, pairs, column_px);
     ImGui::BeginChild("pairs");
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(pairs.pairs.size()));
@@ -270,6 +307,9 @@ void draw_both(Ui& ui, Workspace& work, const ShownMap& shown_map,
         const auto& name = shown_map.transition.shown->request.set->vibrations[row].name;
         const auto place = place_named(work.document.set, name);
         if (!place) continue;
+        ImGui::PushFont(ui.theme.fonts.small);
+        dim_text(ui, shortened(ui.theme.fonts.small, name, ImGui::GetContentRegionAvail().x));
+        ImGui::PopFont();
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         const Rect area = rect_at(corner, {ImGui::GetContentRegionAvail().x, height});
         ImGui::Dummy(area.size());
@@ -285,7 +325,7 @@ void draw_open_pair(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
                     std::pair<std::size_t, std::size_t> rows) {
     constexpr const char* kAsk = "What would separate them?";
     const float room = ImGui::GetContentRegionAvail().y;
-    if (room > 260.0F * ui.theme.scale) draw_both(ui, work, shown_map, rows);
+    if (room > 300.0F * ui.theme.scale) draw_both(ui, work, shown_map, rows);
     draw_change_choice(ui, work, shown_map, picking, rows);
     const std::size_t row = row_to_change(work, shown_map, picking, rows);
     const SeparationRequest asked = separation_request(shown_map, picking, row);

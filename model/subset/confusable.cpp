@@ -72,11 +72,11 @@ PairVerdict pair_verdict(const PatternSet& set, const Dissimilarity& pm, std::si
 const char* words_of(PairVerdict verdict) {
     switch (verdict) {
         case PairVerdict::same:
-            return "same";
+            return "within a felt step";
         case PairVerdict::hard:
             return "hard to tell";
         case PairVerdict::clear:
-            return "clearly apart";
+            return "over a felt step apart";
     }
     return "";
 }
