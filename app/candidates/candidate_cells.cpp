@@ -31,7 +31,7 @@ std::string cell_words(const CandidateRow& row, CandidateColumn column) {
     if (column == CandidateColumn::nearest) return grouped(*number);
     std::string words = significant_digits(*number, 3);
     if (column == CandidateColumn::carrier) {
-        for (const double hz : row.further_hz) words += "+" + significant_digits(hz, 3);
+        for (const double hz : row.further_hz) words += " + " + significant_digits(hz, 3);
     }
     return words;
 }
@@ -96,7 +96,7 @@ void draw_cell(Ui& ui, Workspace& work, const CandidateRow& row, CandidateColumn
     std::string words = cell_words(row, column);
     // Half a number would be a wrong one: without room the further carriers are a plus.
     if (!row.further_hz.empty() && text_size(theme.fonts.regular, words).x > cell.width())
-        words = words.substr(0, words.find('+') + 1);
+        words = words.substr(0, words.find(' ')) + "+";
     const ImVec2 size = text_size(theme.fonts.regular, words);
     draw_text(*ImGui::GetWindowDrawList(), theme.fonts.regular,
               {cell.max.x - size.x, cell.centre().y - size.y / 2.0F}, theme.text, words);

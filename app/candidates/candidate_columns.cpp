@@ -18,16 +18,19 @@ struct ColumnWidth {
 // In the order of the table; the width at a scale of 1.
 constexpr std::array kColumnWidths{ColumnWidth{CandidateColumn::picture, 56.0F, 260.0F},
                                    ColumnWidth{CandidateColumn::name, 100.0F, 240.0F},
-                                   ColumnWidth{CandidateColumn::amplitude, 42.0F, 72.0F},
-                                   ColumnWidth{CandidateColumn::carrier, 52.0F, 90.0F},
-                                   ColumnWidth{CandidateColumn::modulation, 57.0F, 84.0F},
+                                   ColumnWidth{CandidateColumn::amplitude, 38.0F, 72.0F},
+                                   ColumnWidth{CandidateColumn::carrier, 42.0F, 90.0F},
+                                   ColumnWidth{CandidateColumn::modulation, 48.0F, 84.0F},
                                    ColumnWidth{CandidateColumn::rhythm, 70.0F, 140.0F},
                                    ColumnWidth{CandidateColumn::duration, 40.0F, 72.0F},
-                                   ColumnWidth{CandidateColumn::nearest, 70.0F, 110.0F},
-                                   ColumnWidth{CandidateColumn::picked, 54.0F, 64.0F}};
+                                   ColumnWidth{CandidateColumn::nearest, 54.0F, 110.0F},
+                                   ColumnWidth{CandidateColumn::picked, 34.0F, 64.0F}};
 
 constexpr std::array kFirstToGo{CandidateColumn::duration, CandidateColumn::picture,
-                                CandidateColumn::modulation, CandidateColumn::rhythm};
+                                CandidateColumn::rhythm, CandidateColumn::modulation};
+
+// All a little narrower, before a column goes.
+constexpr float kLeastSqueeze = 0.96F;
 
 }  // namespace
 
@@ -39,7 +42,7 @@ std::vector<ColumnSpan> column_places(float width_px, float scale) {
         return total;
     };
     for (const CandidateColumn gone : kFirstToGo) {
-        if (scale * sum(&ColumnWidth::least_px) <= width_px) break;
+        if (kLeastSqueeze * scale * sum(&ColumnWidth::least_px) <= width_px) break;
         std::erase_if(shown, [gone](const ColumnWidth& c) { return c.column == gone; });
     }
     const float least = sum(&ColumnWidth::least_px);

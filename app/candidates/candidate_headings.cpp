@@ -37,12 +37,14 @@ const char* heading(CandidateColumn column) {
     return "";
 }
 
-// With its unit, if there is room for it.
+// What has no room is said shorter, with its unit.
 std::string heading_words(const ImFont* font, CandidateColumn column, float room_px) {
-    const char* name = heading(column);
-    if (column != CandidateColumn::nearest) return shortened(font, name, room_px);
-    const std::string with_unit = std::string(name) + " PM";
-    return text_size(font, with_unit).x <= room_px ? with_unit : shortened(font, name, room_px);
+    const bool is_nearest = column == CandidateColumn::nearest;
+    const std::string whole = is_nearest ? "nearest PM" : heading(column);
+    const std::string brief = is_nearest                          ? "near PM"
+                              : column == CandidateColumn::picked ? "pick"
+                                                                  : whole;
+    return shortened(font, text_size(font, whole).x <= room_px ? whole : brief, room_px);
 }
 
 const char* heading_help(CandidateColumn column) {
@@ -50,7 +52,7 @@ const char* heading_help(CandidateColumn column) {
         case CandidateColumn::picture:
             return "In the order of the set.";
         case CandidateColumn::carrier:
-            return "The first carrier.";
+            return "Carriers. 70+: others are mixed with it, which a row's tooltip names.";
         case CandidateColumn::nearest:
             return "PM to the closest other pattern of the set, which a row's tooltip names.";
         case CandidateColumn::picked:

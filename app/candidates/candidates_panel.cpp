@@ -16,6 +16,7 @@
 #include "app/document/pressing.h"
 #include "app/ui/widgets.h"
 #include "model/design_space/candidates.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -34,26 +35,33 @@ float table_row_px(const Ui& ui, float room_px, std::size_t rows) {
 
 void draw_table_tools(Ui& ui, Workspace& work, std::size_t listed) {
     Selection& selection = work.selection;
-    ImGui::SetNextItemWidth(std::min(170.0F * ui.theme.scale, ImGui::GetContentRegionAvail().x));
-    ImGui::InputTextWithHint("##filter", "60 Hz, x--x, a name", &selection.search);
-    note_item(ui.rects, "candidates:filter", selection.search);
     const std::string count = std::to_string(selection.picked.size());
     const std::string only = selection.picked.empty() ? "only picked" : "only picked: " + count;
+    const Vibration* current = current_vibration(work);
+    const char* lock = current != nullptr && current->locked ? "Unlock" : "Lock";
+    const char* drop = current != nullptr && current->dropped ? "Take back" : "Drop";
+    // It leaves room for what is pressed beside it.
+    const float beside = chip_width(ui, only.c_str()) + button_width(lock) + button_width(drop) +
+                         3.0F * ui.theme.gap_px;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float s = ui.theme.scale;
+    ImGui::SetNextItemWidth(std::min(std::clamp(room - beside, 96.0F * s, 170.0F * s), room));
+    ImGui::InputTextWithHint("##filter", "60 Hz, x--x, a name", &selection.search);
+    note_item(ui.rects, "candidates:filter", selection.search);
     flow_on(chip_width(ui, only.c_str()), ui.theme.gap_px);
     if (draw_switch(ui, "only picked", only.c_str(), selection.only_picked)) {
         selection.only_picked = !selection.only_picked;
     }
     note_item(ui.rects, "candidates:only picked", selection.only_picked ? "on" : "off");
-    const Vibration* current = current_vibration(work);
     const auto deed = [&](const char* id, const char* words, auto act) {
         flow_on(button_width(words), ui.theme.gap_px);
         if (ImGui::Button(words)) ui.waiting.emplace_back([&ui, &work, act] { act(ui, work); });
         note_item(ui.rects, std::string("candidates:") + id);
     };
     if (current == nullptr) return;
-    deed("lock", current->locked ? "Unlock" : "Lock", toggle_locked);
+    deed("lock", lock, toggle_locked);
     draw_tooltip(ui, "All selected rows: picked in every subset, and not edited.");
-    deed("drop", current->dropped ? "Take back" : "Drop", toggle_dropped);
+    deed("drop", drop, toggle_dropped);
     draw_tooltip(ui, "All selected rows: picked in no subset.");
     const std::string told = std::to_string(listed) + " of " +
                              std::to_string(work.document.set.vibrations.size()) + ", " +
@@ -99,6 +107,11 @@ std::string row_words(const Workspace& work, const CandidateRow& row) {
     const auto& space = work.document.set.generator;
     if (vibration.generated && pattern != nullptr && space) {
         words += ": " + level_words(*space, *pattern);
+    }
+    if (!row.further_hz.empty() && row.carrier_hz) {
+        words += "\nCarriers: " + significant_digits(*row.carrier_hz, 3);
+        for (const double hz : row.further_hz) words += " + " + significant_digits(hz, 3);
+        words += " Hz";
     }
     if (!row.nearest_name.empty()) words += "\nClosest: " + row.nearest_name;
     return words + "\n" + kHoldHelp + ".";

@@ -15,7 +15,8 @@ PatternDeed draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown
                                   CandidatesState& state);
 
 // Which columns a table of so many pixels has, and where each begins and ends. The picture takes
-// what is left over; in a narrow table it goes first, then the duration and the modulation.
+// what is left over; in a narrow table the duration goes first, then it, the rhythm, the
+// modulation.
 struct ColumnSpan {
     CandidateColumn column;
     float begin_px = 0.0F;
