@@ -401,17 +401,18 @@ bool draw_plate(const Ui& ui, const char* id, const char* text, bool lit, float 
     // GetColorU32 fades what is disabled.
     const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (lit || over) {
-        list.AddRectFilled(corner, corner + plate,
-                           ink(lit ? faded(theme.accent, 0.28F) : theme.hover), theme.rounding_px);
+    if (lit) {
+        list.AddRectFilled(corner, corner + plate, ink(faded(theme.accent, 0.28F)),
+                           theme.rounding_px);
     }
-    if (has_edge) {
-        list.AddRect(corner, corner + plate,
-                     lit ? ink(theme.accent) : ImGui::GetColorU32(ImGuiCol_Border),
-                     theme.rounding_px, 0, theme.hairline_px);
+    // Under the mouse it has an edge, never the ground of what is chosen.
+    if (has_edge || over) {
+        const ImU32 edge = lit && has_edge ? ink(theme.accent)
+                           : over          ? ink(theme.dim_text)
+                                           : ImGui::GetColorU32(ImGuiCol_Border);
+        list.AddRect(corner, corner + plate, edge, theme.rounding_px, 0, theme.hairline_px);
     }
-    draw_text(list, theme.fonts.small, corner + pad, ink(lit || over ? theme.text : theme.dim_text),
-              text);
+    draw_text(list, theme.fonts.small, corner + pad, ink(lit ? theme.text : theme.dim_text), text);
     if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     return pressed;
 }
