@@ -5,6 +5,7 @@
 
 #include "app/document/editing.h"
 #include "app/model_bench/felt_step_fields.h"
+#include "app/model_bench/model_panel.h"
 #include "app/ui/widgets.h"
 #include "model/pattern/felt_steps.h"
 
@@ -64,6 +65,7 @@ void draw_felt_step_fields(Ui& ui, Workspace& work) {
                         .typed = {words.shown(sizes.low), words.shown(sizes.high)},
                         .step = words.slider.low,
                         .help = help.c_str(),
+                        .right_room_px = beside_field_px(ui),
                         .normal = words.shown(usual.size[k])},
                        shown);
         if (edit.changed) {

@@ -63,7 +63,9 @@ void draw_model_choice(Ui& ui, Workspace& work, ModelBench& model_bench) {
                               : is_as_trained      ? "As this set came"
                                                    : "Changed by hand";
     draw_label(ui, "Model", 160.0F * ui.theme.scale);
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::SetNextItemWidth(
+        std::max(room - beside_field_px(ui), std::min(room, 120.0F * ui.theme.scale)));
     const bool open = ImGui::BeginCombo("##model", shown.c_str());
     if (open) {
         draw_list(ui, work, model_bench, current);

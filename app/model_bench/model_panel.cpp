@@ -25,6 +25,8 @@ void commit_model(Ui& ui, Workspace& work, const std::string& what) {
     commit_step(ui, work, "Change " + what);
 }
 
+constexpr const char* kWayBackHelp = "Changed. Click to go back to this value.";
+
 // After a row that was changed: what it was, and the way back. True when pressed.
 bool draw_way_back(Ui& ui, const char* id, bool changed, const std::string& original) {
     if (!changed) return false;
@@ -32,7 +34,7 @@ bool draw_way_back(Ui& ui, const char* id, bool changed, const std::string& orig
     ImGui::PushID(id);
     const bool pressed = row_link(ui, "back", original);
     note_item(ui.rects, std::string("reset:") + id, original);
-    draw_tooltip(ui, "Changed. Click to go back to this value.");
+    draw_tooltip(ui, kWayBackHelp);
     ImGui::PopID();
     return pressed;
 }
@@ -41,10 +43,9 @@ void draw_number(Ui& ui, Workspace& work, const ModelNumber& row, const Model& o
     const double before = row.get(work.document.set.model);
     const double known = row.get(original);
     double value = before;
-    const float room = 56.0F * ui.theme.scale;
     ImGui::BeginGroup();
     Field field = row.field;
-    field.right_room_px = room;
+    field.right_room_px = beside_field_px(ui);
     field.normal = known;
     const FieldEdit edit = draw_field(ui, field, value);
     ImGui::EndGroup();
@@ -52,7 +53,11 @@ void draw_number(Ui& ui, Workspace& work, const ModelNumber& row, const Model& o
     if (edit.finished) commit_model(ui, work, row.field.label);
     char text[32];
     std::snprintf(text, sizeof text, row.field.format, known);
-    if (draw_way_back(ui, row.field.id, before != known, text)) {
+    if (before == known) return;
+    const bool goes_back = link_beside_field(ui, "back", row.field.id, text);
+    note_item(ui.rects, std::string("reset:") + row.field.id, text);
+    draw_tooltip(ui, kWayBackHelp);
+    if (goes_back) {
         change_model(work, [&](Model& m) { row.set(m, known); });
         commit_model(ui, work, row.field.label);
     }
@@ -149,6 +154,18 @@ void draw_views(Ui& ui, ModelBench& model_bench) {
 
 }  // namespace
 
+float beside_field_px(const Ui& ui) { return 84.0F * ui.theme.scale; }
+
+bool link_beside_field(const Ui& ui, const char* id, const std::string& of,
+                       const std::string& text) {
+    const ImVec2 end = ImGui::GetItemRectMax();
+    ImGui::SetCursorScreenPos({end.x + 0.5F * ui.theme.gap_px, end.y - ImGui::GetFrameHeight()});
+    ImGui::PushID(of.c_str());
+    const bool pressed = row_link(ui, id, text);
+    ImGui::PopID();
+    return pressed;
+}
+
 void draw_model_panel(Ui& ui, Workspace& work, ModelBench& model_bench) {
     draw_views(ui, model_bench);
     if (model_bench.panel.view == ModelView::training) return draw_training(ui, work, model_bench);
@@ -159,8 +176,11 @@ void draw_model_panel(Ui& ui, Workspace& work, ModelBench& model_bench) {
               "show what they were; click it to go back.");
     draw_model_choice(ui, work, model_bench);
     draw_summary(ui, work, original);
-    draw_heading(ui, "Trained in the paper",
-                 "With the authors' own tables and kernels; with ours they are a starting point.");
+    draw_heading(
+        ui, "Trained in the paper",
+        "Layers of excitation and inhibition, weights of the receptor types, of NC (neural "
+        "coding) and OC (rhythm). With the authors' own tables and kernels; with ours they "
+        "are a starting point.");
     for (const ModelNumber& row : trained_rows()) draw_number(ui, work, row, original);
     draw_heading(ui, "Choices of ours", "Where the paper leaves a choice open.");
     for (const ModelChoice& row : choice_rows()) draw_choice(ui, work, row, original);

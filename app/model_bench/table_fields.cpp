@@ -57,7 +57,7 @@ void draw_knot(Ui& ui, Workspace& work, const ModelBench& model_bench, std::size
                 .help = state.threshold ? "Absolute threshold, log10 of \u00b5m peak: 1 is 10 "
                                           "\u00b5m, or 20 dB re 1 \u00b5m"
                                         : "Slope \u03b1, impulses/s per log10 of \u00b5m",
-                .right_room_px = 56.0F * ui.theme.scale};
+                .right_room_px = beside_field_px(ui)};
     const bool known = k < original.value.size() && curve.frequency_hz == original.frequency_hz;
     if (known) field.normal = original.value[k];
     double value = curve.value[k];
@@ -75,16 +75,13 @@ void draw_knot(Ui& ui, Workspace& work, const ModelBench& model_bench, std::size
     if (edit.changed) write(value);
     if (edit.finished) commit_step(ui, work, step);
     if (!known || before == original.value[k]) return;
-    ImGui::SameLine(0.0F, ui.theme.gap_px * 0.5F);
     char text[32];
     std::snprintf(text, sizeof text, field.format, original.value[k]);
-    ImGui::PushID(id.c_str());
-    if (link(ui, "back", text)) {
+    if (link_beside_field(ui, "back", id, text)) {
         write(original.value[k]);
         commit_step(ui, work, step);
     }
     note_item(ui.rects, "reset:" + id);
-    ImGui::PopID();
 }
 
 }  // namespace

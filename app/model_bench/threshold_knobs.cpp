@@ -23,14 +23,11 @@ void set_threshold(Ui& ui, Workspace& work, Receptor type, const Curve& curve, c
 
 void draw_removal(Ui& ui, Workspace& work, Receptor type, const Curve& original) {
     const bool gone = is_removed(thresholds_of(work)[index_of(type)]);
-    ImGui::SameLine(0.0F, ui.theme.gap_px * 0.5F);
-    ImGui::PushID(traits(type).afferent);
-    if (link(ui, "remove", gone ? "bring back" : "remove")) {
+    if (link_beside_field(ui, "remove", traits(type).afferent, gone ? "bring back" : "remove")) {
         set_threshold(ui, work, type, gone ? original : removed(original),
                       gone ? "Bring back" : "Remove");
     }
     note_item(ui.rects, std::string("remove:") + traits(type).afferent, gone ? "removed" : "");
-    ImGui::PopID();
     draw_tooltip(ui, gone ? "Its threshold as it was" : "A type that answers to nothing");
 }
 
@@ -46,7 +43,7 @@ void draw_shift(Ui& ui, Workspace& work, Receptor type, const Curve& original) {
                       .snap = 0.5,
                       .help = "How much more it takes to be noticed, dB of displacement",
                       .enabled = !is_removed(curve),
-                      .right_room_px = 84.0F * ui.theme.scale,
+                      .right_room_px = beside_field_px(ui),
                       .normal = 0.0};
     double db = is_removed(curve) ? 0.0 : shift_db(curve, original).value_or(0.0);
     ImGui::BeginGroup();
