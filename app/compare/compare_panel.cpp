@@ -191,16 +191,24 @@ void draw_head(Ui& ui, Columns columns, bool synthetic) {
     };
     constexpr std::array<Column, 7> kColumns{
         {{"metric", "Click one for its pairs and its Shepard diagram.", Columns::least, 2.4F},
-         {"rho", "Spearman's rank correlation with the ratings, pair by pair: 1 the same order.",
+         {"rho",
+          "Spearman's rank correlation with the ratings, pair by pair: 1 the same order. Bold: the "
+          "highest.",
           Columns::least, 1.0F},
          {"95 %", "Interval of rho if other patterns had been drawn: bootstrap over patterns.",
           Columns::all, 1.6F},
-         {"p", "How often patterns under exchanged names agree as well: Mantel's test.",
+         {"p",
+          "How often patterns under exchanged names agree as well: Mantel's test. Bold: the least, "
+          "which many share where no draw agreed as well.",
           Columns::all, 1.0F},
-         {"K", "Alienation of the two maps: 0 one shape; unrelated maps have about .5, not 1.",
+         {"K",
+          "Alienation of the two maps: 0 one shape; unrelated maps have about .5, not 1. Bold: the "
+          "lowest.",
           Columns::least, 1.0F},
-         {"p of K", "How often maps under exchanged names are as close in shape.", Columns::all,
-          1.0F},
+         {"p of K",
+          "How often maps under exchanged names are as close in shape. Bold: the least, which many "
+          "share where no draw came as close.",
+          Columns::all, 1.0F},
          {"with PM", "Spearman's rank correlation with PM: how much the metric is another one.",
           Columns::most, 1.0F}}};
     const auto is_left_out = [&](const Column& column) {
@@ -223,16 +231,23 @@ void draw_head(Ui& ui, Columns columns, bool synthetic) {
         // An interval and a p stand to the right of what they belong to.
         const std::string name = column.name;
         const bool labelled = synthetic && (name == "rho" || name == "K");
-        const std::string words = labelled ? name + "\nsynthetic" : name;  // columns are narrow
-        ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
-        if (&column == kColumns.data()) {
-            ImGui::TextUnformatted(words.c_str());
-        } else {
-            right_aligned(words);
-        }
-        ImGui::PopStyleColor();
+        const bool is_with_pm = &column == &kColumns.back();
+        // Columns are narrow: what it is of stands below.
+        const char* below = labelled ? "synthetic" : is_with_pm ? "with PM" : "";
+        const auto head = [&](const std::string& words, bool is_left) {
+            ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
+            is_left ? ImGui::TextUnformatted(words.c_str()) : right_aligned(words);
+            ImGui::PopStyleColor();
+        };
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+        head(is_with_pm ? "rho" : name, &column == &kColumns.front());
         note_item(ui.rects, "compare:head " + name, of_people(name, labelled));
         draw_tooltip(ui, column.tip);
+        if (*below != '\0') {
+            head(below, false);
+            draw_tooltip(ui, column.tip);
+        }
+        ImGui::PopStyleVar();
     }
     ImGui::PopFont();
 }

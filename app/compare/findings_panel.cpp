@@ -1,7 +1,9 @@
 // The paper's findings, checked on request on the sets that come with the program.
 
 #include <algorithm>
-#include <cstdio>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 #include "app/compare/check_findings.h"
 #include "app/compare/compare_panels.h"
@@ -20,6 +22,19 @@ ImU32 colour_of(const Theme& theme, FindingStatus status) {
     return theme.dim_text;
 }
 
+// "3 hold, 1 fails, 12 cannot be checked".
+std::string tally_of(const std::vector<Finding>& all) {
+    const auto count = [&all](FindingStatus status) {
+        return std::ranges::count(all, status, &Finding::status);
+    };
+    const auto holding = count(FindingStatus::holds);
+    const auto failing = count(FindingStatus::fails);
+    const auto unknown = static_cast<std::ptrdiff_t>(all.size()) - holding - failing;
+    return std::to_string(holding) + (holding == 1 ? " holds, " : " hold, ") +
+           std::to_string(failing) + (failing == 1 ? " fails, " : " fail, ") +
+           std::to_string(unknown) + " cannot be checked";
+}
+
 // The evidence below the claim, or in a column of its own.
 void draw_finding(Ui& ui, const Finding& finding, bool is_wide) {
     ImGui::TableNextRow();
@@ -33,7 +48,8 @@ void draw_finding(Ui& ui, const Finding& finding, bool is_wide) {
     if (is_wide) ImGui::TableNextColumn();
     ImGui::PushFont(ui.theme.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
-    wrapped_text(finding.id + ", " + finding.source + ": " + finding.evidence);
+    wrapped_text(finding.id + ", " + finding.source);
+    wrapped_text(finding.evidence);
     ImGui::PopStyleColor();
     ImGui::PopFont();
 }
@@ -65,13 +81,9 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
         if (draw_progress(ui, {"Checking", comparing.findings_job->progress(), "findings"}, true))
             comparing.findings_job->cancel();
     } else if (comparing.findings) {
-        char text[64];
-        std::snprintf(
-            text, sizeof text, "%td hold, %td fail of %zu",
-            std::ranges::count(*comparing.findings, FindingStatus::holds, &Finding::status),
-            std::ranges::count(*comparing.findings, FindingStatus::fails, &Finding::status),
-            comparing.findings->size());
+        const std::string text = tally_of(*comparing.findings);
         dim_text(ui, text);
+        note_item(ui.rects, "compare:findings", text);
     }
     (void)draw_failure(ui, "findings", failure_of(comparing.findings_job));
     if (!comparing.findings || area.empty()) return;

@@ -69,7 +69,7 @@ Outcome fast_modulation_is_like_none(const KnownSets& sets) {
         const auto [fast, slow] = fast_and_slow(*am);
         holds = holds && fast.most < slow.least;
         evidence += (evidence.empty() ? "" : "; ") + std::string("with ") + reading +
-                    ": d to 40 and 80 Hz at most " + rounded(fast.most) +
+                    ": PM to 40 and 80 Hz at most " + rounded(fast.most) +
                     ", to slower ones at least " + rounded(slow.least);
     }
     return decided(holds, evidence);
@@ -121,8 +121,9 @@ Outcome clusters_are_closer_within(const KnownSets& sets) {
     }
     const double within = sum[0] / count[0];
     const double between = sum[1] / count[1];
-    return decided(within < between, "mean d within " + rounded(within) + ", between " +
-                                         rounded(between) + " (rank sums of 66 pairs)");
+    return decided(within < between, "mean PM within clusters " + rounded(within) +
+                                         ", between them " + rounded(between) +
+                                         " (rank sums of 66 pairs)");
 }
 
 Outcome space_fits_well(const KnownSets& sets) {
@@ -136,7 +137,7 @@ Outcome space_fits_well(const KnownSets& sets) {
 }
 
 Outcome needs_ratings(const KnownSets& /*sets*/) {
-    return {FindingStatus::needs_ratings, "is about ratings that are not public"};
+    return {FindingStatus::needs_ratings, "the ratings it is about are not public"};
 }
 
 Outcome needs_stimuli(const KnownSets& /*sets*/) {
