@@ -93,15 +93,15 @@ TEST_CASE("study window: a rule on conduct is off until it is switched on, and s
     CHECK(contains(program.at("study:agreement").value, "3 of 3 participants count"));
 }
 
-TEST_CASE("study window: everyone who counts has a star of what they go by") {
+TEST_CASE("study window: everyone who counts has a word on what they go by") {
     StudyOfThree program;
-    for (int k = 1; k <= 3; ++k) CHECK(program.shows("star:synthetic P" + std::to_string(k)));
+    for (int k = 1; k <= 3; ++k) CHECK(program.shows("goes by:synthetic P" + std::to_string(k)));
     program.click("link:leave out synthetic P1");
     program.type("late");
     program.click("button:choose");
     program.wait_for("link:count again synthetic P1");
-    CHECK_FALSE(program.shows("star:synthetic P1"));
-    CHECK(program.shows("star:synthetic P3"));
+    CHECK_FALSE(program.shows("goes by:synthetic P1"));
+    CHECK(program.shows("goes by:synthetic P3"));
 }
 
 }  // namespace who_counts_window_test
