@@ -9,6 +9,7 @@
 #include "app/progress/failure.h"
 #include "app/progress/progress_line.h"
 #include "app/ui/widgets.h"
+#include "viz/drawing/marks.h"
 
 namespace tact {
 
@@ -25,8 +26,15 @@ void draw_free_numbers(Ui& ui, MaybesState& state) {
     note_item(ui.rects, "link:free numbers");
     draw_tooltip(ui,
                  "Which numbers may change, here and when a point is put somewhere (Alt+drag).");
-    open_below_last_item(ui.theme);
+    float width = 0.0F;
+    for (const PatternParameter parameter : kPatternParameters) {
+        width = std::max(width, check_width(ui.theme, traits(parameter).name));
+    }
+    open_beside_pane(ui.theme, width + 2.0F * ui.theme.padding_px);
     if (!ImGui::BeginPopup("free numbers")) return;
+    ImGui::PushFont(ui.theme.fonts.semibold);
+    ImGui::TextUnformatted("Numbers that may change");
+    ImGui::PopFont();
     for (const PatternParameter parameter : kPatternParameters) {
         const auto held = std::ranges::find(state.held, parameter);
         bool is_free = held == state.held.end();
@@ -37,6 +45,21 @@ void draw_free_numbers(Ui& ui, MaybesState& state) {
         note_item(ui.rects, std::string("free:") + traits(parameter).key, is_free ? "on" : "off");
     }
     ImGui::EndPopup();
+}
+
+// What is varied, and how far that is; above the numbers, which stay where they are.
+void draw_found(Ui& ui, const MaybesState& state) {
+    dim_text(ui, shortened(ui.theme.fonts.regular, "Neighbours of " + state.varied,
+                           ImGui::GetContentRegionAvail().x));
+    const auto found = found_variants(state);
+    const std::string failure = failure_of(state.variants.job);
+    const std::string words = !failure.empty()       ? failure
+                              : !found               ? "searching"
+                              : found->request.exact ? "click one to take it, hold to feel it"
+                                                     : "a preview; click to take, hold to feel";
+    flow_on(ImGui::CalcTextSize(words.c_str()).x, 1.5F * ui.theme.gap_px);
+    dim_text(ui, words);
+    note_item(ui.rects, "vary:found", found ? std::to_string(found->patterns.size()) : "");
 }
 
 void draw_put_bar(Ui& ui, MaybesState& state) {
@@ -59,10 +82,8 @@ void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
     draw_gap_bar(ui, state);
     if (state.varied.empty()) return;
     if (!place_named(work.document.set, state.varied)) return stop_varying(state);
-    ImGui::AlignTextToFramePadding();
-    dim_text(ui, "Neighbours of " + state.varied);
-    const float width = 230.0F * ui.theme.scale;
-    flow_on(width, ui.theme.gap_px);
+    draw_found(ui, state);
+    const float width = 250.0F * ui.theme.scale;
     draw_short_field(ui,
                      {.id = "how_far",
                       .label = "How far",
@@ -85,14 +106,6 @@ void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
     if (word("vary again", "Others (V)", "Eight others, as far away.")) ++state.vary_seed;
     draw_free_numbers(ui, state);
     if (word("vary stop", "Done", "The pattern stays as it is.")) return stop_varying(state);
-    const auto found = found_variants(state);
-    flow_on(120.0F * ui.theme.scale, 1.5F * ui.theme.gap_px);
-    const std::string failure = failure_of(state.variants.job);
-    dim_text(ui, !failure.empty() ? failure
-                 : found          ? found->request.exact ? "click one to take it, hold to feel it"
-                                                         : "a preview; click one to take it, hold to feel it"
-                                  : "searching");
-    note_item(ui.rects, "vary:found", found ? std::to_string(found->patterns.size()) : "");
 }
 
 }  // namespace tact

@@ -135,7 +135,7 @@ NumberEdit draw_entry(Ui& ui, const Field& field, double& value, float width_px)
 bool draw_label_help(Ui& ui, const Field& field) {
     std::string help = field.help == nullptr ? "" : field.help;
     if (field.normal && ImGui::IsItemHovered()) {
-        help += (help.empty() ? "Double click: " : "\nDouble click: ") +
+        help += (help.empty() ? "Double click: back to " : "\nDouble click: back to ") +
                 shown_number(field.format, *field.normal);
     }
     const bool reset = field.normal && is_reset_asked(ui);
@@ -258,7 +258,11 @@ FieldEdit draw_short_field(Ui& ui, const Field& field, float width_px, double& v
     const float gap = 0.5F * ui.theme.gap_px;
     const float label_px = ImGui::GetItemRectSize().x + gap;
     ImGui::SameLine(0.0F, gap);
-    const float entry_px = kShortEntryPx * ui.theme.scale;
+    // As wide as the longest number with its unit.
+    const std::string longest = shown_number(field.format, field.typed.high);
+    const float entry_px =
+        std::max(kShortEntryPx * ui.theme.scale,
+                 ImGui::CalcTextSize(longest.c_str()).x + 3.0F * ImGui::GetStyle().FramePadding.x);
     const float bar_px = width_px - label_px - ui.theme.gap_px - entry_px;
     draw_bar_and_entry(ui, field, {false, std::max(bar_px, 1.0F), entry_px}, value, edit);
     ImGui::EndGroup();

@@ -30,6 +30,37 @@ TEST_CASE("popups: the map's look covers neither the map nor the patterns") {
     stop_jobs(program.app);
 }
 
+TEST_CASE("popups: the numbers that may change cover neither the map nor what steers it") {
+    Program program(short_patterns(3));
+    program.compute_map();
+    program.app.layout = first_layout(Arrangement::design);
+    program.settle();
+    program.press('v');
+    program.settle();
+    program.click("link:free numbers");
+    CHECK(program.at("free:amplitude_g").min.x > program.at("pane:Perceptual space").max.x);
+    stop_jobs(program.app);
+}
+
+TEST_CASE("popups: the menu of a row leaves its name in sight, at whatever height it is") {
+    Program program(short_patterns(12));
+    program.resize({1280.0F, 720.0F}, 1.0F);
+    for (const char* row : {"row:p1", "row:p6"}) {
+        CAPTURE(row);
+        program.window.move(program.at(row).middle());
+        program.window.button(true, 1);
+        program.window.button(false, 1);
+        program.settle();
+        REQUIRE(program.shows("row menu:Play"));
+        const Place& named = program.at(row);
+        const bool below = program.at("row menu:Play").min.y >= named.max.y;
+        const bool above = program.at("row menu:Delete").max.y <= named.min.y;
+        CHECK((below || above));
+        CHECK(program.at("row menu:Delete").max.y <= 720.0F);
+        program.press_key(key::kEscape);
+    }
+}
+
 TEST_CASE("tabs: none hangs below the others by itself") {
     Program program(short_patterns(3));
     program.resize({1280.0F, 720.0F}, 1.0F);
