@@ -103,6 +103,7 @@ const char* parameter_name(const std::optional<PatternParameter>& parameter, con
     return parameter ? traits(*parameter).name : none;
 }
 
+constexpr float kPopupPx = 290.0F;
 constexpr float kLabelPx = 96.0F;
 constexpr float kChoicePx = 170.0F;
 
@@ -224,9 +225,11 @@ void draw_map_look(Ui& ui, ShownMap& shown_map) {
     if (row_link(ui, "map look", kLook)) ImGui::OpenPopup("map look");
     note_item(ui.rects, "link:map look");
     draw_tooltip(ui, "Colour, lines, filter and groups of the map.");
-    constexpr float kWidthPx = 290.0F;
-    open_beside_pane(ui.theme, kWidthPx * ui.theme.scale);
+    open_beside_pane(ui.theme, kPopupPx * ui.theme.scale);
     if (!ImGui::BeginPopup("map look")) return;
+    ImGui::PushFont(ui.theme.fonts.semibold);
+    ImGui::TextUnformatted("Look of the map");
+    ImGui::PopFont();
     MapLook& look = shown_map.look;
     if (!shown_map.transition.shown) {
         dim_text(ui, "No map yet.");
