@@ -117,13 +117,6 @@ std::string row_words(const Workspace& work, const CandidateRow& row) {
     return words + "\n" + kHoldHelp + ".";
 }
 
-PatternDeed draw_table_menu(Ui& ui, Workspace& work, std::size_t place) {
-    if (!ImGui::BeginPopupContextItem("table menu")) return PatternDeed::none;
-    const PatternDeed deed = draw_pattern_menu(ui, work, place);
-    ImGui::EndPopup();
-    return deed;
-}
-
 PatternDeed draw_table_row(Ui& ui, Workspace& work, CandidatesState& state, const CandidateRow& row,
                            const std::vector<ColumnSpan>& places, float row_px) {
     const float s = ui.theme.scale;
@@ -138,7 +131,7 @@ PatternDeed draw_table_row(Ui& ui, Workspace& work, CandidatesState& state, cons
     if (ImGui::IsItemHovered()) work.selection.hovered = row.place;
     note_item(ui.rects, "candidate:" + vibration.name, row.picked ? "picked" : "");
     draw_tooltip(ui, row_words(work, row).c_str());
-    const PatternDeed deed = draw_table_menu(ui, work, row.place);
+    const PatternDeed deed = draw_row_menu(ui, work, row.place);
     ImGui::PopID();
     draw_row_ground(ui, work, row.place, line);
     for (const ColumnSpan& place : places) {

@@ -1,5 +1,8 @@
 #include "app/patterns/pattern_menu.h"
 
+#include <imgui_internal.h>
+
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -16,18 +19,17 @@ namespace tact {
 
 namespace {
 
-// Room for a mark before the words of an item.
-constexpr const char* kIndent = "      ";
-
 // True where it is chosen, by mouse or keyboard.
 bool look_item(Ui& ui, const std::string& text, const PatternLook& look, bool is_now) {
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const bool chosen = ImGui::MenuItem((kIndent + text).c_str(), nullptr, is_now);
+    constexpr const char* kRoom = "     ";  // of a sign, as in draw_menu_row
+    const bool chosen = ImGui::MenuItemEx(text.c_str(), kRoom, nullptr, is_now);
     note_item(ui.rects, "row menu:" + text, is_now ? "chosen" : "");
-    const float s = ui.theme.scale;
-    draw_pattern_mark(*ImGui::GetWindowDrawList(), ui.theme,
-                      {corner.x + 9.0F * s, corner.y + 0.5F * ImGui::GetTextLineHeight()}, 5.5F * s,
-                      look, ImGui::GetColorU32(ImGuiCol_PopupBg));
+    const float radius = 5.5F * ui.theme.scale;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 middle{low.x + 0.5F * ImGui::GetStyle().ItemSpacing.x + radius,
+                        0.5F * (low.y + ImGui::GetItemRectMax().y)};
+    draw_pattern_mark(*ImGui::GetWindowDrawList(), ui.theme, middle, radius, look,
+                      ImGui::GetColorU32(ImGuiCol_PopupBg));
     return chosen;
 }
 
@@ -57,12 +59,21 @@ void draw_look_menu(Ui& ui, Workspace& work, std::size_t index) {
     ImGui::EndMenu();
 }
 
+// Above the row, where the open menu would end below the window.
+void keep_off_row(const Theme& theme, const Rect& row) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 size = ImGui::GetWindowSize();
+    ImVec2 at = ImGui::GetWindowPos();
+    at.x = std::max(0.0F, std::min(at.x, screen.x - size.x - theme.gap_px));
+    if (at.y + size.y > screen.y && size.y <= row.min.y) at.y = row.min.y - size.y;
+    ImGui::SetWindowPos(at);
+    keep_on_screen(theme);
+}
+
 }  // namespace
 
 PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const char* play_key) {
     if (index >= work.document.set.vibrations.size()) return PatternDeed::none;
-    const float gap = ui.theme.gap_px;  // rows of a list stand closer
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, 0.75F * gap));
     if (index != work.selection.current && !work.selection.others.contains(index)) {
         select_only(work, index);
     }
@@ -103,7 +114,7 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const 
     asks("Find similar", "", PatternDeed::similar,
          count < 2 ? "there is no other pattern" : nullptr);
     const char* no_numbers = has_numbers ? nullptr : "needs a pattern, not a recording";
-    asks("Vary", "", PatternDeed::vary,
+    asks("Vary", "V", PatternDeed::vary,
          no_numbers != nullptr ? no_numbers
          : vibration.locked    ? "is locked"
          : count < 3           ? "needs three patterns: a map"
@@ -113,6 +124,20 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const 
     draw_look_menu(ui, work, index);
     draw_divider(ui.theme);
     does("Delete", "Del", [&] { remove_selected(ui, work); });
+    return deed;
+}
+
+PatternDeed draw_row_menu(Ui& ui, Workspace& work, std::size_t index, const char* play_key) {
+    const Rect row{ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+    const float gap = ui.theme.gap_px;  // rows of a list stand closer than those of a menu
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, 0.75F * gap));
+    ImGui::SetNextWindowPos({ImGui::GetIO().MousePos.x, row.max.y}, ImGuiCond_Appearing);
+    PatternDeed deed = PatternDeed::none;
+    if (ImGui::BeginPopupContextItem("row menu")) {
+        keep_off_row(ui.theme, row);
+        deed = draw_pattern_menu(ui, work, index, play_key);
+        ImGui::EndPopup();
+    }
     ImGui::PopStyleVar();
     return deed;
 }

@@ -18,4 +18,8 @@ enum class PatternDeed { none, play, rename, similar, vary, steps };
 PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index,
                               const char* play_key = "");
 
+// The same by a right click on the last item, a row of a list; beside the row, whose name stays in
+// sight.
+PatternDeed draw_row_menu(Ui& ui, Workspace& work, std::size_t index, const char* play_key = "");
+
 }  // namespace tact

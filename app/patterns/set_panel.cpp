@@ -170,13 +170,6 @@ void drag_row(Ui& ui, Workspace& work, std::size_t index, const Rect& row) {
     ImGui::EndDragDropTarget();
 }
 
-PatternDeed draw_row_menu(Ui& ui, Workspace& work, std::size_t index) {
-    if (!ImGui::BeginPopupContextItem("row menu")) return PatternDeed::none;
-    const PatternDeed deed = draw_pattern_menu(ui, work, index);
-    ImGui::EndPopup();
-    return deed;
-}
-
 // The text field that stands in the row while it is renamed. Enter and leaving it take the name;
 // Esc brings the one before back.
 void draw_rename(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t index) {

@@ -17,14 +17,6 @@ namespace {
 
 bool has_picture(const Ui& ui, float width_px) { return width_px >= 360.0F * ui.theme.scale; }
 
-// What only a member has is its number, which is the key that plays it.
-PatternDeed draw_member_menu(Ui& ui, Workspace& work, std::size_t place, const std::string& key) {
-    if (!ImGui::BeginPopupContextItem("member menu")) return PatternDeed::none;
-    const PatternDeed deed = draw_pattern_menu(ui, work, place, key.c_str());
-    ImGui::EndPopup();
-    return deed;
-}
-
 }  // namespace
 
 float member_row_px(const Ui& ui, float width_px) {
@@ -52,7 +44,8 @@ PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::s
     draw_tooltip(ui,
                  ((has_key ? "Key " + key + " plays it. " : std::string()) + kHoldHelp).c_str());
     if (ImGui::IsItemHovered()) work.selection.hovered = place;
-    const PatternDeed deed = draw_member_menu(ui, work, *place, key);
+    // What only a member has is its number, which is the key that plays it.
+    const PatternDeed deed = draw_row_menu(ui, work, *place, key.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const PatternLook look = look_of(ui, work, *place);
     const float middle = corner.y + 0.5F * height;

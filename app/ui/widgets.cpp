@@ -345,6 +345,11 @@ void keep_on_screen(const Theme& theme) {
 }
 
 bool draw_menu_row(const Theme& theme, const MenuRow& row) {
+    // Keys stand clear of the longest words.
+    constexpr float kBeforeKeysPx = 24.0F;
+    const float room_px = kBeforeKeysPx * theme.scale - ImGui::GetStyle().ItemSpacing.x;
+    ImGui::GetCurrentWindow()->DC.MenuColumns.DeclColumns(
+        0.0F, ImGui::CalcTextSize(row.words, nullptr, true).x + room_px, 0.0F, 0.0F);
     // As wide as a sign: ImGui moves the words of all rows of the menu by it.
     const char* room = row.icon ? "     " : nullptr;
     const bool chosen = ImGui::MenuItemEx(row.words, room, row.keys, row.checked, row.enabled);
