@@ -203,7 +203,16 @@ std::span<const std::string_view> commands_of(Pane pane) {
 }
 
 // Commands of the View menu.
-constexpr std::array kWorkspaceTabs{"Design", "Select", "Physiology", "Study", "Present"};
+struct WorkspaceTab {
+    const char* name;
+    const char* help;
+};
+constexpr auto kWorkspaceTabs = std::to_array<WorkspaceTab>(
+    {{"Design", "make and edit patterns, beside their map and their matrix"},
+     {"Select", "a big map, the table of candidates and the most distinct subset"},
+     {"Physiology", "every stage from the skin to the cortex"},
+     {"Study", "ask people how alike the patterns feel"},
+     {"Present", "large, for a room: a lesson, step by step"}});
 
 const Command& view_command(std::string_view name) {
     return *std::ranges::find_if(commands(), [name](const Command& one) {
@@ -216,12 +225,12 @@ void draw_workspace_tabs(App& app) {
     const Theme& theme = app.ui.theme;
     const float gap = 2.0F * theme.gap_px;
     float wanted = -gap;
-    for (const char* tab : kWorkspaceTabs) wanted += ImGui::CalcTextSize(tab).x + gap;
+    for (const auto& [tab, help] : kWorkspaceTabs) wanted += ImGui::CalcTextSize(tab).x + gap;
     const float begin = ImGui::GetCursorPosX() + 2.0F * theme.padding_px;
     const float window = ImGui::GetWindowWidth();
     if (begin + wanted + theme.padding_px > window) return;
     ImGui::SetCursorPosX(std::max(begin, std::round(0.5F * (window - wanted))));
-    for (const char* tab : kWorkspaceTabs) {
+    for (const auto& [tab, help] : kWorkspaceTabs) {
         const Command& command = view_command(tab);
         const bool lit = command.checked(app);
         const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -238,7 +247,8 @@ void draw_workspace_tabs(App& app) {
                                theme.accent);
         }
         note_item(app.ui.rects, std::string("workspace:") + tab, lit ? "on" : "off");
-        draw_tooltip(app.ui, shortcut_text(command.shortcut).c_str());
+        const std::string keys = shortcut_text(command.shortcut);
+        draw_tooltip(app.ui, (std::string(tab) + ": " + help + "  " + keys).c_str());
         ImGui::SameLine(0.0F, gap);
     }
 }
@@ -291,7 +301,7 @@ void draw_pane_menu(App& app, Pane pane) {
     if (!ImGui::BeginPopupContextWindow("pane menu", kWhere)) return;
     auto& maximised = app.layout.maximised;
     const std::string keys = shortcut_text(view_command(kMaximise).shortcut);
-    if (ImGui::MenuItem(maximised ? "Put back" : "Maximise", keys.c_str()))
+    if (draw_menu_row(app.ui.theme, {maximised ? "Put back" : "Maximise", keys.c_str()}))
         maximised = maximised ? std::nullopt : std::optional(pane);
     note_item(app.ui.rects, "pane menu:maximise");
     draw_divider(app.ui.theme);
