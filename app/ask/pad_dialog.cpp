@@ -17,6 +17,7 @@ namespace tact {
 namespace {
 
 constexpr float kPadPx = 300.0F;
+constexpr float kMarginPx = 8.0F;  // marks reach past the pad
 constexpr const char* kMixName = "mix";
 
 std::vector<Pattern> corner_patterns(const PatternSet& set, const PadState& pad) {
@@ -110,6 +111,23 @@ void draw_square(Ui& ui, const Workspace& work, const PadState& pad, const Rect&
     list.AddCircle(at, 7.0F * theme.scale, theme.text, 0, 1.5F * theme.scale);
 }
 
+// The mix from its begin to its end.
+void draw_wave(Ui& ui, Workspace& work, const PadState& pad, ImVec2 corner, float width_px) {
+    const Theme& theme = ui.theme;
+    const float words_px = text_size(theme.fonts.small, "0").y;
+    const Rect picture = rect_at(corner, {width_px, 48.0F * theme.scale});
+    ImGui::SetCursorScreenPos(corner);
+    ImGui::Dummy({width_px, picture.height() + 0.5F * theme.gap_px + words_px});
+    draw_thumbnail(ui, work, picture, mixed_vibration(pad), theme.series, shown_reach_g(work));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float y = picture.max.y + 0.5F * theme.gap_px;
+    char end[32];
+    std::snprintf(end, sizeof end, "%.3g s", pad.mix.duration_s);
+    draw_text(list, theme.fonts.small, {picture.min.x, y}, theme.dim_text, "0");
+    draw_text(list, theme.fonts.small, {picture.max.x - text_size(theme.fonts.small, end).x, y},
+              theme.dim_text, end);
+}
+
 std::string pad_words(const PadState& pad) {
     constexpr std::size_t kMostNamed = 3;
     std::string words = "Amplitude " + significant(pad.mix.amplitude_g) + " g";
@@ -169,23 +187,21 @@ void open_pad(Ui& ui, const Workspace& work, PadState& pad) {
 }
 
 void draw_pad_dialog(Ui& ui, Workspace& work, PadState& pad) {
-    if (!begin_dialog(ui, "Mix on a pad", kPadPx + 60.0F)) return;
+    const float s = ui.theme.scale;
+    const float around_px = kMarginPx + ui.theme.padding_px / s;
+    if (!begin_dialog(ui, "Mix on a pad", kPadPx + 2.0F * around_px)) return;
     keep_mix(work.document.set, pad);
     coloured_text(ui.theme.dim_text,
                   "Drag inside; rest with the button held to feel it there. Rhythms are morphed: "
                   "notes move, stretch, split and fade.");
-    const float s = ui.theme.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float margin = 8.0F * s;
+    const float margin = kMarginPx * s;
     const float height = pad.corners.size() > 2 ? kPadPx * s : 0.4F * kPadPx * s;
     const Rect square = rect_at({corner.x + margin, corner.y + margin}, {kPadPx * s, height});
     take_pad_mouse(ui, work, pad, square);
     draw_square(ui, work, pad, square);
-    ImGui::SetCursorScreenPos({corner.x, square.max.y + margin});
-    const Rect picture =
-        rect_at(ImGui::GetCursorScreenPos(), {square.width() + 2.0F * margin, 48.0F * s});
-    ImGui::Dummy(picture.size());
-    draw_thumbnail(ui, work, picture, mixed_vibration(pad), ui.theme.series, shown_reach_g(work));
+    draw_wave(ui, work, pad, {square.min.x, square.max.y + margin}, square.width());
+    ImGui::SetCursorScreenPos({corner.x, ImGui::GetCursorScreenPos().y});
     dim_text(ui, pad_words(pad));
     note_item(ui.rects, "pad:words", pad_words(pad));
     if (draw_ends(ui, "Keep it", pad.mixed_of.size() > 1)) add_mix(ui, work, pad);
