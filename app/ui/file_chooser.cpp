@@ -65,6 +65,10 @@ void draw_place(Ui& ui, const char* label, const fs::path& place) {
 // The folders of the desktop, and those that were worked in lately.
 void draw_places(Ui& ui, float height_px) {
     ImGui::BeginChild("##places", {kPlacesWidth * ImGui::GetFontSize(), height_px});
+    // A chosen row reaches half of the spacing past its words.
+    const ImVec2 spacing{2.0F * ui.theme.gap_px, ImGui::GetStyle().ItemSpacing.y};
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, spacing);
+    ImGui::Indent(ui.theme.gap_px);
     draw_place(ui, "Home", home_folder());
     for (const char* name : {"Desktop", "Documents", "Downloads"}) {
         if (is_folder(home_folder() / name)) draw_place(ui, name, home_folder() / name);
@@ -76,6 +80,7 @@ void draw_places(Ui& ui, float height_px) {
         ImGui::TextDisabled("Recent");
     }
     for (const fs::path& place : recent) draw_place(ui, place.filename().c_str(), place);
+    ImGui::PopStyleVar();
     ImGui::EndChild();
 }
 

@@ -45,7 +45,8 @@ constexpr const char* kAboutText =
     "tactspace predicts which vibrations people will tell apart. It implements the physiology-"
     "based model PM of Lim & Park, \"Can a Computer Tell Differences between Vibrations?\" (CHI "
     "2023).\n\n"
-    "Where the paper leaves a choice open, one was made here; the manual (F1) lists them. The "
+    "Where the paper leaves a choice open, one was made here; the manual (Help > Manual) lists "
+    "them. The "
     "slopes and thresholds of the receptors are rebuilt from published rates, as the "
     "original figures were not available. The model knows one fingertip, a 0.5 mm probe, no "
     "adaptation, no noise and no differences between people; it was validated at 1 s.\n\n"
@@ -89,6 +90,8 @@ constexpr auto kGestures = std::to_array<Gesture>({
 
 void draw_about(App& app) {
     if (!begin_dialog(app.ui, "About tactspace")) return;
+    coloured_text(app.ui.theme.dim_text, "Version " TACT_VERSION);
+    ImGui::Spacing();
     ImGui::TextWrapped("%s", kAboutText);
     end_dialog(app.ui);
 }

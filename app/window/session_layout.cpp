@@ -178,8 +178,8 @@ bool may_close(App& app) {
     const Expected<Done> kept = autosave(app.work.session, app.work.document);
     if (kept) return true;
     ask(app.ui, {.title = "Unsaved changes",
-                 .text = "The unsaved changes of " + document_name(app.work) +
-                         " cannot be kept for the next start, and would be lost. " +
+                 .text = "The unsaved changes of \"" + document_name(app.work) +
+                         "\" cannot be kept for the next start, and would be lost. " +
                          with_stop(kept.error().message),
                  .answers = {{"Save as...", [&app] { save_dialog(app.ui, app.work); }},
                              {"Discard and quit", [&app] { discard_and_quit(app); }},
@@ -198,8 +198,8 @@ bool tells_what_is_kept(App& app) {
     };
     ask(app.ui,
         {.title = "Unsaved changes are kept",
-         .text = "The changes of " + document_name(app.work) +
-                 " are kept, and are here again at the next start. They are not in its "
+         .text = "The changes of \"" + document_name(app.work) +
+                 "\" are kept, and are here again at the next start. They are not in its "
                  "file: that takes Save. This is said once.",
          .answers = {
              {"Quit", leave}, {"Save...", [&app] { save(app.ui, app.work); }}, {"Cancel"}}});
