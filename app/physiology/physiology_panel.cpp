@@ -342,7 +342,8 @@ PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
                                    Physiology& physiology) {
     const Vibration* vibration = current_vibration(work);
     if (vibration == nullptr) {
-        dim_text(ui, "No vibration to show: press New on the left, or open a set.");
+        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "No vibration to show",
+                   "Press New on the left to make one, or open a set.");
         return PhysiologyDeed::none;
     }
     fit_time(work, timeline);

@@ -38,10 +38,12 @@ const char* keys_of(const StudyRun& run) {
             return "Tab  next field      Enter  agree, then begin      Esc  leave";
         case StudyPage::instructions:
         case StudyPage::rest:
-        case StudyPage::finished:
             return "Enter  go on      Esc  pause";
+        case StudyPage::finished:
+            return "Enter  done      Esc  pause";
         case StudyPage::training:
-            return "\u2190 \u2192  choose      Space  feel      Enter  go on      Esc  pause";
+            return "\u2190 \u2192  choose      Space  feel      Enter  start rating      Esc  "
+                   "pause";
         case StudyPage::trial:
             return "A, B  feel      0\u20139, Home, End  rate      \u2190 \u2192  finer (Shift: by "
                    "10)      Enter  next      Esc  pause";

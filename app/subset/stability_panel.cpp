@@ -22,19 +22,32 @@ std::string percent(double share) {
     return text;
 }
 
+constexpr const char* kTestVariants = "Test 100 variants";
+
+bool may_ask(const ShownMap& shown_map, const SubsetState& picking) {
+    const Pick* pick = shown_pick(shown_map, picking);
+    return pick != nullptr && !pick->request.by_ratings && !is_of_preview(pick->request) &&
+           pick->request.metric == Metric::pm && picking.stability_job;
+}
+
+// Of the button, which was drawn last.
+void take_ask(Ui& ui, SubsetState& picking, bool pressed) {
+    if (pressed) picking.stability_job->submit({picking.pick, 100});
+    note_item(ui.rects, "button:draw models");
+    draw_tooltip(ui,
+                 "Thresholds of each receptor type within 6 dB, choices the paper leaves open, "
+                 "weights near the trained ones: 100 models, and what each would pick.");
+}
+
 void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
     const bool busy = picking.stability_job && picking.stability_job->busy();
     const Pick* pick = shown_pick(shown_map, picking);
     const bool is_preview = pick != nullptr && is_of_preview(pick->request);
-    const bool possible = pick != nullptr && !pick->request.by_ratings && !is_preview &&
-                          pick->request.metric == Metric::pm && picking.stability_job;
+    const bool possible = may_ask(shown_map, picking);
     ImGui::BeginDisabled(busy || !possible);
-    if (ImGui::Button("Test 100 variants")) picking.stability_job->submit({picking.pick, 100});
-    note_item(ui.rects, "button:draw models");
+    const bool pressed = ImGui::Button(kTestVariants);
     ImGui::EndDisabled();
-    draw_tooltip(ui,
-                 "Thresholds of each receptor type within 6 dB, choices the paper leaves open, "
-                 "weights near the trained ones: 100 models, and what each would pick.");
+    take_ask(ui, picking, pressed);
     if (busy) {
         ImGui::SameLine();
         if (draw_progress(ui, {"Testing variants", picking.stability_job->progress(), "stability"},
@@ -90,14 +103,23 @@ void draw_shares(Ui& ui, const SubsetState& picking, const Stability& stability)
 
 void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                          SubsetState& picking) {
-    draw_ask(ui, shown_map, picking);
     const Stability* stability = shown_stability(picking);
+    // Below what it is for, until there is an answer to stand above.
+    const bool first = stability == nullptr && may_ask(shown_map, picking) &&
+                       !picking.stability_job->busy() && failure_of(picking.stability_job).empty();
+    if (!first) draw_ask(ui, shown_map, picking);
     if (stability == nullptr) {
         const Rect area = rest_of_pane();
         if (area.empty()) return;
-        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "How sure is this subset?",
-                   "The model has numbers nobody knows exactly. Vary them at random, and see who "
-                   "stays picked and how far each point moves.");
+        constexpr const char* kTitle = "How sure is this subset?";
+        constexpr const char* kReason =
+            "The model has numbers nobody knows exactly. Vary them at random, and see who stays "
+            "picked and how far each point moves.";
+        if (first) {
+            take_ask(ui, picking, draw_empty_with(ui, area, kTitle, kReason, kTestVariants));
+        } else {
+            draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, kTitle, kReason);
+        }
         return;
     }
     const std::string text = "The same subset in " + percent(stability->share_same) +
