@@ -246,10 +246,6 @@ void add_arrangements(std::vector<Scene>& all) {
                        run(p, "New lesson from this set");
                        p.wait_for_stages();
                    }});
-    all.push_back({"presenting", [](Program& p) {
-                       begin_tour(p);
-                       present(p);
-                   }});
     all.push_back({"study, pairs", [](Program& p) {
                        run(p, "Study");
                        p.app.studying.kind = StudyKind::pairwise;
@@ -350,8 +346,10 @@ void add_bench(std::vector<Scene>& all) {
                        wait_for_comparison(p);
                    },
                    true});
-    all.push_back(
-        {"compare, findings", [](Program& p) { show_compare(p, CompareView::findings); }});
+    all.push_back({"compare, findings", [](Program& p) {
+                       p.app.comparing.findings.reset();
+                       show_compare(p, CompareView::findings);
+                   }});
     all.push_back({"compare, findings checked",
                    [](Program& p) {
                        show_compare(p, CompareView::findings);
@@ -471,7 +469,7 @@ void add_dialogs(std::vector<Scene>& all) {
     all.push_back({"dialog, question", [](Program& p) {
                        ask(p.app.ui,
                            {.title = "Save the changes?",
-                            .text = "Twelve patterns has changes that are in no file yet.",
+                            .text = "\"Twelve patterns\" has changes that are in no file yet.",
                             .answers = {{"Save"}, {"Do not save"}, {"Cancel"}}});
                        p.settle();
                    }});
