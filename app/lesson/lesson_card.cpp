@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "app/lesson/lesson_place.h"
@@ -34,7 +35,7 @@ float measure_px(const Ui& ui, const LessonState& state) {
 float card_px(const Ui& ui, const LessonState& state, const Rect& area) {
     const bool upright = is_upright(state.dock);
     const float all = upright ? area.width() : area.height();
-    const float least = (upright ? 250.0F : 130.0F) * ui.theme.scale;
+    const float least = (upright ? 250.0F : 80.0F) * ui.theme.scale;
     const float most = static_cast<float>(kCardShare.high) * all;
     const float high = state.low_card_px > 0.0F ? state.low_card_px : most;
     const float needed = upright ? measure_px(ui, state) + 2.0F * ui.theme.padding_px : high;
@@ -62,19 +63,30 @@ void draw_text_of(Ui& ui, const LessonState& state, const LessonStep& step) {
     note_item(ui.rects, "lesson:text", text);
 }
 
-void draw_head(Ui& ui, LessonState& state, const LessonStep& step, float width) {
-    const LessonFonts fonts = lesson_fonts(ui, state);
-    char count[32];
-    std::snprintf(count, sizeof count, "%zu of %zu", *state.step + 1, state.lesson->steps.size());
-    ImGui::PushFont(fonts.small);
-    dim_text(ui, count);
-    const float move_px = ImGui::CalcTextSize("Move").x;
-    ImGui::SameLine(width - move_px);
+std::string count_text(const LessonState& state) {
+    return std::to_string(*state.step + 1) + " of " + std::to_string(state.lesson->steps.size());
+}
+
+void draw_count(Ui& ui, const LessonState& state) {
+    ImGui::PushFont(lesson_fonts(ui, state).small);
+    dim_text(ui, count_text(state));
+    ImGui::PopFont();
+}
+
+float move_px(const Ui& ui, const LessonState& state) {
+    return text_size(lesson_fonts(ui, state).small, "Move").x;
+}
+
+void draw_move(Ui& ui, LessonState& state) {
+    ImGui::PushFont(lesson_fonts(ui, state).small);
     if (link(ui, "move card", "Move")) move_card(state);
     note_item(ui.rects, "lesson:move");
     ImGui::PopFont();
     draw_tooltip(ui, "To the next edge of the window; its inner edge can be dragged");
-    ImGui::PushFont(fonts.head);
+}
+
+void draw_title(Ui& ui, const LessonState& state, const LessonStep& step) {
+    ImGui::PushFont(lesson_fonts(ui, state).head);
     wrapped_text(text_in(state, step.title));
     ImGui::PopFont();
     ImGui::Spacing();
@@ -109,6 +121,13 @@ WayWords way_words(const LessonState& state) {
             last            ? "Finish"
             : state.is_tour ? "Leave the tour"
                             : "Leave the lesson"};
+}
+
+void draw_head(Ui& ui, LessonState& state, const LessonStep& step, float width) {
+    draw_count(ui, state);
+    ImGui::SameLine(width - move_px(ui, state));
+    draw_move(ui, state);
+    draw_title(ui, state, step);
 }
 
 constexpr const char* kBack = "Back";
@@ -148,6 +167,71 @@ void draw_way_at_head(const LessonHands& hands, LessonState& state, float right)
     const float left = right - way_width(hands.ui, way_words(state));
     ImGui::SetCursorPos({left, theme.padding_px});
     draw_way(hands, state, true);
+}
+
+// Of a card along the top or the foot, side by side: what it is about, its words, and the rest of
+// the width for the buttons and a question.
+struct CardColumns {
+    float head_px;
+    float text_px;
+    float gap_px;
+};
+
+// None where they have no room.
+std::optional<CardColumns> card_columns(const Ui& ui, const LessonState& state, float width) {
+    const float line = measure_px(ui, state);
+    const CardColumns columns{0.6F * line, 1.4F * line, 2.0F * ui.theme.padding_px};
+    const float way = way_width(ui, way_words(state)) + 2.0F * ui.theme.gap_px + move_px(ui, state);
+    const float rest = width - columns.head_px - columns.text_px - 2.0F * columns.gap_px;
+    return rest >= way ? std::optional(columns) : std::nullopt;
+}
+
+void draw_in_columns(const LessonHands& hands, LessonState& state, const LessonStep& step,
+                     const CardColumns& columns) {
+    Ui& ui = hands.ui;
+    const ImVec2 between{0.5F * columns.gap_px, 0.0F};
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, between);
+    if (ImGui::BeginTable("card", 3,
+                          ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_NoSavedSettings)) {
+        const float pad = ImGui::GetStyle().FramePadding.y;  // words on the line of the buttons
+        ImGui::TableSetupColumn("head", ImGuiTableColumnFlags_WidthFixed, columns.head_px);
+        ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthFixed, columns.text_px);
+        ImGui::TableSetupColumn("way", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableNextColumn();
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + pad);
+        draw_count(ui, state);
+        draw_title(ui, state, step);
+        ImGui::TableNextColumn();
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + pad);
+        draw_text_of(ui, state, step);
+        draw_source(ui, state, step);
+        ImGui::TableNextColumn();
+        const float rest = ImGui::GetContentRegionAvail().x - move_px(ui, state) -
+                           2.0F * ui.theme.gap_px - way_width(ui, way_words(state));
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, rest));
+        draw_way(hands, state, true);
+        ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
+        const float below =
+            0.5F * (ImGui::GetFrameHeight() - text_size(lesson_fonts(ui, state).small, "Move").y);
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + below);
+        draw_move(ui, state);
+        if (step.question) draw_lesson_question(hands, state, *step.question);
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
+}
+
+// One below the other.
+void draw_in_a_column(const LessonHands& hands, LessonState& state, const LessonStep& step,
+                      float width) {
+    draw_head(hands.ui, state, step, width);
+    if (state.editing) {
+        draw_step_editor(hands, state);
+    } else {
+        draw_text_of(hands.ui, state, step);
+    }
+    if (step.question) draw_lesson_question(hands, state, *step.question);
+    draw_source(hands.ui, state, step);
 }
 
 // Its inner edge, dragged.
@@ -212,7 +296,7 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
     const LessonStep* shown = step_of(state);
     if (shown == nullptr || card.empty()) return;
     const LessonStep step = *shown;  // the frame may go on to another one
-    const std::size_t at = *state.step;
+    const std::string count = count_text(state);
     Ui& ui = hands.ui;
     const Theme& theme = ui.theme;
     ImGui::SetNextWindowPos(card.min);
@@ -222,31 +306,29 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
     // Along the top or the foot, too, though there by half as long again: it is low.
     const float line = 1.5F * measure_px(ui, state);
     const bool is_low = !is_upright(state.dock) && card.width() > 1.5F * line;
-    if (is_low && !state.editing) ImGui::SetNextWindowContentSize({line, 0.0F});
+    const auto columns =
+        is_low && !state.editing
+            ? card_columns(ui, state,
+                           card.width() - 2.0F * theme.padding_px - ImGui::GetStyle().ScrollbarSize)
+            : std::nullopt;
+    if (is_low && !state.editing && !columns) ImGui::SetNextWindowContentSize({line, 0.0F});
     if (ImGui::Begin("tour", nullptr,
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
-        const LessonFonts fonts = lesson_fonts(ui, state);
-        ImGui::PushFont(fonts.text);
+        ImGui::PushFont(lesson_fonts(ui, state).text);
         const float bar = ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F;
         const float width = card.width() - ImGui::GetStyle().WindowPadding.x - bar;
         // On the line of the buttons beside it.
-        if (is_low) ImGui::SetCursorPosY(theme.padding_px + ImGui::GetStyle().FramePadding.y);
-        draw_head(ui, state, step, width);
-        if (state.editing) {
-            draw_step_editor(hands, state);
-        } else {
-            draw_text_of(ui, state, step);
-        }
-        if (step.question) draw_lesson_question(hands, state, *step.question);
-        draw_source(ui, state, step);
+        if (is_low && !columns)
+            ImGui::SetCursorPosY(theme.padding_px + ImGui::GetStyle().FramePadding.y);
+        if (columns) draw_in_columns(hands, state, step, *columns);
+        if (!columns) draw_in_a_column(hands, state, step, width);
         // Where the words end; what stands beside their head needs less.
         float end_px = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
-        if (is_low) {
-            const float move_px = text_size(fonts.small, "Move").x;
-            draw_way_at_head(hands, state, width - move_px - 2.0F * theme.gap_px);
-        } else {
+        if (is_low && !columns) {
+            draw_way_at_head(hands, state, width - move_px(ui, state) - 2.0F * theme.gap_px);
+        } else if (!columns) {
             ImGui::Spacing();
             draw_way(hands, state, false);
             end_px = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
@@ -255,8 +337,6 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
             state.low_card_px = std::ceil(end_px + ImGui::GetStyle().WindowPadding.y);
         }
         ImGui::PopFont();
-        char count[32];
-        std::snprintf(count, sizeof count, "%zu of %zu", at + 1, state.lesson->steps.size());
         note_rect(ui.rects, "tour", card.min, card.max, count);
     }
     ImGui::End();
