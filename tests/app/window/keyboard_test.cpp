@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -111,12 +113,23 @@ bool follows(const Place& a, const Place& b) {
     return b.min.y > a.min.y || b.min.x >= a.max.x;
 }
 
+// What works has a Cancel, which goes when it is done.
+void wait_for_rest(Program& program) {
+    const auto works = [](const auto& place) { return place.first.starts_with("progress:"); };
+    const auto until = end_of_patience();
+    while (std::ranges::any_of(program.places, works) && std::chrono::steady_clock::now() < until) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        program.frame();
+    }
+    program.settle();
+}
+
 std::vector<std::string> faults_of(SceneWindow& window, const Scene& scene,
                                    std::optional<Pane> alone) {
     window.show(scene);
     if (alone) window.app.layout.maximised = alone;
-    window.wait_for_exact_map();  // which takes its Cancel away
-    window.settle();
+    window.wait_for_exact_map();
+    wait_for_rest(window);
     std::vector<std::string> faults;
     const auto things = pressable(window);
     const std::vector<Stop> stops = round_trip(window, faults);
