@@ -82,7 +82,7 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
             comparing.findings_job->cancel();
     } else if (comparing.findings) {
         const std::string text = tally_of(*comparing.findings);
-        dim_text(ui, text);
+        dim_text(ui, shortened(ui.theme.fonts.regular, text, ImGui::GetContentRegionAvail().x));
         note_item(ui.rects, "compare:findings", text);
     }
     (void)draw_failure(ui, "findings", failure_of(comparing.findings_job));

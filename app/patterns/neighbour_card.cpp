@@ -30,12 +30,12 @@ std::string pm_words(const Workspace& work, const ShownMap& shown_map, const Nei
 
 std::string verdict_help() {
     char text[320];
-    std::snprintf(
-        text, sizeof text,
-        "Same: no number differs by a felt step (Model, What people feel). Hard to tell: "
-        "PM of at most %.0f %% of the set's largest. Clearly apart: farther. A guess: PM counts "
-        "ranks in this set, and nobody has measured where pairs are told apart.",
-        100.0 * kHardShare);
+    std::snprintf(text, sizeof text,
+                  "Same: no number differs by a felt step (Model, What people feel). Hard to tell: "
+                  "PM of at most %.0f %% of the set's largest. Over a felt step apart: farther. A "
+                  "guess: PM counts "
+                  "ranks in this set, and nobody has measured where pairs are told apart.",
+                  100.0 * kHardShare);
     return text;
 }
 
@@ -77,14 +77,22 @@ void draw_name(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbo
     const std::string& name = map.request.set->vibrations[pair.closest].name;
     dim_text(ui, "Closest");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    const float room = right - ImGui::GetCursorScreenPos().x - ui.theme.gap_px -
-                       text_size(ui.theme.fonts.small, words_of(verdict)).x;
+    const auto room_beside = [&](const char* words) {
+        return right - ImGui::GetCursorScreenPos().x - ui.theme.gap_px -
+               text_size(ui.theme.fonts.small, words).x;
+    };
+    const char* words = words_of(verdict);
+    const float least = 48.0F * ui.theme.scale;  // of the name
+    if (verdict == PairVerdict::clear && room_beside(words) < least) words = "apart";
+    if (verdict == PairVerdict::clear && room_beside(words) < least) words = "";
+    const float room = room_beside(words);
+    if (room < 16.0F * ui.theme.scale) return;  // the links below lead there, too
     if (link(ui, "closest name", shortened(ui.theme.fonts.regular, name, std::max(1.0F, room))))
         select_only(work, pair.place);
     note_item(ui.rects, "neighbour:name", name);
     if (ImGui::IsItemHovered()) work.selection.hovered_pair = {work.selection.current, pair.place};
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    draw_small(ui, colour_of(ui, verdict), words_of(verdict), right);
+    draw_small(ui, colour_of(ui, verdict), words, right);
     note_item(ui.rects, "neighbour:verdict", words_of(verdict));
     draw_tooltip(ui, verdict_help().c_str());
 }

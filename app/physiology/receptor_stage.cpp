@@ -421,6 +421,7 @@ void draw_network_stage(Ui& ui, const Timeline& timeline, Physiology& physiology
     // Names have a column of their own: above the maps they would cost them height.
     const float height = (rest.height() - 3.0F * gap) / 4.0F;
     const float names_px = text_size(theme.fonts.small, kNoSpikes).x + 2.0F * gap;
+    const float words_px = height >= 2.4F * text_px ? names_px : 0.0F;  // below the name
     for (const Receptor type : kReceptors) {
         const ImVec2 corner{rest.min.x,
                             rest.min.y + static_cast<float>(index_of(type)) * (height + gap)};
@@ -434,7 +435,7 @@ void draw_network_stage(Ui& ui, const Timeline& timeline, Physiology& physiology
         draw_one_network(
             ui, timeline, physiology, shown, type,
             {corner + ImVec2{names_px, 0.0F}, corner + ImVec2{rest.width(), height}},
-            {rect_at(named + ImVec2{0.0F, 1.25F * text_px}, {names_px, text_px}), false});
+            {rect_at(named + ImVec2{0.0F, 1.25F * text_px}, {words_px, text_px}), false});
     }
 }
 

@@ -225,7 +225,7 @@ void draw_filled(ImDrawList& list, const Theme& theme, const Plot& plot,
 
 void draw_columns(ImDrawList& list, const Theme& theme, const Plot& plot,
                   std::span<const double> samples, double rate_hz, ImU32 colour) {
-    const double widest_px = 5.0 * std::max(1.0, double{theme.trace_px});
+    const double widest_px = 4.0 * std::max(1.0, double{theme.trace_px});
     const PixelColumns columns = pixel_columns(theme, plot, samples, rate_hz, widest_px);
     const std::vector<bool>& filled = columns.body->filled;
     for (std::size_t begin = columns.begin; begin < columns.end;) {
