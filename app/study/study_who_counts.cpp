@@ -34,7 +34,7 @@ void record(Ui& ui, const Workspace& work, StudyState& studying, const CountRule
 
 // Below its check box, where its words begin.
 void draw_limit(Ui& ui, const NumberRow& row, double& value) {
-    const float words = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    const float words = check_width(ui.theme, "");
     ImGui::Indent(words);
     draw_number_row(ui, row, value);
     ImGui::Unindent(words);
