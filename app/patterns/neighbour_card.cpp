@@ -77,16 +77,12 @@ void draw_name(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbo
     const std::string& name = map.request.set->vibrations[pair.closest].name;
     dim_text(ui, "Closest");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    const auto room_beside = [&](const char* words) {
-        return right - ImGui::GetCursorScreenPos().x - ui.theme.gap_px -
-               text_size(ui.theme.fonts.small, words).x;
-    };
-    const char* words = words_of(verdict);
-    const float least = 48.0F * ui.theme.scale;  // of the name
-    if (verdict == PairVerdict::clear && room_beside(words) < least) words = "apart";
-    if (verdict == PairVerdict::clear && room_beside(words) < least) words = "";
-    const float room = room_beside(words);
-    if (room < 16.0F * ui.theme.scale) return;  // the links below lead there, too
+    // A long word gives way to the name.
+    const ImFont* small = ui.theme.fonts.small;
+    const float free = right - ImGui::GetCursorScreenPos().x - ui.theme.gap_px;
+    const float least = 48.0F * ui.theme.scale;
+    const std::string words = shortened(small, words_of(verdict), std::max(0.0F, free - least));
+    const float room = free - text_size(small, words).x;
     if (link(ui, "closest name", shortened(ui.theme.fonts.regular, name, std::max(1.0F, room))))
         select_only(work, pair.place);
     note_item(ui.rects, "neighbour:name", name);

@@ -264,10 +264,7 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
     const float end = draw_row_end(ui, work, vibration, look, row, end_parts) - 5.0F * s;
     draw_state_signs(ui, vibration, {end, middle});
     const float room = end - name_begin - state_signs_px(theme, vibration);
-    // Where not even dots have room there is none.
-    const std::string shown = room < theme.fonts.regular->FontSize
-                                  ? std::string()
-                                  : shortened(theme.fonts.regular, vibration.name, room);
+    const std::string shown = shortened(theme.fonts.regular, vibration.name, std::max(0.0F, room));
     draw_text(list, theme.fonts.regular, {name_begin, text_y},
               vibration.dropped ? theme.dim_text : theme.text, shown);
     if (work.selection.too_close.contains(vibration.name)) {

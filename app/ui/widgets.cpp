@@ -82,9 +82,7 @@ void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) 
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, text_size(theme.fonts.title, "0").y};
     const Fonts& fonts = theme.fonts;
-    const std::string head = size.x < font_or_current(fonts.title).FontSize
-                                 ? std::string()
-                                 : shortened(fonts.title, title.title, size.x);
+    const std::string head = shortened(fonts.title, title.title, size.x);
     float used = text_size(fonts.title, head).x + theme.gap_px;
     draw_title_part(ui, fonts.title, corner, theme.text, head, "title text:" + title.title);
     // On the line that the title stands on.

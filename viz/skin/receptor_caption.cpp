@@ -36,6 +36,7 @@ void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const Rec
     }
     if (text_size(font, name + count).x > room) count.clear();
     name = shortened(font, name, room);
+    if (name == "\u2026") name.clear();  // the mark tells who it is
     const float name_px = text_size(font, name).x;
     const float width = mark_px + name_px + text_size(font, count).x;
     const float left = left_of(line, width, flush);
