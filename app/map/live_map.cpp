@@ -140,6 +140,8 @@ std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, st
     return map;
 }
 
+double largest_pm(const LiveMap& map) { return map.sorted_pm.empty() ? 0.0 : map.sorted_pm.back(); }
+
 std::string matrix_csv(const LiveMap& map) {
     std::vector<std::string> labels;
     for (const Vibration& one : map.request.set->vibrations) labels.push_back(one.name);

@@ -55,6 +55,9 @@ struct LiveMap {
     std::size_t closest = 0;  // the pair of the least PM, in condensed order
 };
 
+// Of all pairs; 0: there are none.
+double largest_pm(const LiveMap& map);
+
 // PM of every pair, as a matrix file has it.
 std::string matrix_csv(const LiveMap& map);
 

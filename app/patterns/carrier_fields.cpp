@@ -1,5 +1,3 @@
-#include <imgui_internal.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -178,8 +176,7 @@ void draw_carrier_links(Ui& ui, Workspace& work, const Pattern& pattern) {
 }  // namespace
 
 void draw_field_tooltip(const Ui& ui, const char* text) {
-    const bool disabled = (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) != 0;
-    draw_tooltip(ui, disabled ? "The pattern is locked. Unlock it to change it." : text);
+    draw_tooltip(ui, is_item_disabled() ? "The pattern is locked. Unlock it to change it." : text);
 }
 
 double snapped_to(double value, double snap) {

@@ -113,7 +113,7 @@ void draw_partner(Ui& ui, const Workspace& work, const ShownMap& shown_map) {
     if (rows) {
         const LiveMap& map = *shown_map.transition.shown;
         words = "PM to " + name + ": " + significant(map.prediction.pm(rows->first, rows->second)) +
-                " of " + significant(map.sorted_pm.back());
+                " of " + significant(largest_pm(map));
         const MapState state = map_state(work, shown_map);
         if (state == MapState::preview) words += ", a preview";
         if (state == MapState::stale) words += ", of before the last change";

@@ -16,12 +16,10 @@ namespace tact {
 
 namespace {
 
-double largest_of(const LiveMap& map) { return map.sorted_pm.empty() ? 0.0 : map.sorted_pm.back(); }
-
 std::string pm_words(const Workspace& work, const ShownMap& shown_map, const Neighbour& pair) {
     const LiveMap& map = *shown_map.transition.shown;
     std::string words = "PM " + significant(map.prediction.pm(pair.own, pair.closest)) + " of " +
-                        significant(largest_of(map));
+                        significant(largest_pm(map));
     const MapState state = map_state(work, shown_map);
     if (state == MapState::preview) words += ", preview";
     if (state == MapState::stale) words += ", before the edit";
@@ -73,7 +71,7 @@ void draw_name(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbo
                float right) {
     const LiveMap& map = *shown_map.transition.shown;
     const PairVerdict verdict =
-        pair_verdict(*map.request.set, map.prediction.pm, pair.own, pair.closest, largest_of(map));
+        pair_verdict(*map.request.set, map.prediction.pm, pair.own, pair.closest, largest_pm(map));
     const std::string& name = map.request.set->vibrations[pair.closest].name;
     dim_text(ui, "Closest");
     ImGui::SameLine(0.0F, ui.theme.gap_px);

@@ -128,11 +128,22 @@ constexpr const char* kUnfinished = "Count unfinished ones";
 constexpr const char* kUse = "Use as the set's ratings";
 constexpr const char* kExport = "Export CSV...";
 
+struct ScalingChoice {
+    RatingScaling scaling;
+    const char* name;
+    const char* tip;
+};
+constexpr std::array kScalings{
+    ScalingChoice{RatingScaling::none, "As rated", "The publication's: no scaling of people."},
+    ScalingChoice{RatingScaling::min_max, "Own range",
+                  "Each one's lowest and highest to 0 and 100."},
+    ScalingChoice{RatingScaling::standard, "Standardised", "Each one to mean 50, deviation 10."}};
+
 // What is counted and what can be done with it, in one line: as wide as that is.
 float foot_px(const Ui& ui, const StudyState& studying) {
     float width = check_width(ui.theme, kUnfinished);
-    for (const char* scaling : {"As rated", "Own range", "Standardised"}) {
-        width += radio_width(ui, scaling) + 1.5F * ui.theme.gap_px;
+    for (const ScalingChoice& choice : kScalings) {
+        width += radio_width(ui, choice.name) + 1.5F * ui.theme.gap_px;
     }
     width += ImGui::CalcTextSize(conduct_summary(studying.rule.who.conduct).c_str()).x;
     return width + button_width(kUse) + button_width(kExport) + 4.5F * ui.theme.gap_px;
@@ -142,15 +153,7 @@ void draw_rule(Ui& ui, StudyState& studying) {
     CollectRule& rule = studying.rule;
     draw_check(ui.theme, kUnfinished, rule.unfinished_too);
     note_item(ui.rects, "check:unfinished", rule.unfinished_too ? "on" : "off");
-    struct Choice {
-        RatingScaling scaling;
-        const char* name;
-        const char* tip;
-    };
-    for (const Choice& choice :
-         {Choice{RatingScaling::none, "As rated", "The publication's: no scaling of people."},
-          {RatingScaling::min_max, "Own range", "Each one's lowest and highest to 0 and 100."},
-          {RatingScaling::standard, "Standardised", "Each one to mean 50, deviation 10."}}) {
+    for (const ScalingChoice& choice : kScalings) {
         flow_on(radio_width(ui, choice.name), 1.5F * ui.theme.gap_px);
         if (draw_radio(ui, choice.name, rule.scaling == choice.scaling)) {
             rule.scaling = choice.scaling;

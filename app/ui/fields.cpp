@@ -156,8 +156,7 @@ void draw_nudge_ring(Ui& ui, const Field& field) {
 // A locked field takes nothing, but what is typed at it is not meant for the window either.
 void follow_locked(Ui& ui, const Field& field, const Rect& row) {
     const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(row.min, row.max);
-    const bool locked = (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) != 0;
-    if (!over || !locked || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
+    if (!over || !is_item_disabled() || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
     ui.field.locked = field.id;
     ui.field.active.clear();
 }

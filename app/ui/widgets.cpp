@@ -217,6 +217,8 @@ bool draw_check(const Theme& theme, const char* label, bool& on) {
     return pressed;
 }
 
+bool is_item_disabled() { return (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) != 0; }
+
 void draw_divider(const Theme& theme) {
     const ImGuiWindow& window = *ImGui::GetCurrentWindow();
     const float thick = whole_px(theme.hairline_px);
@@ -473,8 +475,7 @@ bool draw_link(const Ui& ui, const char* id, const std::string& text, float pad_
     const bool pressed = ImGui::InvisibleButton(id, {size.x, size.y + 2.0F * pad_px});
     const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
     // GetColorU32 fades what is disabled.
-    const bool disabled = (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) != 0;
-    const ImU32 ink = ImGui::GetColorU32(disabled ? ui.theme.dim_text : ui.theme.accent);
+    const ImU32 ink = ImGui::GetColorU32(is_item_disabled() ? ui.theme.dim_text : ui.theme.accent);
     ImGui::GetWindowDrawList()->AddText(corner, ink, text.c_str());
     if (lit) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

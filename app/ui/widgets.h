@@ -67,6 +67,9 @@ float radio_width(const Ui& ui, const char* label);
 bool draw_check(const Theme& theme, const char* label, bool& on);
 float check_width(const Theme& theme, const char* label);
 
+// Whether the last item cannot be pressed.
+bool is_item_disabled();
+
 // The line between the parts of a menu, a popup or a dialog, of whole pixels.
 void draw_divider(const Theme& theme);
 

@@ -89,18 +89,21 @@ void remake_fonts(Program& program) {
     if (program.app.ui.fonts_outdated) make_fonts(program);
 }
 
+void wait_for_lesson(Program& program) {
+    wait_until(program, [&] { return answers_of(program.app.lesson) != nullptr; });
+    program.wait_for_stages();
+}
+
 // With its numbers.
 void begin_tour(Program& program) {
     run(program, "Guided tour");
-    wait_until(program, [&] { return answers_of(program.app.lesson) != nullptr; });
-    program.wait_for_stages();
+    wait_for_lesson(program);
 }
 
 void present(Program& program) {
     run(program, "Present");
     make_fonts(program);
-    wait_until(program, [&] { return answers_of(program.app.lesson) != nullptr; });
-    program.wait_for_stages();
+    wait_for_lesson(program);
 }
 
 void show_bench(Program& program, BenchTab tab) {
@@ -434,27 +437,20 @@ void add_dialogs(std::vector<Scene>& all) {
     for (const auto& [name, command] : kDialogs) {
         all.push_back({std::string("dialog, ") + name, [command](Program& p) { run(p, command); }});
     }
-    all.push_back({"dialog, leave out",
-                   [](Program& p) {
-                       show_answers(p, StudyKind::pairwise, StudyShow::matrix);
-                       ask_to_leave_out(
-                           p.app.ui, p.app.studying,
-                           p.app.studying.answers->records.front().header.participant.code);
-                       p.settle();
-                       p.settle();
-                   },
-                   true});
-    all.push_back({"dialog, leave out with a reason",
-                   [](Program& p) {
-                       show_answers(p, StudyKind::pairwise, StudyShow::matrix);
-                       ask_to_leave_out(
-                           p.app.ui, p.app.studying,
-                           p.app.studying.answers->records.front().header.participant.code);
-                       p.app.studying.leaving_out.because = "wore gloves";
-                       p.settle();
-                       p.settle();
-                   },
-                   true});
+    for (const auto& [name, because] :
+         {std::pair{"dialog, leave out", ""}, {"dialog, leave out with a reason", "wore gloves"}}) {
+        all.push_back({name,
+                       [because](Program& p) {
+                           show_answers(p, StudyKind::pairwise, StudyShow::matrix);
+                           ask_to_leave_out(
+                               p.app.ui, p.app.studying,
+                               p.app.studying.answers->records.front().header.participant.code);
+                           p.app.studying.leaving_out.because = because;
+                           p.settle();
+                           p.settle();
+                       },
+                       true});
+    }
     all.push_back({"dialog, all conduct rules", [](Program& p) {
                        ConductRule& rule = p.app.studying.rule.who.conduct;
                        rule.fast_below_s = 1.0;
@@ -578,7 +574,6 @@ void SceneWindow::show(const Scene& scene) {
     app.ui.question.reset();
     app.ui.chooser.is_open = false;
     app.palette.open = false;
-    leave_lesson(hands_of(app), app.lesson);
     app.lesson.dock = DockSide::right;
     close_study(app.studying);
     app.studying.run.reset();

@@ -21,6 +21,10 @@ float left_of(const Rect& line, float width_px, Flush flush) {
     return flush == Flush::left ? line.min.x : line.centre().x - width_px / 2.0F;
 }
 
+bool is_activated(const ReceptorScene& scene) {
+    return scene.grid != nullptr && scene.activation.radius_mm > 0.0;
+}
+
 // The type's mark and name, and how many receptors are activated.
 void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const ReceptorScene& scene,
                Flush flush) {
@@ -29,7 +33,7 @@ void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const Rec
     const float room = line.width() - mark_px;
     std::string name = traits(scene.receptor).name;
     std::string count;
-    if (scene.grid != nullptr && scene.activation.radius_mm > 0.0) {
+    if (is_activated(scene)) {
         count = "  " + std::to_string(scene.grid->activated);
         const std::string unit = scene.grid->activated == 1 ? " receptor" : " receptors";
         if (text_size(font, name + count + unit).x <= room) count += unit;
@@ -50,7 +54,6 @@ void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const Rec
 
 void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line, const ReceptorScene& scene,
                  Flush flush) {
-    constexpr int kSteps = 24;
     const bool rates = scene.quantity == ReceptorQuantity::rate;
     const double largest = scene.largest_hz > 0.0 ? scene.largest_hz : centre_hz(scene);
     const std::string high = rates ? significant(largest) + " imp/s" : "amplitude at the probe";
@@ -65,17 +68,8 @@ void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line, const R
     draw_text(list, font, {left, line.min.y}, theme.dim_text, "0");
     const Rect bar = rect_at({left + low_px + gap, line.min.y + 0.3F * text_px},
                              {bar_px, std::round(0.5F * text_px)});
-    for (int i = 0; i < kSteps; ++i) {
-        const float from = std::round(bar.min.x + bar_px * static_cast<float>(i) / kSteps);
-        const float to = std::round(bar.min.x + bar_px * static_cast<float>(i + 1) / kSteps);
-        list.AddRectFilled({from, bar.min.y}, {to, bar.max.y},
-                           value_colour(theme, scene.receptor, (i + 0.5) / kSteps));
-    }
+    draw_ramp(list, theme, bar, scene.receptor);
     draw_text(list, font, {bar.max.x + gap, line.min.y}, theme.dim_text, high);
-}
-
-bool is_activated(const ReceptorScene& scene) {
-    return scene.grid != nullptr && scene.activation.radius_mm > 0.0;
 }
 
 bool has_legend(const ReceptorScene& scene) { return scene.legend && is_activated(scene); }
@@ -146,6 +140,16 @@ ImU32 firing_colour(const Theme& theme, Receptor receptor) {
 }
 
 ImU32 beyond_colour(const Theme& theme) { return mixed(theme.pane, theme.dim_text, 0.45F); }
+
+void draw_ramp(ImDrawList& list, const Theme& theme, const Rect& bar, Receptor receptor) {
+    constexpr int kSteps = 24;
+    for (int i = 0; i < kSteps; ++i) {
+        const float from = std::round(bar.min.x + bar.width() * static_cast<float>(i) / kSteps);
+        const float to = std::round(bar.min.x + bar.width() * static_cast<float>(i + 1) / kSteps);
+        list.AddRectFilled({from, bar.min.y}, {to, bar.max.y},
+                           value_colour(theme, receptor, (i + 0.5) / kSteps));
+    }
+}
 
 void draw_caption(ImDrawList& list, const Theme& theme, const Rect& caption,
                   const ReceptorScene& scene) {

@@ -14,6 +14,9 @@ float caption_line_px(const Theme& theme);
 // Opaque colour of a value of 0..1: what lies behind a mark must not change it.
 ImU32 value_colour(const Theme& theme, Receptor receptor, double value);
 
+// From 0 to 1, left to right.
+void draw_ramp(ImDrawList& list, const Theme& theme, const Rect& bar, Receptor receptor);
+
 // Of one that fires, and of one beyond the finger's edge.
 ImU32 firing_colour(const Theme& theme, Receptor receptor);
 ImU32 beyond_colour(const Theme& theme);

@@ -13,17 +13,10 @@ namespace {
 
 // A stripe of each type: they have one scale.
 void draw_ramps(ImDrawList& list, const Theme& theme, const Rect& bar) {
-    constexpr int kSteps = 24;
     const float stripe_px = bar.height() / static_cast<float>(kReceptorCount);
     for (const Receptor type : kReceptors) {
         const float top = bar.min.y + stripe_px * static_cast<float>(index_of(type));
-        for (int i = 0; i < kSteps; ++i) {
-            const float from = std::round(bar.min.x + bar.width() * static_cast<float>(i) / kSteps);
-            const float to =
-                std::round(bar.min.x + bar.width() * static_cast<float>(i + 1) / kSteps);
-            list.AddRectFilled({from, top}, {to, top + stripe_px},
-                               value_colour(theme, type, (i + 0.5) / kSteps));
-        }
+        draw_ramp(list, theme, {{bar.min.x, top}, {bar.max.x, top + stripe_px}}, type);
     }
 }
 

@@ -20,26 +20,31 @@ TEST_CASE("popups: rhythms of a maximised editor open beside its fields") {
     }
 }
 
+namespace {
+
+struct MapInDesign : Program {
+    MapInDesign() : Program(short_patterns(3)) {
+        compute_map();
+        app.layout = first_layout(Arrangement::design);
+        settle();
+    }
+    ~MapInDesign() { stop_jobs(app); }
+};
+
+}  // namespace
+
 TEST_CASE("popups: the map's look covers neither the map nor the patterns") {
-    Program program(short_patterns(3));
-    program.compute_map();
-    program.app.layout = first_layout(Arrangement::design);
-    program.settle();
+    MapInDesign program;
     program.click("link:map look");
     CHECK(program.at("look:Colour by").min.x > program.at("pane:Perceptual space").max.x);
-    stop_jobs(program.app);
 }
 
 TEST_CASE("popups: the numbers that may change cover neither the map nor what steers it") {
-    Program program(short_patterns(3));
-    program.compute_map();
-    program.app.layout = first_layout(Arrangement::design);
-    program.settle();
+    MapInDesign program;
     program.press('v');
     program.settle();
     program.click("link:free numbers");
     CHECK(program.at("free:amplitude_g").min.x > program.at("pane:Perceptual space").max.x);
-    stop_jobs(program.app);
 }
 
 TEST_CASE("popups: the menu of a row leaves its name in sight, at whatever height it is") {
