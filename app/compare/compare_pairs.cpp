@@ -101,6 +101,7 @@ void draw_pairs_scatter(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
     const ScatterAction action = draw_scatter("pairs", ui.theme, area, scene);
     note_rect(ui.rects, "view:Pairs", area.min, area.max, y_title + ", " + corner);
     for (std::size_t k = 0; k < rank.size() && !ui.rects.file.empty() && rank.size() < 200; ++k) {
+        if (std::isnan(people.condensed[k])) continue;  // nobody rated it: it has no point
         const ImVec2 at = scatter_point(ui.theme, area, scene, k);
         note_rect(ui.rects, "pair point:" + std::to_string(k), at, at);
     }

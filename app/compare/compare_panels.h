@@ -16,6 +16,9 @@ void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap&
 void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing);
 void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
                     const ShownMap& shown_map, const Comparing& comparing);
+// All metrics, of which one can be chosen; with as many columns as `area` has room for.
+void draw_metric_table(Ui& ui, Comparing& comparing, const Comparison& comparison,
+                       const Rect& area);
 // Of the chosen metric, or of the ratings, without the choice; in `area`.
 void draw_shepard_diagram(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
                           const Rect& area);

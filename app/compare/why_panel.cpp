@@ -182,26 +182,15 @@ void draw_channels(Ui& ui, const LiveDifference& live) {
 
 // Seconds below what is over time.
 void draw_seconds(Ui& ui, const Timeline& timeline) {
-    const Theme& theme = ui.theme;
-    const ImFont* font = theme.fonts.small;
     const Rect row = take_row(time_axis_height(ui));
-    const Axis time{.low = timeline.range.start_s,
-                    .high = timeline.range.end_s,
-                    .low_px = row.min.x,
-                    .high_px = row.max.x};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto ticks = ticks_apart(time, text_size(font, "0.000 s").x + 2.0F * theme.gap_px);
-    for (const double tick : ticks) {
-        const std::string text = tick_text(tick) + (tick == ticks.back() ? " s" : "");
-        const float x = to_pixel(time, tick);
-        const float width = text_size(font, text).x;
-        const float left = std::clamp(x - 0.5F * width, row.min.x, row.max.x - width);
-        draw_upright_line(list, x, row.min.y, row.min.y + 3.0F * theme.scale, theme.hairline_px,
-                          theme.dim_text);
-        draw_text(list, font, {left, row.min.y + 3.0F * theme.scale}, theme.dim_text, text);
-    }
-    note_rect(ui.rects, "why:seconds", row.min, row.max,
-              ticks.empty() ? "" : tick_text(ticks.back()) + " s");
+    Plot plot{row, {row.min, {row.max.x, row.min.y}}, {}, {}};
+    plot.x = {.low = timeline.range.start_s,
+              .high = timeline.range.end_s,
+              .low_px = row.min.x,
+              .high_px = row.max.x};
+    draw_axes(*ImGui::GetWindowDrawList(), ui.theme, plot,
+              {.x_unit = "s", .y_unit = "", .y_grid = false});
+    note_rect(ui.rects, "why:seconds", row.min, row.max);
 }
 
 // The two as they are, on one scale of g: where there is room to look at them, too.

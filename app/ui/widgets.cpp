@@ -14,9 +14,6 @@ namespace tact {
 
 namespace {
 
-constexpr float kChipPadPx = 5.0F;
-constexpr float kChipPadYPx = 3.0F;
-
 ImVec4 colour4(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
 constexpr float kTooltipPx = 320.0F;
@@ -136,97 +133,15 @@ void draw_pane(Ui& ui, Layout& layout, Pane pane, const Rect& area, const PaneTi
     ImGui::PopStyleVar();
 }
 
-float radio_width(const Ui& ui, const char* label) {
-    return 18.0F * ui.theme.scale + ImGui::CalcTextSize(label).x;
-}
-
-bool draw_radio(const Ui& ui, const char* label, bool chosen) {
-    const Theme& theme = ui.theme;
-    const float s = theme.scale;
-    const ImVec2 size{radio_width(ui, label), ImGui::GetFrameHeight()};
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::InvisibleButton(label, size);
-    const bool lit = ImGui::IsItemHovered() || (ui.keyboard_mode && ImGui::IsItemFocused());
-    // GetColorU32 fades what is disabled.
-    const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 centre{corner.x + 6.0F * s, corner.y + size.y * 0.5F};
-    list.AddCircle(centre, 5.5F * s, ink(chosen || lit ? theme.accent : theme.dim_text), 0,
-                   theme.hairline_px);
-    if (chosen) list.AddCircleFilled(centre, 3.2F * s, ink(theme.accent));
-    list.AddText({corner.x + 18.0F * s, corner.y + ImGui::GetStyle().FramePadding.y},
-                 ink(chosen || lit ? theme.text : theme.dim_text), label);
-    return pressed;
-}
-
-namespace {
-
-constexpr float kBoxPx = 14.0F;
-constexpr float kBoxGapPx = 7.0F;
-
-float whole_px(float px) { return std::max(1.0F, std::round(px)); }
-
-void draw_box(const Theme& theme, ImVec2 corner, float size_px, bool on, bool lit) {
-    // GetColorU32 fades what is disabled.
-    const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 far_corner = corner + ImVec2{size_px, size_px};
-    const float rounding = 3.0F * theme.scale;
-    list.AddRectFilled(corner, far_corner, ink(on ? theme.accent : theme.field), rounding);
-    if (!on || lit) {
-        const ImU32 edge = on ? theme.text : lit ? theme.accent : theme.dim_text;
-        list.AddRect(corner, far_corner, ink(edge), rounding, 0, whole_px(theme.hairline_px));
-    }
-    if (!on) return;
-    const ImVec2 tick[] = {corner + ImVec2{0.23F, 0.53F} * size_px,
-                           corner + ImVec2{0.42F, 0.72F} * size_px,
-                           corner + ImVec2{0.78F, 0.30F} * size_px};
-    list.AddPolyline(tick, 3, ink(readable_on(theme.accent)), 0, 1.8F * theme.scale);
-}
-
-}  // namespace
-
-float check_width(const Theme& theme, const char* label) {
-    return whole_px(kBoxPx * theme.scale) + kBoxGapPx * theme.scale +
-           ImGui::CalcTextSize(label, nullptr, true).x;
-}
-
-bool draw_check(const Theme& theme, const char* label, bool& on) {
-    ImGuiWindow& window = *ImGui::GetCurrentWindow();
-    if (window.SkipItems) return false;
-    const ImVec2 corner = window.DC.CursorPos;
-    const float pad = ImGui::GetStyle().FramePadding.y;
-    const ImRect area{corner, corner + ImVec2{check_width(theme, label), ImGui::GetFrameHeight()}};
-    const ImGuiID id = window.GetID(label);
-    ImGui::ItemSize(area, pad);  // words beside it stand on the line of its own
-    if (!ImGui::ItemAdd(area, id)) return false;
-    bool over = false;
-    bool held = false;
-    const bool pressed = ImGui::ButtonBehavior(area, id, &over, &held);
-    if (pressed) {
-        on = !on;
-        ImGui::MarkItemEdited(id);
-    }
-    const float box = whole_px(kBoxPx * theme.scale);
-    const ImVec2 at{std::round(corner.x),
-                    std::round(corner.y + 0.5F * (ImGui::GetFrameHeight() - box))};
-    draw_box(theme, at, box, on, over || ImGui::IsItemFocused());
-    const ImVec2 words{corner.x + box + kBoxGapPx * theme.scale, corner.y + pad};
-    ImGui::GetWindowDrawList()->AddText(words, ImGui::GetColorU32(theme.text), label,
-                                        ImGui::FindRenderedTextEnd(label));
-    return pressed;
-}
-
 bool is_item_disabled() { return (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) != 0; }
 
 void draw_divider(const Theme& theme) {
     const ImGuiWindow& window = *ImGui::GetCurrentWindow();
     const float thick = whole_px(theme.hairline_px);
-    const float y = std::round(ImGui::GetCursorScreenPos().y);
     // From edge to edge of what it divides, as ImGui's own, which is a pixel at every scale.
-    ImGui::GetWindowDrawList()->AddRectFilled({window.Pos.x, y},
-                                              {window.Pos.x + window.Size.x, y + thick},
-                                              ImGui::GetColorU32(ImGuiCol_Separator));
+    draw_level_line(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos().y + 0.5F * thick,
+                    window.Pos.x, window.Pos.x + window.Size.x, thick,
+                    ImGui::GetColorU32(ImGuiCol_Separator));
     ImGui::Dummy({0.0F, thick - 1.0F});
 }
 
@@ -389,52 +304,6 @@ void wrapped_text(const std::string& text) {
     ImGui::TextUnformatted(lines.c_str());
 }
 
-float chip_width(const Ui& ui, const char* text) {
-    return text_size(ui.theme.fonts.small, text).x + 2.0F * kChipPadPx * ui.theme.scale;
-}
-
-namespace {
-
-// A word in small type on a plate that lights up, in the middle of so many pixels of height.
-bool draw_plate(const Ui& ui, const char* id, const char* text, bool lit, float height_px,
-                bool has_edge) {
-    const Theme& theme = ui.theme;
-    const ImVec2 pad{kChipPadPx * theme.scale, kChipPadYPx * theme.scale};
-    const ImVec2 plate = text_size(theme.fonts.small, text) + pad * 2.0F;
-    const ImVec2 top = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::InvisibleButton(id, {plate.x, height_px});
-    const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
-    const ImVec2 corner{top.x, top.y + std::round(0.5F * (height_px - plate.y))};
-    // GetColorU32 fades what is disabled.
-    const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (lit) {
-        list.AddRectFilled(corner, corner + plate, ink(faded(theme.accent, 0.28F)),
-                           theme.rounding_px);
-    }
-    // Under the mouse it has an edge, never the ground of what is chosen.
-    if (has_edge || over) {
-        const ImU32 edge = lit && has_edge ? ink(theme.accent)
-                           : over          ? ink(theme.dim_text)
-                                           : ImGui::GetColorU32(ImGuiCol_Border);
-        list.AddRect(corner, corner + plate, edge, theme.rounding_px, 0, theme.hairline_px);
-    }
-    draw_text(list, theme.fonts.small, corner + pad, ink(lit ? theme.text : theme.dim_text), text);
-    if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    return pressed;
-}
-
-}  // namespace
-
-bool draw_chip(const Ui& ui, const char* id, const char* text, bool lit) {
-    const float words_px = text_size(ui.theme.fonts.small, text).y;
-    return draw_plate(ui, id, text, lit, words_px + 2.0F * kChipPadYPx * ui.theme.scale, false);
-}
-
-bool draw_switch(const Ui& ui, const char* id, const char* text, bool on) {
-    return draw_plate(ui, id, text, on, ImGui::GetFrameHeight(), true);
-}
-
 bool draw_empty_with(const Ui& ui, const Rect& area, const char* title, const std::string& reason,
                      const char* button) {
     const Theme& theme = ui.theme;
@@ -464,36 +333,6 @@ void draw_info_mark(const Ui& ui, ImVec2 centre, bool lit) {
     const ImVec2 size = text_size(ui.theme.fonts.small, "i");
     draw_text(list, ui.theme.fonts.small, {centre.x - size.x / 2.0F, centre.y - size.y / 2.0F},
               colour, "i");
-}
-
-namespace {
-
-// With so much room above and below the words.
-bool draw_link(const Ui& ui, const char* id, const std::string& text, float pad_px) {
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 corner = ImGui::GetCursorScreenPos() + ImVec2{0.0F, pad_px};
-    const bool pressed = ImGui::InvisibleButton(id, {size.x, size.y + 2.0F * pad_px});
-    const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
-    // GetColorU32 fades what is disabled.
-    const ImU32 ink = ImGui::GetColorU32(is_item_disabled() ? ui.theme.dim_text : ui.theme.accent);
-    ImGui::GetWindowDrawList()->AddText(corner, ink, text.c_str());
-    if (lit) {
-        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-        const float y = std::round(corner.y + size.y);
-        ImGui::GetWindowDrawList()->AddRectFilled(
-            {corner.x, y}, {corner.x + size.x, y + whole_px(ui.theme.hairline_px)}, ink);
-    }
-    return pressed;
-}
-
-}  // namespace
-
-bool link(const Ui& ui, const char* id, const std::string& text) {
-    return draw_link(ui, id, text, 0.0F);
-}
-
-bool row_link(const Ui& ui, const char* id, const std::string& text) {
-    return draw_link(ui, id, text, ImGui::GetStyle().FramePadding.y);
 }
 
 Rect rest_of_pane() {

@@ -115,7 +115,7 @@ std::vector<ImVec2> fit_line(const Plot& plot, std::span<const FitPoint> fit) {
 
 // Each step a bar on whole pixels: the joints of a polyline are wedges where steps are narrow.
 void draw_fit(ImDrawList& list, std::span<const ImVec2> corners, ImU32 colour, float width_px) {
-    const float width = std::max(1.0F, std::round(width_px));
+    const float width = whole_px(width_px);
     const auto on_pixels = [width](ImVec2 corner) {
         return ImVec2{std::round(corner.x - 0.5F * width), std::round(corner.y - 0.5F * width)};
     };

@@ -48,7 +48,7 @@ void draw_text(ImDrawList& list, const ImFont* font, ImVec2 corner, ImU32 colour
 void draw_text_halo(ImDrawList& list, const ImFont* font, ImVec2 corner, ImU32 colour, ImU32 halo,
                     float width_px, std::string_view text) {
     // Four diagonal copies cover the four straight ones; whole pixels, as glyphs snap to them.
-    const float w = std::max(1.0F, std::round(width_px));
+    const float w = whole_px(width_px);
     for (const ImVec2 step : {ImVec2{-w, -w}, ImVec2{w, -w}, ImVec2{-w, w}, ImVec2{w, w}}) {
         draw_text(list, font, corner + step, halo, text);
     }
@@ -71,16 +71,18 @@ void draw_text_upwards(ImDrawList& list, const ImFont* font, ImVec2 corner, ImU3
     }
 }
 
+float whole_px(float width_px) { return std::max(1.0F, std::round(width_px)); }
+
 void draw_level_line(ImDrawList& list, float y, float left, float right, float width_px,
                      ImU32 colour) {
     const float top = std::round(y - width_px / 2.0F);
-    list.AddRectFilled({left, top}, {right, top + std::max(1.0F, std::round(width_px))}, colour);
+    list.AddRectFilled({left, top}, {right, top + whole_px(width_px)}, colour);
 }
 
 void draw_upright_line(ImDrawList& list, float x, float top, float bottom, float width_px,
                        ImU32 colour) {
     const float left = std::round(x - width_px / 2.0F);
-    list.AddRectFilled({left, top}, {left + std::max(1.0F, std::round(width_px)), bottom}, colour);
+    list.AddRectFilled({left, top}, {left + whole_px(width_px), bottom}, colour);
 }
 
 void draw_path(ImDrawList& list, std::span<const ImVec2> points, ImU32 colour, float width_px) {

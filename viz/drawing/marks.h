@@ -30,6 +30,9 @@ void draw_text_halo(ImDrawList& list, const ImFont* font, ImVec2 corner, ImU32 c
 void draw_text_upwards(ImDrawList& list, const ImFont* font, ImVec2 corner, ImU32 colour,
                        std::string_view text);
 
+// A width in whole pixels, at least one: sharp at any scale.
+float whole_px(float width_px);
+
 // Level and upright lines on whole pixels: sharp at any scale, which AddLine's are not.
 void draw_level_line(ImDrawList& list, float y, float left, float right, float width_px,
                      ImU32 colour);

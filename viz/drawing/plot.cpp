@@ -224,7 +224,9 @@ void draw_axes(ImDrawList& list, const Theme& theme, const Plot& plot, const Plo
         const float number_px = text_size(font, text).x;
         if (i + 1 == ticks.size()) text += " " + std::string{labels.x_unit};
         const float x = to_pixel(plot.x, ticks[i]);
-        const float left = std::min(x - number_px / 2.0F, area.max.x - text_size(font, text).x);
+        const float most_left =
+            std::min(x - number_px / 2.0F, area.max.x - text_size(font, text).x);
+        const float left = std::max(plot.outer.min.x, most_left);
         draw_upright_line(list, x, area.max.y, area.max.y + 3.0F * theme.scale, theme.hairline_px,
                           theme.line);
         if (left + text_size(font, text).x > next_left) continue;

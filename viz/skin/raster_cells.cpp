@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
 
 namespace tact {
 namespace {
@@ -61,7 +62,7 @@ void draw_shaded_row(const RasterInk& ink, std::span<const float> edges, std::sp
 void draw_ticked_row(const RasterInk& ink, const RasterWindow& window, std::span<const int> counts,
                      ImVec2 top_bottom) {
     const auto [top, bottom] = top_bottom;
-    const float width = std::max(1.0F, std::round(1.25F * ink.theme.scale));
+    const float width = whole_px(1.25F * ink.theme.scale);
     for (std::size_t c = 0; c < window.columns; ++c) {
         const std::size_t step = window.first + c;
         const int count = counts[c];
@@ -162,7 +163,7 @@ void draw_rows(const RasterInk& ink, const Rect& place, const RasterChannel& cha
 void draw_rate(const RasterInk& ink, const Rect& place, const RasterWindow& window,
                const RasterTotals& all) {
     if (place.empty() || window.columns == 0 || all.largest_total <= 0) return;
-    const float width = std::max(1.0F, std::round(ink.theme.trace_px));
+    const float width = whole_px(ink.theme.trace_px);
     for (std::size_t c = 0; c < window.columns; ++c) {
         const std::size_t begin = step_of(window, c);
         const std::size_t end = step_of(window, c + 1);
