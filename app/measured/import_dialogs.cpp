@@ -194,6 +194,8 @@ bool draw_options(Ui& ui, ImportState& importing) {
 }
 
 void draw_shown_file(Ui& ui, Workspace& work, ImportState& importing) {
+    if (importing.files.empty())
+        return draw_empty_overlay(ui, "No recordings yet", "Add the files of an accelerometer.");
     importing.shown = std::min(importing.shown, importing.files.size() - 1);
     const ImportedFile* file = answer_of(importing, importing.shown);
     if (file == nullptr && draw_failure(ui, "import", failure_of(importing.import_job))) return;

@@ -26,14 +26,17 @@ std::string pm_words(const Workspace& work, const ShownMap& shown_map, const Nei
     return words;
 }
 
-std::string verdict_help() {
-    char text[320];
-    std::snprintf(text, sizeof text,
-                  "Same: no number differs by a felt step (Model, What people feel). Hard to tell: "
-                  "PM of at most %.0f %% of the set's largest. Over a felt step apart: farther. A "
-                  "guess: PM counts "
-                  "ranks in this set, and nobody has measured where pairs are told apart.",
-                  100.0 * kHardShare);
+std::string verdict_help(const FeltSteps& steps) {
+    char text[480];
+    std::snprintf(
+        text, sizeof text,
+        "Within a felt step: no number differs by as much as people are taken to feel, "
+        "an amplitude by %.0f %%, a carrier by %.0f %% (Model, What people feel). Hard to "
+        "tell: PM of at most %.0f %% of the set's largest. Over a felt step apart: "
+        "farther. A guess: PM counts ranks in this set, and nobody has measured where "
+        "pairs are told apart.",
+        100.0 * (step_of(steps, PatternParameter::amplitude) - 1.0),
+        100.0 * (step_of(steps, PatternParameter::carrier) - 1.0), 100.0 * kHardShare);
     return text;
 }
 
@@ -88,7 +91,7 @@ void draw_name(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbo
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     draw_small(ui, colour_of(ui, verdict), words, right);
     note_item(ui.rects, "neighbour:verdict", words_of(verdict));
-    draw_tooltip(ui, verdict_help().c_str());
+    draw_tooltip(ui, verdict_help(work.document.set.felt_steps).c_str());
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ constexpr float kLabelColumnPx = 96.0F;
 // Height of each stage in the overview, in units. Signals have what the pictures leave.
 constexpr std::array<float, kStages.size()> kUnits{1.0F, 2.1F, 1.8F, 3.2F, 2.1F,
                                                    2.2F, 1.7F, 0.9F, 1.1F};
-constexpr std::array<float, kStages.size()> kPairUnits{0.9F, 2.1F, 2.4F, 3.2F, 2.2F,
-                                                       2.2F, 2.2F, 1.1F, 1.1F};
+constexpr std::array<float, kStages.size()> kPairUnits{0.9F, 2.1F, 3.3F, 3.2F, 3.0F,
+                                                       2.2F, 3.0F, 1.1F, 1.1F};
 constexpr float kLowestUnitPx = 28.0F;  // below, the column scrolls
 constexpr float kLowestPairUnitPx = 36.0F;
 constexpr float kScrolledPairUnitPx = 72.0F;  // once it scrolls, lanes are as high as is good
@@ -271,11 +271,12 @@ void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
                        {{pane.min.x, top}, pane.max});
     top += 0.5F * ui.theme.gap_px;
     Rect plots{{pane.min.x, top}, pane.max};
-    if (stage == Stage::receptors && !patterns.empty()) {
+    if (!patterns.empty() && (stage == Stage::receptors || stage == Stage::networks)) {
         const float line_px = text_size(font, "X").y;
         plots.max.y -= line_px + ui.theme.gap_px;
-        draw_receptor_key(ui, physiology, patterns.front(),
-                          {{pane.min.x, pane.max.y - 1.1F * line_px}, pane.max});
+        const Rect foot{{pane.min.x, pane.max.y - 1.1F * line_px}, pane.max};
+        if (stage == Stage::receptors) draw_receptor_key(ui, physiology, patterns.front(), foot);
+        if (stage == Stage::networks) draw_network_key(ui, patterns.front(), foot);
     }
     draw_patterns(ui, work, timeline, physiology, patterns, stage, plots, size);
 }

@@ -344,6 +344,11 @@ void draw_receptor_key(Ui& ui, const Physiology& physiology, const ShownStages& 
     note_rect(ui.rects, "receptor key", line.min, line.max, significant(largest_hz));
 }
 
+void draw_network_key(const Ui& ui, const ShownStages& shown, const Rect& line) {
+    draw_network_legend(*ImGui::GetWindowDrawList(), ui.theme, line,
+                        shown.live->request.model.coding.spike_cap);
+}
+
 void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
                       const ShownStages& shown, const Rect& area, const StageSize& size) {
     const LiveStages& live = *shown.live;
@@ -410,21 +415,13 @@ void draw_network_stage(Ui& ui, const Timeline& timeline, Physiology& physiology
     const float text_px = font_or_current(theme.fonts.small).FontSize;
     const float gap = theme.gap_px;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    // One legend for all: they have one scale. Two patterns keep its room, and so have the same
-    // columns.
-    Rect rest = area;
-    rest.max.y -= 1.8F * text_px;
-    if (!shown.pinned) {
-        draw_network_legend(list, theme, {{area.min.x, area.max.y - 1.25F * text_px}, area.max},
-                            shown.live->request.model.coding.spike_cap);
-    }
     // Names have a column of their own: above the maps they would cost them height.
-    const float height = (rest.height() - 3.0F * gap) / 4.0F;
+    const float height = (area.height() - 3.0F * gap) / 4.0F;
     const float names_px = text_size(theme.fonts.small, kNoSpikes).x + 2.0F * gap;
     const float words_px = height >= 2.4F * text_px ? names_px : 0.0F;  // below the name
     for (const Receptor type : kReceptors) {
-        const ImVec2 corner{rest.min.x,
-                            rest.min.y + static_cast<float>(index_of(type)) * (height + gap)};
+        const ImVec2 corner{area.min.x,
+                            area.min.y + static_cast<float>(index_of(type)) * (height + gap)};
         const ImU32 colour = theme.receptor[index_of(type)];
         const float mark_px = 2.6F * theme.mark_px;
         const ImVec2 named = corner + ImVec2{0.0F, std::floor(0.5F * height - 1.1F * text_px)};
@@ -434,7 +431,7 @@ void draw_network_stage(Ui& ui, const Timeline& timeline, Physiology& physiology
                   traits(type).name);
         draw_one_network(
             ui, timeline, physiology, shown, type,
-            {corner + ImVec2{names_px, 0.0F}, corner + ImVec2{rest.width(), height}},
+            {corner + ImVec2{names_px, 0.0F}, corner + ImVec2{area.width(), height}},
             {rect_at(named + ImVec2{0.0F, 1.25F * text_px}, {words_px, text_px}), false});
     }
 }

@@ -17,6 +17,9 @@ void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiol
 void draw_network_stage(Ui& ui, const Timeline& timeline, Physiology& physiology,
                         const ShownStages& shown, const Rect& area, const StageSize& size);
 
+// The same of the networks.
+void draw_network_key(const Ui& ui, const ShownStages& shown, const Rect& line);
+
 // Of the choice between maps from above and tilted ones: the controls of the receptors' stage.
 float view_choice_px(const Ui& ui);
 

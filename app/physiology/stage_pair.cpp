@@ -7,6 +7,7 @@
 #include "app/physiology/stage_remarks.h"
 #include "app/physiology/stage_signals.h"
 #include "app/timeline/time_rows.h"
+#include "model/text/utf8.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -56,6 +57,13 @@ std::string paper_number(const Physiology& physiology, Stage stage) {
     if (stage == Stage::brain) return "NC " + significant(physiology.view.difference.nc);
     if (stage != Stage::envelope || !physiology.view.pair_oc) return {};
     return "OC " + significant(*physiology.view.pair_oc);
+}
+
+// "L-0-half: a gate, ...".
+std::string of_pattern(const std::string& name, std::string remark) {
+    const auto begins_it = [&](Receptor type) { return remark.starts_with(traits(type).name); };
+    if (std::ranges::none_of(kReceptors, begins_it)) remark.front() = lower_case(remark).front();
+    return name + ": " + remark;
 }
 
 // Right of all plots: as wide as names need, within limits.
@@ -129,9 +137,11 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
 
 float draw_remark(Ui& ui, const std::vector<ShownStages>& patterns, Stage stage, const Rect& beside,
                   const Rect& below) {
-    const std::string remark =
-        patterns.empty() ? std::string() : stage_remark(*patterns[0].live, stage);
+    std::string remark = patterns.empty() ? std::string() : stage_remark(*patterns[0].live, stage);
     if (remark.empty()) return 0.0F;
+    if (patterns.size() > 1 && stage != Stage::spectrum) {
+        remark = of_pattern(patterns[0].live->request.vibration.name, remark);
+    }
     const ImFont& font = font_or_current(ui.theme.fonts.small);
     const bool in_line = text_size(&font, remark).x <= beside.width();
     const Rect& place = in_line ? beside : below;

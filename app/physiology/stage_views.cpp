@@ -100,7 +100,8 @@ void draw_leak_note(Ui& ui, const Rect& area, Receptor receptor) {
         std::string(traits(receptor).name) + ": nothing in its band, its filter leaks";
     const ImVec2 size = text_size(ui.theme.fonts.small, text);
     if (area.height() < size.y || area.width() < size.x) return;
-    const ImVec2 corner{area.centre().x - size.x / 2.0F, area.min.y};
+    const ImVec2 corner{area.centre().x - size.x / 2.0F,
+                        std::round(area.centre().y - size.y / 2.0F)};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 pad{3.0F * ui.theme.scale, 0.0F};
     list.AddRectFilled(corner - pad, corner + size + pad, ui.theme.pane, ui.theme.rounding_px);
@@ -155,12 +156,14 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Physi
         row.large = size.large;
         row.largest = reach_of(work, signals[k], stage);
         row.time_axis = last && size.time_axis;
+        row.values = !silent;
+        if (silent) row.colour = IM_COL32_BLACK_TRANS;  // its line below is enough
         draw_time_row(ui, work, timeline, rects[k], row);
         if (silent) draw_silent_row(ui, lane, signals[k], size.large);
         // Large, the remark above says it.
         if (stage == Stage::filtered && !size.large &&
             only_leaks(*shown.live, *signals[k].receptor)) {
-            draw_leak_note(ui, rects[k], *signals[k].receptor);
+            draw_leak_note(ui, lane, *signals[k].receptor);
         }
     }
 }
@@ -174,7 +177,9 @@ void draw_difference_text(const Ui& ui, const Rect& area, Stage stage,
     if (stage == Stage::spectrum && *difference > 0.995) {
         std::snprintf(text, sizeof text, "no frequency in common");
     } else {
-        std::snprintf(text, sizeof text, "%.0f %% not in common", 100.0 * *difference);
+        const char* of = stage == Stage::spectrum ? "amplitudes" : "firing";
+        std::snprintf(text, sizeof text, "%.0f %% of the %s not in common", 100.0 * *difference,
+                      of);
     }
     const ImVec2 size = text_size(ui.theme.fonts.small, text);
     draw_text(*ImGui::GetWindowDrawList(), ui.theme.fonts.small,
@@ -269,7 +274,6 @@ void draw_stage_difference(Ui& ui, const Workspace& work, Timeline& timeline,
         row.samples = differences[k];
         row.colour = difference_colour(ui.theme);
         row.signed_values = true;
-        row.style = TraceStyle::filled;
         row.largest = std::max(signals[k].largest, largest);
         row.large = size.large;
         row.stale = a.stale || b.stale;

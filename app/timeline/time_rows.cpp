@@ -59,7 +59,7 @@ void draw_time_row(Ui& ui, const Workspace& work, Timeline& timeline, const Rect
     scene.signed_values = row.signed_values;
     scene.unit = row.unit;
     scene.time_axis = row.time_axis;
-    scene.value_axis = row.large;
+    scene.value_axis = row.large && row.values;
     scene.left_room_px = row.large ? kValueRoomPx * ui.theme.scale : 0.0F;
     scene.playhead_s = timeline.playhead.at_s;
     scene.crosshair_s = timeline.crosshair_last_s;

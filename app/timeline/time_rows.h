@@ -22,7 +22,8 @@ struct TimeRow {
     double largest = 0.0;  // value at the upper edge; 0: the largest sample
     bool signed_values = true;
     const char* unit = "";
-    bool large = false;      // with a value axis
+    bool large = false;      // with room for values at the left
+    bool values = true;      // which stand there
     bool time_axis = false;  // with ticks below
     bool stale = false;
 };

@@ -248,7 +248,7 @@ void draw_workspace_tabs(App& app) {
         }
         note_item(app.ui.rects, std::string("workspace:") + tab, lit ? "on" : "off");
         const std::string keys = shortcut_text(command.shortcut);
-        draw_tooltip(app.ui, (std::string(tab) + ": " + help + "  " + keys).c_str());
+        draw_tooltip(app.ui, (std::string(tab) + ": " + help + " (" + keys + ")").c_str());
         ImGui::SameLine(0.0F, gap);
     }
 }
@@ -301,7 +301,7 @@ void draw_pane_menu(App& app, Pane pane) {
     if (!ImGui::BeginPopupContextWindow("pane menu", kWhere)) return;
     auto& maximised = app.layout.maximised;
     const std::string keys = shortcut_text(view_command(kMaximise).shortcut);
-    if (draw_menu_row(app.ui.theme, {maximised ? "Put back" : "Maximise", keys.c_str()}))
+    if (draw_menu_row(app.ui.theme, {maximised ? "Restore" : "Maximise", keys.c_str()}))
         maximised = maximised ? std::nullopt : std::optional(pane);
     note_item(app.ui.rects, "pane menu:maximise");
     draw_divider(app.ui.theme);

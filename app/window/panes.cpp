@@ -54,7 +54,7 @@ std::string time_taken(double seconds) {
     return text;
 }
 
-// "exact in 0.8 s", "preview", "computing 40 %": what the numbers on screen are.
+// "exact, computed in 0.8 s", "preview", "computing 40 %": what the numbers on screen are.
 std::string map_state_text(const App& app) {
     char text[96];
     const bool busy = is_computing(app);
@@ -69,7 +69,7 @@ std::string map_state_text(const App& app) {
             return "map waits";
         case MapState::exact:
             if (app.shown_map.transition.shown->seconds <= 0.0) return "exact";
-            return "exact, " + time_taken(app.shown_map.transition.shown->seconds);
+            return "exact, computed in " + time_taken(app.shown_map.transition.shown->seconds);
         case MapState::preview:
             std::snprintf(text, sizeof text, "preview; exact %d %%", percent);
             return text;
@@ -80,8 +80,8 @@ std::string map_state_text(const App& app) {
     return {};
 }
 
-// "exact, 5.8 s", or where there is no room for that "exact"; a preview and an earlier state say so
-// in any case.
+// "exact, computed in 5.8 s", or where there is no room for that "exact"; a preview and an earlier
+// state say so in any case.
 std::vector<std::string> map_state_forms(const App& app) {
     const std::string whole = map_state_text(app);
     return {whole, whole.substr(0, whole.find(',')), whole.substr(0, whole.find_first_of(",;"))};

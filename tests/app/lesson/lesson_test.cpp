@@ -54,9 +54,11 @@ TEST_CASE("tour: it goes from start to end, and leaves the document and the view
 TEST_CASE("tour: left half way, it is taken up there") {
     Class program;
     program.click("start tour");
+    program.wait_for_numbers();
     for (int k = 0; k < 2; ++k) program.click("tour:next");
     program.press_key(key::kEscape);
     CHECK_FALSE(program.shows("tour"));
+    program.wait_for_stages();  // as above: what arrives moves what is to be pressed
     program.click("start tour");
     CHECK(program.lesson().step == 2U);
     CHECK(program.app.physiology.view.open == Stage::spectrum);
