@@ -329,6 +329,18 @@ void scroll_to_current(Workspace& work, const std::vector<std::size_t>& rows, fl
     }
 }
 
+void draw_no_rows(Ui& ui, Workspace& work) {
+    if (work.document.set.vibrations.empty()) {
+        return draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "No patterns yet",
+                          "Press New, or drop a folder of .txt or .wav files here.");
+    }
+    if (draw_empty_with(ui, rest_of_pane(), "No pattern matches the search", "", "Show all")) {
+        work.selection.search.clear();
+        work.selection.only_picked = false;
+    }
+    note_item(ui.rects, "button:show all");
+}
+
 PatternDeed draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
     PatternDeed deed = PatternDeed::none;
     const std::vector<std::size_t> rows = listed_indices(work);
@@ -346,13 +358,7 @@ PatternDeed draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
                 if (asked != PatternDeed::none) deed = asked;
             }
         }
-        if (rows.empty()) {
-            const bool none = work.document.set.vibrations.empty();
-            draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(),
-                       none ? "No patterns yet" : "No pattern matches the search",
-                       none ? "Press New, or drop a folder of .txt or .wav files here."
-                            : "Clear the search to see all of them.");
-        }
+        if (rows.empty()) draw_no_rows(ui, work);
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();

@@ -107,6 +107,9 @@ std::string shortcut_text(const Shortcut& shortcut) {
     std::string text;
     if (shortcut.ctrl) text += "Ctrl+";
     if (shortcut.shift) text += "Shift+";
+    // Hardly seen in a menu's column.
+    if (shortcut.sign == '.') return text + "Period";
+    if (shortcut.sign == ',') return text + "Comma";
     if (shortcut.sign != 0) {
         return text + static_cast<char>(std::toupper(static_cast<int>(shortcut.sign)));
     }

@@ -196,6 +196,17 @@ TEST_CASE("rows: the box of a name lets go when something else is clicked, and k
     CHECK(last_of(program).name == "p3");
 }
 
+TEST_CASE("rows: where a search finds none, one press shows all again") {
+    Program program(short_patterns(3));
+    program.app.work.selection.search = "no such name";
+    program.app.work.selection.picked = {"p2"};
+    program.app.work.selection.only_picked = true;
+    program.settle();
+    CHECK_FALSE(program.shows("row:p2"));
+    program.click("button:show all");
+    for (const char* name : {"row:p1", "row:p2", "row:p3"}) CHECK(program.shows(name));
+}
+
 TEST_CASE("rows: nothing that a search hides is selected or changed with what it shows") {
     PatternSet set = short_patterns(5);
     for (const std::size_t k : {0U, 2U, 4U}) set.vibrations[k].name = "tap " + std::to_string(k);
