@@ -107,22 +107,26 @@ float weight_of(std::size_t rows) {
     return rows > 0 ? 3.0F + std::sqrt(static_cast<float>(rows)) : 0.0F;
 }
 
-// The height, shared out by weight to channels of so many rows; at most `most_px` a row.
-std::vector<float> shared_out(std::span<const std::size_t> rows, float height, float most_px) {
+// The height, shared out by weight to channels of so many rows; at most `most_px` a row, and at
+// least `least_px` each, as high as its name, where that leaves any to share.
+std::vector<float> shared_out(std::span<const std::size_t> rows, float height, float most_px,
+                              float least_px) {
+    const auto firing = static_cast<float>(rows.size() - std::ranges::count(rows, 0U));
+    least_px = std::min(least_px, std::max(0.0F, height) / std::max(1.0F, firing));
     std::vector<float> result(rows.size(), 0.0F);
     std::vector<bool> capped(rows.size(), false);
     for (std::size_t round = 0; round <= rows.size(); ++round) {
         float free = height;
         float weight = 0.0F;
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            if (capped[i]) free -= result[i];
+            if (rows[i] > 0) free -= capped[i] ? result[i] : least_px;
             if (!capped[i]) weight += weight_of(rows[i]);
         }
         bool changed = false;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (capped[i] || rows[i] == 0) continue;
-            result[i] = std::max(0.0F, free) * weight_of(rows[i]) / weight;
-            const float most = most_px * static_cast<float>(rows[i]);
+            result[i] = least_px + std::max(0.0F, free) * weight_of(rows[i]) / weight;
+            const float most = std::max(least_px, most_px * static_cast<float>(rows[i]));
             if (result[i] <= most) continue;
             result[i] = most;
             capped[i] = changed = true;
@@ -182,7 +186,7 @@ RasterLayout raster_layout(const Theme& theme, const Rect& area, const RasterSce
     const auto firing = static_cast<float>(rows.size() - std::ranges::count(rows, 0U));
     float rate_px = scene.rates ? 18.0F * theme.scale : 0.0F;
     if (firing * (rate_px + 24.0F * theme.scale) > free) rate_px = 0.0F;
-    const auto heights = shared_out(rows, free - firing * rate_px, 14.0F * theme.scale);
+    const auto heights = shared_out(rows, free - firing * rate_px, 14.0F * theme.scale, text_px);
     float top = layout.plot.area.min.y;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         RasterBand& band = layout.bands[i];
