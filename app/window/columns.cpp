@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/lesson/lesson_card.h"
-#include "app/physiology/physiology_panel.h"
+#include "app/stages/physiology_panel.h"
 #include "app/ui/widgets.h"
 
 namespace tact {

@@ -13,7 +13,7 @@
 #include "app/map/space_panel.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/training_follow.h"
-#include "app/physiology/physiology_panel.h"
+#include "app/stages/physiology_panel.h"
 #include "app/subset/subset_follow.h"
 #include "app/ui/widgets.h"
 #include "app/window/app.h"

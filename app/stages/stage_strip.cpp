@@ -1,10 +1,10 @@
-#include "app/physiology/stage_strip.h"
+#include "app/stages/stage_strip.h"
 
 #include <cmath>
 #include <cstdio>
 
 #include "app/document/editing.h"
-#include "app/physiology/stage_views.h"
+#include "app/stages/stage_views.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 

@@ -1,4 +1,4 @@
-#include "app/physiology/stage_views.h"
+#include "app/stages/stage_views.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include "app/document/pattern_looks.h"
-#include "app/physiology/receptor_stage.h"
-#include "app/physiology/stage_remarks.h"
 #include "app/physiology/stage_signals.h"
+#include "app/stages/stage_pictures.h"
+#include "app/stages/stage_remarks.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"

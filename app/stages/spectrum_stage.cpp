@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "app/physiology/receptor_stage.h"
+#include "app/stages/stage_pictures.h"
 #include "app/ui/widgets.h"
 #include "viz/charts/spectrum_view.h"
 

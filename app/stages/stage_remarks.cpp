@@ -1,4 +1,4 @@
-#include "app/physiology/stage_remarks.h"
+#include "app/stages/stage_remarks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // What one stage is about: in the body, in the model, and what neither says.
 
-#include "app/physiology/physiology_panel.h"
 #include "app/physiology/stages.h"
+#include "app/stages/physiology_panel.h"
 #include "app/ui/widgets.h"
 
 namespace tact {

@@ -1,5 +1,5 @@
 // What misleads in a stage is said there, of the patterns that it is true of.
-#include "app/physiology/stage_remarks.h"
+#include "app/stages/stage_remarks.h"
 
 #include <doctest/doctest.h>
 

@@ -9,12 +9,14 @@
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
-#include "app/physiology/physiology_panel.h"
-#include "app/physiology/receptor_stage.h"
-#include "app/physiology/stage_pair.h"
-#include "app/physiology/stage_strip.h"
-#include "app/physiology/stage_views.h"
 #include "app/progress/failure.h"
+#include "app/stages/physiology_panel.h"
+#include "app/stages/stage_label.h"
+#include "app/stages/stage_overview.h"
+#include "app/stages/stage_pair.h"
+#include "app/stages/stage_pictures.h"
+#include "app/stages/stage_strip.h"
+#include "app/stages/stage_views.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
@@ -23,37 +25,6 @@
 namespace tact {
 
 namespace {
-
-constexpr float kLabelColumnPx = 96.0F;
-
-// Height of each stage in the overview, in units. Signals have what the pictures leave.
-constexpr std::array<float, kStages.size()> kUnits{1.0F, 2.1F, 1.8F, 3.2F, 2.1F,
-                                                   2.2F, 1.7F, 0.9F, 1.1F};
-constexpr std::array<float, kStages.size()> kPairUnits{0.9F, 2.1F, 3.3F, 3.2F, 3.0F,
-                                                       2.2F, 3.0F, 1.1F, 1.1F};
-constexpr float kLowestUnitPx = 28.0F;  // below, the column scrolls
-constexpr float kLowestPairUnitPx = 36.0F;
-constexpr float kScrolledPairUnitPx = 72.0F;  // once it scrolls, lanes are as high as is good
-
-// What a picture needs, and what it makes good use of, in heights of small text.
-struct PictureHeight {
-    float least;
-    float most;
-};
-
-std::optional<PictureHeight> picture_height(Stage stage, bool is_pair) {
-    // Of two, with a line of words between them; the choice of networks stands above both.
-    if (stage == Stage::spectrum) {
-        return is_pair ? PictureHeight{12.6F, 14.0F} : PictureHeight{5.6F, 14.0F};
-    }
-    if (stage == Stage::receptors) {
-        return is_pair ? PictureHeight{10.8F, 14.5F} : PictureHeight{4.0F, 22.0F};
-    }
-    if (stage == Stage::networks) {
-        return is_pair ? PictureHeight{11.6F, 14.0F} : PictureHeight{4.0F, 14.0F};
-    }
-    return std::nullopt;
-}
 
 // The patterns on screen: the current one, then the pinned one; without those whose stages are on
 // their way.
@@ -94,147 +65,6 @@ void follow_difference(Physiology& physiology, const std::vector<ShownStages>& p
     for (const Stage stage : kStages) {
         known.signals[index_of(stage)] = signal_differences(*a, *b, stage);
     }
-}
-
-// Name and what is plotted, left of the plots; the name opens the stage, the "i" explains it.
-// Where it ends.
-float draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& area) {
-    const Theme& theme = ui.theme;
-    const StageText& text = text_of(stage);
-    ImGui::SetCursorScreenPos(area.min);
-    ImGui::PushID(text.key);
-    ImGui::PushFont(theme.fonts.small);
-    const float line = ImGui::GetTextLineHeight();
-    ImGui::PushTextWrapPos(area.max.x - ImGui::GetWindowPos().x);
-    const float icon = line + 8.0F * theme.scale;
-    const float room = area.width() - icon;
-    const bool wraps = area.height() >= 2.0F * line;
-    const bool fits = text_size(theme.fonts.small, text.name).x <= room;
-    const std::string name =
-        wraps || fits ? text.name : shortened(theme.fonts.small, text.short_name, room);
-    const ImVec2 size = ImGui::CalcTextSize(name.c_str(), nullptr, false, room);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool pressed = ImGui::InvisibleButton("open", size);
-    const bool over = !ui.as_picture && (ImGui::IsItemHovered() || ImGui::IsItemFocused());
-    if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    list.AddText(nullptr, 0.0F, area.min, over ? theme.accent : theme.text, name.c_str(), nullptr,
-                 room);
-    draw_tooltip(ui, "Open this stage large");
-    note_item(ui.rects, std::string("label:") + text.key);
-    if (pressed) physiology.view.open = stage;
-    ImGui::PopTextWrapPos();
-    ImGui::PopFont();
-
-    const float below = area.min.y + size.y;
-    if (ui.as_picture) {
-        ImGui::PopID();
-        return below;
-    }
-    const ImVec2 centre{area.max.x - icon * 0.6F, area.min.y + line * 0.5F};
-    ImGui::SetCursorScreenPos({centre.x - icon * 0.5F, centre.y - icon * 0.5F});
-    if (ImGui::InvisibleButton("i", {icon, icon})) {
-        const bool open = physiology.view.explained == stage;
-        physiology.view.explained = open ? std::nullopt : std::optional(stage);
-    }
-    draw_info_mark(ui, centre, ImGui::IsItemHovered() || ImGui::IsItemFocused());
-    note_item(ui.rects, std::string("explain:") + text.key);
-    draw_tooltip(ui, "What happens here?");
-    ImGui::PopID();
-    return below;
-}
-
-using StageHeights = std::array<float, kStages.size()>;
-
-StageHeights stage_heights(const Theme& theme, float free, float lowest_unit, bool is_pair) {
-    const auto& units = is_pair ? kPairUnits : kUnits;
-    const float text_px = font_or_current(theme.fonts.small).FontSize;
-    const float unit =
-        std::max(free / std::accumulate(units.begin(), units.end(), 0.0F), lowest_unit);
-    StageHeights heights{};
-    float signal_units = 0.0F;
-    float left = free;
-    for (const Stage stage : kStages) {
-        const std::size_t k = index_of(stage);
-        const auto picture = picture_height(stage, is_pair);
-        if (!picture) {
-            signal_units += units[k];
-            continue;
-        }
-        heights[k] = std::clamp(unit * units[k], picture->least * text_px, picture->most * text_px);
-        left -= heights[k];
-    }
-    float signal_unit = left / signal_units;
-    if (signal_unit < lowest_unit) {
-        signal_unit =
-            is_pair ? std::max(lowest_unit, kScrolledPairUnitPx * theme.scale) : lowest_unit;
-    }
-    for (const Stage stage : kStages) {
-        const std::size_t k = index_of(stage);
-        if (!picture_height(stage, is_pair)) heights[k] = signal_unit * units[k];
-    }
-    return heights;
-}
-
-// How far up and down signals reach, at the foot of the label of a stage that has the room.
-void draw_reach(Ui& ui, const Rect& label, Stage stage, const std::string& text) {
-    const float top = label.max.y - text_size(ui.theme.fonts.small, text).y;
-    if (text.empty() || top < label.min.y) return;
-    draw_text(*ImGui::GetWindowDrawList(), ui.theme.fonts.small, {label.min.x, top},
-              ui.theme.dim_text, text);
-    note_rect(ui.rects, std::string("reach:") + text_of(stage).key, {label.min.x, top}, label.max,
-              text);
-}
-
-// So that it is said once.
-bool have_one_reach(const Workspace& work, const std::vector<ShownStages>& patterns, Stage stage) {
-    return !patterns.empty() &&
-           reach_text(work, patterns.front(), stage) == reach_text(work, patterns.back(), stage);
-}
-
-void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
-                   const std::vector<ShownStages>& patterns) {
-    const Theme& theme = ui.theme;
-    const float gap = 0.75F * theme.gap_px;
-    const float free = ImGui::GetContentRegionAvail().y - gap * static_cast<float>(kStages.size());
-    float lowest = patterns.size() > 1 ? kLowestPairUnitPx : kLowestUnitPx;
-    // Nobody can scroll a picture, and no clicker a single pattern; two would be too small.
-    if (ui.as_picture || (ui.presenting && patterns.size() < 2)) lowest = 1.0F;
-    const StageHeights heights =
-        stage_heights(theme, free, lowest * theme.scale, patterns.size() > 1);
-    const float height = std::accumulate(heights.begin(), heights.end(), 0.0F) +
-                         gap * static_cast<float>(kStages.size());
-    const bool scrolls = height > ImGui::GetContentRegionAvail().y + 1.0F;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    // The wheel moves through time where there is more of it than is shown.
-    const bool zoomed_in = timeline.range.length_s() < shown_duration_s(work) - 1e-9;
-    ImGuiWindowFlags flags = ImGuiWindowFlags_None;
-    if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar;
-    if (!scrolls || zoomed_in || ImGui::GetIO().KeyCtrl)
-        flags |= ImGuiWindowFlags_NoScrollWithMouse;
-    ImGui::BeginChild("overview", ImGui::GetContentRegionAvail(), false, flags);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float label = kLabelColumnPx * theme.scale;
-    float top = corner.y;
-    for (const Stage stage : kStages) {
-        const float bottom = top + heights[index_of(stage)];
-        const Rect area{{corner.x + label, top}, {corner.x + width, bottom}};
-        const Rect words{{corner.x, top}, {corner.x + label, bottom}};
-        const float named = draw_stage_label(ui, physiology, stage, words);
-        if (have_one_reach(work, patterns, stage)) {
-            const float line = text_size(theme.fonts.small, "X").y;
-            draw_reach(ui, {{corner.x, named}, {words.max.x, std::min(bottom, named + line)}},
-                       stage, reach_text(work, patterns[0], stage));
-        }
-        StageSize size;
-        size.time_axis = stage == kStages.back();
-        draw_patterns(ui, work, timeline, physiology, patterns, stage, area, size);
-        top = bottom + gap;
-    }
-    ImGui::SetCursorScreenPos({corner.x, top - gap});
-    ImGui::Dummy({1.0F, 0.0F});
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
 }
 
 // One line: the stage's name, what is plotted, its controls at the right end, and between them what

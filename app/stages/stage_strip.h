@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/document/workspace.h"
-#include "app/physiology/physiology_panel.h"
 #include "app/physiology/physiology_state.h"
+#include "app/stages/physiology_panel.h"
 #include "app/ui/ui.h"
 
 namespace tact {

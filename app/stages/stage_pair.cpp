@@ -1,11 +1,11 @@
-#include "app/physiology/stage_pair.h"
+#include "app/stages/stage_pair.h"
 
 #include <algorithm>
 #include <cfloat>
 #include <string>
 
-#include "app/physiology/stage_remarks.h"
 #include "app/physiology/stage_signals.h"
+#include "app/stages/stage_remarks.h"
 #include "app/timeline/time_rows.h"
 #include "model/text/utf8.h"
 #include "viz/drawing/marks.h"

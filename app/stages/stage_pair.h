@@ -5,7 +5,7 @@
 
 #include "app/document/workspace.h"
 #include "app/physiology/physiology_state.h"
-#include "app/physiology/stage_views.h"
+#include "app/stages/stage_views.h"
 #include "app/timeline/timeline.h"
 #include "app/ui/ui.h"
 #include "viz/drawing/geometry.h"

@@ -1,7 +1,7 @@
 // The stages that are no signals over time: spectrum, receptor grids, raster and relay networks.
 #pragma once
 
-#include "app/physiology/stage_views.h"
+#include "app/stages/stage_views.h"
 
 namespace tact {
 

@@ -1,0 +1,205 @@
+// The receptors of each type in the skin, from above or tilted.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "app/stages/receptor_readout.h"
+#include "app/stages/stage_pictures.h"
+#include "app/ui/widgets.h"
+#include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
+#include "viz/skin/receptor_legend.h"
+#include "viz/skin/receptor_view.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kTiltS = 0.18;
+// A flash fades in this time of the pattern; in steps of the model it then lasts for three.
+constexpr double kFlashS = 0.015;
+
+// 1 for a receptor that fires in this step, less for one that fired in an earlier one.
+std::vector<float> flashes(const Timeline& timeline, const ChannelStages& channel,
+                           std::size_t step) {
+    std::vector<float> flash(channel.spike_count.size(), 0.0F);
+    const auto back = static_cast<std::size_t>(kFlashS / kStepS);
+    for (std::size_t age = 0; age <= back && age <= step; ++age) {
+        const double since_s =
+            timeline.playhead.at_s - static_cast<double>(step - age) * kStepS - 0.5 * kStepS;
+        const auto glow = static_cast<float>(1.0 - std::clamp(since_s / kFlashS, 0.0, 1.0));
+        for (std::size_t k = 0; k < flash.size(); ++k) {
+            if (channel.spike_count[k][step - age] > 0) flash[k] = std::max(flash[k], glow);
+        }
+    }
+    return flash;
+}
+
+// The index within a type, if the place is one of its receptors.
+std::optional<std::size_t> of_type(const std::optional<ReceptorPlace>& place, Receptor type) {
+    if (!place || place->type != type) return std::nullopt;
+    return place->index;
+}
+
+// Of the receptor under the probe, counted as the raster shows it.
+std::optional<int> centre_spikes(const ChannelStages& channel) {
+    const auto centre =
+        std::ranges::min_element(channel.grid.receptors, {}, &GridReceptor::distance_mm);
+    const auto k = static_cast<std::size_t>(centre - channel.grid.receptors.begin());
+    if (k >= channel.spike_count.size()) return std::nullopt;
+    return total_spikes(channel.spike_count[k]);
+}
+
+// As fired, of all types.
+double largest_fired_hz(const LiveStages& live) {
+    int most = 0;
+    for (const ChannelStages& channel : live.neural.channel) {
+        most = std::max(most, centre_spikes(channel).value_or(0));
+    }
+    return most / std::max(duration_s(live.waveform), 1e-3);
+}
+
+// What all maps on screen have in common: those of both patterns of a pair.
+struct MapScale {
+    double largest_hz = 0.0;
+    double half_extent_mm = 0.0;
+    double half_width_mm = 0.0;
+};
+
+MapScale map_scale(const Physiology& physiology, const LiveStages& live) {
+    MapScale scale;
+    const ShownDifference& pair = physiology.view.difference;
+    for (const LiveStages* one : {&live, pair.a.get(), pair.b.get()}) {
+        if (one == nullptr) continue;
+        const auto& activation = one->neural.code.activation;
+        scale.largest_hz = std::max(scale.largest_hz, largest_fired_hz(*one));
+        scale.half_extent_mm = std::max(scale.half_extent_mm, common_extent_mm(activation));
+        scale.half_width_mm = std::max(scale.half_width_mm, common_width_mm(activation));
+    }
+    return scale;
+}
+
+float eased_tilt(const Ui& ui, const Physiology& physiology) {
+    const double since = ui.motion ? (ui.time_s - physiology.view.tilt_since_s) / kTiltS : 1.0;
+    const auto share = static_cast<float>(std::clamp(since, 0.0, 1.0));
+    return physiology.view.tilted ? share : 1.0F - share;
+}
+
+void draw_one_grid(Ui& ui, const Timeline& timeline, Physiology& physiology,
+                   const ShownStages& shown, Receptor type, const Rect& area, const MapScale& scale,
+                   bool large) {
+    const std::size_t c = index_of(type);
+    const LiveStages& live = *shown.live;
+    const ChannelStages& channel = live.neural.channel[c];
+    const std::vector<float> flash = flashes(timeline, channel, step_at(timeline, shown));
+    ReceptorScene scene;
+    scene.receptor = type;
+    scene.grid = &channel.grid;
+    scene.activation = live.neural.code.activation[c];
+    scene.silent = channel.silent;
+    scene.half_extent_mm = scale.half_extent_mm;
+    scene.half_width_mm = scale.half_width_mm;
+    scene.largest_hz = scale.largest_hz;
+    scene.legend = !large;  // which have one for all
+    scene.centre_spikes = centre_spikes(channel);
+    scene.duration_s = duration_s(live.waveform);
+    scene.flash = flash;
+    scene.tilted = eased_tilt(ui, physiology);
+    scene.selected = of_type(physiology.view.selected, type);
+    scene.pointed = of_type(physiology.view.hovered_last, type);
+    scene.stale = shown.stale;
+    const std::string id = id_of(shown, std::string("grid ") + traits(type).afferent);
+    const ReceptorAction action = draw_receptors(id.c_str(), ui.theme, area, scene);
+    char rate[64];
+    std::snprintf(rate, sizeof rate, "%.17g %zu %.17g", scene.activation.rate_hz,
+                  channel.grid.activated, scene.activation.radius_mm);
+    const Rect map = receptor_layout(ui.theme, area, scene).map;
+    note_rect(ui.rects, id, map.min, map.max, rate);
+    if (action.clicked) physiology.view.selected = ReceptorPlace{type, *action.clicked};
+    if (action.clicked_empty) physiology.view.selected.reset();
+    if (!action.hovered) return;
+    const ReceptorPlace place{type, *action.hovered};
+    physiology.view.hovered = place;
+    const Rect screen{{0.0F, 0.0F}, ImGui::GetIO().DisplaySize};
+    draw_receptor_readout(ui, timeline, shown, place, screen, action.hovered_at);
+}
+
+constexpr const char* kFromAbove = "From above";
+constexpr const char* kTilted = "Tilted";
+
+void draw_view_choice(Ui& ui, Physiology& physiology, ImVec2 corner) {
+    ImGui::SetCursorScreenPos(corner);
+    PhysiologyState& state = physiology.view;
+    const auto choose = [&](const char* name, bool tilted) {
+        if (draw_switch(ui, name, name, state.tilted == tilted) && state.tilted != tilted) {
+            state.tilted = tilted;
+            state.tilt_since_s = ui.time_s;
+        }
+        note_item(ui.rects, std::string("view:") + name);
+        ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
+    };
+    choose(kFromAbove, false);
+    choose(kTilted, true);
+}
+
+// How the four maps share an area: columns and rows of them, and what each has.
+struct MapGrid {
+    int columns = 4;
+    ImVec2 each{0, 0};
+    float map_px = 0.0F;   // height of a map
+    float used_px = 0.0F;  // of `each`, down to the end of its words
+};
+
+MapGrid map_grid(const Theme& theme, const Rect& area, const MapScale& scale, int columns) {
+    const float gap = theme.gap_px;
+    const auto across = static_cast<float>(columns);
+    const float down = 4.0F / across;
+    MapGrid grid{columns,
+                 {(area.width() - gap * (across - 1.0F)) / across,
+                  (area.height() - gap * (down - 1.0F)) / down}};
+    ReceptorScene scene;
+    scene.half_extent_mm = scale.half_extent_mm;
+    scene.half_width_mm = scale.half_width_mm;
+    const ReceptorLayout layout = receptor_layout(theme, rect_at({0.0F, 0.0F}, grid.each), scene);
+    grid.map_px = layout.map.height();
+    grid.used_px = std::max(layout.map.max.y, layout.caption.max.y);
+    return grid;
+}
+
+}  // namespace
+
+float view_choice_px(const Ui& ui) {
+    return chip_width(ui, kFromAbove) + chip_width(ui, kTilted) + 2.0F * ui.theme.scale;
+}
+
+void draw_receptor_stage(Ui& ui, const Timeline& timeline, Physiology& physiology,
+                         const ShownStages& shown, const Rect& area, const StageSize& size) {
+    if (size.controls && !shown.pinned) draw_view_choice(ui, physiology, *size.controls);
+    const MapScale scale = map_scale(physiology, *shown.live);
+    MapGrid grid = map_grid(ui.theme, area, scale, 4);
+    // Two rows where the maps are then about as large: they fill the pane.
+    const MapGrid square = map_grid(ui.theme, area, scale, 2);
+    if (size.large && square.map_px > 0.95F * grid.map_px) grid = square;
+    // What one row leaves free is shared out above and below it.
+    const float free = grid.columns == 4 ? std::max(0.0F, area.height() - grid.used_px) : 0.0F;
+    const ImVec2 first = area.min + ImVec2{0.0F, std::floor(0.4F * free)};
+    const ImVec2 each{grid.each.x, grid.each.y - free};
+    for (const Receptor type : kReceptors) {
+        const auto k = static_cast<int>(index_of(type));
+        const ImVec2 place{static_cast<float>(k % grid.columns) * (each.x + ui.theme.gap_px),
+                           static_cast<float>(k / grid.columns) * (each.y + ui.theme.gap_px)};
+        draw_one_grid(ui, timeline, physiology, shown, type, rect_at(first + place, each), scale,
+                      size.large);
+    }
+}
+
+void draw_receptor_key(Ui& ui, const Physiology& physiology, const ShownStages& shown,
+                       const Rect& line) {
+    const double largest_hz = map_scale(physiology, *shown.live).largest_hz;
+    draw_receptor_legend(*ImGui::GetWindowDrawList(), ui.theme, line, largest_hz);
+    note_rect(ui.rects, "receptor key", line.min, line.max, significant(largest_hz));
+}
+
+}  // namespace tact

@@ -1,0 +1,135 @@
+#include "app/stages/stage_overview.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+
+#include "app/document/editing.h"
+#include "app/stages/stage_label.h"
+#include "app/stages/stage_pair.h"
+#include "app/ui/widgets.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kLabelColumnPx = 96.0F;
+
+// Height of each stage in the overview, in units. Signals have what the pictures leave.
+constexpr std::array<float, kStages.size()> kUnits{1.0F, 2.1F, 1.8F, 3.2F, 2.1F,
+                                                   2.2F, 1.7F, 0.9F, 1.1F};
+constexpr std::array<float, kStages.size()> kPairUnits{0.9F, 2.1F, 3.3F, 3.2F, 3.0F,
+                                                       2.2F, 3.0F, 1.1F, 1.1F};
+constexpr float kLowestUnitPx = 28.0F;  // below, the column scrolls
+constexpr float kLowestPairUnitPx = 36.0F;
+constexpr float kScrolledPairUnitPx = 72.0F;  // once it scrolls, lanes are as high as is good
+
+// What a picture needs, and what it makes good use of, in heights of small text.
+struct PictureHeight {
+    float least;
+    float most;
+};
+
+std::optional<PictureHeight> picture_height(Stage stage, bool is_pair) {
+    // Of two, with a line of words between them; the choice of networks stands above both.
+    if (stage == Stage::spectrum) {
+        return is_pair ? PictureHeight{12.6F, 14.0F} : PictureHeight{5.6F, 14.0F};
+    }
+    if (stage == Stage::receptors) {
+        return is_pair ? PictureHeight{10.8F, 14.5F} : PictureHeight{4.0F, 22.0F};
+    }
+    if (stage == Stage::networks) {
+        return is_pair ? PictureHeight{11.6F, 14.0F} : PictureHeight{4.0F, 14.0F};
+    }
+    return std::nullopt;
+}
+
+using StageHeights = std::array<float, kStages.size()>;
+
+StageHeights stage_heights(const Theme& theme, float free, float lowest_unit, bool is_pair) {
+    const auto& units = is_pair ? kPairUnits : kUnits;
+    const float text_px = font_or_current(theme.fonts.small).FontSize;
+    const float unit =
+        std::max(free / std::accumulate(units.begin(), units.end(), 0.0F), lowest_unit);
+    StageHeights heights{};
+    float signal_units = 0.0F;
+    float left = free;
+    for (const Stage stage : kStages) {
+        const std::size_t k = index_of(stage);
+        const auto picture = picture_height(stage, is_pair);
+        if (!picture) {
+            signal_units += units[k];
+            continue;
+        }
+        heights[k] = std::clamp(unit * units[k], picture->least * text_px, picture->most * text_px);
+        left -= heights[k];
+    }
+    float signal_unit = left / signal_units;
+    if (signal_unit < lowest_unit) {
+        signal_unit =
+            is_pair ? std::max(lowest_unit, kScrolledPairUnitPx * theme.scale) : lowest_unit;
+    }
+    for (const Stage stage : kStages) {
+        const std::size_t k = index_of(stage);
+        if (!picture_height(stage, is_pair)) heights[k] = signal_unit * units[k];
+    }
+    return heights;
+}
+
+// So that it is said once.
+bool have_one_reach(const Workspace& work, const std::vector<ShownStages>& patterns, Stage stage) {
+    return !patterns.empty() &&
+           reach_text(work, patterns.front(), stage) == reach_text(work, patterns.back(), stage);
+}
+
+}  // namespace
+
+void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
+                   const std::vector<ShownStages>& patterns) {
+    const Theme& theme = ui.theme;
+    const float gap = 0.75F * theme.gap_px;
+    const float free = ImGui::GetContentRegionAvail().y - gap * static_cast<float>(kStages.size());
+    float lowest = patterns.size() > 1 ? kLowestPairUnitPx : kLowestUnitPx;
+    // Nobody can scroll a picture, and no clicker a single pattern; two would be too small.
+    if (ui.as_picture || (ui.presenting && patterns.size() < 2)) lowest = 1.0F;
+    const StageHeights heights =
+        stage_heights(theme, free, lowest * theme.scale, patterns.size() > 1);
+    const float height = std::accumulate(heights.begin(), heights.end(), 0.0F) +
+                         gap * static_cast<float>(kStages.size());
+    const bool scrolls = height > ImGui::GetContentRegionAvail().y + 1.0F;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    // The wheel moves through time where there is more of it than is shown.
+    const bool zoomed_in = timeline.range.length_s() < shown_duration_s(work) - 1e-9;
+    ImGuiWindowFlags flags = ImGuiWindowFlags_None;
+    if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar;
+    if (!scrolls || zoomed_in || ImGui::GetIO().KeyCtrl)
+        flags |= ImGuiWindowFlags_NoScrollWithMouse;
+    ImGui::BeginChild("overview", ImGui::GetContentRegionAvail(), false, flags);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float label = kLabelColumnPx * theme.scale;
+    float top = corner.y;
+    for (const Stage stage : kStages) {
+        const float bottom = top + heights[index_of(stage)];
+        const Rect area{{corner.x + label, top}, {corner.x + width, bottom}};
+        const Rect words{{corner.x, top}, {corner.x + label, bottom}};
+        const float named = draw_stage_label(ui, physiology, stage, words);
+        if (have_one_reach(work, patterns, stage)) {
+            const float line = text_size(theme.fonts.small, "X").y;
+            draw_reach(ui, {{corner.x, named}, {words.max.x, std::min(bottom, named + line)}},
+                       stage, reach_text(work, patterns[0], stage));
+        }
+        StageSize size;
+        size.time_axis = stage == kStages.back();
+        draw_patterns(ui, work, timeline, physiology, patterns, stage, area, size);
+        top = bottom + gap;
+    }
+    ImGui::SetCursorScreenPos({corner.x, top - gap});
+    ImGui::Dummy({1.0F, 0.0F});
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace tact

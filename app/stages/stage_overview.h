@@ -1,0 +1,18 @@
+// All stages below one another, each as high as it needs.
+#pragma once
+
+#include <vector>
+
+#include "app/document/workspace.h"
+#include "app/physiology/physiology_state.h"
+#include "app/stages/stage_views.h"
+#include "app/timeline/timeline.h"
+#include "app/ui/ui.h"
+
+namespace tact {
+
+// Of one pattern or two; where the pane is too low, it scrolls.
+void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
+                   const std::vector<ShownStages>& patterns);
+
+}  // namespace tact
