@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <numeric>
 #include <utility>
 
 #include "app/document/editing.h"
@@ -17,9 +15,7 @@
 #include "app/stages/stage_pictures.h"
 #include "app/stages/stage_strip.h"
 #include "app/stages/stage_views.h"
-#include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
-#include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {

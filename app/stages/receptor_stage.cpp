@@ -1,14 +1,12 @@
 // The receptors of each type in the skin, from above or tilted.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "app/stages/receptor_readout.h"
 #include "app/stages/stage_pictures.h"
 #include "app/ui/widgets.h"
-#include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 #include "viz/skin/receptor_legend.h"
 #include "viz/skin/receptor_view.h"
