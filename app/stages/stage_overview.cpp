@@ -9,7 +9,7 @@
 #include "app/stages/stage_label.h"
 #include "app/stages/stage_pair.h"
 #include "app/ui/widgets.h"
-#include "viz/drawing/plot.h"
+#include "viz/drawing/marks.h"
 
 namespace tact {
 
