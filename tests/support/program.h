@@ -179,10 +179,13 @@ struct Program {
     }
 
   private:
+    std::string read_;  // what `places` were read from
+
     void read_places() {
-        if (app.ui.rects.file.empty()) return;
+        if (app.ui.rects.file.empty() || app.ui.rects.written == read_) return;
+        read_ = app.ui.rects.written;
         places.clear();
-        std::istringstream lines(app.ui.rects.written);
+        std::istringstream lines(read_);
         for (std::string line; std::getline(lines, line);) {
             std::istringstream cells(line);
             std::string name;
