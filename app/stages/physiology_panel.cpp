@@ -156,6 +156,17 @@ void fit_time(const Workspace& work, Timeline& timeline) {
     timeline.playhead.at_s = std::clamp(timeline.playhead.at_s, 0.0, duration_s);
 }
 
+PhysiologyDeed draw_nothing_to_show(const Ui& ui) {
+    draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "No vibration to show",
+               "Press New on the left to make one, or open a set.");
+    return PhysiologyDeed::none;
+}
+
+void draw_on_their_way(const Ui& ui, const Rect& area, const Vibration& vibration) {
+    draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "Computing",
+               "The receptors and nerves of " + vibration.name + " are on their way.");
+}
+
 }  // namespace
 
 void begin_pointing(Timeline& timeline, Physiology& physiology) {
@@ -168,11 +179,7 @@ void begin_pointing(Timeline& timeline, Physiology& physiology) {
 PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
                                    Physiology& physiology) {
     const Vibration* vibration = current_vibration(work);
-    if (vibration == nullptr) {
-        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "No vibration to show",
-                   "Press New on the left to make one, or open a set.");
-        return PhysiologyDeed::none;
-    }
+    if (vibration == nullptr) return draw_nothing_to_show(ui);
     fit_time(work, timeline);
     const float links = button_width("All stages");
     const Rect rest = rest_of_pane();
@@ -180,8 +187,7 @@ PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
     const Rect row{rest.min, {rest.max.x - links - ui.theme.gap_px, rest.max.y}};
     const bool failed = draw_failure(ui, "physiology", failure_of(physiology.stages_job));
     if (!failed && patterns.empty()) {
-        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, row, "Computing",
-                   "The receptors and nerves of " + vibration->name + " are on their way.");
+        draw_on_their_way(ui, row, *vibration);
     }
     physiology.view.open.reset();
     follow_difference(physiology, {});  // a row shows one pattern
@@ -204,11 +210,7 @@ PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
 PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline,
                                      Physiology& physiology, bool tour_begun) {
     const Vibration* vibration = current_vibration(work);
-    if (vibration == nullptr) {
-        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "No vibration to show",
-                   "Press New on the left to make one, or open a set.");
-        return PhysiologyDeed::none;
-    }
+    if (vibration == nullptr) return draw_nothing_to_show(ui);
     fit_time(work, timeline);
     const std::vector<ShownStages> patterns = shown_patterns(ui, work, physiology);
     follow_difference(physiology, patterns);
@@ -220,8 +222,7 @@ PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline
                         draw_failure(ui, "physiology", failure_of(physiology.pinned_job));
     if (patterns.empty() && failed) return deed;
     if (patterns.empty()) {
-        draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "Computing",
-                   "The receptors and nerves of " + vibration->name + " are on their way.");
+        draw_on_their_way(ui, rest_of_pane(), *vibration);
         return deed;
     }
     if (physiology.view.open) {
