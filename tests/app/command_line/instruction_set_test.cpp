@@ -47,7 +47,8 @@ TEST_CASE("instruction set probe" * doctest::skip()) {
     MESSAGE("last digits " << number);
 }
 
-TEST_CASE("instruction set: every metric and the map are the same on a processor without FMA") {
+TEST_CASE("instruction set: every metric and the map are the same on a processor without FMA" *
+          doctest::test_suite("long")) {
     const auto probe = [](const std::string& processor) {
         const std::string tests = std::filesystem::read_symlink("/proc/self/exe").string();
         const std::string command = processor + "; '" + tests + "' -ns -tc='instruction set probe'";

@@ -71,7 +71,8 @@ void check_refusal(const NumberOption& option, const std::string& value) {
 
 }  // namespace
 
-TEST_CASE("options: no number of any command may be NaN, infinite, empty or in another notation") {
+TEST_CASE("options: no number of any command may be NaN, infinite, empty or in another notation" *
+          doctest::test_suite("long")) {
     const std::vector<NumberOption> options = number_options();
     REQUIRE(options.size() > 50);  // or the list is not what the program has
     for (const NumberOption& option : options) {

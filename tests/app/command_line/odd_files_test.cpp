@@ -154,7 +154,8 @@ TEST_CASE("odd files: a folder may hold other things, which are counted and left
     CHECK(ran.err == "tactspace: " + folder.path.string() + ": 2 other files ignored\n");
 }
 
-TEST_CASE("odd files: 1,500 short patterns are no trouble, and stand in natural order") {
+TEST_CASE("odd files: 1,500 short patterns are no trouble, and stand in natural order" *
+          doctest::test_suite("long")) {
     constexpr std::size_t kPatterns = 1500;
     const TemporaryFolder folder;
     unsigned state = 1;

@@ -86,7 +86,8 @@ TEST_CASE("refusals: a waveform of words, of NaN, of infinity or of nothing, wit
     CHECK(contains(refusal_of({"predict", folder.path.string()}), "v.txt:1: "));
 }
 
-TEST_CASE("refusals: WAV files that are cut, empty, not finite, or none") {
+TEST_CASE("refusals: WAV files that are cut, empty, not finite, or none" *
+          doctest::test_suite("long")) {
     const Folder folder;
     WaveBytes wave;
     wave.bits = 32;

@@ -26,7 +26,8 @@ std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
 
 }  // namespace
 
-TEST_CASE("snapshot: every view is a PNG of the size asked for, the same each time") {
+TEST_CASE("snapshot: every view is a PNG of the size asked for, the same each time" *
+          doctest::test_suite("long")) {
     const ShortSet set;
     const TemporaryFolder folder;
     for (const std::string view : {"window", "wave", "spectrum", "matrix", "space"}) {
@@ -47,7 +48,8 @@ TEST_CASE("snapshot: every view is a PNG of the size asked for, the same each ti
     }
 }
 
-TEST_CASE("snapshot: a name that ends in .svg gives well-formed SVG, the same each time") {
+TEST_CASE("snapshot: a name that ends in .svg gives well-formed SVG, the same each time" *
+          doctest::test_suite("long")) {
     const ShortSet set;
     const TemporaryFolder folder;
     for (const std::string view : {"window", "wave", "spectrum", "matrix", "space"}) {
@@ -68,7 +70,8 @@ TEST_CASE("snapshot: a name that ends in .svg gives well-formed SVG, the same ea
     }
 }
 
-TEST_CASE("snapshot: physiology is drawn at a time, of one stage, of two patterns, tilted") {
+TEST_CASE("snapshot: physiology is drawn at a time, of one stage, of two patterns, tilted" *
+          doctest::test_suite("long")) {
     const ShortSet set;
     const TemporaryFolder folder;
     const fs::path file = folder.path / "view.png";

@@ -135,7 +135,8 @@ TEST_CASE("study report: the table is that of compare, and compare reads the fol
     }
 }
 
-TEST_CASE("study report: its scripts find every number again, and notice one that is another") {
+TEST_CASE("study report: its scripts find every number again, and notice one that is another" *
+          doctest::test_suite("long")) {
     const Reported study;
     REQUIRE(study.simulated().exit_code == 0);
     REQUIRE(study.reported({"--scaling", "standard"}).exit_code == 0);
@@ -150,7 +151,7 @@ TEST_CASE("study report: its scripts find every number again, and notice one tha
     check_reproduced(study, false);
 }
 
-TEST_CASE("study report: of people who sorted, too") {
+TEST_CASE("study report: of people who sorted, too" * doctest::test_suite("long")) {
     const Reported study;
     REQUIRE(study.simulated({"--sorting"}).exit_code == 0);
     const Ran ran = study.reported({"--sorting"});

@@ -285,7 +285,8 @@ TEST_CASE("findings: they are checked on request, and can be cancelled") {
     CHECK(bench.program.shows("button:check findings"));
 }
 
-TEST_CASE("compare: ratings of the patterns alone can be held against either side of their twins") {
+TEST_CASE("compare: ratings of the patterns alone can be held against either side of their twins" *
+          doctest::test_suite("long")) {
     CompareBench bench(with_synthetic_twins(short_patterns(4), {}));
     bench.load(",p1,p2,p3,p4\np1,0,1,2,3\np2,1,0,4,5\np3,2,4,0,6\np4,3,5,6,0\n");
     bench.wait_for_comparison();

@@ -89,7 +89,8 @@ TEST_CASE("exports: every command is in the File menu and the palette") {
     }
 }
 
-TEST_CASE("exports: a view goes to the file chosen, PNG or SVG by its ending") {
+TEST_CASE("exports: a view goes to the file chosen, PNG or SVG by its ending" *
+          doctest::test_suite("long")) {
     Exporting exporting;
     Program& program = exporting.program;
     for (const PictureView view : kPictureViews) {

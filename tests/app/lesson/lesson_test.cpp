@@ -143,7 +143,8 @@ TEST_CASE("presenting: in the window, Page Up and Page Down alone are the lesson
     CHECK(program.lesson().step == 0U);
 }
 
-TEST_CASE("lesson: the card stands beside what it points at, whatever the size and the edge") {
+TEST_CASE("lesson: the card stands beside what it points at, whatever the size and the edge" *
+          doctest::test_suite("long")) {
     struct Screen {
         ImVec2 size;
         float scale;

@@ -76,7 +76,7 @@ TEST_CASE("manual: what stands between braces is made, and what nobody makes is 
     CHECK_FALSE(table_html("furniture"));
 }
 
-TEST_CASE("manual: the page is whole, and the same each time") {
+TEST_CASE("manual: the page is whole, and the same each time" * doctest::test_suite("long")) {
     CHECK(times_in(page(), "{{") == 0);
     for (const ManualChapter& chapter : manual_chapters()) {
         CAPTURE(std::string(chapter.id));

@@ -65,7 +65,8 @@ TEST_CASE("threshold presets: each says that it is a guess") {
     }
 }
 
-TEST_CASE("spectrum: a threshold dragged upwards is one undo step, and rises by what was dragged") {
+TEST_CASE("spectrum: a threshold dragged upwards is one undo step, and rises by what was dragged" *
+          doctest::test_suite("long")) {
     PhysiologyProgram program;
     program.app.physiology.view.open = Stage::spectrum;
     program.wait_for_stages();

@@ -179,7 +179,8 @@ void check_that_it_can_come_back(Pulled& program) {
 
 }  // namespace
 
-TEST_CASE("pulled: in every state of playing it is said once, and nothing plays on") {
+TEST_CASE("pulled: in every state of playing it is said once, and nothing plays on" *
+          doctest::test_suite("long")) {
     for (const State& state : states()) {
         CAPTURE(std::string(state.name));
         Pulled program;
@@ -201,7 +202,8 @@ TEST_CASE("pulled: in every state of playing it is said once, and nothing plays 
     }
 }
 
-TEST_CASE("pulled: one that goes before a play is begun refuses it, in every state") {
+TEST_CASE("pulled: one that goes before a play is begun refuses it, in every state" *
+          doctest::test_suite("long")) {
     for (const State& state : states()) {
         CAPTURE(std::string(state.name));
         Pulled program;

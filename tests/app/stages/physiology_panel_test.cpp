@@ -70,7 +70,8 @@ TEST_CASE("physiology: numbers under the cursor are those that the command line 
 }
 
 TEST_CASE(
-    "physiology: a component, a receptor and a relay neuron say what the command line writes") {
+    "physiology: a component, a receptor and a relay neuron say what the command line writes" *
+    doctest::test_suite("long")) {
     const PatternSet set = rich_patterns();
     PhysiologyProgram program(set);
     const Written written(set, "p1");

@@ -34,7 +34,8 @@ TEST_CASE("physiology: a press in any plot moves the one playhead, dragging scru
 }
 
 TEST_CASE(
-    "physiology: Ctrl and wheel zoom where the mouse is, the wheel moves on, all views follow") {
+    "physiology: Ctrl and wheel zoom where the mouse is, the wheel moves on, all views follow" *
+    doctest::test_suite("long")) {
     PhysiologyProgram program;
     for (int k = 0; k < 5; ++k) program.wheel(program.in_row("envelope", 0.5F), 1.0F, true);
     const TimeRange zoomed_in = program.app.timeline.range;

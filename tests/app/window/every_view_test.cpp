@@ -155,7 +155,8 @@ double share_too_close(Large& program) {
 
 }  // namespace
 
-TEST_CASE("every view: it opens with 2, 260 and 1,000 patterns, and draws no more than a screen") {
+TEST_CASE("every view: it opens with 2, 260 and 1,000 patterns, and draws no more than a screen" *
+          doctest::test_suite("long")) {
     for (const std::size_t count : {2U, 260U, 1000U}) {
         CAPTURE(count);
         Large program(count);

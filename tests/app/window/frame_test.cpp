@@ -25,7 +25,7 @@ TEST_CASE("window: one drag of a slider is one undo step") {
     CHECK(program.pattern(0).amplitude_g == after_g);
 }
 
-TEST_CASE("window: a hundred steps and more can be undone") {
+TEST_CASE("window: a hundred steps and more can be undone" * doctest::test_suite("long")) {
     Program program(short_patterns(1));
     for (int k = 0; k < 120; ++k) program.press('d', true);
     CHECK(program.app.work.document.set.vibrations.size() == 121);

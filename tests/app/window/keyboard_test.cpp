@@ -183,17 +183,20 @@ struct HighWindow : SceneWindow {
 
 }  // namespace
 
-TEST_CASE("keyboard: in every workspace Tab reaches what can be pressed, as one reads") {
+TEST_CASE("keyboard: in every workspace Tab reaches what can be pressed, as one reads" *
+          doctest::test_suite("long")) {
     HighWindow().check({"design", "select", "physiology", "study, ", "lesson", "presenting"});
 }
 
-TEST_CASE("keyboard: on every tab of the bench Tab reaches what can be pressed, as one reads") {
+TEST_CASE("keyboard: on every tab of the bench Tab reaches what can be pressed, as one reads" *
+          doctest::test_suite("long")) {
     HighWindow().check({"candidates", "subset", "too close", "how sure", "compare", "shepard",
                         "why", "model", "training", "device"},
                        Pane::matrix);
 }
 
-TEST_CASE("keyboard: in every dialog and popup Tab reaches what can be pressed, as one reads") {
+TEST_CASE("keyboard: in every dialog and popup Tab reaches what can be pressed, as one reads" *
+          doctest::test_suite("long")) {
     HighWindow().check({"dialog, ", "popup "});
 }
 

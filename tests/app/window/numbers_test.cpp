@@ -211,7 +211,7 @@ TEST_CASE("numbers: what is no number is refused in sight, and what is out of ra
     CHECK(says(program, "changes a strength"));
 }
 
-TEST_CASE("numbers: no entry of the panes takes what is not finite") {
+TEST_CASE("numbers: no entry of the panes takes what is not finite" * doctest::test_suite("long")) {
     PatternSet set = odd_numbers(3);
     auto& pattern = std::get<Pattern>(set.vibrations[0].source);
     pattern.carriers = {{100.0, 0.5}, {200.0, 0.25}, {300.0, 0.25}};
@@ -248,7 +248,7 @@ TEST_CASE("numbers: no entry of the panes takes what is not finite") {
     program.app.studying.is_open = false;
 }
 
-TEST_CASE("numbers: no entry of a dialog takes what is not finite") {
+TEST_CASE("numbers: no entry of a dialog takes what is not finite" * doctest::test_suite("long")) {
     Program program(odd_numbers(3));
     const auto refuses = [&](Dialog dialog, const std::vector<std::string>& entries,
                              std::size_t least) {

@@ -94,7 +94,8 @@ struct Counted : Program {
 
 }  // namespace
 
-TEST_CASE("tasks: five patterns from nothing, named, each with numbers of its own") {
+TEST_CASE("tasks: five patterns from nothing, named, each with numbers of its own" *
+          doctest::test_suite("long")) {
     Counted program(0);
     program.resize({1600.0F, 1400.0F}, 1.0F);  // all fields are in sight, whenever the card comes
     for (int k = 1; k <= 5; ++k) {

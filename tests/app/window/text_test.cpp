@@ -34,7 +34,8 @@ void check_sliders(const SceneWindow& window) {
 
 }  // namespace
 
-TEST_CASE("text: whatever is open, at any size, none is written over another or cut off") {
+TEST_CASE("text: whatever is open, at any size, none is written over another or cut off" *
+          doctest::test_suite("long")) {
     SceneWindow window;
     for (const Screen& screen :
          {Screen{{1280.0F, 720.0F}, 1.0F}, Screen{{1600.0F, 1000.0F}, 1.0F},

@@ -62,7 +62,8 @@ TEST_CASE("calibration: a sweep finds it too, a little less exactly where it is 
     }
 }
 
-TEST_CASE("calibration: any resonance is found and followed, tones and sweep, without noise") {
+TEST_CASE("calibration: any resonance is found and followed, tones and sweep, without noise" *
+          doctest::test_suite("long")) {
     for (const bool is_sweep : {false, true}) {
         CalibrationParams params;
         params.is_sweep = is_sweep;

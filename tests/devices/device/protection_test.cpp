@@ -79,7 +79,8 @@ TEST_CASE("protection: a tone of 1 Hz does not reach the coil, one of 20 Hz does
     }
 }
 
-TEST_CASE("protection: below 10 Hz no more than a quarter passes, however little of it there is") {
+TEST_CASE("protection: below 10 Hz no more than a quarter passes, however little of it there is" *
+          doctest::test_suite("long")) {
     const double duration_s = 10.0;
     for (const bool loop : {false, true}) {
         for (const double slow_hz : {0.0, 0.5, 1.0, 3.1, 6.0, 8.0, 9.0, 10.0}) {

@@ -79,7 +79,7 @@ TEST_CASE("hid: a loop that is changed goes on in its next packet, without a pau
     wait_for_neutral(pad);
 }
 
-TEST_CASE("hid: counters go up by one a packet") {
+TEST_CASE("hid: counters go up by one a packet" * doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
     HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
     Drive drive = tone(0.5);
@@ -99,7 +99,8 @@ TEST_CASE("hid: counters go up by one a packet") {
     }
 }
 
-TEST_CASE("hid: a steady tone is repeated every 50 ms or so, and no sooner") {
+TEST_CASE("hid: a steady tone is repeated every 50 ms or so, and no sooner" *
+          doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
     HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
     REQUIRE(device.play(tone(0.6), false));
@@ -117,7 +118,7 @@ TEST_CASE("hid: a steady tone is repeated every 50 ms or so, and no sooner") {
     }
 }
 
-TEST_CASE("hid: stop silences at once, also a loop") {
+TEST_CASE("hid: stop silences at once, also a loop" * doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
     HidDevice device = device_on(pad, actuator(ActuatorKind::switch_pro, HidBus::usb));
     REQUIRE(device.play(tone(0.1), true));
@@ -146,7 +147,8 @@ TEST_CASE("hid: the device is silenced when it is given up in the middle of a pl
     wait_for_neutral(pad);
 }
 
-TEST_CASE("hid: level nought is neutral, and half of it half as strong") {
+TEST_CASE("hid: level nought is neutral, and half of it half as strong" *
+          doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
     HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
     device.set_level(0.5);
@@ -175,7 +177,8 @@ TEST_CASE("hid: level nought is neutral, and half of it half as strong") {
     }
 }
 
-TEST_CASE("hid: one that is unplugged is noticed, says so, and is refused until it is back") {
+TEST_CASE("hid: one that is unplugged is noticed, says so, and is refused until it is back" *
+          doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
     HidActuator which = actuator(ActuatorKind::joy_con, HidBus::bluetooth);
     HidDevice device = device_on(pad, which);
@@ -200,7 +203,8 @@ TEST_CASE("hid: one that is unplugged is noticed, says so, and is refused until 
     CHECK(device.status().trouble.empty());
 }
 
-TEST_CASE("hid: one that does not confirm its vibration is said not to answer") {
+TEST_CASE("hid: one that does not confirm its vibration is said not to answer" *
+          doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
     pad->answers_at_all = false;
     HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
@@ -291,7 +295,8 @@ TEST_CASE(
     wait_for_neutral(pad);
 }
 
-TEST_CASE("hid: a loop, and a long pattern, play no longer on end than the drive may") {
+TEST_CASE("hid: a loop, and a long pattern, play no longer on end than the drive may" *
+          doctest::test_suite("long")) {
     for (const bool loop : {true, false}) {
         CAPTURE(loop);
         const auto pad = std::make_shared<FakePad>();
@@ -308,7 +313,8 @@ TEST_CASE("hid: a loop, and a long pattern, play no longer on end than the drive
     }
 }
 
-TEST_CASE("hid: no level is larger than the drive bears, and that is told") {
+TEST_CASE("hid: no level is larger than the drive bears, and that is told" *
+          doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
     HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
     Drive drive = tone(0.2);

@@ -72,7 +72,8 @@ TEST_CASE("hid: a controller's least gap is what its bus and its firmware stand"
     CHECK(period_s(ActuatorKind::simple_haptic, HidBus::usb) == 0.020);
 }
 
-TEST_CASE("hid: no two packets are closer than the bus stands, over all seams of short loops") {
+TEST_CASE("hid: no two packets are closer than the bus stands, over all seams of short loops" *
+          doctest::test_suite("long")) {
     for (const HidBus bus : {HidBus::bluetooth, HidBus::usb}) {
         for (const double duration_s : {0.1, 0.035, 0.016, 0.001}) {
             CAPTURE(duration_s);
@@ -88,7 +89,8 @@ TEST_CASE("hid: no two packets are closer than the bus stands, over all seams of
     }
 }
 
-TEST_CASE("hid: plays in quick succession, and what silences them, keep the gap as well") {
+TEST_CASE("hid: plays in quick succession, and what silences them, keep the gap as well" *
+          doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
     const HidActuator which = actuator(ActuatorKind::joy_con, HidBus::bluetooth);
     {
@@ -102,7 +104,8 @@ TEST_CASE("hid: plays in quick succession, and what silences them, keep the gap 
     CHECK(least_gap_s(sent_to(*pad).times) >= packet_period_s(which));
 }
 
-TEST_CASE("hid: every part of a short loop is played in its turn, in whatever step with the pace") {
+TEST_CASE("hid: every part of a short loop is played in its turn, in whatever step with the pace" *
+          doctest::test_suite("long")) {
     // 35 ms: loud for 30 and faint for 5, of which packets every 30 ms meet now one, now the other.
     const auto pad = std::make_shared<FakePad>();
     {
@@ -117,7 +120,8 @@ TEST_CASE("hid: every part of a short loop is played in its turn, in whatever st
     CHECK(first > 8);  // its share of 40 is most of them, whatever the machine makes late
 }
 
-TEST_CASE("hid: frames that a slow write has passed by are skipped, not queued") {
+TEST_CASE("hid: frames that a slow write has passed by are skipped, not queued" *
+          doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
     HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
     REQUIRE(device.play(rising(10.0), false));
@@ -133,7 +137,8 @@ TEST_CASE("hid: frames that a slow write has passed by are skipped, not queued")
     CHECK(least_gap_s(sent_to(*pad).times) >= 0.030);
 }
 
-TEST_CASE("hid: a motor moves at a tenth of the level, and patterns keep their proportions") {
+TEST_CASE("hid: a motor moves at a tenth of the level, and patterns keep their proportions" *
+          doctest::test_suite("long")) {
     // Of a steady tone of the weak motor's band.
     const auto strength = [](double level, double amplitude) {
         const auto pad = std::make_shared<FakePad>();

@@ -53,7 +53,8 @@ TEST_CASE("moved point: an unchanged pattern is where it is; the same bits on an
     CHECK_FALSE((*one)(waveform, stop.get_token()));
 }
 
-TEST_CASE("moved point: it is where the map has the point once the number is really set") {
+TEST_CASE("moved point: it is where the map has the point once the number is really set" *
+          doctest::test_suite("long")) {
     const PatternSet set = short_set(10, {0.25, 30.0, 6.0, 4});
     const Eigen::MatrixXd points = map_of(set);
     const auto base = std::make_shared<const Prediction>(predicted_of(set));

@@ -74,7 +74,8 @@ void check_promise(const StepsQuestion& question, const EvenSteps& steps) {
 
 }  // namespace
 
-TEST_CASE("steps: between short patterns they are even, or it is said where the way jumps") {
+TEST_CASE("steps: between short patterns they are even, or it is said where the way jumps" *
+          doctest::test_suite("long")) {
     const Pattern a = short_pattern(0.5, 80.0, 0.0);
     const Pattern b = short_pattern(1.5, 240.0, 12.0);
     for (const StepMeasure measure : {StepMeasure::pm, StepMeasure::nc, StepMeasure::oc}) {
@@ -129,7 +130,8 @@ TEST_CASE("steps: along a number only that number changes") {
     }
 }
 
-TEST_CASE("steps: between pairs of the example sets, the promise is kept") {
+TEST_CASE("steps: between pairs of the example sets, the promise is kept" *
+          doctest::test_suite("long")) {
     for (const std::string& file : {kAmSet, kTwelve}) {
         const PatternSet set = read_set_file(file)->set;
         RandomStream random{7};

@@ -162,7 +162,8 @@ TEST_CASE("dtw: pairs of different shapes keep their places") {
     check_all_ways(neighbours(signals));
 }
 
-TEST_CASE("dtw: a second at 10 kHz, and a sample around it, gives the textbook's bits") {
+TEST_CASE("dtw: a second at 10 kHz, and a sample around it, gives the textbook's bits" *
+          doctest::test_suite("long")) {
     std::vector<std::vector<double>> signals;
     for (const std::size_t length : {9'999, 10'000, 10'001}) {
         signals.push_back(wandering(length, static_cast<unsigned>(length)));

@@ -254,7 +254,8 @@ TEST_CASE("uncertainty: whose patterns are not all rated, the rated ones alone c
 }
 
 // The truth: that of a world of hundreds of patterns.
-TEST_CASE("coverage: intervals over patterns hold the truth of a simulated world") {
+TEST_CASE("coverage: intervals over patterns hold the truth of a simulated world" *
+          doctest::test_suite("long")) {
     World large;
     large.patterns = 400;
     RandomStream random{11};
@@ -301,7 +302,8 @@ TEST_CASE("coverage: intervals over patterns hold the truth of a simulated world
 }
 
 // The truth: the mean of what as many other people would have of the same patterns.
-TEST_CASE("coverage: intervals over people hold the truth of a simulated world") {
+TEST_CASE("coverage: intervals over people hold the truth of a simulated world" *
+          doctest::test_suite("long")) {
     const World world;
     RandomStream random{13};
     Hits hits;
@@ -331,7 +333,8 @@ TEST_CASE("coverage: intervals over people hold the truth of a simulated world")
 
 // The truth over people: as above, of maps; over both: that of other worlds as well.
 TEST_CASE(
-    "coverage: intervals of K over people, and over both, hold the truth of a simulated world") {
+    "coverage: intervals of K over people, and over both, hold the truth of a simulated world" *
+    doctest::test_suite("long")) {
     const World world;
     RandomStream random{17};
     MdsParams near = standard_mds_params(12, 3);

@@ -194,7 +194,8 @@ std::string without(std::string text, const std::string& part, const std::string
 
 }  // namespace
 
-TEST_CASE("lessons: every number in a text of a bundled lesson is the model's, recomputed") {
+TEST_CASE("lessons: every number in a text of a bundled lesson is the model's, recomputed" *
+          doctest::test_suite("long")) {
     for (const Lesson& lesson : bundled()) {
         CAPTURE(lesson.name);
         const LessonAnswers answers = lesson_answers(lesson);
@@ -283,7 +284,8 @@ TEST_CASE("lessons: every step of a bundled lesson says where its facts are from
     }
 }
 
-TEST_CASE("lessons: what a question is answered with is what the model ranks") {
+TEST_CASE("lessons: what a question is answered with is what the model ranks" *
+          doctest::test_suite("long")) {
     for (const Lesson& lesson : bundled()) {
         const LessonAnswers answers = lesson_answers(lesson);
         const auto prediction = predict(model_waveforms(lesson.set), lesson.set.model);

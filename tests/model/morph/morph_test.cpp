@@ -80,7 +80,8 @@ TEST_CASE("morph: numbers go by ratio, one that is 0 by difference") {
     CHECK(silent.amplitude_g == doctest::Approx(1.0));
 }
 
-TEST_CASE("morph: no step of the way is far, also into a modulation and between its kinds") {
+TEST_CASE("morph: no step of the way is far, also into a modulation and between its kinds" *
+          doctest::test_suite("long")) {
     Pattern plain = pattern_of(1.0, 150.0, 0.0, "");
     Pattern beats = pattern_of(1.0, 150.0, 10.0, "");
     Pattern am = beats;

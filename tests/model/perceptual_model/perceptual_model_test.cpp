@@ -49,7 +49,8 @@ std::vector<Waveform> short_set(std::size_t patterns, double duration_s = 0.12) 
 
 }  // namespace
 
-TEST_CASE("perceptual model: NC, OC and PM equal the independent program's") {
+TEST_CASE("perceptual model: NC, OC and PM equal the independent program's" *
+          doctest::test_suite("long")) {
     const Json predictions = golden::read("predictions.json");
     for (const Json& set : predictions.at("sets")) {
         const std::string name = set.at("name");

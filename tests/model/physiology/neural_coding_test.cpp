@@ -105,7 +105,8 @@ void check_components(const NeuralCodingStages& stages, const Json& expected) {
 
 }  // namespace
 
-TEST_CASE("neural coding: every stage equals the independent program's") {
+TEST_CASE("neural coding: every stage equals the independent program's" *
+          doctest::test_suite("long")) {
     const Json stages_json = golden::read("stages.json");
     REQUIRE(stages_json.at("cases").size() > 40);
     for (const Json& expected : stages_json.at("cases")) {

@@ -258,7 +258,8 @@ TEST_CASE("scatter: the fit has no spurs where pairs are tied or steps are narro
 }
 
 // 2, 260 and 1,000 patterns; from 260 on one polyline of all pairs outgrew its indices.
-TEST_CASE("scatter: the fit is drawn where it is, from end to end, of any number of pairs") {
+TEST_CASE("scatter: the fit is drawn where it is, from end to end, of any number of pairs" *
+          doctest::test_suite("long")) {
     for (const std::size_t count : {1UL, 2UL, 5UL, 66UL, 33'670UL, 499'500UL}) {
         for (const std::size_t level : {1UL, 3UL, 1000UL}) {
             const DrawnFit fit = fit_of(Pairs(count, level));

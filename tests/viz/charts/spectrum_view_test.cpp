@@ -73,7 +73,7 @@ TEST_CASE("spectrum: all four thresholds are drawn even for silence") {
     }
 }
 
-TEST_CASE("spectrum: the mouse over a component's bar names it") {
+TEST_CASE("spectrum: the mouse over a component's bar names it" * doctest::test_suite("long")) {
     const std::vector<Component> components{component(22.4, 0.1)};
     int hits = 0;
     for (float x = 20.0F; x < 500.0F; x += 8.0F) {

@@ -52,7 +52,8 @@ TEST_CASE("body cache: any view of any wave is what body_columns gives") {
     CHECK(cache.kept.size() == views.size());
 }
 
-TEST_CASE("body cache: every sample that a column depends on is looked at") {
+TEST_CASE("body cache: every sample that a column depends on is looked at" *
+          doctest::test_suite("long")) {
     std::vector<double> samples = noise(4001);
     BodyCache cache;
     // Within the wave, and up to an end that no four samples fill.

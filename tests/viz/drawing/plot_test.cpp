@@ -155,7 +155,8 @@ TEST_CASE("plot: a place is read to a fraction of what is in view, early and lat
 
 // The last number has the unit, and gives way to the left where the plot ends.
 TEST_CASE(
-    "plot: however narrow it is, no number along it runs into the next, and the unit is told") {
+    "plot: however narrow it is, no number along it runs into the next, and the unit is told" *
+    doctest::test_suite("long")) {
     for (float width = 40.0F; width < 200.0F; width += 3.0F) {
         std::map<std::string, float> widths;
         const std::string svg = drawn_svg([&](ImDrawList& list, const Theme& theme) {

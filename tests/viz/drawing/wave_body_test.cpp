@@ -51,7 +51,8 @@ double spread_px(const std::vector<Extremes>& columns, double Extremes::*edge, d
 
 }  // namespace
 
-TEST_CASE("wave body: a steady tone is one even body wherever its periods are too narrow to see") {
+TEST_CASE("wave body: a steady tone is one even body wherever its periods are too narrow to see" *
+          doctest::test_suite("long")) {
     int seen = 0;
     for (const double duration_s : {0.1, 0.5, 1.0, 3.7, 20.0}) {
         for (const double frequency_hz :

@@ -257,7 +257,8 @@ TEST_CASE("network view: maps go into rows where that makes their cells larger")
     CHECK(tall.layout.cell_px > 200.0F / 5.0F / 23.0F);
 }
 
-TEST_CASE("network view: maps and words stay inside the area, however narrow") {
+TEST_CASE("network view: maps and words stay inside the area, however narrow" *
+          doctest::test_suite("long")) {
     for (const int half : {0, 5, 20}) {
         Example e(half, 3.0, 4, 4);
         e.names.back() = "a layer with a long name that fits nowhere";

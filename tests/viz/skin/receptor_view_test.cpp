@@ -113,7 +113,8 @@ TEST_CASE("receptor view: a receptor that fires stands out, and fades back") {
     }
 }
 
-TEST_CASE("receptor view: the mouse over a receptor names it, flat, tilted and between") {
+TEST_CASE("receptor view: the mouse over a receptor names it, flat, tilted and between" *
+          doctest::test_suite("long")) {
     for (const float scale : {1.0F, 2.0F}) {
         const Rect area{kArea.min * scale, kArea.max * scale};
         for (const float tilted : {0.0F, 0.5F, 1.0F}) {

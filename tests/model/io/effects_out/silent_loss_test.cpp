@@ -128,7 +128,7 @@ TEST_CASE("written: of one oddity at a time, each loss has its remark, and what 
     }
 }
 
-TEST_CASE("written: no loss is silent") {
+TEST_CASE("written: no loss is silent" * doctest::test_suite("long")) {
     std::mt19937 random(29);
     int lossless = 0;
     for (int k = 0; k < 300; ++k) {

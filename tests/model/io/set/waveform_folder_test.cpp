@@ -88,7 +88,8 @@ TEST_CASE("waveform folder: a file name that is not UTF-8 still gives a name") {
     CHECK(names(loaded->set) == std::vector<std::string>{"a\uFFFD"});
 }
 
-TEST_CASE("waveform folder: ten thousand short files load, one more is too many") {
+TEST_CASE("waveform folder: ten thousand short files load, one more is too many" *
+          doctest::test_suite("long")) {
     const TemporaryFolder folder;
     for (int k = 0; k < 10'000; ++k) folder.write(std::to_string(k) + ".txt", "0\n0.5\n1\n");
     const auto loaded = read_text_folder(folder.path);
