@@ -101,8 +101,11 @@ void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
         const float line_px = text_size(font, "X").y;
         plots.max.y -= line_px + ui.theme.gap_px;
         const Rect foot{{pane.min.x, pane.max.y - 1.1F * line_px}, pane.max};
-        if (stage == Stage::receptors) draw_receptor_key(ui, physiology, patterns.front(), foot);
-        if (stage == Stage::networks) draw_network_key(ui, patterns.front(), foot);
+        if (stage == Stage::receptors) {
+            draw_receptor_key(ui, physiology, patterns.front(), foot);
+        } else {
+            draw_network_key(ui, patterns.front(), foot);
+        }
     }
     draw_patterns(ui, work, timeline, physiology, patterns, stage, plots, size);
 }

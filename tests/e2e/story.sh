@@ -55,10 +55,12 @@ trap end_story EXIT
 
 fail() {
     echo "failed: $*"
+    tell_more
     if [ -s "${TACTSPACE_WIDGET_RECTS:-}" ]; then grep -v '^point:' "$TACTSPACE_WIDGET_RECTS"; fi
     exit 1
 }
 
+tell_more() { :; }  # besides what failed
 progress() { :; }  # what changes while work goes on
 
 # until_true WHAT COMMAND...: the command must succeed before the deadline, which begins anew with
