@@ -6,7 +6,7 @@ if declare -F until_true >/dev/null; then return 0; fi
 set -euo pipefail
 
 program=$1
-deadline_s=300
+looks=3000  # 0.1 s apart, at least
 
 # need PACKAGES TOOL...: without the tools there is no story.
 need() {
@@ -63,10 +63,11 @@ fail() {
 tell_more() { :; }  # besides what failed
 progress() { :; }  # what changes while work goes on
 
-# until_true WHAT COMMAND...: the command must succeed before the deadline, which begins anew with
-# each sign of progress. What takes long is looked at less often: looking takes the processor, too.
+# until_true WHAT COMMAND...: the command must succeed within so many looks, which begin anew with each
+# sign of progress. They are counted, not timed: on a busy machine they take longer, and one that was
+# halted goes on where it was. What takes long is looked at less often: looking takes the processor, too.
 until_true() {
-    local what=$1 end=$((SECONDS + deadline_s)) seen="" now tries=0
+    local what=$1 seen="" now tries=0
     shift
     until "$@"; do
         if ((++tries < 50)); then
@@ -76,9 +77,9 @@ until_true() {
         now=$(progress)
         if [ "$now" != "$seen" ]; then
             seen=$now
-            end=$((SECONDS + deadline_s))
+            tries=50
         fi
-        [ "$SECONDS" -lt "$end" ] || fail "waited $deadline_s s until $what"
+        ((tries < looks)) || fail "looked $looks times until $what"
         sleep 0.1
     done
 }
