@@ -20,6 +20,7 @@
 
 #include "devices/device/playback.h"
 
+#ifdef TACT_COUNTS_CALLS
 namespace {
 
 thread_local bool is_guarded = false;
@@ -30,10 +31,6 @@ void note() {
 }
 
 }  // namespace
-
-// Sanitizers bring their own; there the other tests remain.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define TACT_COUNTS_CALLS 1
 
 extern "C" {
 
@@ -113,15 +110,6 @@ struct Prepared {
     Prepared() { playback.layout = {48'000.0, 4, 1, kCeiling}; }
 };
 
-// How many forbidden calls `work` makes on this thread.
-int forbidden_calls(const std::function<void()>& work) {
-    forbidden = 0;
-    is_guarded = true;
-    work();
-    is_guarded = false;
-    return forbidden;
-}
-
 // Runs `work` in a child that may do nothing but read, write and exit; how that ended.
 int end_in_strict_child(const std::function<void()>& work) {
     const pid_t child = fork();
@@ -139,6 +127,15 @@ int end_in_strict_child(const std::function<void()>& work) {
 }  // namespace
 
 #ifdef TACT_COUNTS_CALLS
+// How many forbidden calls `work` makes on this thread.
+int forbidden_calls(const std::function<void()>& work) {
+    forbidden = 0;
+    is_guarded = true;
+    work();
+    is_guarded = false;
+    return forbidden;
+}
+
 TEST_CASE("audio callback: it allocates nothing, frees nothing and takes no lock") {
     Prepared prepared;
     CHECK(forbidden_calls(
