@@ -252,6 +252,8 @@ TEST_CASE("umockdev: one that is unplugged while it rests is noticed within a se
     CHECK(device.status().trouble == "Joy-Con (L) was unplugged, or is out of reach");
 }
 
+// The sanitizer of threads hands no signal to the child of a process that has several.
+#ifndef TACT_SANITIZES_THREADS
 TEST_CASE(
     "umockdev: a program that is killed in the middle of a play leaves the controller neutral") {
     const MockBench bench({joy_con()});
@@ -272,3 +274,4 @@ TEST_CASE(
     REQUIRE(written.size() == 2);
     CHECK(written[0].packet == neutral);
 }
+#endif
