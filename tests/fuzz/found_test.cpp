@@ -12,7 +12,8 @@
 
 namespace tact::fuzz::found_test {
 
-TEST_CASE("fuzzed readers: seeds hold the laws, and so do accidents of them") {
+TEST_CASE("fuzzed readers: seeds hold the laws, and so do accidents of them" *
+          doctest::test_suite("long")) {
     std::mt19937 random(14);
     for (const Reader& reader : all_readers()) {
         bool accepted = false;

@@ -15,7 +15,8 @@ namespace calibrate_command_test {
 
 using namespace tact;
 
-TEST_CASE("calibrate: the recording of its own signal gives the response, in a file of its own") {
+TEST_CASE("calibrate: the recording of its own signal gives the response, in a file of its own" *
+          doctest::test_suite("long")) {
     const TemporaryFolder folder;
     const auto signal = folder.path / "signal.wav";
     const auto heard = folder.path / "heard.wav";
@@ -51,7 +52,8 @@ TEST_CASE("calibrate: the recording of its own signal gives the response, in a f
     }
 }
 
-TEST_CASE("calibrate: tones that noise hides are left out, and said to be, on screen and in JSON") {
+TEST_CASE("calibrate: tones that noise hides are left out, and said to be, on screen and in JSON" *
+          doctest::test_suite("long")) {
     const TemporaryFolder folder;
     const auto signal = folder.path / "signal.wav";
     const auto heard = folder.path / "heard.wav";

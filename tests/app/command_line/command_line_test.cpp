@@ -35,7 +35,8 @@ double farthest(const std::vector<double>& got, const std::vector<double>& expec
 
 // The numbers of the next three cases were printed by an independent program in double precision,
 // tests/golden/reference_model.py, for the paper's eight amplitude-modulated patterns.
-TEST_CASE("predict: eight text files of the AM patterns give the 28 known numbers, exactly") {
+TEST_CASE("predict: eight text files of the AM patterns give the 28 known numbers, exactly" *
+          doctest::test_suite("long")) {
     const Rendered am(kAmSet, "txt");
     const Ran ran = run_program({"predict", am.path, "--threads", "1"});
     CHECK(ran.exit_code == 0);

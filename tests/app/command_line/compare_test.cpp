@@ -108,7 +108,8 @@ TEST_CASE("compare: a set whose model was fitted to what nobody said says so, as
     CHECK(contains(ran.err, "nobody was asked"));
 }
 
-TEST_CASE("compare: twins that were computed are said to be, also where a device plays them") {
+TEST_CASE("compare: twins that were computed are said to be, also where a device plays them" *
+          doctest::test_suite("long")) {
     const Study study;
     const std::string out = (study.folder.path / "twins.tactspace.json").string();
     output_of({"measure", study.set, "--simulate", "--out", out});

@@ -138,7 +138,8 @@ TEST_CASE("separate command: where a device plays them, a change parts what is f
     }
 }
 
-TEST_CASE("separate command: --out is what would be printed, labels and all") {
+TEST_CASE("separate command: --out is what would be printed, labels and all" *
+          doctest::test_suite("long")) {
     const ShortSet short_set;
     const std::string out = (short_set.folder.path / "answer.txt").string();
     const std::vector<std::string> words{"separate", short_set.path, "--pair",        "c,d",

@@ -96,7 +96,8 @@ TEST_CASE("snapshot: physiology is drawn at a time, of one stage, of two pattern
     }
 }
 
-TEST_CASE("snapshot --frames: as many whole pictures as asked for, the same bytes each time") {
+TEST_CASE("snapshot --frames: as many whole pictures as asked for, the same bytes each time" *
+          doctest::test_suite("long")) {
     const ShortSet set;
     const TemporaryFolder folder;
     const auto draw = [&](const std::string& name, const std::vector<std::string>& more) {
@@ -128,7 +129,7 @@ TEST_CASE("snapshot --frames: as many whole pictures as asked for, the same byte
     CHECK((bytes_of(single) == frames[2]));
 }
 
-TEST_CASE("snapshot --frames: Ctrl+C ends it after a whole frame") {
+TEST_CASE("snapshot --frames: Ctrl+C ends it after a whole frame" * doctest::test_suite("long")) {
     const ShortSet set;
     const TemporaryFolder folder;
     const fs::path out = folder.path / "out";
@@ -146,7 +147,8 @@ TEST_CASE("snapshot --frames: Ctrl+C ends it after a whole frame") {
     }
 }
 
-TEST_CASE("--image: a picture beside the numbers, which stay the same") {
+TEST_CASE("--image: a picture beside the numbers, which stay the same" *
+          doctest::test_suite("long")) {
     const ShortSet set;
     const TemporaryFolder folder;
     for (const std::string command : {"predict", "space"}) {

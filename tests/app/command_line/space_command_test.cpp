@@ -108,7 +108,7 @@ TEST_CASE("predict --metric oc: ties are printed as ties, so that a rank of one'
     CHECK(one.at("condensed").get<std::vector<double>>() == values);
 }
 
-TEST_CASE("findings --csv: a row a finding") {
+TEST_CASE("findings --csv: a row a finding" * doctest::test_suite("long")) {
     const Maps maps;
     const Json all = Json::parse(output_of({"findings", "--json", "--csv", maps.at("f.csv")}));
     const std::string text = bytes_of(maps.at("f.csv"));

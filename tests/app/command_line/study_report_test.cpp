@@ -115,7 +115,8 @@ TEST_CASE("study report: all tables, a page and scripts, every one with its labe
     CHECK(table_of(study.file("dimensions.csv")).size() == 1 + 5);
 }
 
-TEST_CASE("study report: the table is that of compare, and compare reads the folder") {
+TEST_CASE("study report: the table is that of compare, and compare reads the folder" *
+          doctest::test_suite("long")) {
     const Reported study;
     REQUIRE(study.simulated({"--inattentive", "0.2"}).exit_code == 0);
     REQUIRE(study.reported().exit_code == 0);

@@ -52,7 +52,8 @@ TEST_CASE("compare tab: without ratings it says what to load, and compares with 
     CHECK(bench.program.app.ui.chooser_purpose == ChooserPurpose::load_ratings);
 }
 
-TEST_CASE("compare tab: its numbers are those of the command line, to the last bit") {
+TEST_CASE("compare tab: its numbers are those of the command line, to the last bit" *
+          doctest::test_suite("long")) {
     CompareBench bench;
     bench.load(square_csv());
     CHECK(bench.program.app.layout.bench == BenchTab::compare);
@@ -251,7 +252,8 @@ TEST_CASE("compare tab: no pattern or one has no pair, in every tab") {
     }
 }
 
-TEST_CASE("overlay: the map of the ratings lies over the predicted one, and follows it into 2-D") {
+TEST_CASE("overlay: the map of the ratings lies over the predicted one, and follows it into 2-D" *
+          doctest::test_suite("long")) {
     CompareBench bench;
     App& app = bench.program.app;
     CHECK_FALSE(bench.program.shows("check:overlay ratings"));

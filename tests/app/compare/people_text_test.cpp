@@ -33,7 +33,8 @@ std::string lines_csv(int rated, bool synthetic) {
 }  // namespace
 
 TEST_CASE(
-    "compare tab: beside every number made from ratings nobody gave stands that they are none") {
+    "compare tab: beside every number made from ratings nobody gave stands that they are none" *
+    doctest::test_suite("long")) {
     CompareBench bench;
     bench.load(lines_csv(6, true));
     bench.wait_for_comparison();

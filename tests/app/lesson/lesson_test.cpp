@@ -293,7 +293,8 @@ TEST_CASE("lesson: one is made of what is on screen, saved, and opened again") {
     CHECK(program.at("tour").value == "1 of 2");
 }
 
-TEST_CASE("lesson: the student sheet has every step, every question, the answers and the sources") {
+TEST_CASE("lesson: the student sheet has every step, every question, the answers and the sources" *
+          doctest::test_suite("long")) {
     const TemporaryFolder folder;
     const auto file = folder.path / "sheet.html";
     Class program;

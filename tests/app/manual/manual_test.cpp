@@ -85,7 +85,8 @@ TEST_CASE("manual: the page is whole, and the same each time" * doctest::test_su
     CHECK((page_made_now() == page()));
 }
 
-TEST_CASE("manual: every link within the page leads somewhere, and no name is given twice") {
+TEST_CASE("manual: every link within the page leads somewhere, and no name is given twice" *
+          doctest::test_suite("long")) {
     const std::vector<std::string> ids = values_of(page(), "id");
     const std::set<std::string> known(ids.begin(), ids.end());
     CHECK(known.size() == ids.size());
@@ -165,7 +166,7 @@ TEST_CASE("manual: no number that the model gives is typed by hand") {
     }
 }
 
-TEST_CASE("manual: its numbers are the model's") {
+TEST_CASE("manual: its numbers are the model's" * doctest::test_suite("long")) {
     const char* file = "sets/pm_2023_twelve.tactspace.json";
     const PatternSet set = *parse_set(asset(file), file, {});
     const Dissimilarity pm = predict(model_waveforms(set), set.model)->pm;

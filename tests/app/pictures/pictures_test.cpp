@@ -146,7 +146,8 @@ TEST_CASE("pictures: as SVG, a space names every pattern once, beside its point"
     CHECK(circles.size() >= 6);  // a point and its rim each
 }
 
-TEST_CASE("pictures: as SVG, the window is small, whole and the same each time") {
+TEST_CASE("pictures: as SVG, the window is small, whole and the same each time" *
+          doctest::test_suite("long")) {
     PictureSize size;
     size.width = 1600;
     size.height = 1000;

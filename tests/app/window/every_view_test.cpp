@@ -182,7 +182,8 @@ TEST_CASE("every view: the same share of the pairs is too close in a set of any 
     }
 }
 
-TEST_CASE("every view: a cell of the matrix is the pair that the map joins, and the other way") {
+TEST_CASE("every view: a cell of the matrix is the pair that the map joins, and the other way" *
+          doctest::test_suite("long")) {
     for (const bool reordered : {false, true}) {
         CAPTURE(reordered);
         Large program(6);

@@ -90,7 +90,8 @@ void check_layout(Program& program, const char* lower_right) {
 
 }  // namespace
 
-TEST_CASE("legible: titles, names, sliders and entries keep apart and inside their panes") {
+TEST_CASE("legible: titles, names, sliders and entries keep apart and inside their panes" *
+          doctest::test_suite("long")) {
     Program program(long_names());
     program.compute_map();
     program.app.shown_map.cancelled = true;    // the bar has most to say then

@@ -138,7 +138,8 @@ TEST_CASE("tasks: several changed at once, doubled, moved, locked, found, delete
     CHECK(program.actions == 10);  // 24 before
 }
 
-TEST_CASE("tasks: candidates, the most distinct of them with one kept and one left out, exported") {
+TEST_CASE("tasks: candidates, the most distinct of them with one kept and one left out, exported" *
+          doctest::test_suite("long")) {
     const TemporaryFolder folder;
     Counted program(1);
     program.chord('g');
@@ -175,7 +176,8 @@ TEST_CASE("tasks: a picture of the map in a file") {
     CHECK(program.actions == 4);  // 6 before
 }
 
-TEST_CASE("tasks: saved, left, and taken up again as it was, after an accident too") {
+TEST_CASE("tasks: saved, left, and taken up again as it was, after an accident too" *
+          doctest::test_suite("long")) {
     const TemporaryFolder folder;
     const StateHome home(folder.path / "state");
     const std::filesystem::path file = folder.path / "mine.tactspace.json";
@@ -264,7 +266,8 @@ TEST_CASE("tasks: the closest pair parted by what is suggested") {
     CHECK(program.actions == 2);
 }
 
-TEST_CASE("tasks: a rhythm from the list, patterns like one, two compared stage by stage") {
+TEST_CASE("tasks: a rhythm from the list, patterns like one, two compared stage by stage" *
+          doctest::test_suite("long")) {
     Counted program(4);
     program.resize({1600.0F, 1400.0F}, 1.0F);
     SUBCASE("a rhythm") {

@@ -34,7 +34,8 @@ bool is_rumble(const Packet& packet) { return packet[0] == 0x10; }
 }  // namespace
 
 TEST_CASE(
-    "hid: a pad on a cable is woken, its vibration switched on, and then rumble alone is sent") {
+    "hid: a pad on a cable is woken, its vibration switched on, and then rumble alone is sent" *
+    doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
     HidDevice device = device_on(pad, actuator(ActuatorKind::switch_pro, HidBus::usb));
     REQUIRE(device.play(tone(0.2), false));
@@ -137,7 +138,8 @@ TEST_CASE("hid: stop silences at once, also a loop" * doctest::test_suite("long"
     wait_for_neutral(pad);
 }
 
-TEST_CASE("hid: the device is silenced when it is given up in the middle of a play") {
+TEST_CASE("hid: the device is silenced when it is given up in the middle of a play" *
+          doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
     {
         HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
@@ -270,7 +272,8 @@ TEST_CASE("hid: an empty pattern, and one of no numbers, play silence") {
 }
 
 TEST_CASE(
-    "hid: two programs do not send to one controller: the second is told, and its turn comes") {
+    "hid: two programs do not send to one controller: the second is told, and its turn comes" *
+    doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
     const HidActuator which = actuator(ActuatorKind::joy_con, HidBus::bluetooth);
     std::atomic<bool> is_taken = true;

@@ -82,7 +82,8 @@ TEST_CASE("findings: every row is answered; what can be checked fails for revers
     CHECK(status_of(published, "GEN-1") == FindingStatus::holds);
 }
 
-TEST_CASE("findings: of the model's own predictions, four can be checked and three hold") {
+TEST_CASE("findings: of the model's own predictions, four can be checked and three hold" *
+          doctest::test_suite("long")) {
     const auto all = nlohmann::json::parse(output_of({"findings", "--json"}));
     REQUIRE(all.size() == 16);
     std::map<std::string, std::string> status;

@@ -112,7 +112,8 @@ std::map<std::string, std::pair<Metric, MetricOptions>> changed_options() {
 
 }  // namespace
 
-TEST_CASE("metric matrix: four sets by every metric equal the independent program's") {
+TEST_CASE("metric matrix: four sets by every metric equal the independent program's" *
+          doctest::test_suite("long")) {
     for (const GoldenSet& set : golden_sets()) {
         const std::string name = set.json.at("name");
         CAPTURE(name);
@@ -132,7 +133,8 @@ TEST_CASE("metric matrix: four sets by every metric equal the independent progra
     }
 }
 
-TEST_CASE("metric matrix: every option equals the independent program's") {
+TEST_CASE("metric matrix: every option equals the independent program's" *
+          doctest::test_suite("long")) {
     const auto options = changed_options();
     for (const GoldenSet& set : golden_sets()) {
         const std::string name = set.json.at("name");

@@ -309,7 +309,8 @@ TEST_CASE("lessons: what a question is answered with is what the model ranks" *
     }
 }
 
-TEST_CASE("lessons: some of what can be chosen is wrong, and some right") {
+TEST_CASE("lessons: some of what can be chosen is wrong, and some right" *
+          doctest::test_suite("long")) {
     for (const Lesson& lesson : bundled()) {
         const LessonAnswers answers = lesson_answers(lesson);
         for (std::size_t k = 0; k < lesson.steps.size(); ++k) {

@@ -207,7 +207,8 @@ TEST_CASE("order: who felt the right side first has the order against the sides"
     CHECK(right.side.mean == left.side.mean);
 }
 
-TEST_CASE("order: a shift that all share is found, noise alone is found one time in twenty") {
+TEST_CASE("order: a shift that all share is found, noise alone is found one time in twenty" *
+          doctest::test_suite("long")) {
     int found = 0;
     int false_alarms = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {

@@ -113,7 +113,7 @@ TEST_CASE("separation: where one step is not enough, larger changes are found") 
     CHECK(all->front().nearest > threshold);
 }
 
-TEST_CASE("separation: never less than a felt step, in random sets") {
+TEST_CASE("separation: never less than a felt step, in random sets" * doctest::test_suite("long")) {
     RandomStream random{11};
     for (int drawn = 0; drawn < 12; ++drawn) {
         PatternSet set = short_set();

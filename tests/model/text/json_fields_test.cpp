@@ -118,7 +118,8 @@ TEST_CASE("json: what the document says is not overruled by what was unknown onc
     CHECK(document.dump() == R"({"a":1,"b":[1]})");
 }
 
-TEST_CASE("json: what would take a gigabyte is refused before anything of it is made") {
+TEST_CASE("json: what would take a gigabyte is refused before anything of it is made" *
+          doctest::test_suite("long")) {
     const auto fault = [](const std::string& text) {
         const auto document = parse_json(text, "a.json");
         REQUIRE_FALSE(document);

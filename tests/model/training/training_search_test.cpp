@@ -133,7 +133,8 @@ bool same(const SearchResult& a, const SearchResult& b) {
 
 }  // namespace
 
-TEST_CASE("training search: finds what trying every combination finds, ties and all") {
+TEST_CASE("training search: finds what trying every combination finds, ties and all" *
+          doctest::test_suite("long")) {
     for (const int differences : {2, 40}) {
         const Case of = random_case(11, differences);
         const auto found = search(of.problem, {.units = 2});

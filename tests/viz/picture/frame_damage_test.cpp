@@ -59,7 +59,8 @@ struct Screens {
 
 }  // namespace
 
-TEST_CASE("frame damage: while things move, the kept picture is the whole one") {
+TEST_CASE("frame damage: while things move, the kept picture is the whole one" *
+          doctest::test_suite("long")) {
     Program program(short_patterns(4));
     ImGui::GetIO().DisplaySize = {1000.0F, 700.0F};
     program.wait_for_stages();

@@ -205,7 +205,8 @@ TEST_CASE("receptor view: stale receptors step back") {
     CHECK(count_pixels(stale.image, stale.layout.map, hue, 12) == 0);
 }
 
-TEST_CASE("receptor view: marks, words and stems stay inside the area, however narrow") {
+TEST_CASE("receptor view: marks, words and stems stay inside the area, however narrow" *
+          doctest::test_suite("long")) {
     const Example e(Receptor::pacinian, 18.0);  // farther than the map reaches
     for (const float scale : {1.0F, 2.0F}) {
         for (const float tilted : {0.0F, 1.0F}) {

@@ -195,7 +195,8 @@ PatternSet random_set(Dice& dice, bool with_recordings) {
 
 }  // namespace
 
-TEST_CASE("every set: whatever the program can hold is saved, and opens as what it was") {
+TEST_CASE("every set: whatever the program can hold is saved, and opens as what it was" *
+          doctest::test_suite("long")) {
     for (unsigned seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
         Dice dice{std::mt19937(seed)};
