@@ -6,7 +6,7 @@ if declare -F until_true >/dev/null; then return 0; fi
 set -euo pipefail
 
 program=$1
-looks=3000  # 0.1 s apart, at least
+looks=3000  # most of them 0.1 s apart, at least
 
 # need PACKAGES TOOL...: without the tools there is no story.
 need() {

@@ -30,6 +30,15 @@ void note() {
     if (is_guarded) ++forbidden;
 }
 
+// How many forbidden calls `work` makes on this thread.
+int forbidden_calls(const std::function<void()>& work) {
+    forbidden = 0;
+    is_guarded = true;
+    work();
+    is_guarded = false;
+    return forbidden;
+}
+
 }  // namespace
 
 extern "C" {
@@ -127,15 +136,6 @@ int end_in_strict_child(const std::function<void()>& work) {
 }  // namespace
 
 #ifdef TACT_COUNTS_CALLS
-// How many forbidden calls `work` makes on this thread.
-int forbidden_calls(const std::function<void()>& work) {
-    forbidden = 0;
-    is_guarded = true;
-    work();
-    is_guarded = false;
-    return forbidden;
-}
-
 TEST_CASE("audio callback: it allocates nothing, frees nothing and takes no lock") {
     Prepared prepared;
     CHECK(forbidden_calls(
