@@ -129,7 +129,9 @@ void draw_cone(ImDrawList& list, const Theme& theme, const NetworkLayout& layout
 void draw_centre_ring(ImDrawList& list, const Theme& theme, const NetworkLayout& layout,
                       const NetworkScene& scene, std::size_t k) {
     const Rect cell = cell_rect(layout, scene, {k, 0, 0});
-    const float radius = std::max(0.72F * layout.cell_px, 3.0F * theme.scale);
+    // Around the cell where there are others around it: beyond its map are words.
+    const float inside = 0.5F * (layout.maps[k].width() - 1.5F * theme.scale);
+    const float radius = std::max(std::min(0.72F * layout.cell_px, inside), 3.0F * theme.scale);
     list.AddCircle(cell.centre(), radius, faded(IM_COL32_BLACK, 0.6F), 0, 3.0F * theme.scale);
     list.AddCircle(cell.centre(), radius, over_colours(1.0F), 0, 1.5F * theme.scale);
 }

@@ -149,6 +149,17 @@ TEST_CASE("network view: in a low and wide area words stand beside maps that hav
 }
 
 // A cell moves one place per layer: of five layers the first has four to go, the last none.
+TEST_CASE("network view: the ring around the centre stays in its map, of one cell, too") {
+    const Example e(0, 0.0);
+    const Drawn d = drawn(e.scene(), {}, {{10, 10}, {1210, 210}});
+    const Rect& map = d.layout.maps.front();
+    REQUIRE(d.layout.cell_px > 20.0F);
+    const Rect beside{{map.min.x - 0.3F * d.layout.cell_px, map.min.y},
+                      {map.min.x - 2.0F, map.max.y}};
+    CHECK(count_pixels(d.image, beside, IM_COL32_WHITE, 200) == 0);
+    CHECK(count_pixels(d.image, map, IM_COL32_WHITE, 200) > 20);
+}
+
 TEST_CASE("network view: the cone is the diamond of cells that can still reach the centre") {
     const Example e(6, 1.0);
     const NetworkScene scene = e.scene();
