@@ -152,7 +152,8 @@ std::string agreement_section(const StudyReport& report) {
         if (shift.comparisons == 0) return;
         shifts.rows.push_back({what, shown(shift.mean, 1), probability(shift.p),
                                grouped_digits(shift.comparisons) + " comparisons, " +
-                                   grouped_digits(shift.people) + " people"});
+                                   counted(shift.people, "person", "people") + "; " +
+                                   signs_text(shift)});
     };
     add_shift("order felt", report.tables.effects.felt_first);
     add_shift("side", report.tables.effects.side);
@@ -160,8 +161,8 @@ std::string agreement_section(const StudyReport& report) {
     if (!shifts.rows.empty()) {
         html += html_of(shifts) +
                 "<p class=\"dim\">Points of similarity of 100, of the pattern that is earlier in "
-                "the set: first less second, left less right. p two-sided, of " +
-                grouped_digits(kOrderDraws) + " drawn signs.</p>\n";
+                "the set: first less second, left less right. p two-sided, by signs: all of them "
+                "where they are few, else drawn ones.</p>\n";
     }
     return html_section("agreement", "How alike they rate", html);
 }

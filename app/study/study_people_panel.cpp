@@ -96,7 +96,7 @@ std::string raters_text(const StudyAnswers& answers) {
                digits(raters.alpha, 2) + ".";
     }
     const auto add = [&text](const char* what, const Shift& shift) {
-        if (shift.comparisons == 0) return;
+        if (shift.comparisons == 0 || std::isnan(shift.p)) return;
         const std::string p = shift.p < 0.001 ? "p < 0.001" : "p = " + digits(shift.p, 3);
         text += text.empty() ? "" : " ";
         text += shift.p < 0.05 ? "Ratings shift with " : "No sign that ratings shift with ";
@@ -179,7 +179,8 @@ void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, C
         draw_tooltip(ui,
                      "One person with another; the mean of all; both against chance. p: whether "
                      "the order in which a pair was felt, its sides, or the last repetition "
-                     "against the first shift ratings (drawn signs, two-sided).");
+                     "against the first shift ratings (by signs, two-sided). Of one person nothing "
+                     "can be said on that.");
     }
     draw_settling(ui, answers);
     if (answers.is_of_other_patterns) {

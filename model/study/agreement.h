@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 
 #include "model/common/quantile.h"
 #include "model/study/ratings.h"
@@ -48,7 +49,9 @@ struct Shift {
     std::size_t people = 0;       // with ratings both ways
     std::size_t comparisons = 0;  // person and pair
     double mean = 0.0;            // points of similarity: first way less second
-    double p = 1.0;               // two-sided; see each
+    double p = 1.0;               // two-sided; see each. NaN: no signs could change the number
+    std::size_t signs = 0;        // ways to draw the signs that were counted
+    bool is_exact = false;        // those are all there are
 };
 
 struct OrderEffects {
@@ -62,7 +65,11 @@ struct OrderEffects {
     Shift practice;
 };
 
+// So many signs are drawn where there are more ways; fewer are counted, all of them.
 inline constexpr std::size_t kOrderDraws = 5000;
+
+// As "5,000 drawn signs", "all 256 signs"; where there is no p, why.
+std::string signs_text(const Shift& shift);
 
 // Of pairwise records whose participants count, as `excluded` of each summary says elsewhere: all
 // that are given. Answers that were not felt whole have no say.

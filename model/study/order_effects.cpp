@@ -10,6 +10,7 @@
 #include "model/common/random.h"
 #include "model/study/agreement.h"
 #include "model/study/study_results.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -67,24 +68,46 @@ double spread_of_pairs(const std::vector<Difference>& differences, std::vector<S
     return spread;
 }
 
-// Signs of one draw, 64 at a time.
+// Signs of one draw, 64 at a time, or those of the bits of a number.
 struct Signs {
     std::uint64_t stream = 0;
     std::uint64_t bits = 0;
 
+    bool is_number = false;
+
     bool operator()(std::size_t k) {
-        if (k % 64 == 0) bits = random_bits(stream, k / 64);
+        if (k % 64 == 0 && !is_number) bits = random_bits(stream, k / 64);
         return ((bits >> (k % 64)) & 1U) != 0;
     }
 };
 
-// (as large + 1) / (draws + 1): what was observed is one of the draws (Phipson & Smyth 2010).
-double p_of(std::size_t as_large) {
-    return static_cast<double>(as_large + 1) / static_cast<double>(kOrderDraws + 1);
-}
-
 // Equal sums may differ by rounding.
 bool is_as_large(double value, double observed) { return value >= observed * (1.0 - 1e-12); }
+
+// How often `statistic` of drawn signs of `count` numbers is as large as without: of all signs
+// where they are few. Of drawn ones (as large + 1) / (draws + 1), as what was observed is one of
+// them (Phipson & Smyth 2010).
+void test_signs(std::size_t count, std::uint64_t seed,
+                const std::function<double(const std::function<bool(std::size_t)>&)>& statistic,
+                Shift& shift) {
+    shift.is_exact = count < 64 && (std::uint64_t{1} << count) <= kOrderDraws;
+    shift.signs = shift.is_exact ? std::size_t{1} << count : kOrderDraws;
+    const double observed = statistic([](std::size_t) { return false; });
+    std::size_t as_large = 0;
+    bool moves = false;
+    for (std::size_t draw = 0; draw < shift.signs; ++draw) {
+        Signs signs{shift.is_exact ? 0 : random_bits(seed, draw), draw, shift.is_exact};
+        const double value = statistic(std::ref(signs));
+        if (is_as_large(value, observed)) ++as_large;
+        moves = moves || !is_as_large(value, observed) || !is_as_large(observed, value);
+    }
+    if (!moves) {
+        shift.p = kNoRating;
+        return;
+    }
+    const std::size_t itself = shift.is_exact ? 0 : 1;
+    shift.p = static_cast<double>(as_large + itself) / static_cast<double>(shift.signs + itself);
+}
 
 Shift shift_between(std::span<const StudyRecord> records,
                     const std::function<std::optional<bool>(const PairAnswer&)>& is_first,
@@ -104,13 +127,9 @@ Shift shift_between(std::span<const StudyRecord> records,
     for (const Difference& one : all) points.push_back(one.points);
     shift.mean = mean_known(points);
     std::vector<Sum> of_pair(pairs);
-    const double observed = spread_of_pairs(all, of_pair, [](std::size_t) { return false; });
-    std::size_t as_large = 0;
-    for (std::size_t draw = 0; draw < kOrderDraws; ++draw) {
-        Signs signs{random_bits(seed, draw)};
-        if (is_as_large(spread_of_pairs(all, of_pair, std::ref(signs)), observed)) ++as_large;
-    }
-    shift.p = p_of(as_large);
+    test_signs(
+        all.size(), seed,
+        [&](const auto& is_turned) { return spread_of_pairs(all, of_pair, is_turned); }, shift);
     return shift;
 }
 
@@ -133,21 +152,26 @@ Shift practice_of(std::span<const StudyRecord> records) {
     shift.people = of_people.size();
     if (of_people.empty()) return shift;
     shift.mean = mean_known(of_people);
-    std::size_t as_large = 0;
-    for (std::size_t draw = 0; draw < kOrderDraws; ++draw) {
-        Signs signs{random_bits(9, draw)};
-        double sum = 0.0;
-        for (std::size_t k = 0; k < of_people.size(); ++k) {
-            sum += signs(k) ? -of_people[k] : of_people[k];
-        }
-        const double mean = sum / static_cast<double>(of_people.size());
-        if (is_as_large(std::abs(mean), std::abs(shift.mean))) ++as_large;
-    }
-    shift.p = p_of(as_large);
+    test_signs(
+        of_people.size(), 9,
+        [&](const auto& is_turned) {
+            double sum = 0.0;
+            for (std::size_t k = 0; k < of_people.size(); ++k) {
+                sum += is_turned(k) ? -of_people[k] : of_people[k];
+            }
+            return std::abs(sum / static_cast<double>(of_people.size()));
+        },
+        shift);
     return shift;
 }
 
 }  // namespace
+
+std::string signs_text(const Shift& shift) {
+    if (std::isnan(shift.p)) return "no test: no signs would change the number";
+    return (shift.is_exact ? "all " : "") + grouped_digits(shift.signs) +
+           (shift.is_exact ? " signs" : " drawn signs");
+}
 
 OrderEffects order_effects(std::span<const StudyRecord> records) {
     OrderEffects effects;

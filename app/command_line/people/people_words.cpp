@@ -20,9 +20,11 @@ std::string with_interval(const Icc& icc) {
 std::string text_of(const Shift& shift, const char* label, const char* what) {
     if (shift.comparisons == 0) return {};
     return std::string(label) + what + " " + fixed_digits(shift.mean, 1) +
-           " points of 100 on average, p " + fixed_digits(shift.p, 4) + " (" +
-           std::to_string(kOrderDraws) + " drawn signs, two-sided, " +
-           std::to_string(shift.people) + (shift.people == 1 ? " person)\n" : " people)\n");
+           " points of 100 on average, " +
+           (std::isnan(shift.p)
+                ? signs_text(shift)
+                : "p " + fixed_digits(shift.p, 4) + " (" + signs_text(shift) + ", two-sided)") +
+           ", " + std::to_string(shift.people) + (shift.people == 1 ? " person\n" : " people\n");
 }
 
 nlohmann::json json_of(const Shift& shift) {
@@ -30,7 +32,8 @@ nlohmann::json json_of(const Shift& shift) {
             {"comparisons", shift.comparisons},
             {"mean_points", shift.mean},  // NaN becomes null
             {"p", shift.p},
-            {"drawn_signs", kOrderDraws}};
+            {"signs", shift.signs},
+            {"all_signs", shift.is_exact}};
 }
 
 std::string ends_text(const IndividualWeights& weights, std::size_t dimension) {

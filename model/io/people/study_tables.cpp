@@ -74,7 +74,7 @@ struct ReliabilityRow {
     double p = kNone;
     std::size_t people = 0;
     std::size_t n = 0;
-    const char* how = "exact";
+    std::string how = "exact";
 };
 
 std::vector<ReliabilityRow> reliability_rows(const StudyTables& tables) {
@@ -84,7 +84,7 @@ std::vector<ReliabilityRow> reliability_rows(const StudyTables& tables) {
     const std::size_t pairs = tables.people.dissimilarity.condensed.size();
     const char* const halves = people <= 12 ? "all halves" : "1000 drawn halves";
     std::vector<ReliabilityRow> rows;
-    const auto add = [&rows](ReliabilityRow row) { rows.push_back(row); };
+    const auto add = [&rows](ReliabilityRow row) { rows.push_back(std::move(row)); };
     add({"split_half", agreement.half_rho, {kNone, kNone}, kNone, people, pairs, halves});
     add({"reliability", agreement.spearman_brown, {kNone, kNone}, kNone, people, pairs, halves});
     add({"ceiling_of_mean",
@@ -110,9 +110,8 @@ std::vector<ReliabilityRow> reliability_rows(const StudyTables& tables) {
              shift.p,
              shift.people,
              shift.comparisons,
-             "5000 drawn signs, two-sided"});
+             std::isnan(shift.p) ? signs_text(shift) : signs_text(shift) + ", two-sided"});
     };
-    static_assert(kOrderDraws == 5000);
     add_shift("felt_first", tables.effects.felt_first);
     add_shift("side", tables.effects.side);
     add_shift("practice", tables.effects.practice);

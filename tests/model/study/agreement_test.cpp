@@ -185,10 +185,9 @@ TEST_CASE("order: p of the sides is that of all ways to draw them") {
     const OrderEffects effects = order_effects(records_with(differences));
     CHECK(effects.side.people == differences.size());
     CHECK(effects.side.comparisons == 12);
-    const double p = signs.at("p");
-    // Four standard errors of the draws.
-    const double error = std::sqrt(p * (1.0 - p) / static_cast<double>(kOrderDraws));
-    CHECK(std::abs(effects.side.p - p) <= 4.0 * error);
+    CHECK(effects.side.is_exact);
+    CHECK(effects.side.signs == 4096);
+    CHECK(is_near(effects.side.p, signs.at("p")));
     double sum = 0.0;
     for (const auto& person : differences) {
         for (const double one : person) sum += one;
@@ -205,6 +204,28 @@ TEST_CASE("order: who felt the right side first has the order against the sides"
     CHECK(left.felt_first.mean == left.side.mean);
     CHECK(right.felt_first.mean == -right.side.mean);
     CHECK(right.side.mean == left.side.mean);
+}
+
+TEST_CASE("order: p of drawn signs is never below one of all draws, and of all signs never 0") {
+    // 30 people with one shift: no drawn signs of so many are all alike.
+    const std::vector<std::vector<double>> many(30, {20.0, 20.0, 20.0});
+    const Shift drawn = order_effects(records_with(many)).side;
+    CHECK_FALSE(drawn.is_exact);
+    CHECK(drawn.signs == kOrderDraws);
+    CHECK(drawn.p == 1.0 / static_cast<double>(kOrderDraws + 1));
+    CHECK(signs_text(drawn) == "5,000 drawn signs");
+    // Four people, one pair: all alike is two of the 16 ways.
+    const Shift exact = order_effects(records_with({{9.0}, {9.0}, {9.0}, {9.0}})).side;
+    CHECK(exact.p == 2.0 / 16.0);
+    CHECK(signs_text(exact) == "all 16 signs");
+}
+
+TEST_CASE("order: of one person there is no test, as no signs change the number") {
+    const Shift alone = order_effects(records_with({{8.0, 2.0, 5.0}})).side;
+    CHECK(alone.people == 1);
+    CHECK(alone.mean == 5.0);
+    CHECK(std::isnan(alone.p));
+    CHECK(signs_text(alone).starts_with("no test"));
 }
 
 TEST_CASE("order: a shift that all share is found, noise alone is found one time in twenty" *

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 #include "model/io/people/ratings_file.h"
@@ -183,6 +184,23 @@ TEST_CASE("study results: scaling takes a person's use of the scale out of the m
     // Always the same: all in the middle, not NaN.
     CHECK(judgements_of(wide, RatingScaling::standard)[0].condensed ==
           std::vector<double>(6, 50.0));
+}
+
+TEST_CASE("study results: T-scores of a person have mean 50 and a population deviation of 10") {
+    const StudyRecord record = simulated("P1", {}, 3);
+    const SimilarityScale scale = scale_of(record, RatingScaling::standard);
+    std::vector<double> scores;
+    for (const PairAnswer& answer : record.answers) {
+        if (answer.trial.is_attention()) continue;
+        scores.push_back(scale.factor * answer.similarity + scale.shift);
+    }
+    REQUIRE(scores.size() > 6);
+    const auto count = static_cast<double>(scores.size());
+    const double mean = std::accumulate(scores.begin(), scores.end(), 0.0) / count;
+    double squares = 0.0;
+    for (const double score : scores) squares += (score - mean) * (score - mean);
+    CHECK(std::abs(mean - 50.0) <= 1e-9);
+    CHECK(std::abs(std::sqrt(squares / count) - 10.0) <= 1e-9);
 }
 
 TEST_CASE("study results: other patterns, or one code twice, are refused") {
