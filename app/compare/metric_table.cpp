@@ -192,6 +192,7 @@ void draw_head(Ui& ui, Columns columns, bool synthetic) {
 void draw_remarks(Ui& ui, const Comparison& comparison) {
     ImGui::PushFont(ui.theme.fonts.small);
     std::string all;
+    if (comparison.people) all = remark_on_people_map(comparison.people->said.rated);
     for (const ComparedMetric& row : comparison.metrics) {
         if (!row.evaluation) continue;
         for (const std::string& remark : row.evaluation->remarks) {

@@ -56,8 +56,7 @@ std::optional<ShownFit> shown_fit(const Workspace& work, const ShownMap& shown_m
 std::string corner_text(const ShownFit& fit) {
     char text[96];
     std::snprintf(text, sizeof text, "stress-1 %.3f, %s, %d-D", fit.space->stress1,
-                  stress_label(fit.space->stress1).c_str(),
-                  static_cast<int>(fit.space->points.cols()));
+                  fit_label(*fit.space).c_str(), static_cast<int>(fit.space->points.cols()));
     return text;
 }
 

@@ -77,7 +77,7 @@ Expected<std::string> subset_text(const PredictedExample& of, std::string_view k
 Expected<std::string> predicted_number(const PredictedExample& of, std::string_view key,
                                        std::string_view rest) {
     if (key == "stress1") return significant_digits(of.space.stress1, 2);
-    if (key == "stress_label") return stress_label(of.space.stress1);
+    if (key == "stress_label") return fit_label(of.space);
     if (key == "nearest" || key == "nearest_pm") return pair_text(of, true, key == "nearest_pm");
     if (key == "farthest" || key == "farthest_pm") {
         return pair_text(of, false, key == "farthest_pm");

@@ -1,6 +1,7 @@
 #include "app/map/space_panel.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 
 #include "app/document/editing.h"
@@ -139,7 +140,7 @@ float draw_headline(Ui& ui, Workspace& work, const ShownMap& shown_map, const Re
         std::string what = "stress-1 follows";
         if (state != MapState::preview) {
             std::snprintf(stress, sizeof stress, "%.3f", map.space.stress1);
-            what = "stress-1, " + stress_label(map.space.stress1);
+            what = "stress-1, " + fit_label(map.space);
         }
         note_rect(ui.rects, "map:stress", area.min, area.min, stress);
         x = draw_headline_number(ui, area.min, ink, stress, what) + 3.0F * theme.gap_px;
@@ -176,12 +177,15 @@ std::string verdict_text(const PerceptualSpace& space, std::size_t patterns) {
             return std::to_string(patterns) +
                    " patterns always fit: stress says nothing, the picture little.";
         case MdsVerdict::colocated:
-            return "Some different patterns fell onto one point.";
-        case MdsVerdict::too_few:
         case MdsVerdict::fine:
             break;
+        case MdsVerdict::too_few:
+            return {};
     }
-    return {};
+    std::string words = remark_on(space);
+    if (words.empty()) return words;
+    words.front() = static_cast<char>(std::toupper(words.front()));
+    return words + ".";
 }
 
 SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,

@@ -68,7 +68,7 @@ Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const Perc
     std::snprintf(stress, sizeof stress, ", stress-1 %.3f, ", space.stress1);
     const std::string detail =
         (marks.source.empty() ? "predicted by " + marks.quantity : marks.source) + stress +
-        stress_label(space.stress1);
+        fit_label(space);
     return drawn(size, options_of(size, drawn_text(set)), [&](const Theme& theme) {
         const Rect area = size.titled ? draw_title(theme, "Perceptual space", detail) : whole();
         std::vector<PatternLook> looks;

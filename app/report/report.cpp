@@ -161,8 +161,7 @@ std::string map_section(const Report& report) {
                           " picked.";
     if (!links.empty()) caption += " Lines hold groups together that people would confuse.";
     caption += " From " + html_escaped(report.space_of) + " of all pairs, stress-1 " +
-               significant_digits(report.space.stress1, 3) + ", " +
-               stress_label(report.space.stress1) + ". " +
+               significant_digits(report.space.stress1, 3) + ", " + fit_label(report.space) + ". " +
                html_escaped(verdict_text(report.space, report.set.vibrations.size()));
     const HtmlMap map{.set = report.set,
                       .dissimilarity = report.dissimilarity,

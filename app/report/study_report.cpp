@@ -206,7 +206,7 @@ std::string map_html(const StudyReport& report, const Dissimilarity& matrix,
                            .id = id,
                            .alt = "Map of " + of + ": near patterns feel alike",
                            .caption = html_escaped(of) + ", stress-1 " + shown(space.stress1) +
-                                      ", " + stress_label(space.stress1) + "."});
+                                      ", " + fit_label(space) + "."});
 }
 
 std::string maps_section(const StudyReport& report) {

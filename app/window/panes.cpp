@@ -97,7 +97,7 @@ std::vector<std::string> space_title_right(const App& app) {
         return map_state_forms(app);
     char stress[32];
     std::snprintf(stress, sizeof stress, "stress-1 %.3f", space.stress1);
-    const std::string worded = std::string(stress) + ", " + stress_label(space.stress1);
+    const std::string worded = std::string(stress) + ", " + fit_label(space);
     const std::vector<std::string> state = map_state_forms(app);
     return {worded + "    " + state[0], worded + "    " + state[1],
             std::string(stress) + "    " + state[1], worded, stress};

@@ -88,10 +88,10 @@ PaneTitle space_title(const App& app) {
     if (!app.shown_map.transition.shown ||
         app.shown_map.transition.shown->space.verdict == MdsVerdict::constant)
         return title;
-    const double stress1 = app.shown_map.transition.shown->space.stress1;
+    const PerceptualSpace& space = app.shown_map.transition.shown->space;
     char text[96];
-    std::snprintf(text, sizeof text, "predicted by PM, stress-1 %.3f, %s", stress1,
-                  stress_label(stress1).c_str());
+    std::snprintf(text, sizeof text, "predicted by PM, stress-1 %.3f, %s", space.stress1,
+                  fit_label(space).c_str());
     title.right = {text};
     return title;
 }

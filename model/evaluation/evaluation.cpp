@@ -18,8 +18,24 @@ using Eigen::MatrixXd;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+// Two different objects on one spot of the classical start.
+bool is_failed_start(const Dissimilarity& dissimilarity, int dimensions) {
+    const std::vector<double> d = distances(torgerson(dissimilarity, dimensions));
+    if (d.empty()) return true;
+    const auto [least, most] = std::ranges::minmax(d);
+    return least <= 1e-6 * most;
+}
+
+MatrixXd published_map(const Dissimilarity& dissimilarity, int dimensions) {
+    if (order_pairs(dissimilarity.condensed).levels < 2) return {};
+    if (is_failed_start(dissimilarity, dimensions)) return {};
+    return smacof(dissimilarity, torgerson(dissimilarity, dimensions),
+                  published_mds_params(dimensions))
+        .points;
+}
+
 Mapped mapped(const Dissimilarity& dissimilarity, const EvaluationParams& params) {
-    Mapped result{dissimilarity, {}, {}};
+    Mapped result{dissimilarity, {}, {}, published_map(dissimilarity, params.dimensions)};
     MdsParams mds = standard_mds_params(dissimilarity.size, params.dimensions);
     mds.threads = params.threads;
     result.space = nonmetric_mds(dissimilarity, mds);
@@ -37,14 +53,6 @@ Mapped mapped(const Dissimilarity& dissimilarity, const EvaluationParams& params
         if (fits && has_map(other)) result.maps.push_back(other.points);
     }
     return result;
-}
-
-// Two different objects on one spot of the classical start.
-bool is_failed_start(const Dissimilarity& dissimilarity, int dimensions) {
-    const std::vector<double> d = distances(torgerson(dissimilarity, dimensions));
-    if (d.empty()) return true;
-    const auto [least, most] = std::ranges::minmax(d);
-    return least <= 1e-6 * most;
 }
 
 void evaluate_order(const Dissimilarity& metric, const Dissimilarity& ratings,
@@ -105,16 +113,26 @@ std::vector<std::size_t> places_rated(const Dissimilarity& ratings) {
 }
 
 std::string remark_of_failure(const PerceptualSpace& space) {
-    if (space.verdict == MdsVerdict::colocated) {
-        return "no K: different patterns fell onto one point of the map";
-    }
-    return "no K: equal dissimilarities make no map";
+    if (space.verdict == MdsVerdict::constant) return "no K: equal dissimilarities make no map";
+    return "no K: the map is " + remark_on(space);
+}
+
+double k_between(const MatrixXd& own, const MatrixXd& people) {
+    if (own.size() == 0 || people.size() == 0) return kNone;
+    const auto k = alienation(own, people);
+    return k ? *k : kNone;
 }
 
 }  // namespace
 
 bool has_map(const PerceptualSpace& space) {
     return space.verdict == MdsVerdict::fine || space.verdict == MdsVerdict::trivial;
+}
+
+std::string remark_on_people_map(const RatedSet& rated) {
+    const Mapped& people = rated_part(rated).people;
+    if (!people.maps.empty()) return {};
+    return "no metric has a K, as the map of the ratings is " + remark_on(people.space);
 }
 
 Dissimilarity among_rated(const Dissimilarity& all, const RatedSet& rated) {
@@ -170,12 +188,11 @@ Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
     result.is_failed_map = own.maps.empty();
     if (!own.maps.empty()) result.map = own.maps.front();
     result.is_failed_start = is_failed_start(metric, params.dimensions);
+    result.k_published = k_between(own.published_map, rated.people.published_map);
     if (own.maps.empty()) {
         result.stress1 = kNone;
         result.remarks.push_back(remark_of_failure(own.space));
-    } else if (rated.people.maps.empty()) {
-        result.remarks.push_back("no K: patterns fell onto one point of the map of the ratings");
-    } else {
+    } else if (!rated.people.maps.empty()) {
         evaluate_shape(own, rated, params, result);
     }
     return result;
@@ -202,8 +219,8 @@ MeanAgreement mean_agreement(std::span<const Agreement> agreements, Bookkeeping 
 }
 
 Agreement agreement_of(const Evaluation& evaluation, Bookkeeping bookkeeping) {
-    const bool fails = bookkeeping == Bookkeeping::paper && evaluation.is_failed_start;
-    return {evaluation.rho, fails ? kNone : evaluation.k};
+    const bool is_paper = bookkeeping == Bookkeeping::paper;
+    return {evaluation.rho, is_paper ? evaluation.k_published : evaluation.k};
 }
 
 }  // namespace tact

@@ -44,6 +44,9 @@ struct Mapped {
     Dissimilarity dissimilarity;
     PerceptualSpace space;
     std::vector<Eigen::MatrixXd> maps;  // the best one first; none where there is no map
+    // By published_mds_params(), for the paper's bookkeeping; 0 x 0 where mdscale gives up: two
+    // patterns on one spot of its classical start, or nothing that differs.
+    Eigen::MatrixXd published_map;
 };
 
 bool has_map(const PerceptualSpace& space);
@@ -68,7 +71,11 @@ Dissimilarity among_rated(const Dissimilarity& all, const RatedSet& rated);
 // Errors: fewer than three patterns; no order among the ratings.
 Expected<RatedSet> rated_set(const Dissimilarity& ratings, const EvaluationParams& params);
 
-// NaN: undefined, and a remark says why.
+// Why no metric has a K, as the map of the ratings has collapsed: a sentence without a full stop,
+// to be said once for all metrics; empty: they may have one.
+std::string remark_on_people_map(const RatedSet& rated);
+
+// NaN: undefined, and a remark says why, or remark_on_people_map().
 struct Evaluation {
     double rho = 0.0;
     Interval rho_interval;  // 95 %
@@ -86,6 +93,7 @@ struct Evaluation {
     bool is_failed_map = false;
     // MATLAB's mdscale gives up: its classical start has two patterns on one spot.
     bool is_failed_start = false;
+    double k_published = 0.0;          // between maps by the paper's own procedure
     std::vector<std::string> remarks;  // sentences without a full stop
 };
 
@@ -117,7 +125,8 @@ struct MeanAgreement {
 // NaN of no sets.
 MeanAgreement mean_agreement(std::span<const Agreement> agreements, Bookkeeping bookkeeping);
 
-// As a mean counts it: in the paper's bookkeeping a failed start is a failed map.
+// As a mean counts it: the paper's bookkeeping takes K of its own procedure, in which a failed
+// start alone is a failed map.
 Agreement agreement_of(const Evaluation& evaluation, Bookkeeping bookkeeping);
 
 }  // namespace tact

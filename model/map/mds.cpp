@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <numeric>
 #include <utility>
@@ -110,15 +111,36 @@ MatrixXd framed(const MatrixXd& points) {
     return result;
 }
 
-// A pair on one spot although others are more alike. Ascending order: the first level is the least.
+// The smallest distance of a pair although others are more alike; infinite: there is none.
+// Ascending order: the first level is the least.
+double nearest_unlike(const PairOrder& order, std::span<const double> d) {
+    const bool tied = !order.ties.empty() && order.ties.front().first == 0;
+    const std::size_t least =
+        std::min(tied ? order.ties.front().second : 1, order.ascending.size());
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = least; k < order.ascending.size(); ++k) {
+        nearest = std::min(nearest, d[order.ascending[k]]);
+    }
+    return nearest;
+}
+
 bool colocated(const PairOrder& order, std::span<const double> d) {
     double farthest = 0.0;
     for (const double value : d) farthest = std::max(farthest, value);
-    const bool tied = !order.ties.empty() && order.ties.front().first == 0;
-    const std::size_t least = tied ? order.ties.front().second : 1;
-    return std::any_of(order.ascending.begin() + static_cast<std::ptrdiff_t>(least),
-                       order.ascending.end(),
-                       [&](std::size_t p) { return d[p] < 1e-6 * farthest; });
+    return nearest_unlike(order, d) < 1e-6 * farthest;
+}
+
+// Below this stress a map is examined for collapsed groups, and a distance below this share of the
+// mean one is a collapse: descents stop before such points meet exactly.
+constexpr double kSuspiciousStress = 1e-3;
+constexpr double kCollapsedShare = 1e-3;
+
+bool degenerate(const PairOrder& order, std::span<const double> d, const PerceptualSpace& space) {
+    if (space.verdict == MdsVerdict::colocated) return true;
+    if (space.stress1 >= kSuspiciousStress || d.empty()) return false;
+    if (space.points.rows() <= 2 * space.points.cols() + 1) return true;
+    const double mean = std::accumulate(d.begin(), d.end(), 0.0) / static_cast<double>(d.size());
+    return nearest_unlike(order, d) < kCollapsedShare * mean;
 }
 
 struct Task {
@@ -154,6 +176,7 @@ PerceptualSpace space_of(const Task& task, const MatrixXd& points) {
     if (space.verdict == MdsVerdict::fine && colocated(task.order, d)) {
         space.verdict = MdsVerdict::colocated;
     }
+    space.is_degenerate = degenerate(task.order, d, space);
     return space;
 }
 
@@ -164,6 +187,7 @@ PerceptualSpace space_at_once(const Task& task) {
         PerceptualSpace space;
         space.points = MatrixXd::Zero(static_cast<Index>(n), task.dimensions);
         space.verdict = task.verdict;
+        space.is_degenerate = task.verdict == MdsVerdict::constant;
         return space;
     }
     const std::vector<double> values = tame(task.dissimilarity.condensed, task.order);
@@ -297,6 +321,32 @@ PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParam
     return space;
 }
 
+namespace {
+
+constexpr const char* kInstead = "read the matrix instead, or map in two dimensions";
+
+// Points that are no collapse away from one before them: the mean squared distance is 1.
+std::size_t spots(const MatrixXd& points) {
+    std::size_t count = 0;
+    for (Index i = 0; i < points.rows(); ++i) {
+        bool is_first = true;
+        for (Index j = 0; j < i; ++j) {
+            is_first = is_first && (points.row(i) - points.row(j)).norm() >= kCollapsedShare;
+        }
+        if (is_first) ++count;
+    }
+    return count;
+}
+
+std::string collapsed_text(const std::string& what) {
+    std::string text = "degenerate: ";
+    text += what;
+    text += ", which meets the order of the dissimilarities without showing it; ";
+    return text += kInstead;
+}
+
+}  // namespace
+
 std::string remark_on(const PerceptualSpace& space) {
     switch (space.verdict) {
         case MdsVerdict::trivial:
@@ -306,12 +356,33 @@ std::string remark_on(const PerceptualSpace& space) {
             return "all dissimilarities are equal: no map is better than another, all points are "
                    "put at 0";
         case MdsVerdict::colocated:
-            return "some different patterns fell onto one point";
+            return collapsed_text(std::to_string(space.points.rows()) + " patterns lie on " +
+                                  std::to_string(spots(space.points)) + " spots");
         case MdsVerdict::too_few:
         case MdsVerdict::fine:
             break;
     }
-    return {};
+    if (!space.is_degenerate) return {};
+    if (space.points.rows() > 2 * space.points.cols() + 1) {
+        return collapsed_text("groups of patterns have collapsed");
+    }
+    std::string text = "degenerate: nearly any dissimilarities of ";
+    text += std::to_string(space.points.rows()) + " patterns fit in ";
+    text += std::to_string(space.points.cols()) + " dimensions, so stress says nothing; ";
+    return text += kInstead;
+}
+
+std::string fit_label(const PerceptualSpace& space) {
+    return space.is_degenerate ? "degenerate" : stress_label(space.stress1);
+}
+
+MdsParams published_mds_params(int dimensions) {
+    MdsParams params;
+    params.dimensions = dimensions;
+    params.random_starts = 0;
+    params.tolerance = 1e-4;
+    params.max_steps = 200;
+    return params;
 }
 
 MdsParams standard_mds_params(std::size_t objects, int dimensions) {

@@ -54,6 +54,9 @@ struct PerceptualSpace {
     MdsVerdict verdict = MdsVerdict::fine;
     std::vector<double> start_stress;  // of every start that was run, Torgerson's first
     bool stopped = false;              // a stop was asked for before the last start
+    // Stress says nothing although it is near 0: groups collapsed onto points (Kruskal 1964 names
+    // this trap), or there are so few patterns (2k + 1 at most) that nearly any order fits.
+    bool is_degenerate = false;
 };
 
 // Classical scaling: n x k coordinates, columns of vanished eigenvalues zero. NaN pairs count as
@@ -75,8 +78,17 @@ PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParam
                               std::stop_token stop = {},
                               const std::function<void(std::size_t)>& progress = {});
 
-// Why the map says nothing, or nothing much: a sentence without a full stop, or empty.
+// Why the map says nothing, or nothing much, and what to do: a sentence without a full stop, or
+// empty.
 std::string remark_on(const PerceptualSpace& space);
+
+// "degenerate", or the word of Kruskal's scale.
+std::string fit_label(const PerceptualSpace& space);
+
+// The publication's own procedure, by which its K were made: MATLAB's mdscale with its defaults,
+// one descent from Torgerson's start that stops at 1e-4 or after 200 steps. It stops before groups
+// collapse where a thorough search finds the degenerate map.
+MdsParams published_mds_params(int dimensions);
 
 // What this program runs by default for n objects: a hundred random starts for small sets, fewer
 // as a start gets dearer. Window and command line agree by it.

@@ -33,14 +33,15 @@ std::string head_of(const SetAgreement& set) {
                        std::to_string(pair_count(set.patterns)) + " pairs rated" +
                        voices_text(set.people.reliability) + "\n" +
                        ceilings_text(set.people.ceilings) + text_of(set.raters);
-    text += "their map     stress-1 " + fixed_digits(space.stress1, 3) + ", " +
-            stress_label(space.stress1) + "; of random ratings " +
-            fixed_digits(rated_of(set).random_stress.mean, 3);
+    text += "their map     stress-1 " + fixed_digits(space.stress1, 3) + ", " + fit_label(space) +
+            "; of random ratings " + fixed_digits(rated_of(set).random_stress.mean, 3);
     text += "\nchance        unrelated maps have K " + fixed_digits(chance.mean, 3) +
             ", nine in ten " + interval_text(chance.middle, 3) + "\n";
     const std::string unrated =
         remark_on_unrated(set.people.unrated, set.patterns + set.people.unrated.size());
     if (!unrated.empty()) text += unrated + "\n";
+    const std::string collapsed = remark_on_people_map(rated_of(set));
+    if (!collapsed.empty()) text += collapsed + "\n";
     return text + text_of(set.labels) + text_on_people(set.people.synthetic, set.left_out);
 }
 
@@ -80,11 +81,12 @@ std::string paper_remarks(const SetAgreement& set) {
     std::string text;
     for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
         const Evaluation& e = set.table.evaluations[m];
-        if (!e.is_failed_start || e.is_failed_map) continue;
+        if (!e.is_failed_start) continue;
         text += std::string(key_of(set, m)) +
                 ": no K, as the publication's mdscale gives up where two patterns begin on one "
-                "spot; from other starts K is " +
-                fixed_digits(e.k, 3) + "\n";
+                "spot";
+        if (!std::isnan(e.k)) text += "; from other starts K is " + fixed_digits(e.k, 3);
+        text += "\n";
     }
     return text;
 }
@@ -201,11 +203,16 @@ std::string verdict_on_pm(const SetAgreement& set) {
            " on this set, which takes no model of the nerves\n";
 }
 
-std::string remarks_text(const SetAgreement& set) {
+std::string remarks_text(const SetAgreement& set, bool is_paper) {
     std::string text;
     for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
-        for (const std::string& remark : set.table.evaluations[m].remarks) {
-            text += std::string(key_of(set, m)) + ": " + remark + "\n";
+        const Evaluation& e = set.table.evaluations[m];
+        for (const std::string& remark : e.remarks) {
+            text += std::string(key_of(set, m)) + ": ";
+            if (is_paper && !std::isnan(e.k_published) && remark.starts_with("no K")) {
+                text += "K by the publication's procedure alone; by the best map ";
+            }
+            text += remark + "\n";
         }
     }
     if (set.patterns <= 7) {
@@ -238,10 +245,10 @@ std::string agreement_text(const SetAgreement& set, bool is_paper) {
     const std::string head = head_of(set) + "\n";
     if (is_paper) {
         return head + paper_table_of(set) + foot_of_paper_table() + paper_remarks(set) +
-               remarks_text(set);
+               remarks_text(set, true);
     }
-    return head + table_of(set) + foot_of_table(set) + remarks_text(set) + uncertainty_text(set) +
-           differences_text(set) + given_text(set) + people_table_text(set);
+    return head + table_of(set) + foot_of_table(set) + remarks_text(set, false) +
+           uncertainty_text(set) + differences_text(set) + given_text(set) + people_table_text(set);
 }
 
 MeanAgreement mean_of(std::span<const SetAgreement> sets, std::size_t metric, Bookkeeping books) {

@@ -109,8 +109,10 @@ std::string foot_of_given(const SetAgreement& set) {
 std::string foot_of_paper_table() {
     return "rho: Spearman's, with mid-ranks; K: alienation of the distances of two maps of " +
            std::to_string(kEvaluation.dimensions) +
-           " dimensions, as Borg & Leutner 1985 have it (the publication gives no formula); "
-           "nothing is drawn, and no test is shown\n";
+           " dimensions, as Borg & Leutner 1985 have it (the publication gives no formula), each "
+           "map "
+           "by the publication's procedure: one descent from Torgerson's start, stopped at 1e-4 or "
+           "after 200 steps, as mdscale does; nothing is drawn, and no test is shown\n";
 }
 
 std::string methods_text(std::span<const SetAgreement> sets) {

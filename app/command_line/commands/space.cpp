@@ -156,8 +156,7 @@ nlohmann::json json_of(const Mappable& of, const PerceptualSpace& space,
 
 // What to think of the map, on standard error.
 void print_remarks(const PerceptualSpace& space, const std::optional<OnOtherMap>& on) {
-    std::fprintf(stderr, "tactspace: stress-1 %.4f, %s\n", space.stress1,
-                 stress_label(space.stress1).c_str());
+    std::fprintf(stderr, "tactspace: stress-1 %.4f, %s\n", space.stress1, fit_label(space).c_str());
     const std::string remark = remark_on(space);
     if (!remark.empty()) std::fprintf(stderr, "tactspace: %s\n", remark.c_str());
     if (!on) return;

@@ -142,6 +142,31 @@ TEST_CASE("evaluation: what is undefined is NaN and says why") {
     CHECK(std::isnan(agreement_of(e, Bookkeeping::paper).k));
 }
 
+TEST_CASE("evaluation: where the people's map collapses it is said once, and the paper has its K") {
+    // Two groups of people's ratings, as of a set of two kinds of vibrations.
+    Dissimilarity people{10, {}};
+    for (std::size_t p = 0; p < pair_count(10); ++p) {
+        const auto [i, j] = pair_at(10, p);
+        people.condensed.push_back(((i < 5) == (j < 5) ? 10.0 : 70.0) +
+                                   static_cast<double>((p * 7) % 13));
+    }
+    const RatedSet set = rated(people);
+    REQUIRE(set.people.maps.empty());
+    CHECK(remark_on_people_map(set).starts_with(
+        "no metric has a K, as the map of the ratings is degenerate: 10 patterns lie on 2 spots"));
+    const Evaluation e = evaluate(of_random_points(10, 3), set, quick());
+    CHECK(e.remarks.empty());
+    CHECK(std::isnan(e.k));
+    const Agreement paper = agreement_of(e, Bookkeeping::paper);
+    CHECK(paper.k >= 0.0);
+    CHECK(paper.k < 1.0);
+    // Not counted as a failed map, which would be K = 1 in the paper's mean.
+    const std::vector<Agreement> one{paper};
+    CHECK(mean_agreement(one, Bookkeeping::paper).k == paper.k);
+    CHECK(mean_agreement(one, Bookkeeping::paper).failed_maps == 0);
+    CHECK(remark_on_people_map(rated(of_random_points(8, 3))).empty());
+}
+
 TEST_CASE("evaluation: pairs that nobody rated have no say") {
     Dissimilarity people = of_random_points(9, 5);
     const Dissimilarity metric = disturbed(people, 0.5);

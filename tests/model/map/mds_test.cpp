@@ -190,6 +190,51 @@ TEST_CASE("mds: groups that collapse onto one spot are told") {
     check_drawable(space, 6, 1);
     CHECK(space.stress1 < 1e-6);
     CHECK(space.verdict == MdsVerdict::colocated);
+    CHECK(fit_label(space) == "degenerate");
+    CHECK(remark_on(space).find("6 patterns lie on 2 spots") != std::string::npos);
+}
+
+TEST_CASE(
+    "mds: no stress near 0 is called perfect where groups all but meet, or patterns are few") {
+    // A descent that stops early leaves the two groups above a hair apart from meeting.
+    Dissimilarity groups{8, {}};
+    for (std::size_t p = 0; p < pair_count(8); ++p) {
+        const auto [i, j] = pair_at(8, p);
+        groups.condensed.push_back(((i < 4) == (j < 4) ? 1.0 : 100.0) +
+                                   0.01 * static_cast<double>(p));
+    }
+    MatrixXd start(8, 1);
+    for (Eigen::Index k = 0; k < 8; ++k)
+        start(k, 0) = (k < 4 ? 0.0 : 1.0) + 1e-5 * static_cast<double>(k % 4);
+    MdsParams params = mds_with(1, 0);
+    params.max_steps = 0;
+    const PerceptualSpace near = smacof(groups, start, params);
+    CHECK(near.stress1 < 1e-3);
+    CHECK(near.verdict == MdsVerdict::fine);
+    CHECK(fit_label(near) == "degenerate");
+    CHECK(remark_on(near).starts_with("degenerate: groups of patterns have collapsed"));
+    // 2k + 1 patterns fit nearly any order; one more that fits is worth a word of praise.
+    const PerceptualSpace seven = nonmetric_mds(of_points(random_map(7, 3, 4)), mds_with(3, 10));
+    CHECK(seven.stress1 < 1e-3);
+    CHECK(fit_label(seven) == "degenerate");
+    const PerceptualSpace nine = nonmetric_mds(of_points(random_map(9, 2, 4)), mds_with(2, 10));
+    CHECK(fit_label(nine) == "perfect");
+    CHECK(remark_on(nine).empty());
+    // Equal dissimilarities have no map, and no praise.
+    CHECK(fit_label(nonmetric_mds({4, std::vector<double>(6, 1.0)}, {})) == "degenerate");
+}
+
+TEST_CASE("mds: the published procedure stops before groups collapse") {
+    Dissimilarity groups{6, {}};
+    for (std::size_t p = 0; p < 15; ++p) {
+        const auto [i, j] = pair_at(6, p);
+        groups.condensed.push_back(((i < 3) == (j < 3) ? 1.0 : 3.0) + 0.1 * static_cast<double>(p));
+    }
+    const PerceptualSpace early = smacof(groups, torgerson(groups, 1), published_mds_params(1));
+    const PerceptualSpace best = nonmetric_mds(groups, mds_with(1, 50));
+    CHECK(best.stress1 < early.stress1);
+    CHECK(early.verdict == MdsVerdict::fine);
+    CHECK(early.stress1 < 0.2);
 }
 
 TEST_CASE("mds: twins on one spot are right there") {
