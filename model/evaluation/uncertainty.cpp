@@ -34,10 +34,11 @@ struct Sample {
     MdsParams mds;
 };
 
-// One row of rho and one of K.
+// One row of rho and one of K, and how often it comes.
 struct Resample {
     Row rho;
     Row k;
+    double weight = 1.0;
 };
 
 Places all_of(std::size_t count) {
@@ -51,6 +52,51 @@ Places drawn_of(std::size_t count, std::uint64_t seed, std::size_t draw) {
     Places drawn(count);
     for (std::size_t& place : drawn) place = next_index(random, count);
     return drawn;
+}
+
+struct Draw {
+    Places places;
+    double weight = 1.0;
+};
+
+// Every multiset of `count` out of as many with its share of all ordered draws:
+// count! / prod m_i! / count^count.
+void add_multisets(std::size_t count, std::size_t next, double share, Places& taken,
+                   std::vector<Draw>& all) {
+    const std::size_t room = count - taken.size();
+    if (next + 1 == count || room == 0) {
+        Places whole = taken;
+        for (std::size_t k = 1; k <= room; ++k) {
+            whole.push_back(next);
+            share /= static_cast<double>(k);
+        }
+        all.push_back({std::move(whole), share});
+        return;
+    }
+    const std::size_t size = taken.size();
+    for (std::size_t copies = 0; copies <= room; ++copies) {
+        add_multisets(count, next + 1, share, taken, all);
+        taken.push_back(next);
+        share /= static_cast<double>(copies + 1);
+    }
+    taken.resize(size);
+}
+
+std::vector<Draw> draws_of_patterns(std::size_t count, const UncertaintyParams& params) {
+    std::vector<Draw> all;
+    if (count > 0 && count <= kExactPatterns) {
+        double share = 1.0;
+        for (std::size_t k = 1; k <= count; ++k) {
+            share *= static_cast<double>(k) / static_cast<double>(count);
+        }
+        Places taken;
+        add_multisets(count, 0, share, taken, all);
+        return all;
+    }
+    for (std::size_t draw = 0; draw < params.draws; ++draw) {
+        all.push_back({drawn_of(count, params.pattern_seed, draw)});
+    }
+    return all;
 }
 
 std::vector<double> mean_over(const Sample& sample, const Places& people) {
@@ -147,24 +193,52 @@ Sample sample_of(const RatingStudy& study, const RatedSet& rated,
     return sample;
 }
 
-// NaN where less than half of the draws know it.
-double deviation(const std::vector<double>& draws) {
-    std::vector<double> squares;
-    const double mean = mean_known(draws);
-    for (const double value : draws) {
-        if (!std::isnan(value)) squares.push_back((value - mean) * (value - mean));
+struct Weighed {
+    double value = 0.0;  // NaN: undefined
+    double weight = 1.0;
+};
+
+struct StandardError {
+    double value = kUnknown;
+    NotKnown why = NotKnown::undefined;
+};
+
+// Numbers of at most 2 that differ by less differ by rounding alone.
+constexpr double kRounding = 1e-12;
+
+// Half of the draws at least have to know it.
+StandardError deviation(const std::vector<Weighed>& draws) {
+    double all = 0.0;
+    double known = 0.0;
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const Weighed& draw : draws) {
+        all += draw.weight;
+        if (std::isnan(draw.value)) continue;
+        known += draw.weight;
+        sum += draw.weight * draw.value;
+        ++count;
     }
-    if (squares.size() < 2 || 2 * squares.size() < draws.size()) return kUnknown;
-    return std::sqrt(mean_known(squares));
+    if (count < 2 || 2.0 * known < all) return {};
+    double squares = 0.0;
+    for (const Weighed& draw : draws) {
+        if (std::isnan(draw.value)) continue;
+        const double off = draw.value - sum / known;
+        squares += draw.weight * off * off;
+    }
+    const double error = std::sqrt(squares / known);
+    if (error <= kRounding) return {kUnknown, NotKnown::still};
+    return {error, NotKnown::known};
 }
 
 // Tukey 1958: of each left out once.
-double jackknife_error(const std::vector<double>& without) {
-    const auto count = static_cast<double>(without.size());
-    if (std::ranges::any_of(without, [](double value) { return std::isnan(value); })) {
-        return kUnknown;
-    }
-    return deviation(without) * std::sqrt(count - 1.0);
+StandardError jackknife_error(const std::vector<Weighed>& without) {
+    const auto is_undefined = [](const Weighed& one) { return std::isnan(one.value); };
+    if (without.empty()) return {kUnknown, NotKnown::one_person};
+    if (std::ranges::any_of(without, is_undefined)) return {};
+    StandardError error = deviation(without);
+    error.value *= std::sqrt(static_cast<double>(without.size()) - 1.0);
+    return error;
 }
 
 struct Resamples {
@@ -175,14 +249,17 @@ struct Resamples {
 
 Resamples resampled(const Sample& sample, const UncertaintyParams& params) {
     const std::size_t people = sample.people.size() > 1 ? sample.people.size() : 0;
-    Resamples result{std::vector<Resample>(params.draws), std::vector<Resample>(people),
+    const std::vector<Draw> draws = draws_of_patterns(sample.patterns, params);
+    Resamples result{std::vector<Resample>(draws.size()), std::vector<Resample>(people),
                      std::vector<Resample>(people > 0 ? params.draws : 0)};
     const Places everything = all_of(sample.patterns);
-    parallel_for(params.draws, params.threads, {}, [&](std::size_t draw) {
-        const Places patterns = drawn_of(sample.patterns, params.pattern_seed, draw);
+    parallel_for(draws.size(), params.threads, {}, [&](std::size_t draw) {
+        const auto& [patterns, weight] = draws[draw];
         result.patterns[draw] = {rhos(sample, pairs_of(sample, patterns, sample.mean), sample.mean),
-                                 ks(sample, patterns, sample.people_map)};
-        if (people == 0) return;
+                                 ks(sample, patterns, sample.people_map), weight};
+    });
+    parallel_for(result.both.size(), params.threads, {}, [&](std::size_t draw) {
+        const Places patterns = drawn_of(sample.patterns, params.pattern_seed, draw);
         const auto said = mean_over(sample, drawn_of(people, params.people_seed, draw));
         Resample& both = result.both[draw];
         both.rho = rhos(sample, pairs_of(sample, patterns, said), said);
@@ -202,19 +279,24 @@ Resamples resampled(const Sample& sample, const UncertaintyParams& params) {
 template <class Of>
 Uncertain uncertain(double value, Interval limits, const Resamples& resamples,
                     const UncertaintyParams& params, Of of) {
-    const auto column = [&of](const std::vector<Resample>& outcomes) {
-        std::vector<double> values;
-        for (const Resample& outcome : outcomes) {
-            if (const std::optional<double> one = of(outcome)) values.push_back(*one);
+    const auto column = [&of](const std::vector<Resample>& resamples_by) {
+        std::vector<Weighed> outcomes;
+        for (const Resample& one : resamples_by) {
+            const std::optional<double> number = of(one);
+            if (number) outcomes.push_back({*number, one.weight});
         }
-        return values;
+        return outcomes;
     };
+    const bool is_alone = resamples.people.empty();
+    const std::array<StandardError, kResampledCount> errors{
+        deviation(column(resamples.patterns)), jackknife_error(column(resamples.people)),
+        is_alone ? StandardError{kUnknown, NotKnown::one_person}
+                 : deviation(column(resamples.both))};
     Uncertain result;
     result.value = value;
-    result.error = {deviation(column(resamples.patterns)),
-                    resamples.people.empty() ? kUnknown : jackknife_error(column(resamples.people)),
-                    resamples.people.empty() ? kUnknown : deviation(column(resamples.both))};
     for (std::size_t r = 0; r < kResampledCount; ++r) {
+        result.error[r] = errors[r].value;
+        result.why[r] = std::isnan(value) ? NotKnown::no_value : errors[r].why;
         const bool is_jackknife = static_cast<Resampled>(r) == Resampled::people;
         const std::size_t freedom = is_jackknife ? resamples.people.size() - 1 : 0;
         const double reach =
@@ -231,7 +313,13 @@ std::optional<double> at(const Row& row, std::size_t place) {
     return place < row.size() ? std::optional(row[place]) : std::nullopt;
 }
 
-MetricDifference difference(std::size_t reference, std::size_t metric,
+bool rank_alike(const Sample& sample, std::size_t a, std::size_t b) {
+    const Places pairs = pairs_of(sample, all_of(sample.patterns), sample.mean);
+    return ranks_at(sample.metrics[a].condensed, pairs) ==
+           ranks_at(sample.metrics[b].condensed, pairs);
+}
+
+MetricDifference difference(std::size_t reference, std::size_t metric, bool are_alike,
                             std::span<const Evaluation> evaluations, const Resamples& resamples,
                             const UncertaintyParams& params) {
     MetricDifference result;
@@ -242,12 +330,11 @@ MetricDifference difference(std::size_t reference, std::size_t metric,
                            });
     for (std::size_t r = 0; r < kResampledCount; ++r) {
         const bool is_jackknife = static_cast<Resampled>(r) == Resampled::people;
-        const double error = result.rho.error[r];
-        // Metrics that agree equally in every draw are no different.
-        const double t = error > 0.0 ? result.rho.value / error : 0.0;
-        result.p[r] = std::isnan(error) || std::isnan(result.rho.value)
-                          ? kUnknown
-                          : two_sided_p(t, is_jackknife ? resamples.people.size() - 1 : 0);
+        if (result.rho.why[r] == NotKnown::still && are_alike) result.rho.why[r] = NotKnown::alike;
+        result.p[r] = result.rho.why[r] == NotKnown::known
+                          ? two_sided_p(result.rho.value / result.rho.error[r],
+                                        is_jackknife ? resamples.people.size() - 1 : 0)
+                          : kUnknown;
     }
     return result;
 }
@@ -263,12 +350,31 @@ void correct(std::vector<MetricDifference>& differences) {
 
 }  // namespace
 
+const char* words(NotKnown why) {
+    switch (why) {
+        case NotKnown::known:
+            return "";
+        case NotKnown::no_value:
+            return "the number itself is undefined";
+        case NotKnown::one_person:
+            return "there are not two people";
+        case NotKnown::still:
+            return "no resample moves it: pairs are too few or answers equal";
+        case NotKnown::alike:
+            return "both rank every pair alike";
+        case NotKnown::undefined:
+            return "undefined in most resamples";
+    }
+    return "";
+}
+
 Uncertainty uncertainty(const RatingStudy& study, const RatedSet& rated,
                         std::span<const Dissimilarity> metrics,
                         std::span<const Evaluation> evaluations,
                         std::optional<std::size_t> reference, const UncertaintyParams& params) {
     assert(metrics.size() == evaluations.size() && "an evaluation of each metric");
-    const Resamples resamples = resampled(sample_of(study, rated, metrics, evaluations), params);
+    const Sample sample = sample_of(study, rated, metrics, evaluations);
+    const Resamples resamples = resampled(sample, params);
     Uncertainty result;
     result.people = resamples.people.size();
     for (std::size_t m = 0; m < metrics.size(); ++m) {
@@ -277,7 +383,8 @@ Uncertainty uncertainty(const RatingStudy& study, const RatedSet& rated,
         result.k.push_back(uncertain(evaluations[m].k, {0.0, 1.0}, resamples, params,
                                      [m](const Resample& one) { return at(one.k, m); }));
         if (!reference || *reference == m) continue;
-        result.differences.push_back(difference(*reference, m, evaluations, resamples, params));
+        result.differences.push_back(difference(*reference, m, rank_alike(sample, *reference, m),
+                                                evaluations, resamples, params));
     }
     correct(result.differences);
     return result;

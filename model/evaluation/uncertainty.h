@@ -1,7 +1,8 @@
 // How sure rho and K are, and the differences between metrics, if other patterns or other people
 // had been taken: Table 2 as what a sample says of all.
 //
-// Patterns  paired bootstrap over patterns: the same are drawn for every metric, the maps stay
+// Patterns  paired bootstrap over patterns: the same are drawn for every metric, the maps stay; of
+//           up to kExactPatterns all ways to draw are counted in place of some
 // People    jackknife: each left out once, the map of the rest made anew. A bootstrap would not do:
 //           drawn twice, a person's noise weighs twice, and the mean agrees less with everything
 //           than that of as many people does; in simulations its intervals of rho held the truth
@@ -12,7 +13,10 @@
 //           of the normal distribution; p two-sided by the same
 // Source    Efron 1979; Tukey 1958; Holm 1979. Truth is what as many patterns and people would
 //           have on average: noise lowers every rho, and no interval takes that back.
-// Valid     rated pairs that are known of every metric. People: two at least; else NaN.
+// Valid     rated pairs that are known of every metric. What cannot be known is NaN with its
+// reason:
+//           few pairs have ranks that do not move when a person or pattern goes, and an error of 0
+//           would say that nothing could be surer.
 // Exact     same input, same bits, on any number of threads.
 #pragma once
 
@@ -35,6 +39,22 @@ inline constexpr std::size_t kResampledCount = 3;
 inline constexpr std::array<const char*, kResampledCount> kResampledNames{"patterns", "people",
                                                                           "both"};
 
+// Why an error is not known.
+enum class NotKnown {
+    known,
+    no_value,    // the number itself is undefined
+    one_person,  // nobody else to compare with
+    still,       // no resample moved the number
+    alike,       // of a difference: both metrics rank every pair alike
+    undefined    // the number is undefined in most resamples, or without one of the people
+};
+
+// A clause, as in "not known: ..."; empty: known.
+const char* words(NotKnown why);
+
+// Sets of up to this many patterns are drawn in all ways: 462 multisets of six.
+inline constexpr std::size_t kExactPatterns = 6;
+
 struct UncertaintyParams {
     std::size_t draws = 2000;
     std::size_t map_draws = 200;  // of K over both: each has a map of its own
@@ -48,13 +68,14 @@ struct UncertaintyParams {
 struct Uncertain {
     double value = 0.0;
     std::array<double, kResampledCount> error{};  // standard error
+    std::array<NotKnown, kResampledCount> why{};
     std::array<Interval, kResampledCount> interval{};
 };
 
 struct MetricDifference {
-    std::size_t metric = 0;  // its place
-    Uncertain rho;           // of the reference less that of this one
-    std::array<double, kResampledCount> p{};
+    std::size_t metric = 0;                        // its place
+    Uncertain rho;                                 // of the reference less that of this one
+    std::array<double, kResampledCount> p{};       // NaN where rho.why tells
     std::array<double, kResampledCount> p_holm{};  // corrected for all differences
 };
 

@@ -58,7 +58,8 @@ TextRow metric_head(const SetAgreement& first) {
     for (const char* quantity : {"rho", "K"}) {
         for (const char* by : kResampledNames) {
             const std::string name = std::string(quantity) + "_" + by;
-            head.insert(head.end(), {name + "_se", name + "_low", name + "_high"});
+            head.insert(head.end(),
+                        {name + "_se", name + "_low", name + "_high", name + "_not_known"});
         }
     }
     for (const char* quantity : {"rho", "K"}) {
@@ -85,6 +86,7 @@ TextRow metric_row(const SetAgreement& set, std::size_t m) {
     for (const Uncertain* one : {&set.table.uncertainty.rho[m], &set.table.uncertainty.k[m]}) {
         for (std::size_t r = 0; r < kResampledCount; ++r) {
             add(row, {one->error[r], one->interval[r].low, one->interval[r].high});
+            row.push_back(words(one->why[r]));
         }
     }
     const Individuals& people = set.table.individuals;
@@ -127,9 +129,9 @@ void write_people_csv(std::ostream& stream, std::span<const SetAgreement> sets) 
 }
 
 void write_differences_csv(std::ostream& stream, std::span<const SetAgreement> sets) {
-    write_row(
-        stream, kLabelHead,
-        {"metric", "against", "resampled", "rho_difference", "se", "low", "high", "p", "p_holm"});
+    write_row(stream, kLabelHead,
+              {"metric", "against", "resampled", "rho_difference", "se", "low", "high", "p",
+               "p_holm", "not_known"});
     for (const SetAgreement& set : sets) {
         const Uncertainty& all = set.table.uncertainty;
         for (const MetricDifference& one : all.differences) {
@@ -137,6 +139,7 @@ void write_differences_csv(std::ostream& stream, std::span<const SetAgreement> s
                 TextRow row{"pm", key_of(set, one.metric), kResampledNames[r]};
                 add(row, {one.rho.value, one.rho.error[r], one.rho.interval[r].low,
                           one.rho.interval[r].high, one.p[r], one.p_holm[r]});
+                row.push_back(words(one.rho.why[r]));
                 write_row(stream, labels_of(set), row);
             }
         }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "app/command_line/agreement/methods.h"
@@ -107,6 +108,33 @@ void add_resampled(TextRow& row, const Uncertain& value, bool has_people) {
     }
 }
 
+// The reasons for "-", each once with all metrics that it holds for. What is undefined itself has
+// remarks of its own.
+struct NotKnownWords {
+    bool has_people = false;
+    std::vector<std::pair<std::string, std::string>> reasons;  // which, and the metrics
+
+    void add(const std::string& quantity, const std::string& metric, const Uncertain& value) {
+        for (std::size_t r = 0; r < (has_people ? kResampledCount : 1); ++r) {
+            if (value.why[r] == NotKnown::known || value.why[r] == NotKnown::no_value) continue;
+            const std::string which =
+                quantity + " over " + kResampledNames[r] + " not known: " + words(value.why[r]);
+            const auto found =
+                std::ranges::find(reasons, which, [](const auto& one) { return one.first; });
+            if (found == reasons.end()) {
+                reasons.emplace_back(which, metric);
+            } else {
+                found->second += ", " + metric;
+            }
+        }
+    }
+    std::string text() const {
+        std::string all;
+        for (const auto& [which, metrics] : reasons) all += which + " (" + metrics + ")\n";
+        return all;
+    }
+};
+
 std::string uncertainty_text(const SetAgreement& set) {
     const Uncertainty& all = set.table.uncertainty;
     const bool has_people = all.people > 0;
@@ -121,7 +149,12 @@ std::string uncertainty_text(const SetAgreement& set) {
         add_resampled(row, all.k[m], has_people);
         rows.push_back(row);
     }
-    return "\n" + aligned(rows) + foot_of_uncertainty(set);
+    NotKnownWords not_known{has_people, {}};
+    for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
+        not_known.add("rho", key_of(set, m), all.rho[m]);
+        not_known.add("K", key_of(set, m), all.k[m]);
+    }
+    return "\n" + aligned(rows) + not_known.text() + foot_of_uncertainty(set);
 }
 
 std::string differences_text(const SetAgreement& set) {
@@ -141,7 +174,11 @@ std::string differences_text(const SetAgreement& set) {
         }
         rows.push_back(row);
     }
-    return "\n" + aligned(rows) + foot_of_differences(set);
+    NotKnownWords not_known{has_people, {}};
+    for (const MetricDifference& one : all.differences) {
+        not_known.add("difference", key_of(set, one.metric), one.rho);
+    }
+    return "\n" + aligned(rows) + not_known.text() + foot_of_differences(set);
 }
 
 TextRow spread_row(const std::string& name, const Spread& rho) {

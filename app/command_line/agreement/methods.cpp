@@ -71,7 +71,10 @@ std::string foot_of_uncertainty(const SetAgreement& set) {
     std::string text =
         "estimate and 1.96 standard errors, if other patterns had been taken: "
         "bootstrap over patterns, " +
-        draws_text() + ", " + seed_text(kUncertainty.pattern_seed) + ", maps not made anew";
+        (set.patterns <= kExactPatterns
+             ? std::string("all ways to draw them")
+             : draws_text() + ", " + seed_text(kUncertainty.pattern_seed)) +
+        ", maps not made again";
     const std::size_t people = set.table.uncertainty.people;
     if (people == 0) return text + "; nothing over people, of whom there are not two\n";
     return text + ";\nother people, as many: jackknife of " + std::to_string(people) +

@@ -74,6 +74,8 @@ nlohmann::json json_of(const Uncertain& value) {
         json[kResampledNames[r]] = {{"se", value.error[r]},
                                     {"low", value.interval[r].low},
                                     {"high", value.interval[r].high}};
+        if (value.why[r] != NotKnown::known)
+            json[kResampledNames[r]]["not_known"] = words(value.why[r]);
     }
     return json;
 }

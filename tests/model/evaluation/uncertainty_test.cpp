@@ -219,9 +219,98 @@ TEST_CASE("uncertainty: of one voice nothing is known over people, and of equal 
     CHECK(std::isnan(got.rho[0].error[1]));
     CHECK(std::isnan(got.rho[0].interval[2].low));
     CHECK(got.differences[0].rho.value == 0.0);
-    CHECK(got.differences[0].p[0] == 1.0);
+    // Equal ranks are no finding of equality: another sample may tell the two apart.
+    CHECK(got.differences[0].rho.why[0] == NotKnown::alike);
+    CHECK(std::isnan(got.differences[0].p[0]));
+    CHECK(got.rho[0].why[1] == NotKnown::one_person);
     CHECK(std::isnan(got.differences[0].p_holm[2]));
     CHECK(individuals(all.study, all.rated, all.metrics, all.evaluations, quick()).people.empty());
+}
+
+TEST_CASE("uncertainty: an error that no resample shows is not known, and neither is a p") {
+    const World world;
+    RandomStream random{17};
+    const MatrixXd truth = world.points(random);
+    const auto said = world.said(random, truth).front();
+    const Compared all =
+        compared(study_of_people(12, std::vector(7, said)), world.metrics(random, truth));
+    const Uncertainty got = uncertainty_of(all, {.draws = 50, .map_draws = 0});
+    CHECK(got.people == 7);
+    for (const Uncertain& rho : got.rho) {
+        CHECK(rho.why[1] == NotKnown::still);
+        CHECK(std::isnan(rho.error[1]));
+        CHECK(std::isnan(rho.interval[1].low));
+        CHECK(rho.why[0] == NotKnown::known);
+        CHECK(rho.error[0] > 0.0);
+    }
+    REQUIRE(got.differences.size() == 1);
+    CHECK(got.differences[0].rho.value != 0.0);
+    CHECK(std::isnan(got.differences[0].p[1]));
+    CHECK(std::isnan(got.differences[0].p_holm[1]));
+    CHECK(got.differences[0].p[0] == got.differences[0].p_holm[0]);
+    for (const NotKnown why : {NotKnown::no_value, NotKnown::one_person, NotKnown::still,
+                               NotKnown::alike, NotKnown::undefined}) {
+        CHECK(std::string(words(why)) != "");
+    }
+}
+
+TEST_CASE("uncertainty: a metric that most draws leave undefined has no error over patterns") {
+    const World world;
+    RandomStream random{19};
+    MatrixXd truth = world.points(random).topRows(8);
+    World eight = world;
+    eight.patterns = 8;
+    // One pair differs: with both its patterns come 41 of 100 draws.
+    Dissimilarity one_pair{8, std::vector<double>(28, 1.0)};
+    one_pair.condensed[5] = 2.0;
+    const Compared all = compared(study_of_people(8, eight.said(random, truth)), {one_pair});
+    const Uncertainty got = uncertainty_of(all, {.draws = 400, .map_draws = 0});
+    CHECK_FALSE(std::isnan(got.rho[0].value));
+    CHECK(got.rho[0].why[0] == NotKnown::undefined);
+    CHECK(std::isnan(got.rho[0].error[0]));
+}
+
+// All ordered draws, one by one, of which the program counts multisets.
+TEST_CASE("uncertainty: few patterns are drawn in all ways, each as often as it comes") {
+    const std::size_t n = 4;
+    World small;
+    small.patterns = n;
+    RandomStream random{23};
+    const MatrixXd truth = small.points(random);
+    const Compared all =
+        compared(study_of_people(n, small.said(random, truth)), small.metrics(random, truth));
+    const auto& ratings = all.rated.people.dissimilarity;
+    const auto rho_of = [&](std::size_t draw, const Dissimilarity& metric) {
+        std::vector<std::size_t> drawn;
+        for (std::size_t k = 0; k < n; ++k, draw /= n) drawn.push_back(draw % n);
+        std::vector<double> a;
+        std::vector<double> b;
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = i + 1; j < n; ++j) {
+                if (drawn[i] == drawn[j]) continue;
+                a.push_back(metric(drawn[i], drawn[j]));
+                b.push_back(ratings(drawn[i], drawn[j]));
+            }
+        }
+        return spearman(a, b);
+    };
+    const Uncertainty got = uncertainty_of(all, {.draws = 1, .map_draws = 0});
+    for (std::size_t m = 0; m < all.metrics.size(); ++m) {
+        double sum = 0.0;
+        double squares = 0.0;
+        double known = 0.0;
+        for (std::size_t draw = 0; draw < 256; ++draw) {
+            const double rho = rho_of(draw, all.metrics[m]);
+            if (std::isnan(rho)) continue;
+            sum += rho;
+            squares += rho * rho;
+            ++known;
+        }
+        REQUIRE(known > 128);
+        const double error = std::sqrt(squares / known - sum / known * (sum / known));
+        CHECK_MESSAGE(std::abs(got.rho[m].error[0] - error) <= 1e-12,
+                      got.rho[m].error[0] << " for " << error);
+    }
 }
 
 TEST_CASE("uncertainty: whose patterns are not all rated, the rated ones alone count") {
@@ -299,6 +388,38 @@ TEST_CASE("coverage: intervals over patterns hold the truth of a simulated world
     CHECK(patterns.k >= kEnough);
     CHECK(both.rho >= kEnough);
     CHECK(both.difference >= kEnough);
+}
+
+// The same truth as below, of four patterns, whose six pairs often keep their ranks whoever goes.
+TEST_CASE("coverage: of few pairs an interval over people is right, or not given" *
+          doctest::test_suite("long")) {
+    World world;
+    world.patterns = 4;
+    world.people = 6;
+    RandomStream random{29};
+    int given = 0;
+    int held = 0;
+    for (int study = 0; study < 2 * kStudies; ++study) {
+        const MatrixXd truth = world.points(random);
+        const auto maps = world.maps(random, truth);
+        const auto metrics = World::apart(maps);
+        double rho = 0.0;
+        constexpr int kOthers = 100;
+        for (int other = 0; other < kOthers; ++other) {
+            rho += spearman(metrics[0].condensed, world.mean(random, truth).condensed) / kOthers;
+        }
+        Compared all =
+            with_maps(study_of_people(4, world.said(random, truth)), metrics, truth, maps);
+        all.rated.people.maps.clear();
+        const Uncertain got = uncertainty_of(all, {.draws = 1, .map_draws = 0}).rho[0];
+        if (got.why[1] != NotKnown::known) continue;
+        ++given;
+        held += holds(got.interval[1], rho) ? 1 : 0;
+    }
+    MESSAGE("given in " << given << " of " << 2 * kStudies << ", right in " << held);
+    CHECK(given >= kStudies);
+    CHECK(given < 2 * kStudies);
+    CHECK(held >= given * 93 / 100);
 }
 
 // The truth: the mean of what as many other people would have of the same patterns.
