@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/latest_job.h"
+#include "app/jobs/owned_job.h"
 #include "app/rendering/rendering_state.h"
 #include "model/ask/gap.h"
 
@@ -36,8 +36,8 @@ struct FoundGap {
 };
 
 struct GapState {
-    std::unique_ptr<LatestJob<GapRequest, FoundGap>> job;  // null until it is wanted
-    std::optional<GapRequest> asked;                       // under way
+    OwnedJob<GapRequest, FoundGap> job;  // null until it is wanted
+    std::optional<GapRequest> asked;     // under way
 };
 
 }  // namespace tact

@@ -10,7 +10,7 @@
 
 #include "app/ask/gap_state.h"
 #include "app/document/selection.h"
-#include "app/jobs/latest_job.h"
+#include "app/jobs/owned_job.h"
 #include "app/map/live_map.h"
 #include "model/ask/reach.h"
 #include "model/ask/vary.h"
@@ -40,7 +40,7 @@ struct FoundMaybes {
 };
 
 struct AskedMaybes {
-    std::unique_ptr<LatestJob<MaybesRequest, FoundMaybes>> job;  // null until the program has begun
+    OwnedJob<MaybesRequest, FoundMaybes> job;  // null until the program has begun
     std::optional<MaybesRequest> asked;
 };
 
@@ -77,7 +77,7 @@ struct PutThere {
     std::optional<ReachRequest> asked;         // let go there: under way
     KeptSurroundings around;
     AskedMaybes cloud;  // what can be reached
-    std::unique_ptr<LatestJob<ReachRequest, FoundReach>> job;
+    OwnedJob<ReachRequest, FoundReach> job;
 };
 
 struct MaybesState {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/jobs/latest_job.h"
+#include "app/jobs/owned_job.h"
 #include "model/ask/steps.h"
 
 namespace tact {
@@ -28,7 +28,7 @@ struct StepsState {
     StepMeasure measure = StepMeasure::pm;
     std::optional<PatternParameter> along;  // none: all that the two differ in
 
-    std::unique_ptr<LatestJob<StepsRequest, FoundSteps>> job;  // null until it is wanted
+    OwnedJob<StepsRequest, FoundSteps> job;  // null until it is wanted
     std::optional<StepsRequest> asked;
     bool cancelled = false;  // by the person, until something else is asked for
 };

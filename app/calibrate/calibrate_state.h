@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/latest_job.h"
+#include "app/jobs/owned_job.h"
 #include "app/measured/recording_fields.h"
 #include "devices/calibration/calibration_run.h"
 
@@ -38,7 +38,7 @@ struct CalibrateState {
     float content_px = 0.0F;  // height of the dialog's parts in the last frame
     bool comes_back = false;  // the dialog, when a file is chosen or not
     std::uint64_t asked = 0;
-    std::unique_ptr<LatestJob<ResponseQuestion, ResponseAnswer>> job;
+    OwnedJob<ResponseQuestion, ResponseAnswer> job;
     std::shared_ptr<const ResponseAnswer> answer;  // of what was asked last, or before
 };
 

@@ -7,7 +7,7 @@
 
 #include "app/compare/live_comparison.h"
 #include "app/compare/live_difference.h"
-#include "app/jobs/latest_job.h"
+#include "app/jobs/owned_job.h"
 #include "app/map/live_map.h"
 #include "model/evaluation/findings.h"
 #include "model/evaluation/metric.h"
@@ -47,13 +47,13 @@ struct ComparePanelState {
 };
 
 struct Comparing {
-    std::unique_ptr<LatestJob<ComparisonRequest, Comparison>> comparison_job;
+    OwnedJob<ComparisonRequest, Comparison> comparison_job;
     std::shared_ptr<const Comparison> comparison;  // of the map on screen, or of one before it
-    std::unique_ptr<LatestJob<DifferenceRequest, LiveDifference>> difference_job;
+    OwnedJob<DifferenceRequest, LiveDifference> difference_job;
     std::shared_ptr<const LiveDifference> difference;
     DifferenceRequest difference_asked;
-    std::unique_ptr<LatestJob<FitRequest, ShepardFit>> fit_job;
-    std::unique_ptr<LatestJob<int, std::vector<Finding>>> findings_job;  // asked for by number
+    OwnedJob<FitRequest, ShepardFit> fit_job;
+    OwnedJob<int, std::vector<Finding>> findings_job;  // asked for by number
     std::shared_ptr<const std::vector<Finding>> findings;
     ComparePanelState panel;
 };

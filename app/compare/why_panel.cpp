@@ -181,13 +181,10 @@ void draw_channels(Ui& ui, const LiveDifference& live) {
 }
 
 // Seconds below what is over time.
-void draw_seconds(Ui& ui, const Timeline& timeline) {
+void draw_seconds(Ui& ui, const TimeRange& range) {
     const Rect row = take_row(time_axis_height(ui));
     Plot plot{row, {row.min, {row.max.x, row.min.y}}, {}, {}};
-    plot.x = {.low = timeline.range.start_s,
-              .high = timeline.range.end_s,
-              .low_px = row.min.x,
-              .high_px = row.max.x};
+    plot.x = {.low = range.start_s, .high = range.end_s, .low_px = row.min.x, .high_px = row.max.x};
     draw_axes(*ImGui::GetWindowDrawList(), ui.theme, plot,
               {.x_unit = "s", .y_unit = "", .y_grid = false});
     note_rect(ui.rects, "why:seconds", row.min, row.max);
@@ -248,7 +245,8 @@ void draw_way(Ui& ui, const Workspace& work, const Timeline& timeline, const Liv
                                     Rect{{area.min.x, bottom - third}, {area.max.x, bottom}}};
     const std::array<const std::vector<double>*, 2> envelopes{&live.envelope_a, &live.envelope_b};
     const std::array<std::size_t, 2> who{pair.current, pair.partner};
-    Axis time{.low = timeline.range.start_s, .high = timeline.range.end_s};
+    const TimeRange range = shown_range(timeline, shown_duration_s(work));
+    Axis time{.low = range.start_s, .high = range.end_s};
     time.low_px = area.min.x;
     time.high_px = area.max.x;
     list.PushClipRect(area.min, area.max, true);
@@ -300,11 +298,12 @@ void draw_rhythm(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDi
     TimeGesture gesture;
     const float mouse = ImGui::GetIO().MousePos.x;
     const double share = static_cast<double>((mouse - area.min.x) / area.width());
-    const double at_s = timeline.range.start_s + share * timeline.range.length_s();
+    const TimeRange range = shown_range(timeline, shown_duration_s(work));
+    const double at_s = range.start_s + share * range.length_s();
     if (ImGui::IsItemHovered()) gesture.hovered_s = at_s;
     if (ImGui::IsItemActive()) gesture.scrubbed_s = std::max(0.0, at_s);
     take_time_gesture(work, timeline, area, gesture);
-    draw_seconds(ui, timeline);
+    draw_seconds(ui, range);
 }
 
 // Below the channels, as high as there is room: two rows with their names, under one heading.
@@ -316,7 +315,7 @@ void draw_vibrations_below(Ui& ui, Workspace& work, Timeline& timeline, const Ch
     const float row_px = 0.5F * (ImGui::GetContentRegionAvail().y - names_px);
     if (row_px < 36.0F * ui.theme.scale) return;
     draw_vibrations(ui, work, timeline, pair, std::floor(row_px));
-    draw_seconds(ui, timeline);
+    draw_seconds(ui, shown_range(timeline, shown_duration_s(work)));
 }
 
 // What is over time, higher where the pane is; the two themselves where it is high and they are
@@ -359,6 +358,19 @@ void draw_none(const Ui& ui, const char* title, const char* reason) {
     if (!area.empty()) draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, title, reason);
 }
 
+// Whether both maps have the same two patterns, by name, in these rows; in one of the same
+// document.
+bool is_same_pair(const LiveMap& one, const LiveMap& other,
+                  const std::pair<std::size_t, std::size_t>& rows) {
+    if (one.request.document != other.request.document) return false;
+    const auto& before = one.request.set->vibrations;
+    const auto& now = other.request.set->vibrations;
+    const auto is_same = [&](std::size_t row) {
+        return row < before.size() && before[row].name == now[row].name;
+    };
+    return is_same(rows.first) && is_same(rows.second);
+}
+
 }  // namespace
 
 void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
@@ -381,9 +393,9 @@ void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
     draw_parts(ui, map->prediction, k);
     const std::shared_ptr<const LiveDifference> live = comparing.difference;
     const bool fits = live && live->request.a == a && live->request.b == b &&
-                      live->request.map->prediction.pm.size == count;
+                      is_same_pair(*live->request.map, *map, *rows);
     if (fits) {
-        timeline.range = fitted(timeline.range, shown_duration_s(work));
+        timeline.range = unless_whole(timeline.range, shown_duration_s(work));
         draw_live(ui, work, timeline, *live, *pair);
     } else if (!draw_failure(ui, "why", failure_of(comparing.difference_job))) {
         dim_text(ui, map_state(work, shown_map) == MapState::exact

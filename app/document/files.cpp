@@ -95,7 +95,8 @@ bool show_document(Ui& ui, Workspace& work, Document document, std::string text)
     // What is given at opening is no change of the document.
     give_looks(work.document.saved);
     give_looks(work.document.set);
-    ++work.document_number;
+    work.document_number = ++work.documents;
+    work.side = Side::both;
     if (!hold_document(work.session, work.document.path)) text += kOpenTwice;
     work.changes = {};
     work.effects = {};

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/jobs/latest_job.h"
+#include "app/jobs/owned_job.h"
 #include "model/set/pattern_set.h"
 
 namespace tact {
@@ -38,7 +38,7 @@ struct VibrationCache {
     bool behind = false;                                                 // some of them are
 
     // Without it, as for a picture, long ones are rendered in the frame as well.
-    std::unique_ptr<LatestJob<WantedWaveforms, RenderedWaveforms>> render_job;
+    OwnedJob<WantedWaveforms, RenderedWaveforms> render_job;
     WantedWaveforms wanted, asked;
     std::shared_ptr<const RenderedWaveforms> taken;
 

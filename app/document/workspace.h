@@ -35,7 +35,8 @@ struct Workspace {
     History<PatternSet> history;
     std::shared_ptr<const PatternSet> committed;  // the document as of the last undo step
     std::uint64_t revision = 1;                   // of document.set, every change during a drag too
-    std::uint64_t document_number = 1;            // raised when another one takes its place
+    std::uint64_t document_number = 1;  // tells the open one from all others; part of each request
+    std::uint64_t documents = 1;        // that were numbered so far
     DocumentChanges changes;
     DocumentEffects effects;
     Selection selection;

@@ -32,6 +32,14 @@ const char* label_of(PictureView view) {
             return "Space";
         case PictureView::matrix:
             return "Matrix";
+        case PictureView::table:
+            return "Table";
+        case PictureView::subset:
+            return "Subset";
+        case PictureView::compare:
+            return "Compare";
+        case PictureView::why:
+            return "Why";
     }
     return "";
 }
@@ -48,6 +56,10 @@ void draw_views(Ui& ui, const Workspace& work, std::span<const PictureView> view
                 PictureView& chosen, PictureSize& size) {
     draw_label(ui, "View");
     for (const PictureView view : views) {
+        if (view == PictureView::table) {  // two rows of four
+            ImGui::NewLine();
+            draw_label(ui, "");
+        }
         if (draw_switch(ui, name_of(view), label_of(view), chosen == view) && chosen != view) {
             chosen = view;
             suit(size, view, !work.selection.pinned.empty());

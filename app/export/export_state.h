@@ -14,10 +14,11 @@
 namespace tact {
 
 // What of the window is drawn as a picture.
-enum class PictureView { window, physiology, space, matrix };
+enum class PictureView { window, physiology, space, matrix, table, subset, compare, why };
 
-inline constexpr std::array<PictureView, 4> kPictureViews{
-    PictureView::window, PictureView::physiology, PictureView::space, PictureView::matrix};
+inline constexpr std::array<PictureView, 8> kPictureViews{
+    PictureView::window, PictureView::physiology, PictureView::space,   PictureView::matrix,
+    PictureView::table,  PictureView::subset,     PictureView::compare, PictureView::why};
 
 // "physiology": on the command line and in file names.
 const char* name_of(PictureView view);

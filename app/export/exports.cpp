@@ -46,6 +46,14 @@ const char* name_of(PictureView view) {
             return "space";
         case PictureView::matrix:
             return "matrix";
+        case PictureView::table:
+            return "table";
+        case PictureView::subset:
+            return "subset";
+        case PictureView::compare:
+            return "compare";
+        case PictureView::why:
+            return "why";
     }
     return "";
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/latest_job.h"
+#include "app/jobs/owned_job.h"
 #include "app/patterns/rhythm_choice.h"
 #include "model/design_space/candidates.h"
 #include "model/set/set_candidates.h"
@@ -53,7 +53,7 @@ struct GenerateState {
     float rows_px = 0.0F;     // height of all parameters, in the last frame
     RhythmChoice rhythms;
     std::optional<Before> asking;  // whether so many are really wanted
-    std::unique_ptr<LatestJob<GenerateRequest, GeneratePlan>> job;
+    OwnedJob<GenerateRequest, GeneratePlan> job;
     GenerateRequest asked;
 };
 

@@ -73,6 +73,15 @@ class LatestJob {
         if (const auto running = replace_waiting(nullptr)) running->stop.request_stop();
     }
 
+    // Besides, of what was answered nothing is left: latest() is null until the next answer.
+    void forget() {
+        cancel();
+        std::shared_ptr<const Answer> answer;  // freed unlocked
+        const std::lock_guard lock(mutex_);
+        latest_.swap(answer);
+        failure_.clear();
+    }
+
     // Something is running or waiting to run.
     bool busy() const {
         const std::lock_guard lock(mutex_);

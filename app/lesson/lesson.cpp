@@ -25,9 +25,9 @@ void keep_on_disk(Workspace& work) {
 }
 
 // As opening does, but that nothing is told to the session.
-void show_in_place(Ui& ui, Workspace& work, Document document) {
+void show_in_place(Ui& ui, Workspace& work, Document document, std::uint64_t number) {
     work.document = std::move(document);
-    ++work.document_number;
+    work.document_number = number;
     work.changes = {};
     ui.fonts_outdated = true;
     document_changed(work);
@@ -36,8 +36,8 @@ void show_in_place(Ui& ui, Workspace& work, Document document) {
 void put_aside(const LessonHands& hands, LessonState& state, const PatternSet& set) {
     Workspace& work = hands.work;
     keep_on_disk(work);
-    state.aside = SetAside{work.document, work.history,   work.committed,
-                           work.effects,  work.selection, work.side};
+    state.aside = SetAside{work.document,  work.history, work.committed,      work.effects,
+                           work.selection, work.side,    work.document_number};
     PatternSet shown = set;
     give_looks(shown);
     work.effects = {};
@@ -45,7 +45,7 @@ void put_aside(const LessonHands& hands, LessonState& state, const PatternSet& s
     work.side = Side::both;
     work.history.clear();
     work.committed = std::make_shared<const PatternSet>(shown);
-    show_in_place(hands.ui, work, {shown, {}, shown});
+    show_in_place(hands.ui, work, {shown, {}, shown}, ++work.documents);
     work.unsaved = false;
     state.document_number = work.document_number;
 }
@@ -54,7 +54,7 @@ void bring_back(const LessonHands& hands, LessonState& state) {
     if (!state.aside) return;
     SetAside aside = *std::exchange(state.aside, std::nullopt);
     Workspace& work = hands.work;
-    show_in_place(hands.ui, work, std::move(aside.document));
+    show_in_place(hands.ui, work, std::move(aside.document), aside.number);
     work.history = std::move(aside.history);
     work.committed = std::move(aside.committed);
     work.effects = std::move(aside.effects);

@@ -73,11 +73,9 @@ LessonStep step_from_screen(const LessonHands& hands) {
     const Playhead& playhead = hands.timeline.playhead;
     step.at_s = playhead.at_s;
     step.speed = playhead.playing ? playhead.speed : 0.0;
-    const bool whole = hands.timeline.range.length_s() >= shown_duration_s(hands.work) - 1e-9;
-    if (!whole) {
-        step.from_s = hands.timeline.range.start_s;
-        step.to_s = hands.timeline.range.end_s;
-    }
+    const TimeRange range = unless_whole(hands.timeline.range, shown_duration_s(hands.work));
+    step.from_s = range.start_s;
+    step.to_s = range.end_s;
     if (step.view == "map") {
         const SpaceCamera& camera = hands.shown_map.camera;
         step.camera = LessonCamera{camera.yaw_rad, camera.pitch_rad, camera.zoom};

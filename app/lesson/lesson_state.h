@@ -41,6 +41,7 @@ struct SetAside {
     DocumentEffects effects;
     Selection selection;
     Side side = Side::both;
+    std::uint64_t number = 0;  // of the document
 };
 
 using MapPlace = std::array<double, 2>;  // in a flat map

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/latest_job.h"
+#include "app/jobs/owned_job.h"
 
 namespace tact {
 
@@ -23,7 +23,7 @@ struct ManualMade {
 
 struct ManualState {
     std::filesystem::path program;  // itself; empty: nothing is started, as in tests
-    std::unique_ptr<LatestJob<ManualRequest, ManualMade>> job;
+    OwnedJob<ManualRequest, ManualMade> job;
     std::shared_ptr<const ManualMade> shown;  // the last that was opened
     std::vector<int> openers;                 // processes that opened it, until they have ended
     std::string wanted_keys;                  // what the list of keys is searched for

@@ -34,6 +34,7 @@ bool needs_asking(const PatternSet& set);
 
 struct LiveMapRequest {
     std::uint64_t revision = 0;  // of the document
+    std::uint64_t document = 0;  // its number
     std::shared_ptr<const PatternSet> set;
     int dimensions = 3;
     bool preview = false;

@@ -22,6 +22,7 @@ double smooth(double share) {
 
 bool is_news(const ShownMap& shown_map, const std::shared_ptr<const LiveMap>& map) {
     if (!map || map == shown_map.transition.shown) return false;
+    if (map->request.document != shown_map.of_document) return false;
     if (!shown_map.transition.shown) return true;
     const LiveMapRequest& shown = shown_map.transition.shown->request;
     if (map->request.revision != shown.revision) return map->request.revision > shown.revision;
@@ -87,9 +88,9 @@ void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingSta
     if (!shown_map.full_job) return;  // a picture without a window computes its map itself
     shown_map.maps_asked = work.revision;
     shown_map.cancelled = false;
-    // Another document is another map: what the last one is turned onto says nothing of it.
+    // Another document is another map: the last one says nothing of it.
     if (std::exchange(shown_map.of_document, work.document_number) != work.document_number) {
-        shown_map.transition.anchor.reset();
+        shown_map.transition = {};
     }
     const PatternSet& set = work.document.set;
     if (needs_asking(set) && shown_map.compute_large_of != work.document_number) {
@@ -97,8 +98,12 @@ void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingSta
         shown_map.full_job->cancel();
         return;
     }
-    LiveMapRequest request{work.revision, std::make_shared<const PatternSet>(shown_set(work)),
-                           shown_map.dimensions, false, rendered_by(rendered)};
+    LiveMapRequest request{work.revision,
+                           work.document_number,
+                           std::make_shared<const PatternSet>(shown_set(work)),
+                           shown_map.dimensions,
+                           false,
+                           rendered_by(rendered)};
     shown_map.full_job->submit(request);
     // A preview takes a hundredth of the work, and of one pattern changed again only a row of that.
     // One that lasts would come too late to be one.
@@ -139,6 +144,7 @@ MapState map_state(const Workspace& work, const ShownMap& shown_map) {
         return MapState::too_large;
     if (!shown_map.transition.shown || count == 0) return MapState::none;
     const LiveMapRequest& shown = shown_map.transition.shown->request;
+    if (shown.document != work.document_number) return MapState::none;
     if (shown.revision != work.revision) return MapState::stale;
     return shown.preview ? MapState::preview : MapState::exact;
 }

@@ -26,7 +26,9 @@ RowPlaces places_in_document(const Workspace& work, const ShownMap& shown_map) {
 
 bool shows_another_set(const Workspace& work, const ShownMap& shown_map) {
     if (!shown_map.transition.shown) return false;
-    if (shown_map.transition.shown->request.revision == work.revision) return false;
+    const LiveMapRequest& request = shown_map.transition.shown->request;
+    if (request.document != work.document_number) return true;
+    if (request.revision == work.revision) return false;
     const auto& shown = shown_map.transition.shown->request.set->vibrations;
     const auto& now = work.document.set.vibrations;
     std::unordered_set<std::string_view> names;

@@ -16,8 +16,8 @@ using RowPlaces = std::vector<std::optional<std::size_t>>;
 // There must be a map.
 RowPlaces places_in_document(const Workspace& work, const ShownMap& shown_map);
 
-// Not one of the names in the map on screen is in the document: it says nothing of that. Without a
-// map: false.
+// The map on screen is of another document, or not one of its patterns is left in this one: it says
+// nothing of that. Without a map: false.
 bool shows_another_set(const Workspace& work, const ShownMap& shown_map);
 
 // The rows of what is selected beside the current pattern, in ascending order.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/latest_job.h"
+#include "app/jobs/owned_job.h"
 #include "app/map/live_map.h"
 #include "model/pattern/pattern_parameter.h"
 #include "viz/space/space_view.h"
@@ -84,9 +84,9 @@ struct ShownUnfelt {
 };
 
 struct ShownMap {
-    std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> preview_job;
-    std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> full_job;
-    std::unique_ptr<LatestJob<LiveMapRequest, LiveMap>> unshifted_job;
+    OwnedJob<LiveMapRequest, LiveMap> preview_job;
+    OwnedJob<LiveMapRequest, LiveMap> full_job;
+    OwnedJob<LiveMapRequest, LiveMap> unshifted_job;
     std::shared_ptr<const LiveMap> unshifted_asked_of;  // the map shown then
     bool show_people = false;                           // their map over the predicted one
     std::optional<MapProgress> progress;                // while it is being computed

@@ -97,20 +97,6 @@ void make_training_job(const Ui& ui, ModelBench& model_bench) {
 
 void stop_training(ModelBench& model_bench) { model_bench.training.job.reset(); }
 
-TrainingState still_training(const TrainingState& state) {
-    TrainingState still;
-    still.units = state.units;
-    still.objective = state.objective;
-    still.leave_out_participants = state.leave_out_participants;
-    still.own_takes_part = state.own_takes_part;
-    still.others = state.others;
-    still.shows_ties = state.shows_ties;
-    still.kept = state.kept;
-    still.kept_were_read = true;
-    still.found = state.found;
-    return still;
-}
-
 void follow_training(Ui& ui, ModelBench& model_bench) {
     TrainingState& state = model_bench.training;
     if (!state.job) return;

@@ -13,9 +13,6 @@ namespace tact {
 void make_training_job(const Ui& ui, ModelBench& model_bench);
 void stop_training(ModelBench& model_bench);
 
-// What is shown of it, without its job: for a picture.
-TrainingState still_training(const TrainingState& state);
-
 // Takes what the job has found.
 void follow_training(Ui& ui, ModelBench& model_bench);
 bool is_training(const ModelBench& model_bench);

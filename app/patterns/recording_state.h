@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "app/jobs/latest_job.h"
+#include "app/jobs/owned_job.h"
 #include "model/pattern/traced.h"
 #include "model/set/pattern_set.h"
 
@@ -41,7 +41,7 @@ struct RecordingEditor {
     RecordingCut cut;
     std::size_t most_points = TraceParams{}.most_points;
     TraceRequest asked;
-    std::unique_ptr<LatestJob<TraceRequest, TraceAnswer>> job;
+    OwnedJob<TraceRequest, TraceAnswer> job;
 };
 
 }  // namespace tact

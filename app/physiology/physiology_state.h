@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/jobs/latest_job.h"
+#include "app/jobs/owned_job.h"
 #include "app/physiology/live_stages.h"
 #include "app/physiology/stage_signals.h"
 #include "app/physiology/stages.h"
@@ -62,10 +62,10 @@ struct PhysiologyState {
 };
 
 struct Physiology {
-    std::unique_ptr<LatestJob<LiveStagesRequest, LiveStages>> stages_job;
+    OwnedJob<LiveStagesRequest, LiveStages> stages_job;
     std::shared_ptr<const LiveStages> stages;  // of the current vibration, or of one before it
     LiveStagesRequest stages_asked;
-    std::unique_ptr<LatestJob<LiveStagesRequest, LiveStages>> pinned_job;
+    OwnedJob<LiveStagesRequest, LiveStages> pinned_job;
     std::shared_ptr<const LiveStages> pinned_stages;
     LiveStagesRequest pinned_asked;
     PhysiologyState view;

@@ -70,15 +70,14 @@ struct TimeTexts {
 
 TimeTexts time_texts(const Workspace& work, const Timeline& timeline) {
     // As finely as the read-outs of the curves, and a thousandth at least.
-    const double step_s = std::min(1e-3, timeline.range.length_s() / 500.0);
+    const double duration_s = shown_duration_s(work);
+    const TimeRange range = shown_range(timeline, duration_s);
+    const double step_s = std::min(1e-3, range.length_s() / 500.0);
     const std::string at = stepped(timeline.playhead.at_s, step_s > 0.0 ? step_s : 1e-3) + " s";
     char whole[48];
-    std::snprintf(whole, sizeof whole, "of %.3f s", shown_duration_s(work));
-    const TimeRange& range = timeline.range;
-    const bool zoomed_in =
-        range.length_s() > 0.0 && range.length_s() < shown_duration_s(work) - 1e-9;
+    std::snprintf(whole, sizeof whole, "of %.3f s", duration_s);
     char shown[64] = "";
-    if (zoomed_in) {
+    if (is_zoomed_in(timeline, duration_s)) {
         std::snprintf(shown, sizeof shown, "%.4g\u2013%.4g s shown", range.start_s, range.end_s);
     }
     return {at, whole, shown};

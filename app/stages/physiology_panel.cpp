@@ -155,7 +155,7 @@ void move_threshold(Ui& ui, Workspace& work, Physiology& physiology) {
 
 void fit_time(const Workspace& work, Timeline& timeline) {
     const double duration_s = shown_duration_s(work);
-    timeline.range = fitted(timeline.range, duration_s);
+    timeline.range = unless_whole(timeline.range, duration_s);
     timeline.playhead.at_s = std::clamp(timeline.playhead.at_s, 0.0, duration_s);
 }
 

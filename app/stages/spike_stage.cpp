@@ -23,8 +23,9 @@ void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiol
     };
     RasterScene scene;
     scene.channels = channels;
-    scene.start_s = timeline.range.start_s;
-    scene.end_s = timeline.range.end_s;
+    const TimeRange range = shown_range(timeline, shown_duration_s(work));
+    scene.start_s = range.start_s;
+    scene.end_s = range.end_s;
     // Large, names stand with their peaks on the left; small, beside the lanes on the right.
     if (!size.large) scene.names_px = 0.0F;
     scene.time_axis = size.time_axis;

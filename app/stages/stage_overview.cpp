@@ -101,7 +101,7 @@ void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     const bool scrolls = height > ImGui::GetContentRegionAvail().y + 1.0F;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     // The wheel moves through time where there is more of it than is shown.
-    const bool zoomed_in = timeline.range.length_s() < shown_duration_s(work) - 1e-9;
+    const bool zoomed_in = is_zoomed_in(timeline, shown_duration_s(work));
     ImGuiWindowFlags flags = ImGuiWindowFlags_None;
     if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar;
     if (!scrolls || zoomed_in || ImGui::GetIO().KeyCtrl)

@@ -130,7 +130,8 @@ constexpr double kSingleSpikesS = 0.05;
 void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Physiology& physiology,
                   const ShownStages& shown, Stage stage, const Rect& area, const StageSize& size) {
     std::vector<StageSignal> signals = signals_of(*shown.live, stage);
-    if (stage == Stage::central && timeline.range.length_s() <= kSingleSpikesS) {
+    const double shown_s = shown_range(timeline, shown_duration_s(work)).length_s();
+    if (stage == Stage::central && shown_s <= kSingleSpikesS) {
         for (StageSignal& signal : signals) {
             signal.samples = shown.live->central_spikes[index_of(*signal.receptor)];
             signal.rate_hz = kModelRateHz;

@@ -130,12 +130,13 @@ bool is_busy(const SubsetState& picking) { return picking.curve_job && picking.c
 
 bool has_curve(const SubsetState& picking) { return picking.curve || is_busy(picking); }
 
-void draw_curve(Ui& ui, SubsetState& picking, const Rect& area) {
+void draw_curve(Ui& ui, const ShownMap& shown_map, SubsetState& picking, const Rect& area) {
     if (area.width() < 90.0F || area.height() < 70.0F) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (picking.curve && picking.curve->points.size() > 1) {
         draw_points(ui, picking, area);
-        const bool behind = picking.curve->request != picking.curve_asked;
+        const bool behind = picking.curve->request != picking.curve_asked ||
+                            picking.curve->request.map != shown_map.transition.shown;
         if (looks_stale(ui, "curve", picking.curve, behind))
             draw_stale(list, ui.theme, area, ImGui::GetTime());
         return;

@@ -150,30 +150,6 @@ void make_subset_jobs(const Ui& ui, SubsetState& picking) {
         JobPolicy::supersede, find_stability, ui.wake);
 }
 
-SubsetState still_subset(const SubsetState& state) {
-    SubsetState still;
-    still.view = state.view;
-    still.count = state.count;
-    still.objective = state.objective;
-    still.by_ratings = state.by_ratings;
-    still.metric = state.metric;
-    still.alternative = state.alternative;
-    still.too_close = state.too_close;
-    still.share = state.share;
-    still.reference_a = state.reference_a;
-    still.reference_b = state.reference_b;
-    still.opened = state.opened;
-    still.change_second = state.change_second;
-    still.asked = state.asked;
-    still.curve_asked = state.curve_asked;
-    still.cancelled = state.cancelled;
-    still.pick = state.pick;
-    still.curve = state.curve;
-    still.separations = state.separations;
-    still.stability = state.stability;
-    return still;
-}
-
 void stop_subset_jobs(SubsetState& picking) {
     picking.pick_job.reset();
     picking.curve_job.reset();
@@ -211,6 +187,8 @@ void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& 
 const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking) {
     const Pick* pick = picking.pick.get();
     if (pick == nullptr || !shown_map.transition.shown || !pick->fault.empty()) return nullptr;
+    const LiveMapRequest& of = pick->request.map->request;
+    if (of.document != shown_map.transition.shown->request.document) return nullptr;
     const auto& picked = set_of(pick->request).vibrations;
     const auto& shown = shown_map.transition.shown->request.set->vibrations;
     const bool is_of_shown =

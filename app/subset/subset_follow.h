@@ -13,9 +13,6 @@
 namespace tact {
 
 void make_subset_jobs(const Ui& ui, SubsetState& picking);
-// What is shown of it, without its jobs: for a picture.
-SubsetState still_subset(const SubsetState& state);
-
 void stop_subset_jobs(SubsetState& picking);
 
 // Takes what the jobs have finished; asks anew where the document or the question has changed.

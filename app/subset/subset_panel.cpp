@@ -281,7 +281,7 @@ PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const Sh
     }
     draw_alternatives(ui, picking, *pick);
     ImGui::EndChild();
-    if (!parts.picture.empty()) draw_curve(ui, picking, parts.picture);
+    if (!parts.picture.empty()) draw_curve(ui, shown_map, picking, parts.picture);
     return deed;
 }
 

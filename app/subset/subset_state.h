@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/jobs/latest_job.h"
+#include "app/jobs/owned_job.h"
 #include "app/map/live_map.h"
 #include "model/evaluation/metric.h"
 #include "model/pattern/pattern_parameter.h"
@@ -122,10 +122,10 @@ struct SubsetState {
     std::filesystem::path report_to;  // when a subset has been picked
 
     // Null until the program has begun; the answers may be of an earlier document.
-    std::unique_ptr<LatestJob<PickRequest, Pick>> pick_job;
-    std::unique_ptr<LatestJob<PickRequest, PickCurve>> curve_job;
-    std::unique_ptr<LatestJob<SeparationRequest, FoundSeparations>> separation_job;
-    std::unique_ptr<LatestJob<StabilityRequest, FoundStability>> stability_job;
+    OwnedJob<PickRequest, Pick> pick_job;
+    OwnedJob<PickRequest, PickCurve> curve_job;
+    OwnedJob<SeparationRequest, FoundSeparations> separation_job;
+    OwnedJob<StabilityRequest, FoundStability> stability_job;
     PickRequest asked;
     PickRequest curve_asked;
     bool cancelled = false;  // by the person, until something else is asked for

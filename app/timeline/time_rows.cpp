@@ -37,15 +37,16 @@ void take_time_gesture(const Workspace& work, Timeline& timeline, const Rect& ar
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel == 0.0F && io.MouseWheelH == 0.0F) return;
     const double duration_s = shown_duration_s(work);
+    const TimeRange shown = shown_range(timeline, duration_s);
     if (io.KeyCtrl) {
         const double factor = std::pow(1.25, -static_cast<double>(io.MouseWheel));
-        timeline.range = zoomed(timeline.range, factor, *gesture.hovered_s, duration_s);
+        timeline.range =
+            unless_whole(zoomed(shown, factor, *gesture.hovered_s, duration_s), duration_s);
         return;
     }
-    const double per_px =
-        timeline.range.length_s() / std::max(1.0, static_cast<double>(area.width()));
+    const double per_px = shown.length_s() / std::max(1.0, static_cast<double>(area.width()));
     const double by_px = 60.0 * static_cast<double>(io.MouseWheelH - io.MouseWheel);
-    timeline.range = panned(timeline.range, by_px * per_px, duration_s);
+    timeline.range = unless_whole(panned(shown, by_px * per_px, duration_s), duration_s);
 }
 
 void draw_time_row(Ui& ui, const Workspace& work, Timeline& timeline, const Rect& area,
@@ -53,8 +54,9 @@ void draw_time_row(Ui& ui, const Workspace& work, Timeline& timeline, const Rect
     const WaveTrace trace{row.samples, row.rate_hz, row.colour, row.style};
     WaveScene scene;
     scene.traces = {&trace, 1};
-    scene.start_s = timeline.range.start_s;
-    scene.end_s = timeline.range.end_s;
+    const TimeRange range = shown_range(timeline, shown_duration_s(work));
+    scene.start_s = range.start_s;
+    scene.end_s = range.end_s;
     scene.largest = row.largest;
     scene.signed_values = row.signed_values;
     scene.unit = row.unit;

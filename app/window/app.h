@@ -2,6 +2,8 @@
 // see all of it; a panel takes what it touches. draw_frame() in app/window/frame.h draws it.
 #pragma once
 
+#include <cstdint>
+
 #include "app/ask/maybes_state.h"
 #include "app/ask/pad_state.h"
 #include "app/ask/steps_state.h"
@@ -43,6 +45,22 @@ struct PaneInUse {
     int higher = 0;
 };
 
+// What rooms know of one document. While a lesson shows its own set in the place of the person's
+// document, theirs is aside with its work under way, and comes back with it.
+struct DocumentRooms {
+    std::uint64_t document = 0;  // its number; 0: nothing is aside
+    ShownMap shown_map;
+    Physiology physiology;
+    Comparing comparing;
+    PatternPanes pattern_panes;
+    SubsetState picking;
+    CandidatesState candidates;
+    StepsState steps;
+    PadState pad;
+    MaybesState maybes;
+    GenerateState generating;
+};
+
 struct App {
     Ui ui;
     Workspace work;
@@ -70,6 +88,8 @@ struct App {
     LessonState lesson;
     PaletteState palette;
     ManualState manual;
+    std::uint64_t of_document = 0;  // number of the one that the rooms know of; 0: of none yet
+    DocumentRooms aside;
 };
 
 // What a lesson drives.

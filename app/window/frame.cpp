@@ -165,6 +165,7 @@ void begin_thumbnails(App& app) {
 
 void run_waiting(App& app) {
     for (const auto& act : std::exchange(app.ui.waiting, {})) act();
+    follow_another_document(app);
 }
 
 // Who holds a pattern by its name.
@@ -207,8 +208,9 @@ void follow_playhead(App& app) {
     if (!is_sounding(app.play))
         app.timeline.playhead = advanced(app.timeline.playhead, app.ui.frame_s, duration_s);
     if (!app.timeline.playhead.playing) return;
-    app.timeline.range =
-        followed(fitted(app.timeline.range, duration_s), app.timeline.playhead.at_s, duration_s);
+    app.timeline.range = unless_whole(
+        followed(shown_range(app.timeline, duration_s), app.timeline.playhead.at_s, duration_s),
+        duration_s);
 }
 
 // The mouse, once used again, ends the keyboard's way through the widgets.
@@ -241,6 +243,15 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     }
 }
 
+// What of the document is marked in every pane.
+void follow_marks(App& app) {
+    app.work.selection.too_close = too_close_names(app.layout, app.picking);
+    app.work.selection.picked = picked_names(app.shown_map, app.picking);
+    app.work.selection.is_pick_preview =
+        app.picking.pick && is_of_preview(app.picking.pick->request);
+    follow_unfelt(app.work, app.shown_map);
+}
+
 // Input, and what has come since the last frame.
 void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.ui.frame_s = std::clamp(time_s - app.ui.time_s, 0.0, 0.1);
@@ -253,8 +264,8 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     use_device(app.studying, app.play.device);
     follow_playhead(app);
     follow_input_mode(app, pressed);
+    follow_another_document(app);
     take_answers(app);
-    follow_document(hands_of(app), app.lesson);
     watch_pointed(app.ui, app.lesson);
     app.ui.presenting = is_presenting(app.lesson);
     follow_progress(app);
@@ -264,11 +275,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.work.selection.rested.reset();
     app.work.selection.suggested.reset();
     app.work.selection.on_track = false;
-    app.work.selection.too_close = too_close_names(app.layout, app.picking);
-    app.work.selection.picked = picked_names(app.shown_map, app.picking);
-    app.work.selection.is_pick_preview =
-        app.picking.pick && is_of_preview(app.picking.pick->request);
-    follow_unfelt(app.work, app.shown_map);
+    follow_marks(app);
     follow_reach(app.work.cache, app.work.document.set, app.work.revision);
     app.work.selection.hovered_pair_last =
         std::exchange(app.work.selection.hovered_pair, std::nullopt);
@@ -315,6 +322,7 @@ void draw_panes(App& app, std::span<const KeyPress> all_pressed) {
 }  // namespace
 
 void follow_changes(App& app) {
+    follow_another_document(app);
     const DocumentChanges changes = std::exchange(app.work.changes, {});
     for (const Renaming& renaming : changes.renamings) follow_renaming(app, renaming);
     if (changes.saved_from) keep_participants(app.ui, app.work, app.studying, *changes.saved_from);
@@ -356,6 +364,12 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     if (!app.lesson.aside) autosave_if_due(app.ui, app.work);
     move_focus(app.ui);
     write_rects(app.ui.rects);
+}
+
+void draw_still_window(App& app) {
+    begin_thumbnails(app);
+    follow_marks(app);
+    draw_panes(app, {});
 }
 
 bool is_computing(const App& app) {

@@ -19,6 +19,9 @@ void follow_changes(App& app);
 // Draws everything into the current ImGui frame. `time_s` never runs backwards.
 void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s);
 
+// The panes as they stand, for a picture: nothing is taken in, played, asked for or kept.
+void draw_still_window(App& app);
+
 // Another frame is needed without input: something moves.
 bool wants_another_frame(const App& app);
 

@@ -1,5 +1,7 @@
 #include "app/window/jobs.h"
 
+#include <utility>
+
 #include "app/ask/maybes_follow.h"
 #include "app/compare/compare_follow.h"
 #include "app/lesson/lesson.h"
@@ -8,24 +10,234 @@
 #include "app/measured/import_follow.h"
 #include "app/model_bench/training_follow.h"
 #include "app/physiology/physiology_follow.h"
+#include "app/play/playing.h"
 #include "app/study/study_follow.h"
 #include "app/subset/subset_follow.h"
 
 namespace tact {
 
-void make_jobs(App& app) {
-    make_render_job(app.work.cache, app.ui.wake);
+namespace {
+
+// Each of these gives a state as for a document that nobody has looked at yet. It lists what stays:
+// a member that is new is the document's, and goes with it.
+ShownMap anew(const ShownMap& was) {
+    ShownMap fresh;
+    fresh.look.show_pairs = was.look.show_pairs;
+    fresh.look.show_spread = was.look.show_spread;
+    fresh.clustered_matrix = was.clustered_matrix;
+    fresh.camera.locked = was.camera.locked;
+    fresh.dimensions = was.dimensions;
+    fresh.quantity = was.quantity;
+    return fresh;
+}
+
+Physiology anew(const Physiology& was) {
+    Physiology fresh;
+    fresh.view.open = was.view.open;
+    fresh.view.tilted = was.view.tilted;
+    fresh.view.explained = was.view.explained;
+    return fresh;
+}
+
+PatternPanes anew(const PatternPanes& was) {
+    PatternPanes fresh;
+    fresh.strip.height = was.strip.height;
+    return fresh;
+}
+
+// Findings of the paper are of its own sets.
+Comparing anew(const Comparing& was) {
+    Comparing fresh;
+    fresh.findings = was.findings;
+    fresh.panel.view = was.panel.view;
+    fresh.panel.metric = was.panel.metric;
+    return fresh;
+}
+
+SubsetState anew(const SubsetState& was) {
+    SubsetState fresh;
+    fresh.view = was.view;
+    return fresh;
+}
+
+CandidatesState anew(const CandidatesState& was) {
+    CandidatesState fresh;
+    fresh.by = was.by;
+    fresh.descending = was.descending;
+    return fresh;
+}
+
+RenderingState anew(const RenderingState& was) {
+    RenderingState fresh;
+    fresh.on = was.on;
+    fresh.by = was.by;
+    fresh.at_bar_level = was.at_bar_level;
+    return fresh;
+}
+
+EffectExport anew(const EffectExport& was) {
+    EffectExport fresh;
+    fresh.choice = was.choice;
+    fresh.choice.which = ExportWhich::all;
+    return fresh;
+}
+
+// The dialogs that hold something of the document.
+bool is_of_document(Dialog dialog) {
+    switch (dialog) {
+        case Dialog::effect_maps:
+        case Dialog::export_view:
+        case Dialog::export_animation:
+        case Dialog::export_effects:
+        case Dialog::generate:
+        case Dialog::import_recordings:
+        case Dialog::simulate_measurement:
+        case Dialog::steps:
+        case Dialog::tap_rhythm:
+        case Dialog::pad:
+        case Dialog::leave_out:
+            return true;
+        case Dialog::none:
+        case Dialog::about:
+        case Dialog::keys:
+        case Dialog::devices:
+        case Dialog::calibrate:
+        case Dialog::save_workspace:
+        case Dialog::conduct_rules:
+            return false;
+    }
+    return false;
+}
+
+// An assignment from a copy, not from what it is moved from: so jobs stay, and forget.
+template <class State>
+void begin_again(State& state, const State& fresh) {
+    state = fresh;
+}
+
+void begin_again(App& app) {
+    auto findings = std::move(app.comparing.findings_job);
+    begin_again(app.comparing, anew(app.comparing));
+    app.comparing.findings_job = std::move(findings);
+    begin_again(app.shown_map, anew(app.shown_map));
+    begin_again(app.physiology, anew(app.physiology));
+    begin_again(app.pattern_panes, anew(app.pattern_panes));
+    begin_again(app.picking, anew(app.picking));
+    begin_again(app.candidates, anew(app.candidates));
+    begin_again(app.steps, StepsState{});
+    begin_again(app.pad, PadState{});
+    begin_again(app.maybes, MaybesState{});
+    begin_again(app.generating, GenerateState{});
+}
+
+// What is never aside. Training stays: it takes hours, and its result names the sets that it is of.
+void begin_others_again(App& app) {
+    Ui& ui = app.ui;
+    if (is_of_document(ui.dialog)) ui.dialog = Dialog::none;
+    ui.ages.clear();
+    ui.progress.clear();
+    begin_again(app.rendered, anew(app.rendered));
+    begin_again(app.exports.effects, anew(app.exports.effects));
+    app.exports.from_s = app.exports.to_s = 0.0;
+    app.importing.files.clear();
+    app.importing.patterns.clear();
+    app.importing.shown = 0;
+    app.importing.answer.reset();
+    app.importing.simulated.reset();
+    app.play.hovered_in_map.reset();
+    app.play.felt_on_hover.clear();
+    if (is_study_running(app.studying)) return;
+    if (app.play.sounding) silence(app.timeline, app.play);
+    app.studying.answers.reset();
+    app.studying.asked = {};
+    app.studying.shown.reset();
+    app.studying.leaving_out = {};
+    app.studying.rounds_text.clear();
+    app.studying.edited_text.clear();
+    if (app.studying.job) app.studying.job->forget();
+}
+
+void begin_time_again(Timeline& timeline) {
+    timeline.range = {};
+    timeline.crosshair_s.reset();
+    timeline.crosshair_last_s.reset();
+    timeline.playhead.at_s = 0.0;
+    timeline.playhead.playing = false;
+}
+
+void make_document_jobs(App& app) {
     make_map_jobs(app.ui, app.work, app.shown_map);
     make_stages_jobs(app.ui, app.physiology);
     make_compare_jobs(app.ui, app.rendered, app.comparing);
     make_subset_jobs(app.ui, app.picking);
     make_maybes_jobs(app.ui, app.maybes);
+}
+
+void swap_with_aside(App& app) {
+    DocumentRooms& aside = app.aside;
+    std::swap(app.shown_map, aside.shown_map);
+    std::swap(app.physiology, aside.physiology);
+    std::swap(app.comparing, aside.comparing);
+    std::swap(app.pattern_panes, aside.pattern_panes);
+    std::swap(app.picking, aside.picking);
+    std::swap(app.candidates, aside.candidates);
+    std::swap(app.steps, aside.steps);
+    std::swap(app.pad, aside.pad);
+    std::swap(app.maybes, aside.maybes);
+    std::swap(app.generating, aside.generating);
+    // The lesson has turned these to its own ends, or given them back as they were.
+    app.shown_map.camera = aside.shown_map.camera;
+    app.shown_map.dimensions = aside.shown_map.dimensions;
+    app.physiology.view.open = aside.physiology.view.open;
+    app.pattern_panes.strip.height = aside.pattern_panes.strip.height;
+    if (!app.shown_map.full_job && aside.shown_map.full_job) make_document_jobs(app);
+}
+
+// True where the rooms now are those of the document, as they were left.
+bool come_and_go_with_lesson(App& app) {
+    const bool is_lesson =
+        app.lesson.aside && app.lesson.document_number == app.work.document_number;
+    const bool comes_back = app.aside.document == app.work.document_number;
+    if (is_lesson && app.aside.document == 0) {
+        app.aside.document = app.of_document;
+        swap_with_aside(app);
+    } else if (comes_back) {
+        app.aside.document = 0;
+        swap_with_aside(app);
+    } else if (!is_lesson) {
+        app.aside.document = 0;
+    }
+    return comes_back;
+}
+
+}  // namespace
+
+void follow_another_document(App& app) {
+    follow_document(hands_of(app), app.lesson);  // a lesson whose set was replaced ends first
+    const std::uint64_t number = app.work.document_number;
+    if (app.of_document == number) return;
+    const bool is_first = app.of_document == 0;  // the session has put its views back
+    const bool knows_it = !is_first && come_and_go_with_lesson(app);
+    app.of_document = number;
+    if (is_first) return;
+    const bool is_lesson = app.lesson.aside.has_value();
+    const SpaceCamera camera = app.shown_map.camera;
+    if (!knows_it) begin_again(app);
+    if (is_lesson) app.shown_map.camera = camera;
+    if (!is_lesson && !knows_it) begin_time_again(app.timeline);
+    begin_others_again(app);
+}
+
+void make_jobs(App& app) {
+    make_render_job(app.work.cache, app.ui.wake);
+    make_document_jobs(app);
     make_effect_job(app.ui, app.exports.effects);
     make_training_job(app.ui, app.model_bench);
     make_lesson_job(app.ui, app.lesson);
 }
 
 void stop_jobs(App& app) {
+    app.aside = {};
     stop_study(app.studying);
     app.work.cache.render_job.reset();
     app.generating.job.reset();

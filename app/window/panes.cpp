@@ -219,7 +219,7 @@ PaneTitle title_of(const App& app, Pane pane) {
     return {};
 }
 
-void draw_bench(App& app) {
+void draw_bench_tabs(App& app) {
     const auto tab = [&app](BenchTab which, const char* name) {
         // Not by its word alone, which may be that of something within the tab.
         const std::string id = std::string("tab ") + name;
@@ -255,6 +255,10 @@ void draw_bench(App& app) {
         if (k > 0 && !(in_two && k == second_row)) flow_on(chip_width(app.ui, name), gap_px);
         tab(which, name);
     }
+}
+
+void draw_bench(App& app) {
+    if (!app.ui.as_picture) draw_bench_tabs(app);
     switch (app.layout.bench) {
         case BenchTab::matrix:
             return draw_matrix_panel(app.ui, app.work, app.shown_map);

@@ -114,6 +114,7 @@ Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>&
     app.ui.dark = app.work.session.theme != "light";
     app.ui.text_scale = std::clamp(static_cast<float>(app.work.session.text_scale), 0.75F, 2.0F);
     restore_layout(app);
+    app.of_document = 0;  // the views that were put back are of the document that follows
     restore_devices(app.work, app.play);
     if (paths.size() == 1 && is_lesson_file(paths[0])) {
         take_up_session(app);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <tuple>
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
@@ -11,14 +12,12 @@
 #include "app/map/map_follow.h"
 #include "app/map/matrix_panel.h"
 #include "app/map/space_panel.h"
-#include "app/measured/import_follow.h"
-#include "app/model_bench/training_follow.h"
 #include "app/stages/physiology_panel.h"
-#include "app/subset/subset_follow.h"
 #include "app/ui/widgets.h"
 #include "app/window/app.h"
 #include "app/window/columns.h"
 #include "app/window/frame.h"
+#include "devices/device/memory_device.h"
 
 namespace tact {
 
@@ -43,8 +42,12 @@ void bring_up_to_date(App& app) {
 }
 
 void compute_map(App& app, const PatternSet& set, int threads) {
-    const LiveMapRequest request{app.work.revision, std::make_shared<const PatternSet>(set),
-                                 app.shown_map.dimensions, false, rendered_by(app.rendered)};
+    const LiveMapRequest request{app.work.revision,
+                                 app.work.document_number,
+                                 std::make_shared<const PatternSet>(set),
+                                 app.shown_map.dimensions,
+                                 false,
+                                 rendered_by(app.rendered)};
     std::atomic<float> progress = 0.0F;
     LiveMapWork work(threads);
     if (auto map = work(request, {}, progress)) {
@@ -96,11 +99,16 @@ PaneTitle space_title(const App& app) {
     return title;
 }
 
+void draw_bench_picture(App& app, BenchTab tab, const Rect& area) {
+    app.layout.bench = tab;
+    draw_pane_of(app, Pane::matrix, area);
+}
+
 void draw_view(App& app, PictureView view) {
     const Rect area = rect_at({0.0F, 0.0F}, ImGui::GetIO().DisplaySize);
     switch (view) {
         case PictureView::window:
-            return draw_frame(app, {}, 1.0);
+            return draw_still_window(app);
         case PictureView::physiology:
             return draw_pane(
                 app.ui, app.layout, Pane::physiology, area, physiology_title(app), [&app] {
@@ -115,6 +123,14 @@ void draw_view(App& app, PictureView view) {
                 app.ui, app.layout, Pane::matrix, area,
                 {"Matrix", quantity_name(app.shown_map.quantity), {rendered_words(app.rendered)}},
                 [&app] { draw_matrix_panel(app.ui, app.work, app.shown_map); });
+        case PictureView::table:
+            return draw_bench_picture(app, BenchTab::candidates, area);
+        case PictureView::subset:
+            return draw_bench_picture(app, BenchTab::subset, area);
+        case PictureView::compare:
+            return draw_bench_picture(app, BenchTab::compare, area);
+        case PictureView::why:
+            return draw_bench_picture(app, BenchTab::why, area);
     }
 }
 
@@ -146,48 +162,102 @@ std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& 
     return view;
 }
 
+namespace {
+
+// Looks, and the line at the foot; nothing that is pressed, typed or open over the panes.
+void copy_looks(const Ui& ui, Ui& still) {
+    still.dark = ui.dark;
+    still.status = ui.status;
+    still.dismissed_hints = ui.dismissed_hints;
+    still.ages = ui.ages;
+    still.time_s = ui.time_s;
+    still.motion = false;
+    still.rects = {};
+}
+
+// Without its place on the disk: nothing may be kept or locked from here.
+void copy_work(const Workspace& work, Workspace& still) {
+    still.document = work.document;
+    still.history = work.history;
+    still.committed = work.committed;
+    still.revision = work.revision;
+    still.document_number = work.document_number;
+    still.documents = work.documents;
+    still.effects = work.effects;
+    still.selection = work.selection;
+    still.selection.hovered.reset();
+    still.selection.hovered_pair.reset();
+    still.side = work.side;
+    still.own_heights = work.own_heights;
+    still.clipboard = work.clipboard;
+    still.unsaved = work.unsaved;
+    still.unsaved_revision = work.revision;
+}
+
+// What the bar and the Device tab say of the chosen device; a device itself is nobody's but the
+// program's, and what stands in its place plays nothing.
+void copy_play(const PlayState& play, PlayState& still) {
+    still = play;
+    still.audio = nullptr;
+    still.device = play.device ? std::make_shared<MemoryDevice>(false) : nullptr;
+    still.sounding.reset();
+}
+
+// The participants' files as they were read. Who is at it now has a page of its own.
+void copy_study(const StudyState& studying, StudyState& still) {
+    still.is_open = studying.is_open;
+    still.kind = studying.kind;
+    still.folder = studying.folder;
+    still.answers = studying.answers;
+    still.asked = studying.asked;
+    still.folder_revision = studying.folder_revision;
+    still.shown = studying.shown;
+    still.show = studying.show;
+    still.rule = studying.rule;
+}
+
+void stand_still(App& still) {
+    still.timeline.playhead.playing = false;
+    still.timeline.crosshair_s.reset();
+    still.timeline.crosshair_last_s.reset();
+    still.physiology.view.hovered.reset();
+    still.physiology.view.explained.reset();
+    still.model_bench.training.kept_were_read = true;
+}
+
+}  // namespace
+
+// Whole states are copied: what a room keeps besides its jobs is in the picture, whatever is added
+// to it. Every member of App is named here, and one that is new does not compile until it is.
 std::shared_ptr<StillView> still_view(const App& app) {
     auto view = std::make_shared<StillView>(make_app());
     App& still = view->app;
-    still.ui.rects = {};
-    still.ui.motion = false;
-    still.work.document = app.work.document;
-    still.work.revision = app.work.revision;
-    still.work.unsaved_revision = app.work.revision;
-    still.work.unsaved = app.work.unsaved;
-    still.work.selection = app.work.selection;
-    still.work.selection.hovered.reset();
-    still.layout = app.layout;
-    still.ui.dark = app.ui.dark;
-    still.physiology.stages = app.physiology.stages;
-    still.work.selection.pinned = app.work.selection.pinned;
-    still.physiology.pinned_stages = app.physiology.pinned_stages;
-    still.timeline.playhead = app.timeline.playhead;
-    still.timeline.playhead.playing = false;
-    still.timeline.range = app.timeline.range;
-    still.physiology.view = app.physiology.view;
-    still.timeline.crosshair_s.reset();
-    still.physiology.view.hovered.reset();
-    still.physiology.view.explained.reset();
-    still.shown_map.cancelled = app.shown_map.cancelled;
-    still.work.document_number = app.work.document_number;
-    still.shown_map.compute_large_of = app.shown_map.compute_large_of;
-    still.work.side = app.work.side;
-    still.picking = still_subset(app.picking);
-    still.model_bench.training = still_training(app.model_bench.training);
-    still.shown_map.transition = app.shown_map.transition;
-    still.shown_map.look = app.shown_map.look;
-    still.shown_map.camera = app.shown_map.camera;
-    still.shown_map.dimensions = app.shown_map.dimensions;
-    still.shown_map.quantity = app.shown_map.quantity;
-    still.layout.bench = app.layout.bench;
-    still.model_bench.panel = app.model_bench.panel;
-    still.rendered.on = app.rendered.on;
-    still.rendered.by = app.rendered.by;
-    still.rendered.at_bar_level = app.rendered.at_bar_level;
-    still.rendered.shown = app.rendered.shown;
-    still.work.selection.search = app.work.selection.search;
-    still.ui.dismissed_hints = app.ui.dismissed_hints;
+    const auto& [ui, work, layout, in_use, workspaces, timeline, shown_map, rendered, physiology,
+                 comparing, pattern_panes, model_bench, play, picking, candidates, steps, pad,
+                 maybes, exports, generating, importing, studying, calibrating, lesson, palette,
+                 manual, of_document, aside] = app;
+    copy_looks(ui, still.ui);
+    copy_work(work, still.work);
+    copy_play(play, still.play);
+    copy_study(studying, still.studying);
+    still.layout = layout;
+    still.in_use = in_use;
+    still.workspaces = workspaces;
+    still.timeline = timeline;
+    still.shown_map = shown_map;
+    still.rendered = rendered;
+    still.physiology = physiology;
+    still.comparing = comparing;
+    still.pattern_panes = pattern_panes;
+    still.model_bench = model_bench;
+    still.picking = picking;
+    still.candidates = candidates;
+    still.of_document = of_document;
+    // Dialogs lie over what is drawn; what is asked of the map is gone when the mouse is; a lesson
+    // is the person's to leave; and what is aside is not shown.
+    (void)std::tie(steps, pad, maybes, exports, generating, importing, calibrating, lesson, palette,
+                   manual, aside);
+    stand_still(still);
     bring_up_to_date(still);
     return view;
 }
@@ -199,7 +269,7 @@ Picture view_picture(StillView& of, PictureView view, double at_s, const Picture
     still.timeline.playhead.at_s = at_s;
     follow_reach(still.work.cache, still.work.document.set, still.work.revision);
     const double duration_s = shown_duration_s(still.work);
-    still.timeline.range = followed(fitted(still.timeline.range, duration_s), at_s, duration_s);
+    still.timeline.range = followed(shown_range(still.timeline, duration_s), at_s, duration_s);
     PictureOptions options;
     options.dark = size.dark;
     options.scale = size.scale;

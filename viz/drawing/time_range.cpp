@@ -36,6 +36,11 @@ TimeRange fitted(TimeRange range, double duration_s) {
     return range;
 }
 
+TimeRange unless_whole(TimeRange range, double duration_s) {
+    const TimeRange shown = fitted(range, duration_s);
+    return shown.length_s() < duration_s - 1e-9 ? shown : TimeRange{};
+}
+
 TimeRange followed(TimeRange range, double at_s, double duration_s) {
     if (range.length_s() <= 0.0 || (at_s >= range.start_s && at_s <= range.end_s)) return range;
     return inside({at_s, at_s + range.length_s()}, duration_s);

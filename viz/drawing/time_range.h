@@ -24,6 +24,10 @@ TimeRange panned(TimeRange range, double by_s, double duration_s);
 // reach past the end.
 TimeRange fitted(TimeRange range, double duration_s);
 
+// The range as a state: of no length where the whole is in view, so that it is the whole of the
+// next pattern, too.
+TimeRange unless_whole(TimeRange range, double duration_s);
+
 // The range turned like a page where the playhead has left it.
 TimeRange followed(TimeRange range, double at_s, double duration_s);
 

@@ -4,14 +4,18 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <set>
+#include <sstream>
 
 #include "app/document/files.h"
+#include "app/subset/subset_follow.h"
 #include "app/window/animation.h"
 #include "app/window/commands.h"
 #include "app/window/view_pictures.h"
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"
+#include "tests/support/scene_steps.h"
 #include "tests/support/temporary_folder.h"
 
 namespace exports_test {
@@ -112,6 +116,79 @@ TEST_CASE("exports: a view goes to the file chosen, PNG or SVG by its ending" *
             CHECK(whole);
         }
     }
+}
+
+namespace {
+
+// What is noted, but for what is under the mouse.
+std::map<std::string, std::string> noted(const std::string& lines) {
+    std::map<std::string, std::string> all;
+    std::istringstream text(lines);
+    for (std::string line; std::getline(text, line);) {
+        const std::string name = line.substr(0, line.find('\t'));
+        const std::string value = line.substr(line.rfind('\t') + 1);
+        if (name != "pointer") all[name] = value;
+    }
+    return all;
+}
+
+// In the same frame, for both are given the same fonts.
+std::map<std::string, std::string> still_window(Program& program) {
+    const auto still = still_view(program.app);
+    still->app.ui.theme = program.app.ui.theme;
+    still->app.ui.rects = {};
+    still->app.ui.rects.file = "/dev/null/no such file";
+    for (int k = 0; k < 3; ++k) {
+        still->app.ui.rects.lines.clear();
+        program.window.frame([&] { draw_still_window(still->app); });
+    }
+    return noted(still->app.ui.rects.lines);
+}
+
+}  // namespace
+
+TEST_CASE("exports: the picture of the window shows what the window shows, tab by tab" *
+          doctest::test_suite("long")) {
+    Program program(short_patterns(9));
+    App& app = program.app;
+    app.ui.motion = false;
+    app.shown_map.show_people = true;
+    app.picking.count = 4;
+    app.play.choice = {.id = "audio/an actuator", .channel = 2};
+    app.work.selection.pinned = "p2";
+    program.compute_map();
+    program.wait_for_stages();
+    show_compare(program, CompareView::table);
+    wait_for_comparison(program);
+    show_why(program);
+    show_subset(program, SubsetView::pick);
+    wait_until(program, [&] { return app.picking.curve && !is_subset_busy(app.picking); });
+    app.candidates.by = CandidateColumn::name;
+    app.candidates.descending = true;
+    app.pattern_panes.strip.height = 222.0F;
+    for (const Arrangement arrangement : {Arrangement::design, Arrangement::select}) {
+        app.layout.arrangement = arrangement;
+        for (const BenchTab tab :
+             {BenchTab::matrix, BenchTab::candidates, BenchTab::subset, BenchTab::compare,
+              BenchTab::shepard, BenchTab::why, BenchTab::model, BenchTab::device}) {
+            CAPTURE(static_cast<int>(tab));
+            show_bench(program, tab);
+            if (tab == BenchTab::device)
+                wait_until(program, [&] { return app.rendered.shown != nullptr; });
+            program.hover({0.0F, 0.0F});
+            std::map<std::string, std::string> live;
+            for (const auto& [name, place] : program.places) {
+                if (name != "pointer") live[name] = place.value;
+            }
+            const auto still = still_window(program);
+            for (const auto& [name, value] : live) {
+                CHECK_MESSAGE(still.contains(name), name);
+                if (still.contains(name)) CHECK_MESSAGE(still.at(name) == value, name);
+            }
+            for (const auto& [name, value] : still) CHECK_MESSAGE(live.contains(name), name);
+        }
+    }
+    stop_jobs(app);
 }
 
 TEST_CASE("exports: a picture is of the program as it is, and leaves it so") {

@@ -9,7 +9,7 @@ using namespace tact;
 namespace {
 
 LiveMapRequest request_of(const PatternSet& set, bool preview) {
-    return {1, std::make_shared<const PatternSet>(set), 3, preview};
+    return {1, 1, std::make_shared<const PatternSet>(set), 3, preview};
 }
 
 }  // namespace

@@ -105,7 +105,8 @@ TEST_CASE("map: of another set nothing is shown, of an earlier state it is said 
     CHECK(program.at("title right:Perceptual space").value.starts_with("before the edit"));
     CHECK(program.at("title right:Matrix").value.starts_with("before the edit"));
     CHECK(program.shows("matrix selected"));
-    for (Vibration& one : app.work.document.set.vibrations) one.name += " of another";
+    app.work.document_number = ++app.work.documents;  // with the same names
+    app.of_document = app.work.document_number;       // and whatever a room may still hold
     program.settle();
     CHECK(shows_another_set(app.work, app.shown_map));
     CHECK_FALSE(program.shows("matrix selected"));

@@ -20,7 +20,7 @@ std::shared_ptr<const Waveform> played(const RenderedSet& made, std::size_t k) {
 std::optional<LiveMap> map_of(LiveMapWork& work, const PatternSet& set,
                               const std::optional<RenderedBy>& by) {
     std::atomic<float> progress = 0.0F;
-    LiveMapRequest request{1, std::make_shared<const PatternSet>(set), 3, false};
+    LiveMapRequest request{1, 1, std::make_shared<const PatternSet>(set), 3, false};
     request.rendered_by = by;
     return work(request, {}, progress);
 }

@@ -22,7 +22,7 @@ struct Previewed : Program {
     ~Previewed() { stop_jobs(app); }
 
     void show(bool preview) {
-        const LiveMapRequest request{app.work.revision,
+        const LiveMapRequest request{app.work.revision, app.work.document_number,
                                      std::make_shared<const PatternSet>(app.work.document.set), 3,
                                      preview};
         std::atomic<float> progress = 0.0F;

@@ -22,8 +22,12 @@ namespace {
 // A map as a run would leave it, without the run: the exact one of 1,000 patterns takes minutes.
 std::shared_ptr<const LiveMap> made_map(const App& app) {
     LiveMap map;
-    map.request = {
-        app.work.revision, std::make_shared<const PatternSet>(app.work.document.set), 3, false, {}};
+    map.request = {app.work.revision,
+                   app.work.document_number,
+                   std::make_shared<const PatternSet>(app.work.document.set),
+                   3,
+                   false,
+                   {}};
     map.played = map.request.set;
     const std::size_t n = app.work.document.set.vibrations.size();
     const std::size_t pairs = pair_count(n);
