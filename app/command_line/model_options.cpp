@@ -111,9 +111,9 @@ void add_report_command(CLI::App& app, ReportCommand& command, Chosen& chosen) {
                     "how many most distinct patterns; else 8, or half of a small set")
         ->check(within(2, 10'000));
     report.add_option(
-        "--confused-at", command.confused_at,
-        "pairs closer than this PM, or than the pair of these two names with a comma "
-        "between, count as confused; else than the weakest pair of the most distinct");
+        "--closer-than,--confused-at", command.confused_at,
+        "lists pairs closer than this PM, or than the pair of these two names with a comma "
+        "between (default: closer than the weakest pair of the most distinct)");
     report
         .add_option("--sure", command.draws,
                     "draws of what is uncertain in the model: how often the subset stays")

@@ -26,23 +26,19 @@ std::string pm_words(const Workspace& work, const ShownMap& shown_map, const Nei
     return words;
 }
 
-std::string verdict_help(const FeltSteps& steps) {
-    char text[480];
-    std::snprintf(
-        text, sizeof text,
-        "Within a felt step: no number differs by as much as people are taken to feel, "
-        "an amplitude by %.0f %%, a carrier by %.0f %% (Model, What people feel). Hard to "
-        "tell: PM of at most %.0f %% of the set's largest. Over a felt step apart: "
-        "farther. A guess: PM counts ranks in this set, and nobody has measured where "
-        "pairs are told apart.",
-        100.0 * (step_of(steps, PatternParameter::amplitude) - 1.0),
-        100.0 * (step_of(steps, PatternParameter::carrier) - 1.0), 100.0 * kHardShare);
+std::string verdict_help(const FeltSteps& steps, PairVerdict verdict) {
+    char text[320];
+    std::snprintf(text, sizeof text,
+                  "%s A felt step is what people are taken to feel: of an amplitude %.0f %%, of a "
+                  "carrier %.0f %% (Model, What people feel).",
+                  sentence_of(verdict), 100.0 * (step_of(steps, PatternParameter::amplitude) - 1.0),
+                  100.0 * (step_of(steps, PatternParameter::carrier) - 1.0));
     return text;
 }
 
 ImU32 colour_of(const Ui& ui, PairVerdict verdict) {
     if (verdict == PairVerdict::same) return ui.theme.error;
-    return verdict == PairVerdict::hard ? ui.theme.warning : ui.theme.dim_text;
+    return verdict == PairVerdict::close ? ui.theme.warning : ui.theme.dim_text;
 }
 
 constexpr const char* kPlay = "Play both";
@@ -73,8 +69,7 @@ void draw_small(const Ui& ui, ImU32 colour, const std::string& text, float right
 void draw_name(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbour& pair,
                float right) {
     const LiveMap& map = *shown_map.transition.shown;
-    const PairVerdict verdict =
-        pair_verdict(*map.request.set, map.prediction.pm, pair.own, pair.closest, largest_pm(map));
+    const PairVerdict verdict = pair_verdict(*map.request.set, pair.own, pair.closest);
     const std::string& name = map.request.set->vibrations[pair.closest].name;
     dim_text(ui, "Closest");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
@@ -91,7 +86,7 @@ void draw_name(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbo
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     draw_small(ui, colour_of(ui, verdict), words, right);
     note_item(ui.rects, "neighbour:verdict", words_of(verdict));
-    draw_tooltip(ui, verdict_help(work.document.set.felt_steps).c_str());
+    draw_tooltip(ui, verdict_help(work.document.set.felt_steps, verdict).c_str());
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ std::string counted(std::size_t count, const char* one, const char* many) {
     return grouped_digits(count) + " " + (count == 1 ? one : many);
 }
 
-std::size_t confused_patterns(const Confusion& confusion) {
+std::size_t grouped_patterns(const CloseGroups& close) {
     std::size_t count = 0;
-    for (const ConfusedGroup& group : confusion.groups) count += group.members.size();
+    for (const CloseGroup& group : close.groups) count += group.members.size();
     return count;
 }
 
@@ -31,28 +31,38 @@ std::string pair_html(const Report& report, const ConfusablePair& pair) {
 
 // One group of nearly everything says little: who reads it is to know why, and what to do.
 std::string chain_remark(const Report& report) {
-    const auto& groups = report.confusion.groups;
+    const auto& groups = report.closer.groups;
     const std::size_t all = report.set.vibrations.size();
     if (groups.empty() || 2 * groups.front().members.size() <= all || all < 8) return {};
     return "<p class=\"note\">One group holds more than half of the patterns: neighbours hang "
-           "together in a chain whose ends people do tell apart. A lower threshold, or a pair "
-           "whose likeness you know, parts it.</p>\n";
+           "together in a chain whose ends are far apart. A lower threshold, or a pair whose "
+           "likeness you know, parts it.</p>\n";
+}
+
+std::string step_words(const Report& report) {
+    const auto percent = [&](PatternParameter parameter) {
+        return significant_digits(100.0 * (step_of(report.set.felt_steps, parameter) - 1.0), 2) +
+               " %";
+    };
+    return "no number of theirs differs by as much as people are taken to feel (an amplitude by " +
+           percent(PatternParameter::amplitude) + ", a carrier by " +
+           percent(PatternParameter::carrier) + "), nor does anything else";
 }
 
 std::string threshold_sentence(const Report& report) {
-    const double at = report.confusion.thresholds.confused;
-    return "Two patterns count as confused where their " + html_escaped(report.quantity) +
-           " is below <b>" + significant_digits(at, 4) + "</b>, " +
-           html_escaped(report.confused_at) + ": " +
-           grouped_digits(report.confusion.confused_pairs) + " of " +
-           counted(report.dissimilarity.condensed.size(), "pair.", "pairs.");
+    return grouped_digits(report.closer.pairs) + " of " +
+           counted(report.dissimilarity.condensed.size(), "pair has", "pairs have") + " a " +
+           html_escaped(report.quantity) + " below <b>" +
+           significant_digits(report.closer_than.dissimilarity, 4) + "</b>, " +
+           html_escaped(report.closer_than.source) +
+           ". That orders the pairs of this set; it is no sign that people confuse them.";
 }
 
 // How the groups fall apart below the threshold: it is nobody's measurement.
 std::string ladder_sentence(const Report& report) {
-    const double at = report.confusion.thresholds.confused;
+    const double at = report.closer_than.dissimilarity;
     const auto left_at = [&](double threshold) {
-        return grouped_digits(distinct_count(confusion(report.dissimilarity, {threshold, 0.0})));
+        return grouped_digits(distinct_count(groups_below(report.dissimilarity, threshold)));
     };
     return "Were each group one, " + left_at(at) + " would be left of " +
            counted(report.set.vibrations.size(), "pattern", "patterns") +
@@ -61,15 +71,16 @@ std::string ladder_sentence(const Report& report) {
 }
 
 std::string tiles(const Report& report) {
-    const Confusion& confusion = report.confusion;
+    const CloseGroups& confused = report.confused;
     const Subset& best = report.answer.best;
     return "<div class=\"tiles\">" +
            tile(grouped_digits(report.set.vibrations.size()), "patterns") +
-           tile(grouped_digits(confused_patterns(confusion)),
-                "of them in " + counted(confusion.groups.size(), "group", "groups") +
+           tile(grouped_digits(grouped_patterns(confused)),
+                "of them in " + counted(confused.groups.size(), "group", "groups") +
                     " that people would confuse") +
-           tile(grouped_digits(report.set.vibrations.size() - confused_patterns(confusion)),
-                "clear of all others") +
+           tile(grouped_digits(report.closer.pairs),
+                "of " + counted(report.dissimilarity.condensed.size(), "pair", "pairs") +
+                    " closer than " + html_escaped(report.closer_than.words)) +
            tile(grouped_digits(best.members.size()),
                 std::string("most distinct, ") +
                     (report.answer.proof == SubsetProof::open || report.weakest_of_best
@@ -122,10 +133,12 @@ std::string value_text(const Report& report, double dissimilarity) {
     return html_escaped(report.quantity) + " " + significant_digits(dissimilarity, 4);
 }
 
-std::string confused_at_words(const SubsetAnswer& answer, std::size_t count) {
+CloserThan closer_than_picked(const SubsetAnswer& answer) {
     const bool is_proven = answer.proof != SubsetProof::open;
-    return std::string("as far apart as the weakest pair of the ") + std::to_string(count) +
-           (is_proven ? " most distinct, proven" : " most distinct that were found");
+    const std::string count = std::to_string(answer.best.members.size());
+    return {answer.best.weakest_dissimilarity, "your " + count,
+            "as far apart as the weakest pair of the " + count +
+                (is_proven ? " most distinct, proven" : " most distinct that were found")};
 }
 
 std::string proof_sentence(const Report& report) {
@@ -155,7 +168,7 @@ std::string map_section(const Report& report) {
         return html_section("map", "Map", "<p>" + html_escaped(why) + "</p>\n");
     }
     std::vector<SpaceLink> links;
-    for (const ConfusablePair& pair : report.confusion.links) links.push_back({pair.a, pair.b});
+    for (const ConfusablePair& pair : report.confused.links) links.push_back({pair.a, pair.b});
     std::string caption = "Near is alike, far is told apart. Ringed: the " +
                           counted(report.answer.best.members.size(), "pattern", "patterns") +
                           " picked.";
@@ -176,16 +189,11 @@ std::string map_section(const Report& report) {
     return html_section("map", "Map", html_of(map));
 }
 
-std::string groups_section(const Report& report) {
-    std::string html =
-        "<p>" + threshold_sentence(report) + " " + ladder_sentence(report) + "</p>\n";
-    if (report.confusion.groups.empty()) {
-        return html_section("groups", "Groups that people would confuse",
-                            html + "<p>None: all patterns are clear of each other.</p>\n");
-    }
-    html += chain_remark(report);
+namespace {
+
+std::string groups_table(const Report& report, const CloseGroups& close) {
     HtmlTable table{{{"patterns"}, {"closest pair"}, {"farthest pair"}}, {}, "groups"};
-    for (const ConfusedGroup& group : report.confusion.groups) {
+    for (const CloseGroup& group : close.groups) {
         std::string members;
         for (const std::size_t place : group.members) {
             members += (members.empty() ? "" : " ") + name_html(report, place);
@@ -194,10 +202,32 @@ std::string groups_section(const Report& report) {
                               pair_html(report, group.closest),
                               group.members.size() > 2 ? pair_html(report, group.farthest) : ""});
     }
-    html += html_of(table) +
+    return html_of(table);
+}
+
+}  // namespace
+
+std::string groups_section(const Report& report) {
+    constexpr const char* kTitle = "Groups that people would confuse";
+    std::string html = "<p>People would confuse two patterns where " + step_words(report) + ".";
+    if (report.confused.groups.empty()) {
+        return html_section("groups", kTitle, html + " There are no two such patterns.</p>\n");
+    }
+    html += "</p>\n" + groups_table(report, report.confused) +
+            "<p class=\"dim\">Each member is within a felt step of some other, not of all. Ringed "
+            "names are picked.</p>\n";
+    return html_section("groups", kTitle, html);
+}
+
+std::string closer_section(const Report& report) {
+    const std::string title = "Closer than " + html_escaped(report.closer_than.words);
+    std::string html = "<p>" + threshold_sentence(report) + "</p>\n";
+    if (report.closer.groups.empty()) return html_section("closer", title, html);
+    html += "<p>" + ladder_sentence(report) + "</p>\n" + chain_remark(report) +
+            groups_table(report, report.closer) +
             "<p class=\"dim\">Single linkage: each member is below the threshold from some other, "
             "not from all. Ringed names are picked.</p>\n";
-    return html_section("groups", "Groups that people would confuse", html);
+    return html_section("closer", title, html);
 }
 
 std::string subset_section(const Report& report) {
@@ -238,13 +268,13 @@ std::string report_page(const Report& report) {
     const bool is_predicted = report.quantity == "PM";
     HtmlPage page;
     page.title = name;
-    page.lead = "Which of these vibrations people would confuse, and which to take instead: " +
+    page.lead = "How these vibrations differ, and which to take: " +
                 (is_predicted ? std::string("predicted from the physiology of touch")
                               : "by " + html_escaped(report.quantity)) +
                 (report.by ? ", " + html_escaped(words_on(*report.by)) : "") + ".";
     page.body = labels_html(report) + tiles(report) + map_section(report) + groups_section(report) +
-                subset_section(report) + patterns_section(report) + matrix_section(report) +
-                assumed_section(report);
+                closer_section(report) + subset_section(report) + patterns_section(report) +
+                matrix_section(report) + assumed_section(report);
     page.foot =
         "<p>Made by " + html_escaped(report.program) +
         (report.date.empty() ? "" : ", " + html_escaped(report.date)) +

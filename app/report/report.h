@@ -17,13 +17,20 @@
 #include "model/map/mds.h"
 #include "model/set/measured_twin.h"
 #include "model/set/pattern_set.h"
-#include "model/subset/confusion.h"
+#include "model/subset/close_groups.h"
 #include "model/subset/subset.h"
 #include "model/subset/subset_stability.h"
 
 namespace tact {
 
 inline constexpr std::size_t kMostMatrixRows = 300;
+
+// What pairs of a set are held against, and where that is from.
+struct CloserThan {
+    double dissimilarity = 0.0;
+    std::string words;   // "your 8", "Click and Tick"
+    std::string source;  // "as far apart as the weakest pair of the 8 most distinct, proven"
+};
 
 struct Report {
     const PatternSet& set;               // as it is meant
@@ -35,20 +42,20 @@ struct Report {
     std::optional<double> weakest_of_best{};  // where `answer.best` is an alternative to it
     const PerceptualSpace& space;             // of the whole set ...
     std::string space_of = "PM";              // ... by this
-    Confusion confusion;
-    std::string confused_at{};             // where its threshold is from: "the weakest pair of .."
-    const Stability* stability = nullptr;  // how sure: if it was asked
-    std::optional<RenderedBy> by{};        // the device
-    std::string program{};                 // "tactspace 0.1.0"
-    std::string date{};                    // of the page
-    std::vector<std::string> labels{};     // further sentences that every number is to be read with
+    CloseGroups confused;                     // within a felt step: what people would confuse
+    CloseGroups closer{};                     // than a pair that was chosen: no sign of a confusion
+    CloserThan closer_than{};                 // which
+    const Stability* stability = nullptr;     // how sure: if it was asked
+    std::optional<RenderedBy> by{};           // the device
+    std::string program{};                    // "tactspace 0.1.0"
+    std::string date{};                       // of the page
+    std::vector<std::string> labels{};  // further sentences that every number is to be read with
 };
 
 std::string report_page(const Report& report);
 
-// What the threshold is from by default: the weakest pair of the `count` most distinct patterns,
-// which are proven or not.
-std::string confused_at_words(const SubsetAnswer& answer, std::size_t count);
+// By default: than the weakest pair of the most distinct patterns, which are proven or not.
+CloserThan closer_than_picked(const SubsetAnswer& answer);
 
 // "Proven optimal: ..": what is known of the subset, as a sentence.
 std::string proof_sentence(const Report& report);

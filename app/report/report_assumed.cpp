@@ -95,10 +95,14 @@ std::string scale_words(const Report& report) {
 }
 
 std::string thresholds_words(const Report& report) {
-    const ConfusionThresholds& at = report.confusion.thresholds;
-    return "Confused: below " + significant_digits(at.confused, 4) + ", " +
-           html_escaped(report.confused_at) + ". Same: below " + significant_digits(at.same, 4) +
-           ", half of that, a choice of this program. Neither is measured.";
+    return "Verdicts are of felt steps alone: what is within a step was measured in parts "
+           "(amplitude, "
+           "frequency, rhythm), what is clear is a choice of this program, " +
+           significant_digits(kClearSteps, 2) + " steps. Closer than " +
+           html_escaped(report.closer_than.words) + ": below " +
+           significant_digits(report.closer_than.dissimilarity, 4) + ", " +
+           html_escaped(report.closer_than.source) + ". Nobody has measured at which " +
+           html_escaped(report.quantity) + " two are confused.";
 }
 
 std::string model_words(const Report& report) {

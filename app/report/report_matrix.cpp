@@ -17,11 +17,11 @@ namespace {
 constexpr int kShades = 24;
 constexpr std::size_t kMostWrittenRows = 16;  // values have room in the cells
 
-// Groups first, the largest at the corner: what people would confuse stands in blocks.
+// Groups first, the largest at the corner: what hangs together stands in blocks.
 std::vector<std::size_t> by_groups(const Report& report) {
     std::vector<std::size_t> order;
     std::vector<bool> placed(report.dissimilarity.size, false);
-    for (const ConfusedGroup& group : report.confusion.groups) {
+    for (const CloseGroup& group : report.closer.groups) {
         for (const std::size_t place : group.members) {
             order.push_back(place);
             placed[place] = true;
@@ -49,9 +49,9 @@ std::string cell_html(const Report& report, std::size_t i, std::size_t j, double
     if (!std::isfinite(value)) return "<td title=\"" + pair + ": none\">";
     const double share = most > 0.0 ? value / most : 0.0;
     const int shade = std::clamp(static_cast<int>(share * kShades), 0, kShades - 1);
-    const bool is_confused = value < report.confusion.thresholds.confused;
+    const bool is_closer = value < report.closer_than.dissimilarity;
     const std::string text = significant_digits(value, 4);
-    return "<td class=\"c" + std::to_string(shade) + (is_confused ? " x" : "") + "\" title=\"" +
+    return "<td class=\"c" + std::to_string(shade) + (is_closer ? " x" : "") + "\" title=\"" +
            pair + ": " + text + "\">" +
            (report.dissimilarity.size <= kMostWrittenRows ? significant_digits(value, 3) : "");
 }
@@ -86,9 +86,8 @@ std::string matrix_section(const Report& report) {
     const std::vector<std::size_t> order = by_groups(report);
     // Ends of cells and rows go without saying in HTML: a fifth of the page.
     std::string html =
-        "<p>Groups first. A dot: people would confuse the two. Each cell "
-        "says its pair and value where the pointer rests.</p>\n" +
-        legend(most) +
+        "<p>Groups first. A dot: closer than " + html_escaped(report.closer_than.words) +
+        ". Each cell says its pair and value where the pointer rests.</p>\n" + legend(most) +
         "<div class=\"frame\"><table class=\"matrix\" style=\"--n:" + std::to_string(n) +
         "\">\n<thead><tr><th></th>";
     for (const std::size_t k : order) {

@@ -19,6 +19,7 @@ std::string tile(const std::string& number, const std::string& words);
 
 std::string map_section(const Report& report);
 std::string groups_section(const Report& report);
+std::string closer_section(const Report& report);
 std::string subset_section(const Report& report);
 std::string patterns_section(const Report& report);  // report_patterns.cpp
 std::string matrix_section(const Report& report);    // report_matrix.cpp

@@ -77,18 +77,23 @@ std::string parameters_html(const Vibration& vibration) {
     return html;
 }
 
-std::string verdict_html(ConfusionVerdict verdict) {
-    constexpr const char* kClasses[] = {"same", "hard", "clear"};  // classes of the page's styles
-    const auto which = static_cast<std::size_t>(verdict);
-    return std::string("<span class=\"verdict ") + kClasses[which] + "\">" +
-           kConfusionVerdicts[which] + "</span>";
+std::string verdict_html(PairVerdict verdict) {
+    // Classes of the page's styles.
+    constexpr const char* kClasses[] = {"same", "hard", "clear", "shape"};
+    return std::string("<span class=\"verdict ") + kClasses[static_cast<std::size_t>(verdict)] +
+           "\">" + words_of(verdict) + "</span>";
 }
 
 std::string nearest_html(const Report& report, std::size_t place) {
-    const NearestNeighbour& nearest = report.confusion.nearest[place];
+    const NearestNeighbour& nearest = report.closer.nearest[place];
     if (nearest.place == place) return "";
     return name_html(report, nearest.place) + " <span class=\"value\">" +
            value_text(report, nearest.dissimilarity) + "</span>";
+}
+
+std::string nearest_verdict(const Report& report, std::size_t place) {
+    const std::size_t nearest = report.closer.nearest[place].place;
+    return nearest == place ? "" : verdict_html(pair_verdict(report.set, place, nearest));
 }
 
 // Where it is from; how it was read is said once for all (report_assumed.cpp).
@@ -97,19 +102,16 @@ std::string note_html(const Vibration& vibration) {
     return first.empty() ? "" : "<div class=\"origin\">" + html_escaped(first) + "</div>";
 }
 
-std::string about_the_table(const Report& report, const ShownWaves& shown) {
-    const ConfusionThresholds& at = report.confusion.thresholds;
-    const std::string quantity = html_escaped(report.quantity);
+std::string about_the_table(const ShownWaves& shown) {
     const bool has_light = std::ranges::any_of(shown.thumbnails, &WaveThumbnail::is_light);
-    std::string html =
-        "<p>" + verdict_html(ConfusionVerdict::same) + " nearest neighbour below " + quantity +
-        " " + significant_digits(at.same, 4) + ", " + verdict_html(ConfusionVerdict::hard_to_tell) +
-        " below " + significant_digits(at.confused, 4) + ", " +
-        verdict_html(ConfusionVerdict::clear) + " from there on.</p>\n" +
-        "<p class=\"dim\">Waveforms: up to " + significant_digits(shown.reach_g, 3) + " g and " +
-        significant_digits(shown.end_s, 3) + " s." +
-        (has_light ? " Lighter with an outline: modulated faster than can be drawn." : "") +
-        "<span class=\"screen\"> ";
+    std::string html = "<p>The verdict is on a pattern and its nearest neighbour.";
+    for (const PairVerdict verdict : kPairVerdicts) {
+        html += " " + verdict_html(verdict) + ": " + html_escaped(sentence_of(verdict));
+    }
+    html += "</p>\n<p class=\"dim\">Waveforms: up to " + significant_digits(shown.reach_g, 3) +
+            " g and " + significant_digits(shown.end_s, 3) + " s." +
+            (has_light ? " Lighter with an outline: modulated faster than can be drawn." : "") +
+            "<span class=\"screen\"> ";
     if (!shown.played) {
         return html + "Players are left out: they would make the page too large.</span></p>\n";
     }
@@ -139,10 +141,9 @@ std::string patterns_section(const Report& report) {
         table.rows.push_back({std::to_string(k + 1),
                               name_html(report, k) + "<div class=\"numbers\">" +
                                   parameters_html(vibration) + "</div>" + note_html(vibration),
-                              wave, nearest_html(report, k),
-                              verdict_html(report.confusion.nearest[k].verdict)});
+                              wave, nearest_html(report, k), nearest_verdict(report, k)});
     }
-    return html_section("patterns", "Patterns", about_the_table(report, shown) + html_of(table));
+    return html_section("patterns", "Patterns", about_the_table(shown) + html_of(table));
 }
 
 }  // namespace tact

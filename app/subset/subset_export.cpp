@@ -28,18 +28,17 @@ namespace fs = std::filesystem;
 
 constexpr std::array kFiles{"subset.tactspace.json", "report.html", "map.png", "map.svg"};
 
-// Of what people would confuse: a pair that they took for a measure, else the subset's weakest one.
-std::pair<double, std::string> confused_below(const Pick& pick, const SubsetState& picking) {
+// A pair that they took for a measure, else the subset's weakest one.
+CloserThan closer_than(const Pick& pick, const SubsetState& picking) {
     const PatternSet& set = *pick.request.map->request.set;
     const auto a = place_named(set, picking.reference_a);
     const auto b = place_named(set, picking.reference_b);
-    if (picking.too_close == TooClose::reference && a && b && *a != *b) {
-        return {(*pick.dissimilarity)(*a, *b), "as far apart as " + picking.reference_a + " and " +
-                                                   picking.reference_b +
-                                                   ", the reference pair that was taken"};
+    if (picking.too_close != TooClose::reference || !a || !b || *a == *b) {
+        return closer_than_picked(pick.answer);
     }
-    return {pick.answer.best.weakest_dissimilarity,
-            confused_at_words(pick.answer, pick.answer.best.members.size())};
+    const std::string names = picking.reference_a + " and " + picking.reference_b;
+    return {(*pick.dissimilarity)(*a, *b), names,
+            "as far apart as " + names + ", the reference pair that was taken"};
 }
 
 }  // namespace
@@ -103,7 +102,7 @@ namespace {
 Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picking) {
     const LiveMap& map = *pick.request.map;
     const bool by_ratings = pick.request.by_ratings;
-    const auto [threshold, confused_at] = confused_below(pick, picking);
+    const CloserThan than = closer_than(pick, picking);
     const PatternSet& set = *map.request.set;
     const char* rating = has_synthetic(set.ratings) ? "Synthetic rating" : "Rating";
     const Labels labels{.by = by_ratings ? std::nullopt : map.request.rendered_by,
@@ -116,8 +115,9 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
                   .objective = pick.request.problem.objective,
                   .answer = pick.answer,
                   .space = map.space,
-                  .confusion = confusion(*pick.dissimilarity, {threshold, kSameShare * threshold}),
-                  .confused_at = confused_at,
+                  .confused = groups_within_a_step(set, *pick.dissimilarity),
+                  .closer = groups_below(*pick.dissimilarity, than.dissimilarity),
+                  .closer_than = than,
                   .by = labels.by,
                   .program = kProgramVersion,
                   .date = utc_today(),

@@ -81,23 +81,43 @@ double steps_between(const FeltSteps& steps, PatternParameter parameter, double 
     return portable::log(high / low) / portable::log(step_of(steps, parameter));
 }
 
-bool within_a_step(const FeltSteps& steps, const Pattern& a, const Pattern& b) {
+FeltDifference felt_difference(const FeltSteps& steps, const Pattern& a, const Pattern& b) {
+    FeltDifference difference;
     Pattern plain_a = a;
     Pattern plain_b = b;
     for (const PatternParameter parameter : kPatternParameters) {
         const auto of_a = value_of(a, parameter);
         const auto of_b = value_of(b, parameter);
-        if (of_a.has_value() != of_b.has_value()) return false;
-        if (!of_a) continue;
-        if (steps_between(steps, parameter, *of_a, *of_b) >= 1.0) return false;
+        if (of_a.has_value() != of_b.has_value()) difference.same_shape = false;
+        if (!of_a || !of_b) continue;
+        difference.steps =
+            std::max(difference.steps, steps_between(steps, parameter, *of_a, *of_b));
         plain_a = with_value(plain_a, parameter, *of_a);
         plain_b = with_value(plain_b, parameter, *of_a);
     }
     const double longer_s = std::max(a.duration_s, b.duration_s);
     const double shorter_s = std::min(a.duration_s, b.duration_s);
-    if (longer_s >= shorter_s * step_of(steps, PatternParameter::rhythm_unit)) return false;
+    const double unit = step_of(steps, PatternParameter::rhythm_unit);
+    const double longer = portable::log(longer_s / shorter_s) / portable::log(unit);
+    // Where a ratio of one step is meant, it is one step to the bit.
+    const bool is_a_step = longer_s >= shorter_s * unit;
+    difference.steps = std::max(difference.steps,
+                                is_a_step ? std::max(longer, 1.0) : std::min(longer, 1.0 - 1e-12));
     plain_b.duration_s = a.duration_s;
-    return essence(plain_a) == essence(plain_b);
+    difference.same_shape = difference.same_shape && essence(plain_a) == essence(plain_b);
+    return difference;
+}
+
+bool within_a_step(const FeltSteps& steps, const Pattern& a, const Pattern& b) {
+    // Most pairs are told by one number: no essence is made of them.
+    for (const PatternParameter parameter : kPatternParameters) {
+        const auto of_a = value_of(a, parameter);
+        const auto of_b = value_of(b, parameter);
+        if (of_a.has_value() != of_b.has_value()) return false;
+        if (of_a && steps_between(steps, parameter, *of_a, *of_b) >= 1.0) return false;
+    }
+    const FeltDifference difference = felt_difference(steps, a, b);
+    return difference.same_shape && difference.steps < 1.0;
 }
 
 }  // namespace tact

@@ -47,6 +47,13 @@ double stepped(const FeltSteps& steps, PatternParameter parameter, double value,
 // How many steps two values are apart, at least 0; not whole.
 double steps_between(const FeltSteps& steps, PatternParameter parameter, double a, double b);
 
+// How far two patterns are apart in such steps.
+struct FeltDifference {
+    double steps = 0.0;      // the most that any number differs by, and how long they are
+    bool same_shape = true;  // nothing else that is felt differs: rhythm, kinds, curves, transients
+};
+FeltDifference felt_difference(const FeltSteps& steps, const Pattern& a, const Pattern& b);
+
 // Whether two patterns differ by less than a step in every number, and in nothing else that is
 // felt. So as long as one another, to a step of a rhythm's unit.
 bool within_a_step(const FeltSteps& steps, const Pattern& a, const Pattern& b);

@@ -63,20 +63,41 @@ std::vector<ConfusablePair> pairs_within_a_step(const PatternSet& set,
     return pairs;
 }
 
-PairVerdict pair_verdict(const PatternSet& set, const Dissimilarity& pm, std::size_t a,
-                         std::size_t b, double largest_pm) {
+PairVerdict pair_verdict(const PatternSet& set, std::size_t a, std::size_t b) {
     if (within_a_step(set, a, b)) return PairVerdict::same;
-    return pm(a, b) <= kHardShare * largest_pm ? PairVerdict::hard : PairVerdict::clear;
+    const auto* one = std::get_if<Pattern>(&set.vibrations[a].source);
+    const auto* other = std::get_if<Pattern>(&set.vibrations[b].source);
+    if (one == nullptr || other == nullptr) return PairVerdict::shape;
+    const FeltDifference difference = felt_difference(set.felt_steps, *one, *other);
+    if (difference.steps >= kClearSteps) return PairVerdict::clear;
+    return difference.same_shape ? PairVerdict::close : PairVerdict::shape;
 }
 
 const char* words_of(PairVerdict verdict) {
     switch (verdict) {
         case PairVerdict::same:
-            return "within a felt step";
-        case PairVerdict::hard:
-            return "hard to tell";
+            return "same";
+        case PairVerdict::close:
+            return "may be confused";
         case PairVerdict::clear:
-            return "over a felt step apart";
+            return "clear";
+        case PairVerdict::shape:
+            return "differ in shape";
+    }
+    return "";
+}
+
+const char* sentence_of(PairVerdict verdict) {
+    switch (verdict) {
+        case PairVerdict::same:
+            return "No number differs by a felt step, nor does anything else.";
+        case PairVerdict::close:
+            return "No number differs by two felt steps, nor does anything else.";
+        case PairVerdict::clear:
+            return "A number differs by two felt steps or more.";
+        case PairVerdict::shape:
+            return "They differ in what felt steps do not measure: rhythm, curves, transients, or "
+                   "one is a recording.";
     }
     return "";
 }

@@ -35,16 +35,20 @@ std::vector<ConfusablePair> pairs_within_a_step(const PatternSet& set,
                                                 const Dissimilarity& dissimilarity);
 bool within_a_step(const PatternSet& set, std::size_t a, std::size_t b);
 
-// Whether two patterns are felt as two, in a word. By felt steps and by PM: a guess, as nobody has
-// measured at which rank pairs are told apart.
+// Whether two patterns are felt as two, in a word: the one scale of the window, the terminal, pages
+// and files. It is of felt steps alone, as nobody has measured at which PM pairs are told apart.
 enum class PairVerdict {
-    same,  // within a felt step
-    hard,  // PM of at most kHardShare of the set's largest
-    clear
+    same,   // no number differs by a felt step, nor anything else: people would confuse the two
+    close,  // none by kClearSteps
+    clear,
+    shape  // they differ in what no step measures: rhythm, curves, transients; or one is a
+           // recording
 };
-inline constexpr double kHardShare = 0.1;
-PairVerdict pair_verdict(const PatternSet& set, const Dissimilarity& pm, std::size_t a,
-                         std::size_t b, double largest_pm);
-const char* words_of(PairVerdict verdict);  // "hard to tell"
+inline constexpr PairVerdict kPairVerdicts[] = {PairVerdict::same, PairVerdict::close,
+                                                PairVerdict::clear, PairVerdict::shape};
+inline constexpr double kClearSteps = 2.0;  // [ours]
+PairVerdict pair_verdict(const PatternSet& set, std::size_t a, std::size_t b);
+const char* words_of(PairVerdict verdict);     // "may be confused"
+const char* sentence_of(PairVerdict verdict);  // "No number differs by two felt steps."
 
 }  // namespace tact

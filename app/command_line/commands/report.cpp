@@ -23,8 +23,9 @@ namespace {
 struct ReportAnswer {
     Dissimilarity pm;
     SubsetAnswer subset;
-    Confusion confused;
-    std::string confused_at;
+    CloseGroups confused;  // within a felt step
+    CloseGroups closer;
+    CloserThan closer_than;
     PerceptualSpace space;
     std::optional<Stability> stability;
 };
@@ -51,23 +52,20 @@ Expected<SubsetAnswer> picked_for_report(const ReportCommand& command, const Pat
     return most_distinct_subset(pm, problem, options);
 }
 
-// What counts as confused: a number, a pair of names, or as far apart as the subset's weakest pair.
-Expected<double> threshold_of(const ReportCommand& command, const PatternSet& set,
-                              ReportAnswer& answer) {
-    if (command.confused_at.empty()) {
-        answer.confused_at = confused_at_words(answer.subset, answer.subset.best.members.size());
-        return answer.subset.best.weakest_dissimilarity;
-    }
+// What pairs are held against: a number, a pair of names, or the subset's weakest pair.
+Expected<CloserThan> closer_than(const ReportCommand& command, const PatternSet& set,
+                                 const ReportAnswer& answer) {
+    if (command.confused_at.empty()) return closer_than_picked(answer.subset);
     if (const auto number = finite_number_in(command.confused_at)) {
-        if (*number < 0.0) return Error{"--confused-at: expected a PM of 0 or more"};
-        answer.confused_at = "a value that was given";
-        return *number;
+        if (*number < 0.0) return Error{"--closer-than: expected a PM of 0 or more"};
+        return CloserThan{*number, "PM " + significant_digits(*number, 4),
+                          "a value that was given"};
     }
-    const auto pair = pair_of(set, "--confused-at", command.confused_at);
+    const auto pair = pair_of(set, "--closer-than", command.confused_at);
     if (!pair) return pair.error();
-    answer.confused_at = "as far apart as " + set.vibrations[pair->a].name + " and " +
-                         set.vibrations[pair->b].name + ", a pair that was given";
-    return answer.pm(pair->a, pair->b);
+    const std::string names = set.vibrations[pair->a].name + " and " + set.vibrations[pair->b].name;
+    return CloserThan{answer.pm(pair->a, pair->b), names,
+                      "as far apart as " + names + ", a pair that was given"};
 }
 
 Expected<Done> look_at_likeness(const ReportCommand& command, const FeltSet& sets,
@@ -103,54 +101,70 @@ Expected<ReportAnswer> answer_of(const ReportCommand& command, const FeltSet& se
     auto subset = picked_for_report(command, sets.meant, answer.pm, stop);
     if (!subset) return subset.error();
     answer.subset = *std::move(subset);
-    const Expected<double> threshold = threshold_of(command, sets.meant, answer);
-    if (!threshold) return threshold.error();
-    answer.confused = confusion(answer.pm, {*threshold, kSameShare * *threshold});
+    Expected<CloserThan> than = closer_than(command, sets.meant, answer);
+    if (!than) return than.error();
+    answer.closer_than = *std::move(than);
+    answer.closer = groups_below(answer.pm, answer.closer_than.dissimilarity);
+    answer.confused = groups_within_a_step(sets.meant, answer.pm);
     if (const auto looked = look_at_likeness(command, sets, stop, answer); !looked) {
         return looked.error();
     }
     return answer;
 }
 
-nlohmann::json json_of(const ReportAnswer& answer, const std::vector<std::string>& names) {
-    const Confusion& confused = answer.confused;
-    nlohmann::json json{{"confused_below", confused.thresholds.confused},
-                        {"confused_at", answer.confused_at},
-                        {"same_below", confused.thresholds.same},
-                        {"confused_pairs", confused.confused_pairs},
-                        {"groups", nlohmann::json::array()},
-                        {"distinct", distinct_count(confused)},
-                        {"optimal", answer.subset.proof == SubsetProof::optimal},
-                        {"bound", answer.subset.bound}};
-    for (const ConfusedGroup& group : confused.groups) {
+nlohmann::json json_of(const CloseGroups& close, const std::vector<std::string>& names) {
+    nlohmann::json groups = nlohmann::json::array();
+    for (const CloseGroup& group : close.groups) {
         nlohmann::json members = nlohmann::json::array();
         for (const std::size_t place : group.members) members.push_back(names[place]);
-        json["groups"].push_back(members);
+        groups.push_back(members);
     }
+    return groups;
+}
+
+// "groups", "distinct" and verdicts are of felt steps; what begins with "closer" is of a pair.
+nlohmann::json json_of(const ReportAnswer& answer, const PatternSet& set,
+                       const std::vector<std::string>& names) {
+    nlohmann::json json{{"groups", json_of(answer.confused, names)},
+                        {"confused_pairs", answer.confused.pairs},
+                        {"distinct", distinct_count(answer.confused)},
+                        {"closer_below", answer.closer_than.dissimilarity},
+                        {"closer_than", answer.closer_than.words},
+                        {"closer_source", answer.closer_than.source},
+                        {"closer_pairs", answer.closer.pairs},
+                        {"closer_groups", json_of(answer.closer, names)},
+                        {"optimal", answer.subset.proof == SubsetProof::optimal},
+                        {"bound", answer.subset.bound}};
     for (const std::size_t place : answer.subset.best.members) {
         json["picked"].push_back(names[place]);
     }
     for (std::size_t k = 0; k < names.size(); ++k) {
-        const NearestNeighbour& nearest = confused.nearest[k];
-        json["nearest"][names[k]] = {
-            {"pattern", names[nearest.place]},
-            {"dissimilarity", nearest.dissimilarity},
-            {"verdict", kConfusionVerdicts[static_cast<std::size_t>(nearest.verdict)]}};
+        const NearestNeighbour& nearest = answer.closer.nearest[k];
+        json["nearest"][names[k]] = {{"pattern", names[nearest.place]},
+                                     {"dissimilarity", nearest.dissimilarity},
+                                     {"verdict", nullptr}};
+        if (nearest.place == k) continue;  // it was compared with none
+        json["nearest"][names[k]]["verdict"] = words_of(pair_verdict(set, k, nearest.place));
     }
     return json;
 }
 
-std::string text_of(const ReportAnswer& answer, const std::vector<std::string>& names) {
-    const Confusion& confused = answer.confused;
-    std::string text = "confused below PM " + significant_digits(confused.thresholds.confused, 6) +
-                       ", " + answer.confused_at + ": " + grouped_digits(confused.confused_pairs) +
-                       " of " + grouped_digits(answer.pm.condensed.size()) + " pairs\n";
-    for (const ConfusedGroup& group : confused.groups) {
+std::string text_of(const CloseGroups& close, const std::vector<std::string>& names) {
+    std::string text;
+    for (const CloseGroup& group : close.groups) {
         text += "\n";
         for (const std::size_t place : group.members) text += names[place] + "\n";
     }
-    if (confused.groups.empty()) text += "no groups: all patterns are clear of each other\n";
     return text;
+}
+
+std::string text_of(const ReportAnswer& answer, const std::vector<std::string>& names) {
+    const std::string pairs = " of " + grouped_digits(answer.pm.condensed.size()) + " pairs";
+    const CloserThan& than = answer.closer_than;
+    return "people would confuse, within a felt step: " + grouped_digits(answer.confused.pairs) +
+           pairs + "\n" + text_of(answer.confused, names) + "\ncloser than " + than.words +
+           ", below PM " + significant_digits(than.dissimilarity, 6) + ", " + than.source + ": " +
+           grouped_digits(answer.closer.pairs) + pairs + "\n" + text_of(answer.closer, names);
 }
 
 }  // namespace
@@ -169,8 +183,9 @@ Expected<Done> run(const ReportCommand& command) {
                   .dissimilarity = answer->pm,
                   .answer = answer->subset,
                   .space = answer->space,
-                  .confusion = answer->confused,
-                  .confused_at = answer->confused_at,
+                  .confused = answer->confused,
+                  .closer = answer->closer,
+                  .closer_than = answer->closer_than,
                   .by = sets->labels.by,
                   .program = kProgramVersion,
                   .date = utc_today()};
@@ -183,7 +198,7 @@ Expected<Done> run(const ReportCommand& command) {
     const std::vector<std::string> names = names_of(sets->meant);
     return write_result({}, [&](std::ostream& stream) {
         if (command.common.json) {
-            nlohmann::json json = json_of(*answer, names);
+            nlohmann::json json = json_of(*answer, sets->meant, names);
             add_labels(json, sets->labels);
             stream << json.dump() << "\n";
         } else {

@@ -281,22 +281,22 @@ Expected<Done> write_report_of(const SubsetCommand& command, const Source& sourc
                                  : !command.ratings.empty()
                                      ? "Rating"
                                      : traits(*metric_named(command.metric)).name;
-    const double threshold = result.answer.best.weakest_dissimilarity;
-    Report report{
-        .set = source.set,
-        .felt = source.felt,
-        .dissimilarity = source.dissimilarity,
-        .quantity = source.synthetic_ratings ? "Synthetic rating" : quantity,
-        .objective = result.objective,
-        .answer = result.answer,
-        .space = space,
-        .space_of = quantity,
-        .confusion = confusion(source.dissimilarity, {threshold, kSameShare * threshold}),
-        .confused_at = confused_at_words(result.answer, result.answer.best.members.size()),
-        .by = source.labels.by,
-        .program = kProgramVersion,
-        .date = utc_today(),
-        .labels = lines_of(source.labels)};
+    const CloserThan than = closer_than_picked(result.answer);
+    Report report{.set = source.set,
+                  .felt = source.felt,
+                  .dissimilarity = source.dissimilarity,
+                  .quantity = source.synthetic_ratings ? "Synthetic rating" : quantity,
+                  .objective = result.objective,
+                  .answer = result.answer,
+                  .space = space,
+                  .space_of = quantity,
+                  .confused = groups_within_a_step(source.set, source.dissimilarity),
+                  .closer = groups_below(source.dissimilarity, than.dissimilarity),
+                  .closer_than = than,
+                  .by = source.labels.by,
+                  .program = kProgramVersion,
+                  .date = utc_today(),
+                  .labels = lines_of(source.labels)};
     if (result.stability) report.stability = &*result.stability;
     return write_subset(command.report, report);
 }

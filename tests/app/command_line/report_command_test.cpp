@@ -6,7 +6,7 @@
 
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
-#include "model/subset/confusion.h"
+#include "model/subset/close_groups.h"
 #include "model/subset/subset.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
@@ -51,23 +51,26 @@ Json names_of(const tact::PatternSet& set, const std::vector<std::size_t>& place
 
 }  // namespace
 
-TEST_CASE(
-    "report command: groups and verdicts are the model's, at the weakest pair of the picked") {
+TEST_CASE("report command: groups and verdicts are of felt steps, others closer than the picked") {
     const ShortSet short_set;
     const Json json = short_set.reported({});
     // Half of five, and the locked one is among them.
     const auto answer = *tact::most_distinct_subset(short_set.pm, {.count = 3, .keep = {4}});
     const double threshold = answer.best.weakest_dissimilarity;
     CHECK(json.at("picked") == names_of(short_set.set, answer.best.members));
-    CHECK(json.at("confused_below") == threshold);
-    CHECK(json.at("same_below") == 0.5 * threshold);
-    const tact::Confusion expected = tact::confusion(short_set.pm, {threshold, 0.5 * threshold});
-    REQUIRE_FALSE(expected.groups.empty());
-    REQUIRE(json.at("groups").size() == expected.groups.size());
-    for (std::size_t k = 0; k < expected.groups.size(); ++k) {
-        CHECK(json.at("groups")[k] == names_of(short_set.set, expected.groups[k].members));
+    CHECK(json.at("closer_below") == threshold);
+    CHECK(json.at("closer_than") == "your 3");
+    const tact::CloseGroups closer = tact::groups_below(short_set.pm, threshold);
+    REQUIRE_FALSE(closer.groups.empty());
+    REQUIRE(json.at("closer_groups").size() == closer.groups.size());
+    for (std::size_t k = 0; k < closer.groups.size(); ++k) {
+        CHECK(json.at("closer_groups")[k] == names_of(short_set.set, closer.groups[k].members));
     }
-    CHECK(json.at("distinct") == tact::distinct_count(expected));
+    // Of 150 and 155 Hz nobody feels the difference; all others are two steps apart and more.
+    CHECK(json.at("groups") == Json::parse(R"([["a,1", "b"]])"));
+    CHECK(json.at("distinct") == 4);
+    CHECK(json.at("nearest").at("a,1").at("verdict") == "same");
+    CHECK(json.at("nearest").at("e").at("verdict") == "clear");
     CHECK(json.at("nearest").at("a,1").at("pattern") == "b");
     const std::string page = bytes_of(short_set.page);
     CHECK(contains(page, "&lt;c&gt;"));
@@ -75,23 +78,25 @@ TEST_CASE(
     CHECK(contains(page, "the weakest pair of the 3 most distinct, proven"));
 }
 
-TEST_CASE("report command: a value or a pair that is known decides what is confused, and is said") {
+TEST_CASE(
+    "report command: a value or a pair that is known decides what is listed as closer, and is "
+    "said") {
     const ShortSet short_set;
-    CHECK(short_set.reported({"--confused-at", "2.5"}).at("confused_below") == 2.5);
+    CHECK(short_set.reported({"--confused-at", "2.5"}).at("closer_below") == 2.5);
     CHECK(contains(bytes_of(short_set.page), "below <b>2.5</b>, a value that was given"));
     const Json json = short_set.reported({"--confused-at", "a,1,d", "-k", "2"});
-    CHECK(json.at("confused_below") == short_set.pm(0, 3));
+    CHECK(json.at("closer_below") == short_set.pm(0, 3));
     CHECK(json.at("picked").size() == 2);
     CHECK(contains(bytes_of(short_set.page), "as far apart as a,1 and d, a pair that was given"));
     const std::string text = output_of(short_set.words({"--confused-at", "0"}));
-    CHECK(contains(text, "no groups: all patterns are clear of each other"));
+    CHECK(contains(text, "closer than PM 0, below PM 0, a value that was given: 0 of 10 pairs"));
 }
 
 TEST_CASE("report command: what plays the patterns goes with the page and the answer") {
     const ShortSet short_set;
     const Json json = short_set.reported({"--rendered-by", "dualshock-4", "--sure", "2"});
     CHECK(json.at("rendered_by") == "dualshock-4");
-    CHECK(json.at("confused_below") != short_set.reported({}).at("confused_below"));
+    CHECK(json.at("closer_below") != short_set.reported({}).at("closer_below"));
     output_of(short_set.words({"--rendered-by", "dualshock-4", "--sure", "2"}));
     const std::string page = bytes_of(short_set.page);
     CHECK(
@@ -104,9 +109,9 @@ TEST_CASE("report command: what cannot be is refused before a page is written") 
     const auto refusal = [&](const std::vector<std::string>& more) {
         return refusal_of(short_set.words(more));
     };
-    CHECK(contains(refusal({"--confused-at", "b,z"}), "--confused-at: there is no pattern \"z\""));
-    CHECK(contains(refusal({"--confused-at", "near"}), "--confused-at: expected"));
-    CHECK(contains(refusal({"--confused-at=-1"}), "--confused-at: expected a PM of 0 or more"));
+    CHECK(contains(refusal({"--confused-at", "b,z"}), "--closer-than: there is no pattern \"z\""));
+    CHECK(contains(refusal({"--confused-at", "near"}), "--closer-than: expected"));
+    CHECK(contains(refusal({"--confused-at=-1"}), "--closer-than: expected a PM of 0 or more"));
     CHECK(contains(refusal({"-k", "6"}), "6 to pick of 5"));
     CHECK_FALSE(std::filesystem::exists(short_set.page));
     CHECK(contains(refusal_of({"report", short_set.path, "--out", "/nowhere/page.html"}),

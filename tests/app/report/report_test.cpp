@@ -18,7 +18,7 @@ std::string section(const std::string& page, const std::string& id) {
     return page.substr(begin, page.find("</section>", begin) - begin);
 }
 
-// Two that are the same, one that is hard to tell from them, and two far away.
+// Two within a felt step, one that differs from them by less than two, and two far away.
 struct Five {
     PatternSet set;
     Dissimilarity apart{5, {1.0, 3.0, 9.0, 9.5, 2.5, 8.0, 8.5, 7.0, 7.5, 4.0}};
@@ -29,8 +29,8 @@ struct Five {
         for (const char* name : {"one", "two", "<three>", "four", "five"}) {
             Pattern pattern;
             pattern.duration_s = 0.05;
-            pattern.carriers[0].frequency_hz =
-                60.0 + 40.0 * static_cast<double>(set.vibrations.size());
+            constexpr double kHz[] = {60.0, 65.0, 80.0, 180.0, 300.0};
+            pattern.carriers[0].frequency_hz = kHz[set.vibrations.size()];
             Vibration vibration;
             vibration.name = name;
             vibration.source = pattern;
@@ -42,14 +42,14 @@ struct Five {
 
     Report report(std::size_t count = 3) const {
         const SubsetAnswer answer = *most_distinct_subset(apart, {.count = count});
-        const double threshold = answer.best.weakest_dissimilarity;
         return {.set = set,
                 .felt = set,
                 .dissimilarity = apart,
                 .answer = answer,
                 .space = space,
-                .confusion = confusion(apart, {threshold, kSameShare * threshold}),
-                .confused_at = confused_at_words(answer, count),
+                .confused = groups_within_a_step(set, apart),
+                .closer = groups_below(apart, answer.best.weakest_dissimilarity),
+                .closer_than = closer_than_picked(answer),
                 .program = "tactspace 1.2.3",
                 .date = "2026-11-22"};
     }
@@ -61,7 +61,7 @@ TEST_CASE("report: a page alone, of all its parts, the same each time, and no na
     const Five five;
     const std::string page = report_page(five.report());
     CHECK(page == report_page(five.report()));
-    for (const char* id : {"map", "groups", "subset", "patterns", "matrix", "assumed"}) {
+    for (const char* id : {"map", "groups", "closer", "subset", "patterns", "matrix", "assumed"}) {
         CHECK_FALSE(section(page, id).empty());
     }
     CHECK(times_in(page, "<title>Five &amp; more</title>") == 1);
@@ -74,21 +74,29 @@ TEST_CASE("report: a page alone, of all its parts, the same each time, and no na
     CHECK(times_in(page, "tactspace 1.2.3, 2026-11-22") == 1);
 }
 
-TEST_CASE("report: thresholds are said, groups lie below them, and the picked are clear") {
+TEST_CASE("report: people would confuse nothing but felt steps; what is closer than your 3 is so") {
     const Five five;
     const Report report = five.report();
     REQUIRE((report.answer.best.members == std::vector<std::size_t>{0, 3, 4}));  // weakest 4
     const std::string page = report_page(report);
     const std::string groups = section(page, "groups");
-    CHECK(times_in(groups,
-                   "is below <b>4</b>, as far apart as the weakest pair of the 3 most "
-                   "distinct, proven: 3 of 10 pairs.") == 1);
-    CHECK(times_in(groups,
+    CHECK(times_in(groups, "an amplitude by 19 %, a carrier by 20 %") == 1);
+    CHECK(times_in(groups, "<tr><td>") == 1);
+    CHECK(times_in(groups, ">one<") >= 1);
+    CHECK(times_in(groups, ">two<") >= 1);
+    CHECK(times_in(groups, ">&lt;three&gt;<") == 0);  // closer than the picked, and over a step
+    CHECK(times_in(page, "<b>2</b>of them in 1 group that people would confuse") == 1);
+    CHECK(times_in(page, "<b>3</b>of 10 pairs closer than your 3") == 1);
+    const std::string closer = section(page, "closer");
+    CHECK(times_in(closer, "<h2>Closer than your 3</h2>") == 1);
+    CHECK(times_in(closer,
+                   "3 of 10 pairs have a PM below <b>4</b>, as far apart as the weakest pair of "
+                   "the 3 most distinct, proven.") == 1);
+    CHECK(times_in(closer,
                    "Were each group one, 3 would be left of 5 patterns; at half the threshold (PM "
                    "2) 4, at a quarter (PM 1) 5.") == 1);
-    CHECK(times_in(groups, "<tr><td>") == 1);
-    CHECK(times_in(groups, "<span class=\"name\">two</span>") >= 1);
-    CHECK(times_in(groups, ">four<") == 0);
+    CHECK(times_in(closer, ">&lt;three&gt;<") >= 1);
+    CHECK(times_in(closer, "onfuse") == 1);  // "no sign that people confuse them"
     const std::string patterns = section(page, "patterns");
     // Once each in the sentence on them, then of a pattern each.
     CHECK(times_in(patterns, "verdict same") == 1 + 2);
@@ -97,8 +105,10 @@ TEST_CASE("report: thresholds are said, groups lie below them, and the picked ar
     CHECK(times_in(patterns, "<audio") == 5);
     CHECK(times_in(patterns, "class=\"wave\"") == 5);
     CHECK(times_in(section(page, "subset"), "Proven optimal") == 1);
-    CHECK(times_in(section(page, "assumed"), "Neither is measured") == 1);
+    CHECK(times_in(section(page, "assumed"), "Nobody has measured at which PM") == 1);
     CHECK(times_in(section(page, "assumed"), "no probability of a confusion") == 1);
+    // The word is in no cell of the matrix, either.
+    CHECK(times_in(section(page, "matrix"), "onfuse") == 0);
 }
 
 TEST_CASE("report: the matrix has a cell for each ordered pair, with names and value on hover") {
@@ -107,7 +117,8 @@ TEST_CASE("report: the matrix has a cell for each ordered pair, with names and v
     CHECK(times_in(matrix, "<td") == 25);
     CHECK(times_in(matrix, "title=\"one \u2013 two: 1\"") == 1);
     CHECK(times_in(matrix, "title=\"two \u2013 one: 1\"") == 1);
-    CHECK(times_in(matrix, " x\" title=") == 2 * 3);  // confused: three pairs, both ways
+    CHECK(times_in(matrix, " x\" title=") ==
+          2 * 3);  // closer than the three: three pairs, both ways
     const Five many;
     Report large = many.report();
     PatternSet set = many.set;
@@ -121,11 +132,12 @@ TEST_CASE("report: the matrix has a cell for each ordered pair, with names and v
                           .dissimilarity = apart,
                           .answer = large.answer,
                           .space = none,
-                          .confusion = confusion(apart, {0.5, 0.2})};
+                          .confused = {},
+                          .closer = groups_below(apart, 0.5)};
     const std::string page = report_page(left_out);
     CHECK(times_in(section(page, "matrix"), "Left out") == 1);
     CHECK(times_in(section(page, "map"), "any map fits") == 1);
-    CHECK(times_in(section(page, "groups"), "None: all patterns are clear") == 1);
+    CHECK(times_in(section(page, "groups"), "There are no two such patterns") == 1);
 }
 
 TEST_CASE("report: marks travel with the numbers: synthetic, device, trained model, labels") {
@@ -157,7 +169,7 @@ TEST_CASE(
     Report report = five.report();
     report.answer.proof = SubsetProof::open;
     report.answer.bound = 7.25;
-    report.confused_at = confused_at_words(report.answer, 3);
+    report.closer_than = closer_than_picked(report.answer);
     std::string page = report_page(report);
     CHECK(times_in(page, "roven") == 0);
     CHECK(times_in(section(page, "subset"), "No weakest pair is above 7.25") == 1);

@@ -1,7 +1,6 @@
-#include "model/subset/confusion.h"
+#include "model/subset/close_groups.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -36,7 +35,7 @@ struct Joined {
 };
 
 // Both ends of what is apart within a group; `members` has two at least.
-void measure(ConfusedGroup& group, const Dissimilarity& dissimilarity) {
+void measure(CloseGroup& group, const Dissimilarity& dissimilarity) {
     group.closest.dissimilarity = std::numeric_limits<double>::infinity();
     group.farthest.dissimilarity = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < group.members.size(); ++i) {
@@ -50,35 +49,26 @@ void measure(ConfusedGroup& group, const Dissimilarity& dissimilarity) {
     }
 }
 
-std::vector<ConfusedGroup> groups_of(Joined joined, const Dissimilarity& dissimilarity) {
-    std::vector<ConfusedGroup> by_first(dissimilarity.size);
+std::vector<CloseGroup> groups_of(Joined joined, const Dissimilarity& dissimilarity) {
+    std::vector<CloseGroup> by_first(dissimilarity.size);
     for (std::size_t i = 0; i < dissimilarity.size; ++i) {
         by_first[joined.first_of(i)].members.push_back(i);
     }
-    std::erase_if(by_first, [](const ConfusedGroup& group) { return group.members.size() < 2; });
-    std::ranges::stable_sort(by_first, [](const ConfusedGroup& a, const ConfusedGroup& b) {
+    std::erase_if(by_first, [](const CloseGroup& group) { return group.members.size() < 2; });
+    std::ranges::stable_sort(by_first, [](const CloseGroup& a, const CloseGroup& b) {
         return a.members.size() > b.members.size();
     });
-    for (ConfusedGroup& group : by_first) measure(group, dissimilarity);
+    for (CloseGroup& group : by_first) measure(group, dissimilarity);
     return by_first;
 }
 
-}  // namespace
-
-ConfusionVerdict verdict_of(double dissimilarity, const ConfusionThresholds& thresholds) {
-    if (dissimilarity < thresholds.same) return ConfusionVerdict::same;
-    if (dissimilarity < thresholds.confused) return ConfusionVerdict::hard_to_tell;
-    return ConfusionVerdict::clear;
-}
-
-Confusion confusion(const Dissimilarity& dissimilarity, const ConfusionThresholds& thresholds) {
-    assert(thresholds.same <= thresholds.confused && "what is the same is confused");
+// `pairs` count as close, in any order.
+CloseGroups grouped(const Dissimilarity& dissimilarity, std::vector<ConfusablePair> pairs) {
     const std::size_t n = dissimilarity.size;
-    Confusion result{thresholds, {}, {}, {}, 0};
+    CloseGroups result;
     for (std::size_t i = 0; i < n; ++i) {
         result.nearest.push_back({i, std::numeric_limits<double>::infinity()});
     }
-    std::vector<ConfusablePair> confused;
     const auto look = [&](std::size_t i, std::size_t j, double apart) {
         if (apart < result.nearest[i].dissimilarity) result.nearest[i] = {j, apart};
     };
@@ -88,25 +78,40 @@ Confusion confusion(const Dissimilarity& dissimilarity, const ConfusionThreshold
         const auto [i, j] = pair_at(n, k);
         look(i, j, apart);
         look(j, i, apart);
-        if (!(apart < thresholds.confused)) continue;
-        confused.push_back({i, j, apart});
     }
-    result.confused_pairs = confused.size();
-    std::ranges::stable_sort(confused, {}, &ConfusablePair::dissimilarity);
+    result.pairs = pairs.size();
+    std::ranges::stable_sort(pairs, {}, &ConfusablePair::dissimilarity);
     Joined joined(n);
-    for (const ConfusablePair& pair : confused) {
+    for (const ConfusablePair& pair : pairs) {
         if (joined.join(pair.a, pair.b)) result.links.push_back(pair);
-    }
-    for (NearestNeighbour& nearest : result.nearest) {
-        nearest.verdict = verdict_of(nearest.dissimilarity, thresholds);
     }
     result.groups = groups_of(std::move(joined), dissimilarity);
     return result;
 }
 
-std::size_t distinct_count(const Confusion& confusion) {
-    std::size_t count = confusion.nearest.size();
-    for (const ConfusedGroup& group : confusion.groups) count -= group.members.size() - 1;
+}  // namespace
+
+CloseGroups groups_below(const Dissimilarity& dissimilarity, double threshold) {
+    std::vector<ConfusablePair> below;
+    for (std::size_t k = 0; k < dissimilarity.condensed.size(); ++k) {
+        const double apart = dissimilarity.condensed[k];
+        const auto [i, j] = pair_at(dissimilarity.size, k);
+        if (std::isfinite(apart) && apart < threshold) below.push_back({i, j, apart});
+    }
+    return grouped(dissimilarity, std::move(below));
+}
+
+CloseGroups groups_within_a_step(const PatternSet& set, const Dissimilarity& dissimilarity) {
+    std::vector<ConfusablePair> pairs = pairs_within_a_step(set, dissimilarity);
+    std::erase_if(pairs, [](const ConfusablePair& pair) {
+        return !std::isfinite(pair.dissimilarity);  // not rated: it has no place in an order
+    });
+    return grouped(dissimilarity, std::move(pairs));
+}
+
+std::size_t distinct_count(const CloseGroups& close) {
+    std::size_t count = close.nearest.size();
+    for (const CloseGroup& group : close.groups) count -= group.members.size() - 1;
     return count;
 }
 
