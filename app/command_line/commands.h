@@ -225,6 +225,7 @@ struct SubsetCommand {
     int alternatives = 0;
     bool curve = false;
     int draws = 0;                 // of uncertain models; 0: none
+    bool include_unfelt = false;   // may be picked, too
     std::filesystem::path out;     // a set file for the subset
     std::filesystem::path report;  // a folder for the set, a page and the map
 };
@@ -232,11 +233,12 @@ Expected<Done> run(const SubsetCommand& command);
 
 struct ReportCommand {
     CommonOptions common;
-    std::optional<int> count;    // of the most distinct; none: 8, or half of a small set
-    std::string confused_at;     // a number, or "A,B"; empty: the weakest pair of those
-    int draws = 0;               // of uncertain models: how sure; 0: none
-    double time_limit_s = 60.0;  // of the search
-    std::filesystem::path out;   // a page, .html
+    std::optional<int> count;     // of the most distinct; none: 8, or half of a small set
+    std::string confused_at;      // a number, or "A,B"; empty: the weakest pair of those
+    int draws = 0;                // of uncertain models: how sure; 0: none
+    double time_limit_s = 60.0;   // of the search
+    bool include_unfelt = false;  // may be picked, too
+    std::filesystem::path out;    // a page, .html
 };
 Expected<Done> run(const ReportCommand& command);
 

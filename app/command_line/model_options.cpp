@@ -57,6 +57,16 @@ void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen) {
     space.add_option("--image", command.image, "picture of the space, .png or .svg");
 }
 
+namespace {
+
+void add_unfelt(CLI::App& command, bool& include) {
+    command.add_flag("--include-unfelt", include,
+                     "also picks among patterns that no receptor answers to (default: they are "
+                     "left out, but for kept ones)");
+}
+
+}  // namespace
+
 void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen) {
     CLI::App& subset = add_command(app, "subset", "the k most distinct patterns of a set, proven",
                                    command, chosen);
@@ -87,6 +97,7 @@ void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen) {
         ->check(within(0.0, kMost));
     subset.add_option("--alternatives", command.alternatives, "how many of the next best to list")
         ->check(within(0, 1000));
+    add_unfelt(subset, command.include_unfelt);
     subset.add_flag("--curve", command.curve, "also the weakest pair for other counts");
     subset
         .add_option("--sensitivity", command.draws,
@@ -106,6 +117,7 @@ void add_report_command(CLI::App& app, ReportCommand& command, Chosen& chosen) {
     add_rendering(report, command.common);
     add_only(report, command.common);
     report.add_option("--out", command.out, "file for the page, .html")->required();
+    add_unfelt(report, command.include_unfelt);
     report
         .add_option("-k,--count", command.count,
                     "how many most distinct patterns; else 8, or half of a small set")

@@ -19,6 +19,7 @@
 #include "model/io/recordings/recording.h"
 #include "model/io/set/load.h"
 #include "model/io/set/model_file.h"
+#include "model/subset/set_subset.h"
 #include "model/text/atomic_file.h"
 
 namespace tact {
@@ -219,6 +220,11 @@ Expected<NamedPair> pair_of(const PatternSet& set, const std::string& option,
         }
     }
     return Error{option + ": expected two patterns with a comma between, got \"" + text + "\""};
+}
+
+Error unpickable(const Error& fault, std::size_t left_out) {
+    const std::string words = left_out_words(left_out);
+    return Error{fault.message + (words.empty() ? "" : "; " + words + " (--include-unfelt)")};
 }
 
 Expected<PictureFormat> picture_format(const std::filesystem::path& file) {

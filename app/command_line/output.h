@@ -47,6 +47,9 @@ struct NamedPair {
 Expected<NamedPair> pair_of(const PatternSet& set, const std::string& option,
                             const std::string& text);
 
+// Why nothing can be picked, and how many were left out as nobody feels them.
+Error unpickable(const Error& fault, std::size_t left_out);
+
 // What the ending of a picture's name asks for: .png or .svg; none is PNG. An Error also if the
 // file cannot be written.
 Expected<PictureFormat> picture_format(const std::filesystem::path& file);

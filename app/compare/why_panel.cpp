@@ -81,9 +81,7 @@ void draw_names(Ui& ui, Workspace& work, Layout& layout, const ChosenPair& pair)
 // PM as its two parts, weighted ranks both.
 void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
     const Theme& theme = ui.theme;
-    const double nc = prediction.params.nc_weight * prediction.nc_rank[k];
-    const double oc = prediction.params.oc_weight * prediction.oc_rank[k];
-    const double share = nc + oc > 0.0 ? nc / (nc + oc) : 0.0;
+    const PartShares shares = part_shares(prediction, k);
     const std::string pm = "PM " + significant(prediction.pm.condensed[k]) + " of " +
                            significant(*std::ranges::max_element(prediction.pm.condensed));
     draw_heading(ui, pm.c_str(),
@@ -93,13 +91,13 @@ void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
                      significant(prediction.oc_rank[k]));
     const Rect row = take_row(20.0F * theme.scale);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float middle = row.min.x + row.width() * static_cast<float>(share);
+    const float middle = row.min.x + row.width() * static_cast<float>(shares.nc);
     const ImU32 nc_colour = theme.series;
     const ImU32 oc_colour = theme.hover;
-    if (share > 0.0) list.AddRectFilled(row.min, {middle, row.max.y}, nc_colour);
-    if (share < 1.0) list.AddRectFilled({middle, row.min.y}, row.max, oc_colour);
-    const std::string nc_text = "neural coding " + percent(share);
-    const std::string oc_text = "rhythm " + percent(1.0 - share);
+    if (shares.nc > 0.0) list.AddRectFilled(row.min, {middle, row.max.y}, nc_colour);
+    if (shares.nc < 1.0) list.AddRectFilled({middle, row.min.y}, row.max, oc_colour);
+    const std::string nc_text = "neural coding " + percent(shares.nc);
+    const std::string oc_text = "rhythm " + percent(shares.oc);
     const float y = row.centre().y - 0.5F * text_size(theme.fonts.small, "N").y;
     const float pad = 0.75F * theme.gap_px;
     const ImU32 ink = readable_on(nc_colour);

@@ -66,7 +66,10 @@ std::optional<std::string> draw_entry(Ui& ui, GenerateState& generating, const s
     if (ImGui::IsItemActivated()) generating.draft_before_typing = generating.draft;
     if (!ImGui::IsItemActive()) {
         const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-        if (typing && ImGui::IsItemDeactivated() && escaped) generating.takes_back = true;
+        if (typing && ImGui::IsItemDeactivated() && escaped) {
+            generating.takes_back = true;
+            generating.refused.clear();
+        }
         if (typing) generating.typing.clear();
         return std::nullopt;
     }
@@ -123,15 +126,26 @@ void beside(const Ui& ui, const char* text) {
     dim_text(ui, text);
 }
 
-void draw_remark(Ui& ui, GenerateState& generating, const std::string& remark,
-                 const std::string& fault) {
+void draw_remark(Ui& ui, GenerateState& generating, const std::string& id, bool is_typed,
+                 const std::string& remark, const std::string& fault) {
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    if (fault.empty()) return dim_text(ui, remark);
-    generating.takes_back = true;
+    if (!fault.empty()) {
+        generating.takes_back = true;
+        generating.refused = id;
+        generating.refusal = fault;
+    } else if (is_typed && generating.refused == id) {
+        generating.refused.clear();
+    }
+    if (generating.refused != id) {
+        dim_text(ui, remark);
+        note_item(ui.rects, "generate:remark " + id, remark);
+        return;
+    }
+    const std::string words = fault.empty() ? "Not taken: " + generating.refusal : fault;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(ui.theme.error));
-    ImGui::TextUnformatted(fault.c_str());
+    ImGui::TextUnformatted(words.c_str());
     ImGui::PopStyleColor();
-    note_item(ui.rects, "generate:fault", fault);
+    note_item(ui.rects, "generate:fault", words);
 }
 
 }  // namespace tact

@@ -16,8 +16,39 @@ namespace {
 
 constexpr const char* kSteady = "steady";  // one note throughout, among rhythms
 
+bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
+
+// "0,5": a number with a comma for its point, or two numbers; empty: none. A comma stands between
+// numbers where a blank follows, or where a point shows that commas are none: "0.5,1". Of whole
+// numbers without either, "60,120", only a zero before it or a semicolon elsewhere tells.
+std::string decimal_comma_in(const std::string& text) {
+    const bool has_other = text.find(';') != std::string::npos;
+    for (std::size_t at = text.find(','); at != std::string::npos; at = text.find(',', at + 1)) {
+        if (at == 0 || at + 1 >= text.size() || !is_digit(text[at - 1]) ||
+            !is_digit(text[at + 1])) {
+            continue;
+        }
+        const std::size_t before = text.find_last_of(",; ", at - 1);
+        const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+        const std::string word = text.substr(begin, text.find_first_of(",; ", at + 1) - begin);
+        const std::string whole = text.substr(begin, at - begin);
+        if (word.find('.') != std::string::npos) continue;
+        if (has_other || whole == "0" || whole == "-0") return word;
+    }
+    return {};
+}
+
+std::string with_point(std::string number) {
+    number[number.find(',')] = '.';
+    return number;
+}
+
 // The levels in a text; a fault where there is none, or one is out of range.
 Expected<std::vector<double>> levels_in(const std::string& text, Range allowed, const Unit& unit) {
+    if (const std::string comma = decimal_comma_in(text); !comma.empty()) {
+        return Error{"\"" + comma + "\" is one number or two: write " + with_point(comma) +
+                     ", or a blank after the comma"};
+    }
     std::vector<double> levels;
     for (const std::string& word : words_in(text)) {
         const auto number = finite_number_in(word);
@@ -31,6 +62,19 @@ Expected<std::vector<double>> levels_in(const std::string& text, Range allowed, 
     if (levels.empty()) return Error{"at least one number"};
     if (levels.size() > limits::kMaxLevels) return Error{"too many levels"};
     return levels;
+}
+
+// "fixed", "3 levels"; a level that stands there more than once is said to.
+std::string level_words(const std::vector<double>& levels, const Unit& unit) {
+    if (levels.size() == 1) return "fixed";
+    const std::string words = std::to_string(levels.size()) + " levels";
+    for (const double level : levels) {
+        const auto times = std::ranges::count(levels, level);
+        if (times < 2) continue;
+        return words + ", " + short_digits(unit.times * level) + " of them " +
+               std::to_string(times) + " times";
+    }
+    return words;
 }
 
 void draw_levels(Ui& ui, GenerateState& generating, const std::string& id,
@@ -48,8 +92,7 @@ void draw_levels(Ui& ui, GenerateState& generating, const std::string& id,
         if (found) levels = *std::move(found);
         if (!found) fault = found.error().message;
     }
-    const std::size_t count = levels.size();
-    draw_remark(ui, generating, count == 1 ? "fixed" : std::to_string(count) + " levels", fault);
+    draw_remark(ui, generating, id, typed.has_value(), level_words(levels, unit), fault);
 }
 
 // "any" stands for values that are not moved.
@@ -61,16 +104,16 @@ void draw_multiple(Ui& ui, GenerateState& generating, const std::string& id, dou
     draw_tooltip(ui,
                  "Values are moved to the nearest multiple of this. Multiples of 1 / duration "
                  "do not leak.");
-    if (!typed) return;
+    std::string fault;
+    if (!typed) return draw_remark(ui, generating, id, false, {}, fault);
     if (*typed == kAny) multiple = 0.0;
-    if (*typed == kAny) return;
+    if (*typed == kAny) return draw_remark(ui, generating, id, true, {}, fault);
     const Range allowed{unit.times * limits::kMultiple.low, unit.times * limits::kMultiple.high};
     const auto number = typed_number(*typed, unit.times * multiple, {allowed, unit.name});
     const bool good = number && number->remark.empty();
     if (good) multiple = number->value / unit.times;
-    if (!good) {
-        draw_remark(ui, generating, {}, number ? number->remark : number.error().message);
-    }
+    if (!good) fault = number ? number->remark : number.error().message;
+    draw_remark(ui, generating, id, true, {}, fault);
 }
 
 void draw_span(Ui& ui, GenerateState& generating, const std::string& id, Span& span, Range allowed,
@@ -204,7 +247,8 @@ void draw_rhythms(Ui& ui, GenerateState& generating) {
         if (fault.empty()) rhythms = std::move(found);
     }
     const std::size_t count = rhythms.size();
-    draw_remark(ui, generating, count == 1 ? "fixed" : std::to_string(count) + " levels", fault);
+    draw_remark(ui, generating, "rhythm", typed.has_value(),
+                count == 1 ? "fixed" : std::to_string(count) + " levels", fault);
     ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
     if (option_link(ui, "choose rhythms", "Choose...")) ImGui::OpenPopup("rhythms");
     ImGui::NewLine();

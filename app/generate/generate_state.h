@@ -50,7 +50,9 @@ struct GenerateState {
     std::string text;    // ... and what stands in it
     DesignSpace draft_before_typing;
     bool takes_back = false;  // what is typed is no good, or was left by Esc
-    float rows_px = 0.0F;     // height of all parameters, in the last frame
+    std::string refused;      // the entry whose last text was no good ...
+    std::string refusal;   // ... and why: it stands beside the entry until that is typed in again
+    float rows_px = 0.0F;  // height of all parameters, in the last frame
     RhythmChoice rhythms;
     std::optional<Before> asking;  // whether so many are really wanted
     OwnedJob<GenerateRequest, GeneratePlan> job;

@@ -158,9 +158,7 @@ void follow_unfelt(Workspace& work, ShownMap& shown_map) {
     if (!shown) return;
     const auto& then = shown->request.set->vibrations;
     const auto& codes = shown->prediction.codes;
-    for (std::size_t k = 0; k < std::min(then.size(), codes.size()); ++k) {
-        const auto answers = [](const Activation& channel) { return channel.rate_hz > 0.0; };
-        if (std::ranges::any_of(codes[k]->neural.activation, answers)) continue;
+    for (const std::size_t k : unfelt(codes)) {
         const auto now = place_named(work.document.set, then[k].name);
         if (!now || work.document.set.vibrations[*now].source != then[k].source) continue;
         work.selection.unfelt.insert(then[k].name);

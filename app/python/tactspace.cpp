@@ -124,7 +124,7 @@ py::dict subset(const py::object& matrix, int k, const std::vector<long>& keep,
     const Dissimilarity dissimilarity = dissimilarities_of(matrix, "D");
     constexpr const char* kObjectives[] = {"max-min", "max-sum"};
     const bool by_sum = choice_of(objective, "objective", kObjectives) == 1;
-    whole_within(k, "k", {2, static_cast<double>(dissimilarity.size)});
+    whole_within(k, "k", {0, 1e9});  // the rest is said as everywhere (check_subset)
     const SubsetProblem problem{
         static_cast<std::size_t>(k), by_sum ? SubsetObjective::max_sum : SubsetObjective::max_min,
         places_of(keep, "keep", dissimilarity.size), places_of(drop, "drop", dissimilarity.size)};

@@ -83,7 +83,7 @@ std::string tiles(const Report& report) {
                     " closer than " + html_escaped(report.closer_than.words)) +
            tile(grouped_digits(best.members.size()),
                 std::string("most distinct, ") +
-                    (report.answer.proof == SubsetProof::open || report.weakest_of_best
+                    (report.answer.proof == SubsetProof::open || report.best_worth
                          ? "the best that was found"
                          : "proven")) +
            "</div>\n";
@@ -142,11 +142,12 @@ CloserThan closer_than_picked(const SubsetAnswer& answer) {
 }
 
 std::string proof_sentence(const Report& report) {
-    if (report.weakest_of_best) {
-        return "It was taken instead of the best one, whose weakest pair has " +
-               significant_digits(*report.weakest_of_best, 4) + ".";
-    }
     const bool by_sum = report.objective == SubsetObjective::max_sum;
+    if (report.best_worth) {
+        return std::string("It was taken instead of the best one, whose ") +
+               (by_sum ? "sum is " : "weakest pair has ") +
+               significant_digits(*report.best_worth, by_sum ? 6 : 4) + ".";
+    }
     switch (report.answer.proof) {
         case SubsetProof::optimal:
             return by_sum ? "Proven optimal: no other subset of this size has a larger sum."
@@ -232,11 +233,12 @@ std::string closer_section(const Report& report) {
 
 std::string subset_section(const Report& report) {
     const Subset& best = report.answer.best;
-    std::string html = "<p>The weakest pair is " + name_html(report, best.weakest.first) + " and " +
-                       name_html(report, best.weakest.second) + ", <b>" +
-                       value_text(report, best.weakest_dissimilarity) +
-                       "</b>; all pairs together " + significant_digits(best.sum, 6) + ". " +
-                       html_escaped(proof_sentence(report)) + "</p>\n";
+    std::string html =
+        "<p>The weakest pair is " + name_html(report, best.weakest.first) + " and " +
+        name_html(report, best.weakest.second) + ", <b>" +
+        value_text(report, best.weakest_dissimilarity) + "</b>; all pairs together " +
+        significant_digits(best.sum, 6) + ". " + html_escaped(proof_sentence(report)) +
+        (report.left_out.empty() ? "" : " " + html_escaped(report.left_out) + ".") + "</p>\n";
     std::string kept;
     HtmlTable table{
         {{"pattern"}, {"nearest of the others picked"}, {report.quantity, true}}, {}, {}};

@@ -39,17 +39,18 @@ struct Report {
     std::string quantity = "PM";         // what that is
     SubsetObjective objective = SubsetObjective::max_min;
     SubsetAnswer answer;
-    std::optional<double> weakest_of_best{};  // where `answer.best` is an alternative to it
-    const PerceptualSpace& space;             // of the whole set ...
-    std::string space_of = "PM";              // ... by this
-    CloseGroups confused;                     // within a felt step: what people would confuse
-    CloseGroups closer{};                     // than a pair that was chosen: no sign of a confusion
-    CloserThan closer_than{};                 // which
-    const Stability* stability = nullptr;     // how sure: if it was asked
-    std::optional<RenderedBy> by{};           // the device
-    std::string program{};                    // "tactspace 0.1.0"
-    std::string date{};                       // of the page
-    std::vector<std::string> labels{};  // further sentences that every number is to be read with
+    std::optional<double> best_worth{};  // by the objective; where `answer.best` is an alternative
+    const PerceptualSpace& space;        // of the whole set ...
+    std::string space_of = "PM";         // ... by this
+    CloseGroups confused;                // within a felt step: what people would confuse
+    CloseGroups closer{};                // than a pair that was chosen: no sign of a confusion
+    std::string left_out{};              // "1 not felt pattern left out"; of the picks
+    CloserThan closer_than{};            // which
+    const Stability* stability = nullptr;  // how sure: if it was asked
+    std::optional<RenderedBy> by{};        // the device
+    std::string program{};                 // "tactspace 0.1.0"
+    std::string date{};                    // of the page
+    std::vector<std::string> labels{};     // further sentences that every number is to be read with
 };
 
 std::string report_page(const Report& report);

@@ -60,19 +60,28 @@ std::string fitting(const ImFont* font, std::vector<std::string> names, float ro
     return joined(names);
 }
 
+bool is_by_sum(const Pick& pick) {
+    return pick.request.problem.objective == SubsetObjective::max_sum;
+}
+
+double worth_of(const Pick& pick, const Subset& subset) {
+    return is_by_sum(pick) ? subset.sum : subset.weakest_dissimilarity;
+}
+
 struct Alternative {
     Exchange exchange;
     std::string words;
-    std::string value;  // how far the weakest pair is apart then
+    std::string value;  // by what was asked for: the weakest pair then, or the sum
     bool is_one_line = false;
 };
 
 Alternative alternative_of(const Theme& theme, const Pick& pick, std::size_t k, float width_px) {
     const Subset& other = pick.answer.alternatives[k];
-    const bool as_good = other.weakest_dissimilarity == pick.answer.best.weakest_dissimilarity;
+    const double worth = worth_of(pick, other);
+    const bool as_good = worth == worth_of(pick, pick.answer.best);
     Alternative one;
     one.exchange = exchange_of(pick, other);
-    one.value = as_good ? "the same" : grouped(other.weakest_dissimilarity);
+    one.value = as_good ? "ties" : grouped(worth);
     one.words = joined(one.exchange.in) + " " + kFor + joined(one.exchange.out);
     const ImFont* font = theme.fonts.regular;
     one.is_one_line =
@@ -134,7 +143,9 @@ void draw_alternatives(Ui& ui, SubsetState& picking, const Pick& pick) {
     if (all.empty()) return;
     ImGui::Dummy({1.0F, 0.5F * ui.theme.gap_px});
     ImGui::PushFont(ui.theme.fonts.small);
-    dim_text(ui, pick.answer.are_alternatives_proven ? "Next best" : "Others that are good");
+    const std::string title =
+        pick.answer.are_alternatives_proven ? "Next best" : "Others that are good";
+    dim_text(ui, title + (is_by_sum(pick) ? ", by the sum" : ", by the weakest pair"));
     ImGui::PopFont();
     if (picking.alternative) {
         if (ImGui::Selectable("Back to the best")) picking.alternative.reset();

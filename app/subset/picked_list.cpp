@@ -62,7 +62,16 @@ PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::s
     }
     draw_state_signs(ui, vibration, {right, middle});
     const float begin = corner.x + 36.0F * s;
-    const float room = right - begin - state_signs_px(ui.theme, vibration);
+    float room = right - begin - state_signs_px(ui.theme, vibration);
+    if (work.selection.unfelt.contains(name)) {
+        constexpr const char* kUnfelt = "not felt";
+        const ImFont* small = ui.theme.fonts.small;
+        const ImVec2 size = text_size(small, kUnfelt);
+        const ImVec2 at{begin + std::max(0.0F, room - size.x), middle - 0.5F * size.y};
+        draw_text(list, small, at, ui.theme.warning, kUnfelt);
+        note_rect(ui.rects, "member not felt:" + name, at, at + size);
+        room -= size.x + ui.theme.gap_px;
+    }
     draw_text(list, ui.theme.fonts.regular, {begin, text_y}, ui.theme.text,
               shortened(ui.theme.fonts.regular, name, std::max(0.0F, room)));
     ImGui::PopID();

@@ -70,8 +70,12 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
     for (const CurvePoint& point : curve.points) most = std::max(most, point.bound);
     const auto first = static_cast<double>(curve.points.front().count);
     const auto last = static_cast<double>(curve.points.back().count);
-    const std::string title =
-        shortened(theme.fonts.small, "weakest pair, " + quantity_of(curve.request), area.width());
+    const std::string title = shortened(
+        theme.fonts.small,
+        (picking.objective == SubsetObjective::max_sum ? "weakest pair, were it picked by that, "
+                                                       : "weakest pair, ") +
+            quantity_of(curve.request),
+        area.width());
     const PlotLabels labels{"", title, true};
     const float half_px =
         0.5F * text_size(theme.fonts.semibold, std::to_string(curve.points.back().count)).x;

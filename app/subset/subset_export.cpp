@@ -108,22 +108,26 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
     const Labels labels{.by = by_ratings ? std::nullopt : map.request.rendered_by,
                         .synthetic_patterns = has_synthetic_patterns(set),
                         .synthetic_model = set.model_origin.synthetic};
-    Report report{.set = set,
-                  .felt = by_ratings ? set : *map.played,
-                  .dissimilarity = *pick.dissimilarity,
-                  .quantity = by_ratings ? rating : traits(pick.request.metric).name,
-                  .objective = pick.request.problem.objective,
-                  .answer = pick.answer,
-                  .space = map.space,
-                  .confused = groups_within_a_step(set, *pick.dissimilarity),
-                  .closer = groups_below(*pick.dissimilarity, than.dissimilarity),
-                  .closer_than = than,
-                  .by = labels.by,
-                  .program = kProgramVersion,
-                  .date = utc_today(),
-                  .labels = lines_of(labels)};
+    Report report{
+        .set = set,
+        .felt = by_ratings ? set : *map.played,
+        .dissimilarity = *pick.dissimilarity,
+        .quantity = by_ratings ? rating : traits(pick.request.metric).name,
+        .objective = pick.request.problem.objective,
+        .answer = pick.answer,
+        .space = map.space,
+        .confused = groups_within_a_step(set, *pick.dissimilarity),
+        .closer = groups_below(*pick.dissimilarity, than.dissimilarity),
+        .left_out = pick.request.with_unfelt ? std::string() : left_out_words(pick.request.unfelt),
+        .closer_than = than,
+        .by = labels.by,
+        .program = kProgramVersion,
+        .date = utc_today(),
+        .labels = lines_of(labels)};
     if (&shown != &pick.answer.best) {
-        report.weakest_of_best = pick.answer.best.weakest_dissimilarity;
+        const bool by_sum = pick.request.problem.objective == SubsetObjective::max_sum;
+        const Subset& best = pick.answer.best;
+        report.best_worth = by_sum ? best.sum : best.weakest_dissimilarity;
         report.answer.best = shown;
     }
     if (&shown == &pick.answer.best) report.stability = shown_stability(picking);

@@ -60,7 +60,9 @@ std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop
     if (answer) {
         pick.answer = *std::move(answer);
     } else {
-        pick.fault = answer.error().message;
+        const std::string left_out =
+            request.with_unfelt ? std::string() : left_out_words(request.unfelt);
+        pick.fault = answer.error().message + (left_out.empty() ? "." : "; " + left_out + ".");
     }
     return pick;
 }
@@ -108,20 +110,23 @@ std::optional<FoundStability> find_stability(const StabilityRequest& request, st
     return FoundStability{request, *std::move(stability)};
 }
 
-// As many as can be picked at all.
-std::size_t possible_count(const SubsetProblem& problem, std::size_t objects, int wanted) {
-    const std::size_t most = objects - std::min(objects, problem.drop.size());
-    const std::size_t least = std::max<std::size_t>(2, problem.keep.size());
-    return std::clamp(static_cast<std::size_t>(std::max(wanted, 2)), std::min(least, most), most);
-}
-
-PickRequest request_of(const Workspace& work, const ShownMap& shown_map,
-                       const SubsetState& picking) {
+// What people rated they have felt; by all else, who is not felt is none of the most distinct.
+PickRequest request_of(const Workspace& work, const ShownMap& shown_map, SubsetState& picking) {
     PickRequest request{shown_map.transition.shown, {}, picking.by_ratings, picking.metric};
     if (work.document.set.ratings.empty()) request.by_ratings = false;
-    const PatternSet& set = *shown_map.transition.shown->request.set;
-    request.problem = subset_problem(set, 2, picking.objective);
-    request.problem.count = possible_count(request.problem, set.vibrations.size(), picking.count);
+    const PatternSet& set = *request.map->request.set;
+    std::vector<std::size_t> not_felt;
+    if (!request.by_ratings) not_felt = unfelt(request.map->prediction.codes);
+    request.unfelt = left_out_unfelt(set, not_felt).size();
+    request.with_unfelt = picking.with_unfelt && request.unfelt > 0;
+    if (request.with_unfelt) not_felt.clear();
+    request.problem = subset_problem(set, 2, picking.objective, not_felt);
+    // Who has not said how many gets as many as there can be.
+    if (picking.count == picking.usual_count) {
+        picking.count = picking.usual_count =
+            static_cast<int>(possible_count(request.problem, set.vibrations.size(), kUsualCount));
+    }
+    request.problem.count = static_cast<std::size_t>(std::max(picking.count, 0));
     return request;
 }
 

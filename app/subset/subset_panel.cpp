@@ -21,6 +21,7 @@
 #include "app/subset/subset_views.h"
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
+#include "model/subset/set_subset.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 #include "viz/drawing/words_and_picture.h"
@@ -121,13 +122,16 @@ void draw_source(Ui& ui, const Workspace& work, SubsetState& picking) {
 void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                 const SubsetState& picking, const Pick& pick) {
     const SubsetAnswer& answer = pick.answer;
-    std::string text = "Proven: no other subset is better.";
+    const bool by_sum = pick.request.problem.objective == SubsetObjective::max_sum;
+    std::string text = by_sum ? "Proven: no other subset has a larger sum."
+                              : "Proven: in no other subset is the weakest pair farther apart.";
     ImU32 colour = ui.theme.dim_text;
     if (answer.proof == SubsetProof::ties_open) {
         text = "No weakest pair can be farther apart; the sum was not settled in time.";
         colour = ui.theme.warning;
     } else if (answer.proof == SubsetProof::open) {
-        text = "The best found in time; none is above " + grouped(answer.bound) + ".";
+        text = std::string("The best found in time; no ") + (by_sum ? "sum" : "weakest pair") +
+               " is above " + grouped(answer.bound) + ".";
         colour = ui.theme.warning;
     }
     if (is_of_preview(pick.request)) {
@@ -155,7 +159,12 @@ void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
 void draw_weakest_pair(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
                        PlayState& play, SubsetState& picking, const Pick& pick,
                        const std::string& a, const std::string& b) {
-    const std::string names = a + " \u2013 " + b;
+    std::string names = a + " \u2013 " + b;
+    // Where the headline is the sum, this is beside it.
+    const Subset& subset = *shown_subset(shown_map, picking);
+    if (pick.request.problem.objective == SubsetObjective::max_sum) {
+        names = "weakest pair " + grouped(subset.weakest_dissimilarity) + ": " + names;
+    }
     const std::string shown =
         shortened(ui.theme.fonts.regular, names, ImGui::GetContentRegionAvail().x);
     if (link(ui, "weakest pair", shown)) open_pair(work, picking, a, b);
@@ -181,24 +190,46 @@ void draw_weakest_pair(Ui& ui, Workspace& work, Timeline& timeline, const ShownM
                  "others of the subset.");
 }
 
-// The weakest pair, large: what the subset is worth.
+// What the subset is worth by what was asked for, large: its weakest pair, or its sum.
 void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
                    PlayState& play, SubsetState& picking, const Pick& pick, const Subset& subset) {
     const std::string a = name_of(pick, subset.weakest.first);
     const std::string b = name_of(pick, subset.weakest.second);
     ImGui::PushFont(ui.theme.fonts.large);
-    ImGui::TextUnformatted(grouped(subset.weakest_dissimilarity).c_str());
+    const bool by_sum = pick.request.problem.objective == SubsetObjective::max_sum;
+    const double worth = by_sum ? subset.sum : subset.weakest_dissimilarity;
+    ImGui::TextUnformatted(grouped(worth).c_str());
     ImGui::PopFont();
     char exact[40];
-    std::snprintf(exact, sizeof exact, "%.17g", subset.weakest_dissimilarity);
-    note_item(ui.rects, "subset:weakest", exact);
+    std::snprintf(exact, sizeof exact, "%.17g", worth);
+    note_item(ui.rects, by_sum ? "subset:sum" : "subset:weakest", exact);
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     const float lower = ui.theme.fonts.large->FontSize - ui.theme.fonts.regular->FontSize;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);
-    const std::string what = quantity_of(pick.request) + " of the weakest pair";
+    const std::string what =
+        quantity_of(pick.request) + (by_sum ? ", the sum of all pairs" : " of the weakest pair");
     dim_text(ui, shortened(ui.theme.fonts.regular, what, ImGui::GetContentRegionAvail().x));
     draw_proof(ui, work, shown_map, picking, pick);
     draw_weakest_pair(ui, work, timeline, shown_map, play, picking, pick, a, b);
+}
+
+// Those that nobody feels, and whether they may be picked.
+void draw_unfelt_choice(Ui& ui, SubsetState& picking) {
+    const std::size_t count = picking.asked.unfelt;
+    if (count == 0) return;
+    const std::string words = picking.with_unfelt
+                                  ? std::to_string(count) + " not felt may be picked."
+                                  : left_out_words(count) + ": nobody could tell it from nothing.";
+    ImGui::PushFont(ui.theme.fonts.small);
+    reading_text(picking.with_unfelt ? ui.theme.warning : ui.theme.dim_text, words);
+    ImGui::PopFont();
+    note_item(ui.rects, "subset:unfelt", words);
+    const char* act = picking.with_unfelt ? "Leave out" : "Include";
+    flow_on(ImGui::CalcTextSize(act).x, ui.theme.gap_px);
+    if (link(ui, "include unfelt", act)) picking.with_unfelt = !picking.with_unfelt;
+    note_item(ui.rects, "link:include unfelt", act);
+    draw_tooltip(ui,
+                 "No receptor of the model answers to them. Locked ones are picked in any case.");
 }
 
 // True where there is a subset to draw.
@@ -228,9 +259,11 @@ bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         draw_empty(list, ui.theme, area, "Picking",
                    "Of many patterns it takes some seconds to prove that no others are better.");
     } else {
-        draw_empty(list, ui.theme, area, "Nothing picked yet",
+        draw_empty(list, ui.theme, area,
+                   has_fault ? "Nothing can be picked so" : "Nothing picked yet",
                    has_fault ? picking.pick->fault
                              : "The subset is picked as soon as there is a space above.");
+        if (has_fault) note_rect(ui.rects, "subset:fault", area.min, area.max, picking.pick->fault);
     }
     return false;
 }
@@ -257,6 +290,7 @@ PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const Sh
     draw_grow(ui, work, picking);
     draw_objective(ui, picking);
     draw_source(ui, work, picking);
+    draw_unfelt_choice(ui, picking);
     PatternDeed deed = PatternDeed::none;
     if (!draw_pick_state(ui, work, shown_map, picking)) return deed;
     const std::shared_ptr<const Pick> pick = picking.pick;  // kept while it is drawn

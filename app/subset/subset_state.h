@@ -26,6 +26,8 @@ struct PickRequest {
     SubsetProblem problem;
     bool by_ratings = false;  // else by the metric
     Metric metric = Metric::pm;
+    std::size_t unfelt = 0;    // that are there and not locked ...
+    bool with_unfelt = false;  // ... and may be picked; else they are left out
 
     bool operator==(const PickRequest&) const = default;
 };
@@ -100,9 +102,13 @@ struct AppliedChange {
     std::uint64_t revision = 0;  // of the document with the change
 };
 
+inline constexpr int kUsualCount = 8;
+
 struct SubsetState {
     SubsetView view = SubsetView::pick;
-    int count = 8;
+    int count = kUsualCount;
+    int usual_count = kUsualCount;  // as many as can be, up to that; until another one is chosen
+    bool with_unfelt = false;       // those that nobody feels may be picked, too
     SubsetObjective objective = SubsetObjective::max_min;
     bool by_ratings = false;
     Metric metric = Metric::pm;

@@ -184,7 +184,8 @@ void pick(ExportLoss& loss, const PatternSet& set, const BothSides& sides,
         loss.no_subset = "fewer than three patterns: there is nothing to choose";
         return;
     }
-    SubsetProblem problem = subset_problem(set, 0, options.objective);
+    // What nobody feels is left out, as wherever one picks.
+    SubsetProblem problem = subset_problem(set, 0, options.objective, unfelt(sides.meant.codes));
     problem.count = wanted_count(problem, objects, options.subset_count);
     SubsetOptions how;
     how.time_limit_s = options.time_limit_s;

@@ -135,6 +135,31 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
     return codes;
 }
 
+PartShares part_shares(const Prediction& prediction, std::size_t pair) {
+    const PerceptualModelParams& params = prediction.params;
+    const double of_nc = prediction.nc.condensed[pair] == 0.0
+                             ? 0.0
+                             : params.nc_weight * prediction.nc_rank[pair];
+    const double of_oc = prediction.oc.condensed[pair] == 0.0
+                             ? 0.0
+                             : params.oc_weight * prediction.oc_rank[pair];
+    const double all = of_nc + of_oc;
+    return all > 0.0 ? PartShares{of_nc / all, of_oc / all} : PartShares{};
+}
+
+bool is_felt(const PatternCode& code) {
+    return std::ranges::any_of(code.neural.activation,
+                               [](const Activation& channel) { return channel.rate_hz > 0.0; });
+}
+
+std::vector<std::size_t> unfelt(std::span<const std::shared_ptr<const PatternCode>> codes) {
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < codes.size(); ++k) {
+        if (!is_felt(*codes[k])) places.push_back(k);
+    }
+    return places;
+}
+
 Dissimilarity nc_matrix(Codes codes, const PerceptualModelParams& params,
                         const PredictOptions& options) {
     const Prediction* previous = usable(options, params);

@@ -57,11 +57,23 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
                                                               const PerceptualModelParams& params,
                                                               const PredictOptions& options);
 
+// Whether any receptor answers to it, and the places of those to which none does.
+bool is_felt(const PatternCode& code);
+std::vector<std::size_t> unfelt(std::span<const std::shared_ptr<const PatternCode>> codes);
+
 // The two parts, unranked; a single pattern gives a matrix of no pairs.
 Dissimilarity nc_matrix(std::span<const std::shared_ptr<const PatternCode>> codes,
                         const PerceptualModelParams& params, const PredictOptions& options);
 Dissimilarity oc_matrix(std::span<const std::shared_ptr<const PatternCode>> codes,
                         const PerceptualModelParams& params, const PredictOptions& options);
+
+// How much of a pair's PM comes of each part: the weighted ranks' shares. A part in which the two
+// do not differ has none, though pairs that are tied at 0 have a rank; without any, both are 0.
+struct PartShares {
+    double nc = 0.0;
+    double oc = 0.0;
+};
+PartShares part_shares(const Prediction& prediction, std::size_t pair);
 
 // All of it; nothing when stopped.
 std::optional<Prediction> predict(std::span<const Waveform> waveforms,

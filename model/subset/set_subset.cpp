@@ -29,12 +29,36 @@ std::optional<Ratings> part_of(const Ratings& ratings, const std::vector<std::st
 
 }  // namespace
 
-SubsetProblem subset_problem(const PatternSet& set, std::size_t count, SubsetObjective objective) {
+std::vector<std::size_t> left_out_unfelt(const PatternSet& set,
+                                         std::span<const std::size_t> unfelt) {
+    std::vector<std::size_t> places;
+    for (const std::size_t k : unfelt) {
+        const Vibration& one = set.vibrations[k];
+        if (!one.locked && !one.dropped) places.push_back(k);
+    }
+    return places;
+}
+
+std::string left_out_words(std::size_t count) {
+    if (count == 0) return {};
+    return std::to_string(count) + (count == 1 ? " not felt pattern" : " not felt patterns") +
+           " left out";
+}
+
+std::size_t possible_count(const SubsetProblem& problem, std::size_t objects, std::size_t wanted) {
+    const std::size_t most = objects - std::min(objects, problem.drop.size());
+    const std::size_t least = std::max<std::size_t>(2, problem.keep.size());
+    return std::clamp(std::max<std::size_t>(wanted, 2), std::min(least, most), most);
+}
+
+SubsetProblem subset_problem(const PatternSet& set, std::size_t count, SubsetObjective objective,
+                             std::span<const std::size_t> unfelt) {
     SubsetProblem problem{count, objective};
     for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
         if (set.vibrations[k].locked) problem.keep.push_back(k);
         if (set.vibrations[k].dropped) problem.drop.push_back(k);
     }
+    for (const std::size_t k : left_out_unfelt(set, unfelt)) problem.drop.push_back(k);
     return problem;
 }
 

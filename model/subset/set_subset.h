@@ -3,14 +3,26 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "model/set/pattern_set.h"
 #include "model/subset/subset.h"
 
 namespace tact {
 
-// To pick `count`: locked vibrations are kept, dropped ones left out.
-SubsetProblem subset_problem(const PatternSet& set, std::size_t count, SubsetObjective objective);
+// To pick `count`: locked vibrations are kept, dropped ones left out, and so are those that nobody
+// feels (places in the set), unless they are locked: nobody could tell them from nothing.
+SubsetProblem subset_problem(const PatternSet& set, std::size_t count, SubsetObjective objective,
+                             std::span<const std::size_t> unfelt = {});
+
+// Those of them that are left out only because nobody feels them.
+std::vector<std::size_t> left_out_unfelt(const PatternSet& set,
+                                         std::span<const std::size_t> unfelt);
+std::string left_out_words(std::size_t count);  // "1 not felt pattern left out"; empty: none is
+
+// `wanted`, or as near to it as locks allow: for who has not said how many.
+std::size_t possible_count(const SubsetProblem& problem, std::size_t objects, std::size_t wanted);
 
 // The set of these vibrations alone, in the given order, with what people said of them.
 PatternSet part_of(const PatternSet& set, std::span<const std::size_t> members);

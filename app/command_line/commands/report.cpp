@@ -28,6 +28,8 @@ struct ReportAnswer {
     CloserThan closer_than;
     PerceptualSpace space;
     std::optional<Stability> stability;
+    std::vector<std::size_t> unfelt;    // that may not be picked unless they are kept ...
+    std::vector<std::size_t> left_out;  // ... which these are not
 };
 
 Error stopped() { return Error{"stopped before the report was made"}; }
@@ -40,10 +42,14 @@ std::size_t picked_count(const ReportCommand& command, std::size_t patterns) {
 }
 
 Expected<SubsetAnswer> picked_for_report(const ReportCommand& command, const PatternSet& set,
-                                         const Dissimilarity& pm, std::stop_token stop) {
-    SubsetProblem problem =
-        subset_problem(set, picked_count(command, set.vibrations.size()), SubsetObjective::max_min);
-    if (!command.count) problem.count = std::max(problem.count, problem.keep.size());
+                                         const Dissimilarity& pm,
+                                         std::span<const std::size_t> unfelt,
+                                         std::stop_token stop) {
+    SubsetProblem problem = subset_problem(set, picked_count(command, set.vibrations.size()),
+                                           SubsetObjective::max_min, unfelt);
+    if (!command.count) {
+        problem.count = possible_count(problem, set.vibrations.size(), problem.count);
+    }
     SubsetOptions options;
     options.time_limit_s = command.time_limit_s;
     options.threads = command.common.threads;
@@ -80,8 +86,8 @@ Expected<Done> look_at_likeness(const ReportCommand& command, const FeltSet& set
     sure.threads = command.common.threads;
     sure.stop = stop;
     sure.progress = progress_line("drawing models");
-    const SubsetProblem problem =
-        subset_problem(sets.meant, answer.subset.best.members.size(), SubsetObjective::max_min);
+    const SubsetProblem problem = subset_problem(sets.meant, answer.subset.best.members.size(),
+                                                 SubsetObjective::max_min, answer.unfelt);
     answer.stability =
         subset_stability(sets.felt, problem, answer.subset.best, answer.space.points, sure);
     if (!answer.stability) return stopped();
@@ -98,8 +104,10 @@ Expected<ReportAnswer> answer_of(const ReportCommand& command, const FeltSet& se
     if (!prediction) return stopped();
     ReportAnswer answer;
     answer.pm = std::move(prediction->pm);
-    auto subset = picked_for_report(command, sets.meant, answer.pm, stop);
-    if (!subset) return subset.error();
+    if (!command.include_unfelt) answer.unfelt = unfelt(prediction->codes);
+    answer.left_out = left_out_unfelt(sets.meant, answer.unfelt);
+    auto subset = picked_for_report(command, sets.meant, answer.pm, answer.unfelt, stop);
+    if (!subset) return unpickable(subset.error(), answer.left_out.size());
     answer.subset = *std::move(subset);
     Expected<CloserThan> than = closer_than(command, sets.meant, answer);
     if (!than) return than.error();
@@ -138,6 +146,7 @@ nlohmann::json json_of(const ReportAnswer& answer, const PatternSet& set,
     for (const std::size_t place : answer.subset.best.members) {
         json["picked"].push_back(names[place]);
     }
+    for (const std::size_t k : answer.left_out) json["left_out_unfelt"].push_back(names[k]);
     for (std::size_t k = 0; k < names.size(); ++k) {
         const NearestNeighbour& nearest = answer.closer.nearest[k];
         json["nearest"][names[k]] = {{"pattern", names[nearest.place]},
@@ -185,6 +194,7 @@ Expected<Done> run(const ReportCommand& command) {
                   .space = answer->space,
                   .confused = answer->confused,
                   .closer = answer->closer,
+                  .left_out = left_out_words(answer->left_out.size()),
                   .closer_than = answer->closer_than,
                   .by = sets->labels.by,
                   .program = kProgramVersion,

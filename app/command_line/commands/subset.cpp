@@ -17,6 +17,7 @@
 #include "model/io/people/ratings_file.h"
 #include "model/io/set/set_file.h"
 #include "model/map/mds.h"
+#include "model/perceptual_model/perceptual_model.h"
 #include "model/subset/set_subset.h"
 #include "model/subset/subset.h"
 #include "model/subset/subset_stability.h"
@@ -40,6 +41,7 @@ struct Source {
     Dissimilarity dissimilarity;
     Labels labels;
     bool synthetic_ratings = false;
+    std::vector<std::size_t> unfelt{};  // of what is compared: places that nobody feels
 };
 
 Expected<Dissimilarity> of_ratings(const std::vector<fs::path>& files, const Names& names,
@@ -74,6 +76,13 @@ Expected<Dissimilarity> of_metric(const SubsetCommand& command, const PatternSet
     return *std::move(matrix);
 }
 
+std::vector<std::size_t> unfelt_in(const PatternSet& set, int threads, std::stop_token stop) {
+    PredictOptions options;
+    options.threads = threads;
+    options.stop = stop;
+    return unfelt(pattern_codes(model_waveforms(set), set.model, options));
+}
+
 Expected<Source> source_of(const SubsetCommand& command, std::stop_token stop) {
     Expected<FeltSet> sets = load_felt(command.common);
     if (!sets) return sets.error();
@@ -85,8 +94,14 @@ Expected<Source> source_of(const SubsetCommand& command, std::stop_token stop) {
         : !command.ratings.empty() ? of_ratings(command.ratings, names, synthetic_ratings)
                                    : of_metric(command, sets->felt, stop);
     if (!matrix) return matrix.error();
-    return Source{std::move(sets->meant), std::move(sets->felt), *std::move(matrix),
+    Source source{std::move(sets->meant), std::move(sets->felt), *std::move(matrix),
                   std::move(sets->labels), synthetic_ratings};
+    const bool is_metric = command.matrix.empty() && command.ratings.empty();
+    if (is_metric && !command.include_unfelt) {
+        source.unfelt = unfelt_in(source.felt, command.common.threads, stop);
+        if (stop.stop_requested()) return Error{"stopped before all patterns were looked at"};
+    }
+    return source;
 }
 
 // With the locks of the set. A pattern that is asked for is not dropped by them, nor the reverse.
@@ -122,6 +137,7 @@ nlohmann::json json_of(const Subset& subset, const Names& names) {
 }
 
 struct SubsetResult {
+    std::vector<std::size_t> left_out;  // as nobody feels them
     SubsetObjective objective = SubsetObjective::max_min;
     SubsetAnswer answer;
     std::vector<CurvePoint> curve;
@@ -141,6 +157,9 @@ nlohmann::json json_of(const SubsetResult& result, const SubsetCommand& command,
             json["alternatives"].push_back(json_of(other, names));
         }
         json["alternatives_proven"] = answer.are_alternatives_proven;
+    }
+    if (!result.left_out.empty()) {
+        for (const std::size_t k : result.left_out) json["left_out_unfelt"].push_back(names[k]);
     }
     for (const CurvePoint& point : result.curve) {
         json["curve"].push_back(
@@ -203,6 +222,11 @@ std::string text_of(const SubsetResult& result, const Names& names) {
     text += "\nweakest pair  " + six_digits(best.weakest_dissimilarity) + "  " +
             names[best.weakest.first] + " and " + names[best.weakest.second] + "\nsum           " +
             six_digits(best.sum) + "\n" + proof_text(result) + "\n";
+    if (!result.left_out.empty()) {
+        text += left_out_words(result.left_out.size()) + " (--include-unfelt):";
+        for (const std::size_t k : result.left_out) text += " " + names[k];
+        text += "\n";
+    }
     if (!answer.alternatives.empty()) {
         std::vector<TextRow> rows{{"alternatives", "weakest", "sum"}};
         for (const Subset& other : answer.alternatives) {
@@ -252,8 +276,9 @@ Expected<SubsetResult> picked(const SubsetCommand& command, const Source& source
                               std::stop_token stop) {
     SubsetResult result;
     if (command.objective == "max-sum") result.objective = SubsetObjective::max_sum;
-    const SubsetProblem problem =
-        subset_problem(source.set, static_cast<std::size_t>(command.count), result.objective);
+    const SubsetProblem problem = subset_problem(
+        source.set, static_cast<std::size_t>(command.count), result.objective, source.unfelt);
+    result.left_out = left_out_unfelt(source.set, source.unfelt);
     SubsetOptions options;
     options.time_limit_s = command.time_limit_s;
     options.alternatives = static_cast<std::size_t>(command.alternatives);
@@ -261,7 +286,7 @@ Expected<SubsetResult> picked(const SubsetCommand& command, const Source& source
     options.stop = stop;
     options.progress = progress_line("picking");
     Expected<SubsetAnswer> answer = most_distinct_subset(source.dissimilarity, problem, options);
-    if (!answer) return answer.error();
+    if (!answer) return unpickable(answer.error(), result.left_out.size());
     result.answer = *std::move(answer);
     if (command.curve) {
         options.progress = progress_line("trying other counts");
@@ -292,6 +317,7 @@ Expected<Done> write_report_of(const SubsetCommand& command, const Source& sourc
                   .space_of = quantity,
                   .confused = groups_within_a_step(source.set, source.dissimilarity),
                   .closer = groups_below(source.dissimilarity, than.dissimilarity),
+                  .left_out = left_out_words(result.left_out.size()),
                   .closer_than = than,
                   .by = source.labels.by,
                   .program = kProgramVersion,

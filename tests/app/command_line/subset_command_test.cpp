@@ -107,6 +107,43 @@ TEST_CASE(
     CHECK(contains(none.err, "has no pattern"));
 }
 
+TEST_CASE(
+    "subset command: what nobody feels is left out and named, unless it is included or kept") {
+    const TemporaryFolder folder;
+    const std::string path = folder
+                                 .write("faint.tactspace.json",
+                                        R"({"tactspace": 1, "duration_s": 0.1, "patterns": [
+    {"name": "a", "carriers": [{"frequency_hz": 60}]},
+    {"name": "nothing", "amplitude_g": 0, "carriers": [{"frequency_hz": 250}]},
+    {"name": "c", "carriers": [{"frequency_hz": 250}]},
+    {"name": "d", "amplitude_g": 0.5, "carriers": [{"frequency_hz": 150}]}]})")
+                                 .string();
+    const auto picked = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"subset", path, "--json"};
+        words.insert(words.end(), more.begin(), more.end());
+        return Json::parse(output_of(words));
+    };
+    const Json without = picked({"-k", "3", "--curve"});
+    CHECK(without.at("patterns") == std::vector<std::string>{"a", "c", "d"});
+    CHECK(without.at("left_out_unfelt") == std::vector<std::string>{"nothing"});
+    CHECK(without.at("curve").back().at("k") == 3);
+    CHECK(contains(output_of({"subset", path, "-k", "3"}),
+                   "1 not felt pattern left out (--include-unfelt): nothing"));
+    CHECK(picked({"-k", "4", "--include-unfelt"}).at("patterns").size() == 4);
+    CHECK_FALSE(picked({"-k", "4", "--include-unfelt"}).contains("left_out_unfelt"));
+    CHECK(picked({"-k", "2", "--keep", "nothing"}).at("patterns").dump().find("nothing") !=
+          std::string::npos);
+    CHECK(picked({"-k", "3", "--metric", "rmse"}).at("left_out_unfelt").size() == 1);
+    CHECK(contains(refusal_of({"subset", path, "-k", "4"}),
+                   "4 to pick of 3: expected at most as many; 1 not felt pattern left out"));
+    const std::string page = (folder.path / "page.html").string();
+    const Json report =
+        Json::parse(output_of({"report", path, "-k", "3", "--out", page, "--json"}));
+    CHECK(report.at("picked") == std::vector<std::string>{"a", "c", "d"});
+    CHECK(report.at("left_out_unfelt") == std::vector<std::string>{"nothing"});
+    CHECK(contains(bytes_of(page), "1 not felt pattern left out."));
+}
+
 TEST_CASE("subset command: past its time the word does not appear") {
     const ShortSet short_set;
     const std::string text = output_of({"subset", short_set.path, "-k", "3", "--time-limit", "0"});

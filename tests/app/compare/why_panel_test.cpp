@@ -35,6 +35,23 @@ TEST_CASE("why tab: it explains the current pattern and its closest one, or the 
     CHECK(app.work.selection.pinned == "p4");
 }
 
+TEST_CASE("why tab: a part in which two do not differ has no share, though ties have a rank") {
+    Prediction prediction;
+    prediction.nc.condensed = {0.0, 0.0, 2.0, 1.0};
+    prediction.oc.condensed = {3.0, 0.0, 0.0, 1.0};
+    prediction.nc_rank = {1.5, 1.5, 4.0, 3.0};
+    prediction.oc_rank = {4.0, 1.5, 1.5, 3.0};
+    prediction.params.nc_weight = 1.0;
+    prediction.params.oc_weight = 3.0;
+    CHECK(part_shares(prediction, 0).nc == 0.0);
+    CHECK(part_shares(prediction, 0).oc == 1.0);
+    CHECK(part_shares(prediction, 1).nc == 0.0);
+    CHECK(part_shares(prediction, 1).oc == 0.0);
+    CHECK(part_shares(prediction, 2).nc == 1.0);
+    CHECK(part_shares(prediction, 3).nc == 0.25);
+    CHECK(part_shares(prediction, 3).oc == 0.75);
+}
+
 TEST_CASE("why tab: a cell of the matrix makes the pair") {
     CompareBench bench;
     const ImVec2 middle = bench.program.at("view:Matrix").middle();

@@ -145,6 +145,43 @@ TEST_CASE("generate dialog: what is typed wrong is said and changes nothing") {
     CHECK(size_of(program) == 1);
 }
 
+TEST_CASE("generate dialog: no entry is dropped, nor read as another number, without a sentence") {
+    Program program(short_patterns(1));
+    open_dialog(program);
+    struct Typed {
+        const char* text;
+        std::vector<double> taken;  // empty: refused
+        const char* said;
+    };
+    const std::vector<Typed> all{
+        {"0.5, 1, 0.5, abc", {}, "\"abc\" is no number"},
+        {"0.0001,60", {}, "0 to 50 g"},
+        {"0,5; 1", {}, "\"0,5\" is one number or two: write 0.5, or a blank after the comma"},
+        {"1,5; 2", {}, "\"1,5\" is one number or two: write 1.5, or a blank after the comma"},
+        {"0,5", {}, "\"0,5\" is one number or two: write 0.5, or a blank after the comma"},
+        {"0.5, 1, 0.5", {0.5, 1.0, 0.5}, "3 levels, 0.5 of them 2 times"},
+        {"0.5,1", {0.5, 1.0}, "2 levels"},
+        {"0, 5", {0.0, 5.0}, "2 levels"},
+        {"1,5", {1.0, 5.0}, "2 levels"},
+        {"0.5; 1", {0.5, 1.0}, "2 levels"},
+        {"2", {2.0}, "fixed"}};
+    for (const Typed& one : all) {
+        CAPTURE(one.text);
+        const DesignSpace before = program.app.generating.draft;
+        type_into(program, "generate:amplitude", one.text);
+        program.click("generate:count");  // and left: what was refused is still said to be
+        if (one.taken.empty()) {
+            CHECK(program.app.generating.draft == before);
+            CHECK(program.at("generate:fault").value == "Not taken: " + std::string(one.said));
+        } else {
+            CHECK(std::get<std::vector<double>>(program.app.generating.draft.amplitude_g) ==
+                  one.taken);
+            CHECK_FALSE(program.shows("generate:fault"));
+            CHECK(program.at("generate:remark amplitude").value == one.said);
+        }
+    }
+}
+
 TEST_CASE("generate dialog: levels, ranges and designs are counted as they change") {
     Program program(short_patterns(1));
     open_dialog(program);

@@ -174,7 +174,7 @@ TEST_CASE(
     CHECK(times_in(page, "roven") == 0);
     CHECK(times_in(section(page, "subset"), "No weakest pair is above 7.25") == 1);
     report.answer.proof = SubsetProof::optimal;
-    report.weakest_of_best = 5.5;
+    report.best_worth = 5.5;
     page = report_page(report);
     CHECK(times_in(section(page, "subset"),
                    "taken instead of the best one, whose weakest pair has 5.5") == 1);

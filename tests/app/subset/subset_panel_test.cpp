@@ -79,7 +79,8 @@ TEST_CASE("subset panel: it shows the model's answer, and a lock changes it as o
     REQUIRE(shown_subset(app.shown_map, app.picking) != nullptr);
     CHECK(*shown_subset(app.shown_map, app.picking) == best());
     CHECK(std::stod(bench.program.at("subset:weakest").value) == best().weakest_dissimilarity);
-    CHECK(bench.program.at("subset:proof").value == "Proven: no other subset is better.");
+    CHECK(bench.program.at("subset:proof").value ==
+          "Proven: in no other subset is the weakest pair farther apart.");
 
     std::size_t outsider = 0;
     while (std::ranges::binary_search(best().members, outsider)) ++outsider;
@@ -334,6 +335,118 @@ TEST_CASE("subset panel: a report waits for the subset of the set as it is, what
     bench.wait(written(folder.path / "other.html"));
     CHECK(bytes_of(folder.path / "other.html").find("the reference pair that was taken") !=
           std::string::npos);
+}
+
+TEST_CASE("subset panel: by the sum, every sentence and every value is of the sum") {
+    SubsetBench bench;
+    App& app = bench.app;
+    Program& program = bench.program;
+    select_only(app.work, 0);
+    toggle_locked(app.ui, app.work);
+    select_only(app.work, 5);
+    toggle_locked(app.ui, app.work);
+    program.click("radio:Sum");
+    bench.wait_for_pick();
+    program.hover({0.0F, 0.0F});
+    const Pick& pick = *app.picking.pick;
+    REQUIRE(pick.request.problem.objective == SubsetObjective::max_sum);
+    CHECK(std::stod(program.at("subset:sum").value) == pick.answer.best.sum);
+    CHECK_FALSE(program.shows("subset:weakest"));
+    CHECK(program.at("subset:proof").value == "Proven: no other subset has a larger sum.");
+    const auto& others = pick.answer.alternatives;
+    REQUIRE_FALSE(others.empty());
+    for (std::size_t k = 0; k < others.size(); ++k) {
+        CAPTURE(k);
+        const std::string words = program.at("alternative:" + std::to_string(k + 1)).value;
+        const std::string value = words.substr(words.rfind(": ") + 2);
+        CHECK(others[k].sum <= pick.answer.best.sum);
+        CHECK(value == (others[k].sum == pick.answer.best.sum ? "ties" : grouped(others[k].sum)));
+    }
+    // Another one that is looked at shows its own sum.
+    app.picking.alternative = 0;
+    program.settle();
+    CHECK(std::stod(program.at("subset:sum").value) == others[0].sum);
+}
+
+TEST_CASE("subset panel: a number that locks or the set do not allow is refused in a sentence") {
+    SubsetBench bench;
+    App& app = bench.app;
+    const auto fault_with = [&](int count) {
+        app.picking.count = count;
+        bench.wait([&] {
+            return app.picking.pick && app.picking.pick->request == app.picking.asked &&
+                   app.picking.asked.problem.count == static_cast<std::size_t>(count);
+        });
+        bench.program.settle();
+        CHECK(bench.members() == 0);
+        // The model says it, and says it everywhere so.
+        const auto said = check_subset(app.picking.asked.problem, 9);
+        REQUIRE_FALSE(said);
+        CHECK(bench.program.at("subset:fault").value == said.error().message + ".");
+        return bench.program.at("subset:fault").value;
+    };
+    CHECK(fault_with(10) == "10 to pick of 9: expected at most as many.");
+    for (Vibration& one : app.work.document.set.vibrations) one.locked = true;
+    document_changed(app.work);
+    bench.program.wait_for_exact_map();
+    CHECK(fault_with(3) == "3 to pick, but 9 must be kept.");
+}
+
+TEST_CASE("subset panel: who has not said how many gets 8, or as many as there are") {
+    Program program(short_patterns(5));
+    App& app = program.app;
+    program.compute_map();
+    app.layout.bench = BenchTab::subset;
+    const auto until = end_of_patience();
+    while (!app.picking.pick && std::chrono::steady_clock::now() < until) program.frame();
+    REQUIRE(app.picking.pick);
+    CHECK(app.picking.count == 5);
+    CHECK(app.picking.pick->answer.best.members.size() == 5);
+    stop_jobs(app);
+}
+
+TEST_CASE("subset panel: what nobody feels is none of the most distinct, unless it is included") {
+    PatternSet set = short_patterns(6);
+    std::get<Pattern>(set.vibrations[2].source).amplitude_g = 0.0;
+    Program program(set);
+    App& app = program.app;
+    program.compute_map();
+    REQUIRE(
+        (unfelt(app.shown_map.transition.shown->prediction.codes) == std::vector<std::size_t>{2}));
+    app.layout.bench = BenchTab::subset;
+    const auto pick = [&] {
+        const auto until = end_of_patience();
+        do {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            program.frame();
+        } while (!app.picking.pick || app.picking.pick->request != app.picking.asked ||
+                 app.picking.asked.map != app.shown_map.transition.shown ||
+                 is_subset_busy(app.picking));
+        program.settle();
+    };
+    pick();
+    CHECK(app.picking.count == 5);
+    CHECK_FALSE(program.shows("member:p3"));
+    CHECK(program.at("subset:unfelt").value.starts_with("1 not felt pattern left out"));
+    // What is proven is of the same candidates: so is the curve.
+    CHECK(app.picking.curve->points.back().count == 5);
+    program.click("link:include unfelt");
+    app.picking.count = 6;
+    program.frame();
+    pick();
+    CHECK(program.shows("member:p3"));
+    CHECK(program.shows("member not felt:p3"));
+    CHECK(program.at("subset:unfelt").value == "1 not felt may be picked.");
+    // Whoever is locked is picked in any case.
+    program.click("link:include unfelt");
+    app.work.document.set.vibrations[2].locked = true;
+    document_changed(app.work);
+    program.wait_for_exact_map();
+    pick();
+    CHECK(program.shows("member:p3"));
+    CHECK_FALSE(program.shows("subset:unfelt"));
+    stop_jobs(app);
 }
 
 }  // namespace subset_panel_test
