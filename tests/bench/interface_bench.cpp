@@ -231,8 +231,8 @@ void show_made_up_map(App& app) {
     make_jobs(app);
     RandomStream random{5};
     LiveMap map;
-    map.request = {app.work.revision, std::make_shared<const PatternSet>(app.work.document.set), 3,
-                   false};
+    map.request = {app.work.revision, app.work.document_number,
+                   std::make_shared<const PatternSet>(app.work.document.set), 3, false};
     map.prediction.pm.size = kManyPoints;
     map.prediction.pm.condensed.resize(pair_count(kManyPoints));
     for (double& value : map.prediction.pm.condensed) value = 2.0 + next_even(random);
