@@ -73,6 +73,20 @@ threads     0: all cores
 Returns (coordinates, stress): coordinates (n, dimensions) without a unit, centred, on principal axes,
 mean squared distance 1; stress-1 from 0 to 1. A map that says nothing is a UserWarning.)";
 
+inline constexpr const char* kUnfelt =
+    R"(unfelt(waves, rate_hz=10000.0, threads=0, model=None)
+--
+
+Places of the vibrations that no receptor answers to: nobody could tell them from nothing.
+
+waves    array (n, samples) in g, or a list of n arrays of any lengths, at most 60 s each
+rate_hz  sampling rate of the waves, 100 to 1e7 Hz
+threads  0: all cores. The time depends on it, the result does not
+model    parameters of PM: None (the paper's), read_set(..)["model"] or train(..)["model"]
+
+Returns an array of places, from 0, ascending. tactspace subset, report and the window leave them
+out; subset(D, k, drop=unfelt(waves)) does as well.)";
+
 inline constexpr const char* kSubset =
     R"(subset(D, k, keep=(), drop=(), objective="max-min", threads=0, time_limit_s=60.0)
 --
@@ -81,7 +95,8 @@ The k most distinct of n objects, proven.
 
 D             (n, n) or condensed, in any unit; NaN (not known) counts as 0
 k             how many, 2 to n
-keep, drop    places, from 0, of objects that must and must not be among them
+keep, drop    places, from 0, of objects that must and must not be among them; drop=unfelt(waves)
+              leaves out what nobody feels, as D does not tell
 objective     "max-min": the weakest pair as far apart as can be; "max-sum": the sum of all pairs
 threads       0: all cores
 time_limit_s  seconds, after which the best so far is returned, not called optimal

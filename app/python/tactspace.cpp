@@ -86,6 +86,24 @@ py::dict dict_of(const std::vector<Component>& components) {
                     "skin_um"_a = of_each(&Component::skin_um));
 }
 
+// Padded to the longest, as predict() does.
+py::array unfelt_places(const py::object& waves, double rate_hz, int threads,
+                        const py::object& model) {
+    const PerceptualModelParams params = model_of(model);
+    PredictOptions options;
+    options.threads = threads_of(threads);
+    std::vector<Waveform> given = waves_of(waves, rate_hz);
+    const std::vector<std::size_t> places = beside_python([&](std::stop_token stop) {
+        options.stop = stop;
+        given = at_model_rate(std::move(given));
+        std::size_t longest = 0;
+        for (const Waveform& one : given) longest = std::max(longest, one.samples_g.size());
+        for (Waveform& one : given) one = padded(std::move(one), longest);
+        return unfelt(pattern_codes(given, params, options));
+    });
+    return array_of(std::vector<int>(places.begin(), places.end()));
+}
+
 py::dict stages(const py::object& wave, double rate_hz, const py::object& model) {
     const PerceptualModelParams params = model_of(model);
     within(rate_hz, "rate_hz", {kLowestRateHz, kHighestRateHz});
@@ -164,6 +182,8 @@ PYBIND11_MODULE(tactspace, module) {
                "rate_hz"_a = kModelRateHz, "threads"_a = 0, "model"_a = none);
     module.def("stages", stages, help::kStages, "wave"_a, "rate_hz"_a = kModelRateHz,
                "model"_a = none);
+    module.def("unfelt", unfelt_places, help::kUnfelt, "waves"_a, "rate_hz"_a = kModelRateHz,
+               "threads"_a = 0, "model"_a = none);
     module.def("space", space, help::kSpace, "D"_a, "dimensions"_a = 3, "threads"_a = 0);
     module.def("subset", subset, help::kSubset, "D"_a, "k"_a, "keep"_a = nobody, "drop"_a = nobody,
                "objective"_a = "max-min", "threads"_a = 0, "time_limit_s"_a = 60.0);

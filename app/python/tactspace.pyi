@@ -72,6 +72,12 @@ def predict(
     threads: int = 0,
     model: Mapping[str, Any] | None = None,
 ) -> Numbers: ...
+def unfelt(
+    waves: ArrayLike | Sequence[ArrayLike],
+    rate_hz: float = 10000.0,
+    threads: int = 0,
+    model: Mapping[str, Any] | None = None,
+) -> Numbers: ...
 def stages(
     wave: ArrayLike, rate_hz: float = 10000.0, model: Mapping[str, Any] | None = None
 ) -> Stages: ...

@@ -103,6 +103,16 @@ class Refusals(unittest.TestCase):
         self.refused("wave: expected samples along one axis, got shape (12, 10000)",
                      tactspace.stages, WAVES)
 
+    def test_what_nobody_feels_is_left_out_by_its_places(self):
+        waves = WAVES[:4].copy()
+        waves[1] = 0.0
+        unfelt = tactspace.unfelt(waves)
+        np.testing.assert_array_equal(unfelt, [1])
+        self.assertEqual(len(tactspace.unfelt(WAVES[:3])), 0)
+        picked = tactspace.subset(tactspace.predict(waves), 3, drop=unfelt)
+        np.testing.assert_array_equal(picked["members"], [0, 2, 3])
+        self.refused("4 to pick of 3", tactspace.subset, tactspace.predict(waves), 4, drop=unfelt)
+
     def test_names(self):
         self.refused("st-sim", tactspace.predict, WAVES, "st_sim")
         self.refused('objective: expected one of "max-min", "max-sum", got "sum"',
@@ -123,7 +133,10 @@ class Refusals(unittest.TestCase):
         self.refused("D[2, 2]: expected 0 on the diagonal, got 3", space, diagonal)
         self.refused("D: expected finite numbers, or NaN, got infinity", space, [1.0, np.inf, 2.0])
         self.refused("dimensions: expected 1 to 10, got 0", space, square, 0)
-        self.refused("k: expected 2 to 12, got 13", tactspace.subset, square, 13)
+        # As the window and the terminal say it.
+        self.refused("13 to pick of 12: expected at most as many", tactspace.subset, square, 13)
+        self.refused("1 to pick: expected at least 2", tactspace.subset, square, 1)
+        self.refused("3 to pick, but 12 must be kept", tactspace.subset, square, 3, range(12))
         self.refused("keep: expected places 0 to 11, got -1", tactspace.subset, square, 3, [-1])
         self.refused("drop: expected places 0 to 11, got 12", tactspace.subset, square, 3, drop=[12])
         self.refused("one pattern cannot be both kept and dropped",

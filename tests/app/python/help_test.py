@@ -36,7 +36,7 @@ class Help(unittest.TestCase):
         square = np.triu(square, 1) + np.triu(square, 1).T
         ratings = dict(names=list("abcdef"), participants=["p"], ratings=[np.arange(15.0) % 7])
         of_set = {"waves": waves, "ratings": tactspace.predict(waves), "model": {"nc_weight": 0.9}}
-        calls = {"predict": [waves], "stages": [waves[0]], "space": [square], "subset": [square, 3],
+        calls = {"predict": [waves], "unfelt": [waves], "stages": [waves[0]], "space": [square], "subset": [square, 3],
                  "compare": [square, ratings], "train": [[of_set]], "render": [given["patterns"][0]],
                  "read_set": [twelve]}
         for name, arguments in calls.items():
