@@ -106,14 +106,16 @@ void draw_times(Ui& ui, Workspace& work) {
 void draw_partner(Ui& ui, const Workspace& work, const ShownMap& shown_map) {
     const auto pair = chosen_pair(work, shown_map);
     if (!pair || pair->kind != PartnerKind::chosen) return;
-    const std::string& name = work.document.set.vibrations[pair->partner].name;
+    const auto& all = work.document.set.vibrations;
+    // Both are named: the one that was chosen stays, whichever pattern comes into the editor.
+    const std::string head = "PM of " + all[pair->current].name + " to " + all[pair->partner].name;
     const auto rows =
         shown_map.transition.shown ? rows_in_map(work, shown_map, *pair) : std::nullopt;
-    std::string words = "PM to " + name + ": not computed yet";
+    std::string words = head + ": not computed yet";
     if (rows) {
         const LiveMap& map = *shown_map.transition.shown;
-        words = "PM to " + name + ": " + significant(map.prediction.pm(rows->first, rows->second)) +
-                " of " + significant(largest_pm(map));
+        words = head + ": " + significant(map.prediction.pm(rows->first, rows->second)) + " of " +
+                significant(largest_pm(map));
         const MapState state = map_state(work, shown_map);
         if (state == MapState::preview) words += ", a preview";
         if (state == MapState::stale) words += ", of before the last change";

@@ -139,7 +139,7 @@ TEST_CASE("recording: made parametric it stands beside its pattern, and PM betwe
     REQUIRE(map);
     // Of the largest there is, as wherever PM is told.
     CHECK(program.at("editor:partner").value ==
-          "PM to tap: " + significant(map->prediction.pm(2, 3)) + " of " +
+          "PM of tap traced to tap: " + significant(map->prediction.pm(2, 3)) + " of " +
               significant(map->sorted_pm.back()));
 }
 
