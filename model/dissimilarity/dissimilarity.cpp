@@ -55,6 +55,10 @@ std::vector<double> quantised(std::span<const double> values) {
     return result;
 }
 
+bool is_zero_among(std::span<const double> values, std::size_t place) {
+    return quantised(values[place], largest_size(values)) == 0.0;
+}
+
 void tie_rounding_noise(std::vector<double>& values) {
     const double largest = largest_size(values);
     for (double& value : values) value = quantised(value, largest) * largest / 1e9;

@@ -41,6 +41,9 @@ std::vector<double> quantised(std::span<const double> values);
 // so that ranks that others make of them are ours.
 void tie_rounding_noise(std::vector<double>& values);
 
+// Whether a value is 0 among the others but for rounding noise, as its rank has it.
+bool is_zero_among(std::span<const double> values, std::size_t place);
+
 // Ranks 1..m of the quantised values; ties share their average rank.
 std::vector<double> average_ranks(std::span<const double> values);
 

@@ -137,10 +137,10 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
 
 PartShares part_shares(const Prediction& prediction, std::size_t pair) {
     const PerceptualModelParams& params = prediction.params;
-    const double of_nc = prediction.nc.condensed[pair] == 0.0
+    const double of_nc = is_zero_among(prediction.nc.condensed, pair)
                              ? 0.0
                              : params.nc_weight * prediction.nc_rank[pair];
-    const double of_oc = prediction.oc.condensed[pair] == 0.0
+    const double of_oc = is_zero_among(prediction.oc.condensed, pair)
                              ? 0.0
                              : params.oc_weight * prediction.oc_rank[pair];
     const double all = of_nc + of_oc;

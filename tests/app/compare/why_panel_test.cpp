@@ -38,7 +38,7 @@ TEST_CASE("why tab: it explains the current pattern and its closest one, or the 
 TEST_CASE("why tab: a part in which two do not differ has no share, though ties have a rank") {
     Prediction prediction;
     prediction.nc.condensed = {0.0, 0.0, 2.0, 1.0};
-    prediction.oc.condensed = {3.0, 0.0, 0.0, 1.0};
+    prediction.oc.condensed = {3.0, 0.0, 1e-15, 1.0};  // one of them by rounding noise
     prediction.nc_rank = {1.5, 1.5, 4.0, 3.0};
     prediction.oc_rank = {4.0, 1.5, 1.5, 3.0};
     prediction.params.nc_weight = 1.0;
