@@ -64,6 +64,8 @@ ExportedPattern effect_exported(const Pattern& pattern, const std::string& name,
         return result;
     }
     for (std::string& remark : back->remarks) {
+        // A file says so on reading; a pattern that is silent, or half of a pair, is no loss here.
+        if (remark.starts_with("it is silent")) continue;
         result.remarks.push_back("as it is read back: " + std::move(remark));
     }
     result.back = std::move(back->pattern);

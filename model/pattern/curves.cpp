@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
-#include "model/common/portable.h"
 #include "model/common/units.h"
-#include "model/signal/cut_and_fade.h"
+#include "model/pattern/accents.h"
 
 namespace tact {
 
@@ -15,7 +13,6 @@ namespace {
 
 // How far from a jump a third point stays.
 constexpr double kLeastStepS = 1.0 / kModelRateHz;
-constexpr double kFlankShare = 0.25;
 
 double ordinate(const AmplitudePoint& point) { return point.value; }
 double ordinate(const FrequencyPoint& point) { return point.frequency_hz; }
@@ -114,17 +111,7 @@ double turns_at(const Sweep& sweep, double t_s) {
 }
 
 double transient_g(const Transient& transient, double since_s) {
-    if (since_s < 0.0 || since_s >= transient.duration_s) return 0.0;
-    const double flank_s = kFlankShare * transient.duration_s;
-    const double edge_s = std::min(since_s, transient.duration_s - since_s);
-    const double level = transient.amplitude_g * fade_gain(edge_s, flank_s);
-    const double turns = transient.frequency_hz * since_s;
-    if (transient.shape == TransientShape::sine) {
-        return level * portable::sin(2.0 * std::numbers::pi * turns);
-    }
-    // A half turn ends where it should although 0.1 + 0.2 is not 0.3.
-    constexpr double kRounding = 1e-9;
-    return std::fmod(std::floor(2.0 * turns + kRounding), 2.0) == 0.0 ? level : -level;
+    return transient_g(transient, since_s, 0.0);
 }
 
 Range room_of(const AmplitudeCurve& curve, std::size_t k, double duration_s) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "model/common/portable.h"
+#include "model/pattern/accents.h"
 
 namespace tact {
 
@@ -66,16 +67,6 @@ std::vector<double> rhythm_gate(const Pattern& pattern, double rate_hz, std::siz
         }
     }
     return gate;
-}
-
-void add_transient(Waveform& waveform, const Transient& transient) {
-    const double rate_hz = waveform.rate_hz;
-    const auto first = static_cast<std::size_t>(std::max(0.0, transient.time_s) * rate_hz);
-    const std::size_t end = first + sample_count(transient.duration_s, rate_hz) + 2;
-    for (std::size_t n = first; n < std::min(end, waveform.samples_g.size()); ++n) {
-        waveform.samples_g[n] +=
-            transient_g(transient, static_cast<double>(n) / rate_hz - transient.time_s);
-    }
 }
 
 // Times in order, at most two of them equal.
@@ -186,7 +177,7 @@ Waveform render(const Pattern& pattern, double rate_hz) {
             pattern.amplitude_g * modulation_at(pattern.modulation, t_s) * carriers;
         waveform.samples_g[n] *= amplitude_factor(pattern, t_s);
     }
-    for (const Transient& transient : pattern.transients) add_transient(waveform, transient);
+    add_accents(waveform, pattern.transients);
     return waveform;
 }
 

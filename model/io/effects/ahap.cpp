@@ -5,7 +5,7 @@
 //           is out of range is clamped, keys that mean nothing are ignored. Times of control points
 //           count from their curve's. Hz, g and the transient's length are the map's.
 //           Meta's and Lofelt's writers give points in the file's time instead: taken so where the
-//           first point of a curve that begins late is at the curve's own time.
+//           first point of every curve that begins late is at the curve's own time.
 // Guessed   defaults of 1 for intensity and 0.5 for sharpness; a control is held behind its last
 //           point.
 // Refused   an entry of the pattern that is none of the three, as Meta's reader does; no event.
@@ -33,7 +33,8 @@ struct AhapEvent {
 
 struct Control {
     double time_s = 0.0;
-    AmplitudeCurve points;  // in the file's time
+    AmplitudeCurve points;  // in the curve's time until all are read, then in the file's
+    bool is_curve = false;  // else one value from its time on
 };
 
 struct AhapPattern {
@@ -109,6 +110,7 @@ Range range_of(const AhapPattern& pattern, const std::vector<Control>* controls)
 
 void read_curve(JsonObject& curve, AhapPattern& pattern) {
     Control control;
+    control.is_curve = true;
     const std::string id = text_field(curve, "ParameterID", "");
     control.time_s = number_field(curve, "Time", 0.0, kEffectTimeS);
     std::vector<Control>* controls = controls_of(pattern, id);
@@ -123,16 +125,37 @@ void read_curve(JsonObject& curve, AhapPattern& pattern) {
                  });
     if (controls == nullptr || control.points.empty()) return;
     std::ranges::stable_sort(control.points, {}, &AmplitudePoint::time_s);
-    const bool absolute =
-        control.time_s > 0.0 && std::abs(control.points.front().time_s - control.time_s) < 1e-6;
-    if (absolute) {
+    controls->push_back(std::move(control));
+}
+
+// Whether the points of a curve that begins late begin at its own time.
+bool looks_absolute(const Control& control) {
+    return std::abs(control.points.front().time_s - control.time_s) < 1e-6;
+}
+
+// Points count from their curve's time, unless every late curve of the file speaks against it.
+void place_curves(AhapPattern& pattern) {
+    std::size_t late = 0;
+    std::size_t absolute = 0;
+    for (const auto* controls : {&pattern.intensity, &pattern.sharpness}) {
+        for (const Control& control : *controls) {
+            const bool counts = control.is_curve && control.time_s > 0.0;
+            late += counts ? 1 : 0;
+            absolute += counts && looks_absolute(control) ? 1 : 0;
+        }
+    }
+    const bool all_absolute = late > 0 && absolute == late;
+    if (all_absolute) {
         remark_once(pattern.remarks,
                     "times of control points are taken as the file's, not the curve's, as Meta's "
                     "writer gives them");
-    } else {
-        for (AmplitudePoint& point : control.points) point.time_s += control.time_s;
     }
-    controls->push_back(std::move(control));
+    for (auto* controls : {&pattern.intensity, &pattern.sharpness}) {
+        for (Control& control : *controls) {
+            if (control.is_curve && all_absolute) continue;
+            for (AmplitudePoint& point : control.points) point.time_s += control.time_s;
+        }
+    }
 }
 
 void read_parameter(JsonObject& parameter, AhapPattern& pattern) {
@@ -142,7 +165,7 @@ void read_parameter(JsonObject& parameter, AhapPattern& pattern) {
     std::vector<Control>* controls = controls_of(pattern, id);
     if (controls == nullptr) return;
     const double share = clamped_to(pattern, value, range_of(pattern, controls), id);
-    controls->push_back({time_s, {{time_s, share}}});
+    controls->push_back({time_s, {{0.0, share}}});
 }
 
 void read_entry(JsonObject& entry, AhapPattern& pattern) {
@@ -250,6 +273,7 @@ Expected<Effects> read_ahap(const Json& document, const EffectFile& file) {
     if (pattern.events.empty()) {
         return Error{file.path + ": /Pattern: expected at least one haptic event, got none"};
     }
+    place_curves(pattern);
     const auto sketch = sketch_of(pattern, file);
     if (!sketch) return sketch.error();
     auto effect = finished(file, file.stem, *sketch, std::move(pattern.remarks));

@@ -53,6 +53,13 @@ std::optional<EffectsRead> joined_pair(const EffectsRead& continuous,
     }
     effect.pattern.duration_s = end_s;
     for (const std::string& remark : second.remarks) remark_once(effect.remarks, remark);
+    const bool sounds =
+        !effect.pattern.transients.empty() ||
+        effect.pattern.amplitude_g * peak_value(effect.pattern.amplitude_curve) > 0.0;
+    if (sounds) {  // though one of the two does not
+        std::erase_if(effect.remarks,
+                      [](const std::string& one) { return one.starts_with("it is silent"); });
+    }
     return pair;
 }
 

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/io/effects/formats.h"
+#include "model/pattern/drawn_curve.h"
+#include "model/text/numbers.h"
+
 namespace tact {
 
 namespace {
@@ -55,7 +59,16 @@ Expected<Effect> finished(const EffectFile& file, const std::string& name, const
                           std::vector<std::string> remarks) {
     auto pattern = pattern_of(sketch, remarks);
     if (!pattern) return Error{file.path + ": " + pattern.error().message};
+    const bool silent = pattern->transients.empty() &&
+                        !(pattern->amplitude_g * peak_value(pattern->amplitude_curve) > 0.0);
+    if (silent) remark_once(remarks, "it is silent: there is nothing to feel in it");
     return Effect{name, *std::move(pattern), std::move(remarks)};
+}
+
+Expected<Done> times_make_sense(const EffectFile& file, double latest_ms) {
+    if (!(latest_ms > 0.0) || latest_ms >= 1.0) return Done{};
+    return Error{file.path + ": expected times in ms, the greatest of all is " +
+                 significant_digits(latest_ms, 4) + " ms: these may be seconds"};
 }
 
 AmplitudeCurve mapped(const AmplitudeCurve& curve, const std::function<double(double)>& f,

@@ -126,6 +126,13 @@ void read_he_parts(JsonObject& object, const Json& document, HeReading& he) {
 
 bool is_empty(const Sketch& sketch) { return sketch.voices.empty() && sketch.transients.empty(); }
 
+double latest_of(const Sketch& sketch) {
+    double latest_s = 0.0;
+    for (const Voice& voice : sketch.voices) latest_s = std::max(latest_s, voice.end_s);
+    for (const Transient& one : sketch.transients) latest_s = std::max(latest_s, one.time_s);
+    return latest_s;
+}
+
 }  // namespace
 
 Expected<Effects> read_he(const Json& document, const EffectFile& file) {
@@ -137,6 +144,8 @@ Expected<Effects> read_he(const Json& document, const EffectFile& file) {
     if (is_empty(he.sides[0]) && is_empty(he.sides[1])) {
         return Error{file.path + ": expected at least one event, got none"};
     }
+    const double latest_s = std::max(latest_of(he.sides[0]), latest_of(he.sides[1]));
+    if (const auto times = times_make_sense(file, 1e3 * latest_s); !times) return times.error();
     std::vector<Effect> sides;
     for (std::size_t k = 0; k < he.sides.size(); ++k) {
         if (is_empty(he.sides[k])) continue;

@@ -65,6 +65,9 @@ Expected<Effects> read_pulsar(const Json& document, const EffectFile& file) {
     }
     std::vector<std::string> remarks;
     if (amplitude.size() == 1) remarks.push_back("one point of amplitude alone lasts no time");
+    double latest_s = std::max(sketch.duration_s, end_s);
+    if (!amplitude.empty()) latest_s = std::max(latest_s, amplitude.back().time_s);
+    if (const auto times = times_make_sense(file, 1e3 * latest_s); !times) return times.error();
     // A last point of amplitude 0 says how long the preset is.
     sketch.duration_s = std::max(sketch.duration_s, end_s);
     auto effect = finished(file, file.stem, sketch, std::move(remarks));

@@ -144,12 +144,14 @@ void set_transients(Pattern& pattern, std::vector<Transient> all,
     pattern.transients = std::move(all);
 }
 
+// A length in a file says where events begin to end, not where sound does.
 double end_of(const Sketch& sketch) {
     double end_s = std::max(sketch.duration_s, limits::kDurationS.low);
     for (const Voice& voice : sketch.voices) end_s = std::max(end_s, voice.end_s);
     for (const Transient& one : sketch.transients) {
         const bool within = sketch.duration_s > 0.0 && one.time_s <= sketch.duration_s;
-        if (!within) end_s = std::max(end_s, one.time_s + one.duration_s);
+        const bool sounds = one.amplitude_g > 0.0;
+        if (sounds || !within) end_s = std::max(end_s, one.time_s + one.duration_s);
     }
     return end_s;
 }

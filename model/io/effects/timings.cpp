@@ -7,11 +7,13 @@
 // Guessed   the Hz of all: such files have none; the device's own amplitude: the greatest.
 // Left out  repetition: once; sounds.
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "model/io/effects/formats.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -59,6 +61,17 @@ std::vector<double> shares_of(JsonObject& object, const TimingKeys& keys, std::s
     return shares;
 }
 
+// Shares of 1 would be almost silent as shares of 255.
+void check_amplitudes(JsonObject& object, const TimingKeys& keys,
+                      const std::vector<double>& shares) {
+    if (shares.empty() || !object.reading->fault.empty()) return;
+    const double largest = 255.0 * *std::ranges::max_element(shares);
+    if (!(largest > 0.0) || largest > 1.0 + 1e-9) return;
+    refuse_plainly(*object.reading, place_of(object, keys.amplitudes),
+                   "expected amplitudes from 0 to 255, the greatest of all is " +
+                       significant_digits(largest, 4) + ": these may be shares of 1");
+}
+
 bool has_elements(const Json& document, const char* key) {
     const auto found = document.find(key);
     return found != document.end() && found->is_array() && !found->empty();
@@ -73,12 +86,15 @@ Expected<Effects> read_timings(const Json& document, const EffectFile& file) {
     std::vector<std::string> remarks;
     std::vector<double> lengths_ms = numbers_of(object, keys.timings, kEffectTimeMs);
     const std::vector<double> shares = shares_of(object, keys, lengths_ms.size(), remarks);
+    check_amplitudes(object, keys, shares);
     const double repeat = number_field(object, keys.repeat, -1.0, {-1.0, 1e9});
     if (reading.fault.empty() &&
         !(std::accumulate(lengths_ms.begin(), lengths_ms.end(), 0.0) > 0.0)) {
         refuse_plainly(reading, place_of(object, keys.timings), "expected a sum above 0 ms");
     }
     if (!reading.fault.empty()) return Error{reading.fault};
+    const double longest_ms = *std::ranges::max_element(lengths_ms);
+    if (const auto times = times_make_sense(file, longest_ms); !times) return times.error();
     if (repeat >= 0.0) remarks.push_back("repeats for ever in its player; once here");
     if (has_elements(document, "Audios")) remarks.push_back("its sounds are left out");
     double total_ms = 0.0;

@@ -2,11 +2,13 @@
 //
 // Source    its documentation: times in ms, amplitude and frequency from 0 to 1.
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/writers.h"
 #include "model/pattern/drawn_curve.h"
+#include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -21,12 +23,28 @@ Json preset_points(const AmplitudeCurve& curve) {
     return points;
 }
 
+// A preset's length is where events begin to end: its last tick sounds on.
+void remark_last_tick(const Shares& shares, const ActuatorMap& map,
+                      std::vector<std::string>& remarks) {
+    double end_s = shares.duration_s;
+    for (const TapShares& tap : shares.taps) {
+        for (const Transient& burst :
+             transients_on(map, tap.time_s, tap.amplitude, tap.frequency)) {
+            if (burst.amplitude_g > 0.0) end_s = std::max(end_s, tap.time_s + burst.duration_s);
+        }
+    }
+    if (!(end_s > shares.duration_s + 1e-9)) return;
+    remarks.push_back("ends at " + significant_digits(end_s, 4) + " s in place of " +
+                      significant_digits(shares.duration_s, 4) + " s: its last tick is whole");
+}
+
 }  // namespace
 
 WrittenEffect write_pulsar(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
     const Shares shares =
         as_shares(as_curves(pattern, written.remarks), target.map, written.remarks);
+    remark_last_tick(shares, target.map, written.remarks);
     Json taps = Json::array();
     for (const TapShares& tap : shares.taps) {
         taps.push_back({{"time", 1e3 * tap.time_s},

@@ -162,6 +162,22 @@ std::vector<std::vector<double>> read_channels(OpenWave& wave, Wanted wanted) {
     return samples;
 }
 
+// That a channel is silent, and the first one that is not.
+std::string silence_words(OpenWave& wave, std::size_t channel) {
+    const auto channels = static_cast<std::size_t>(wave.info.channels);
+    const std::string silent =
+        channels > 1 ? "channel " + std::to_string(channel + 1) + " is silent" : "it is silent";
+    if (channels < 2 || sf_seek(wave.sound.get(), 0, SEEK_SET) != 0) return silent;
+    std::vector<double> frame(channels);
+    std::size_t heard = channels;
+    while (sf_readf_double(wave.sound.get(), frame.data(), 1) == 1) {
+        const auto loud = std::ranges::find_if(frame, [](double x) { return x != 0.0; });
+        heard = std::min(heard, static_cast<std::size_t>(loud - frame.begin()));
+    }
+    if (heard == channels) return silent + ", and so are the others";
+    return silent + ", channel " + std::to_string(heard + 1) + " is not";
+}
+
 // What is wrong with the samples in g, or empty.
 std::string sample_fault(const std::vector<double>& samples_g, const SF_INFO& info) {
     if (samples_g.size() < static_cast<std::size_t>(info.frames)) {
@@ -266,6 +282,9 @@ Expected<Recording> parse_wave(WaveText text, const std::string& name,
     }
     if (info.channels > 1 && !options.channel) {
         recording.remarks.push_back("first of " + std::to_string(info.channels) + " channels used");
+    }
+    if (!(peak_g(recording.waveform) > 0.0)) {
+        recording.remarks.push_back(silence_words(**wave, channel));
     }
     if (!options.scale_g) recording.remarks.push_back("full scale taken as 1 g");
     return recording;

@@ -100,21 +100,6 @@ TEST_CASE("drawn: the amplitude curve multiplies the carriers, and no transient"
     CHECK(peak_g(render(burst)) > 1.9);
 }
 
-TEST_CASE("drawn: transients are added, those that overlap too") {
-    const Transient first{0.1, 1.0, 70.0, 0.05, TransientShape::sine};
-    const Transient second{0.12, 2.0, 130.0, 0.04, TransientShape::square};
-    Pattern both = with_everything();
-    both.transients = {first, second};
-    const auto plain = render(with_everything()).samples_g;
-    const auto sum = render(both).samples_g;
-    for (std::size_t n = 0; n < plain.size(); ++n) {
-        const double t = static_cast<double>(n) / 10'000.0;
-        const double expected =
-            plain[n] + transient_g(first, t - 0.1) + transient_g(second, t - 0.12);
-        CHECK(std::abs(sum[n] - expected) <= 1e-14);
-    }
-}
-
 TEST_CASE("drawn: a transient is cut at the pattern's end, and up to there it is the whole one's") {
     Pattern cut;
     cut.amplitude_g = 0.0;

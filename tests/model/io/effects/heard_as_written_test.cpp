@@ -1,0 +1,133 @@
+// What is heard is what a file says: ticks at its end, curves, scales, silence.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "model/io/effects/read_effects.h"
+#include "model/pattern/pattern.h"
+
+namespace heard_as_written_test {
+
+using namespace tact;
+
+namespace {
+
+double energy_behind(const Pattern& pattern, double t_s) {
+    const Waveform waveform = render(pattern);
+    double sum = 0.0;
+    for (std::size_t n = sample_count(t_s, 1e4); n < waveform.samples_g.size(); ++n) {
+        sum += waveform.samples_g[n] * waveform.samples_g[n];
+    }
+    return sum;
+}
+
+Effect effect_of(const std::string& text) {
+    const auto read = read_effects(text, "a.x", {});
+    REQUIRE(read);
+    REQUIRE(!read->effects.empty());
+    return read->effects.front();
+}
+
+std::string fault_of(const std::string& text) {
+    const auto read = read_effects(text, "a.x", {});
+    return read ? "" : read.error().message;
+}
+
+bool says(const Effect& effect, const std::string& words) {
+    for (const std::string& remark : effect.remarks) {
+        if (remark.find(words) != std::string::npos) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("heard: a last tick at the stated end sounds as long as the one before it") {
+    const std::string two[] = {
+        R"({"name": "t", "duration": 200, "continuousPattern": {"amplitude": [], "frequency": []},
+            "discretePattern": [{"time": 0, "amplitude": 1, "frequency": 0.5},
+                                {"time": 200, "amplitude": 1, "frequency": 0.5}]})",
+        R"({"name": "t", "continuousPattern": {"amplitude": [], "frequency": []},
+            "discretePattern": [{"time": 0, "amplitude": 1, "frequency": 0.5},
+                                {"time": 200, "amplitude": 1, "frequency": 0.5}]})",
+        R"({"Pattern": [{"Event": {"Time": 0, "EventType": "HapticTransient"}},
+                        {"Event": {"Time": 0.2, "EventType": "HapticTransient"}}]})",
+        R"({"Metadata": {"Version": 1}, "Pattern": [
+            {"Event": {"Type": "transient", "RelativeTime": 0, "Parameters": {"Intensity": 100, "Frequency": 50}}},
+            {"Event": {"Type": "transient", "RelativeTime": 200, "Parameters": {"Intensity": 100, "Frequency": 50}}}]})",
+        R"({"m_version": "5", "m_vibration": {"m_melodies": [{"m_notes": [
+            {"m_startingPoint": 0, "m_length": 0.022, "m_hapticEffect": {"m_type": 0}},
+            {"m_startingPoint": 0.2, "m_length": 0.022, "m_hapticEffect": {"m_type": 0}}]}]}})"};
+    for (const std::string& text : two) {
+        CAPTURE(text);
+        const Pattern pattern = effect_of(text).pattern;
+        REQUIRE(pattern.transients.size() == 2);
+        const double behind = energy_behind(pattern, 0.2);
+        CHECK(behind > 0.0);
+        CHECK(energy_behind(pattern, 0.0) == doctest::Approx(2.0 * behind).epsilon(0.02));
+    }
+}
+
+TEST_CASE("heard: a last tick without strength still says how long a preset of Pulsar is") {
+    const Effect effect = effect_of(
+        R"({"name": "t", "continuousPattern": {"amplitude": [], "frequency": []}, "discretePattern": [
+            {"time": 0, "amplitude": 1, "frequency": 0}, {"time": 300, "amplitude": 0, "frequency": 0}]})");
+    CHECK(effect.pattern.duration_s == 0.3);
+}
+
+TEST_CASE("heard: curves of an AHAP count from their own time where one late curve says so") {
+    const auto curve = [](const std::string& id, const std::string& first) {
+        return R"({"ParameterCurve": {"ParameterID": ")" + id +
+               R"(", "Time": 0.1, "ParameterCurveControlPoints": [{"Time": )" + first +
+               R"(, "ParameterValue": 1}, {"Time": 0.4, "ParameterValue": 0}]}})";
+    };
+    const std::string head = R"({"Pattern": [{"Event": {"EventType": "HapticContinuous",
+        "EventDuration": 1}}, )";
+    const Effect mixed = effect_of(head + curve("HapticSharpnessControl", "0") + ", " +
+                                   curve("HapticIntensityControl", "0.1") + "]}");
+    CHECK(!says(mixed, "taken as the file's"));
+    CHECK(envelope_g(mixed.pattern, 0.45) > 0.0);
+    CHECK(envelope_g(mixed.pattern, 0.51) == 0.0);
+    const Effect absolute = effect_of(head + curve("HapticSharpnessControl", "0.1") + ", " +
+                                      curve("HapticIntensityControl", "0.1") + "]}");
+    CHECK(says(absolute, "taken as the file's"));
+    CHECK(envelope_g(absolute.pattern, 0.41) == 0.0);
+}
+
+TEST_CASE("heard: vibrations that end where the next begins, but for rounding, leave no gap") {
+    // 0.1 + 0.2 is 0.30000000000000004.
+    const Effect effect = effect_of(R"({"Pattern": [
+        {"Event": {"Time": 0.1, "EventType": "HapticContinuous", "EventDuration": 0.2}},
+        {"Event": {"Time": 0.3, "EventType": "HapticContinuous", "EventDuration": 0.2}},
+        {"Event": {"Time": 0.50000005, "EventType": "HapticContinuous", "EventDuration": 0.2}}]})");
+    CHECK(!says(effect, "merged"));
+    const double full_g = envelope_g(effect.pattern, 0.2);
+    CHECK(envelope_g(effect.pattern, 0.3) == doctest::Approx(full_g));
+    for (const AmplitudePoint& point : effect.pattern.amplitude_curve) {
+        const bool inside = point.time_s > 0.1 && point.time_s < 0.69;
+        if (inside) CHECK(point.value > 0.9);
+    }
+}
+
+TEST_CASE("heard: times of seconds and amplitudes of shares are refused by their numbers") {
+    CHECK(fault_of(R"({"timings": [0.1, 0.65], "amplitudes": [255, 100]})") ==
+          "a.x: expected times in ms, the greatest of all is 0.65 ms: these may be seconds");
+    CHECK(fault_of(R"({"name": "t", "continuousPattern": {"amplitude": [{"time": 0, "value": 1},
+          {"time": 0.65, "value": 0}], "frequency": []}, "discretePattern": []})")
+              .find("0.65 ms: these may be seconds") != std::string::npos);
+    CHECK(fault_of(R"({"Metadata": {"Version": 1}, "Pattern": [{"Event": {"Type": "continuous",
+          "RelativeTime": 0, "Duration": 0.4, "Parameters": {"Intensity": 100, "Frequency": 50}}}]})")
+              .find("0.4 ms: these may be seconds") != std::string::npos);
+    CHECK(fault_of(R"({"timings": [100, 200], "amplitudes": [0.5, 1]})") ==
+          "a.x: /amplitudes: expected amplitudes from 0 to 255, the greatest of all is 1: these "
+          "may be shares of 1");
+    CHECK(fault_of(R"({"timings": [100, 200], "amplitudes": [0, 2]})").empty());
+}
+
+TEST_CASE("heard: silence is named") {
+    CHECK(says(effect_of(R"({"timings": [100, 200], "amplitudes": [0, 0]})"), "it is silent"));
+    CHECK(!says(effect_of(R"({"timings": [100, 200], "amplitudes": [0, 9]})"), "it is silent"));
+}
+
+}  // namespace heard_as_written_test
