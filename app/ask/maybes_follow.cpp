@@ -174,7 +174,7 @@ void take_variant(Ui& ui, Workspace& work, MaybesState& state, std::size_t k) {
     const auto found = found_variants(state);
     const auto place = place_named(work.document.set, state.varied);
     if (!found || !place || k >= found->patterns.size()) return;
-    Vibration& vibration = work.document.set.vibrations[*place];
+    Vibration& vibration = work.document.edit().vibrations[*place];
     if (editable_pattern(vibration) == nullptr) return;
     vibration.source = found->patterns[k];
     vibration.generated = false;

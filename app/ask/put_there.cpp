@@ -85,8 +85,9 @@ void follow_put(Ui& ui, Workspace& work, const ShownMap& shown_map, MaybesState&
         return;
     }
     const auto place = place_named(work.document.set, put.name);
-    work.document.set.vibrations[*place].source = found->reached.pattern;
-    work.document.set.vibrations[*place].generated = false;
+    Vibration& vibration = work.document.edit().vibrations[*place];
+    vibration.source = found->reached.pattern;
+    vibration.generated = false;
     select_only(work, *place);
     document_changed(work);
     commit_step(ui, work, "Put " + put.name + " there");

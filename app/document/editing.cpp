@@ -11,7 +11,7 @@ namespace tact {
 
 namespace {
 
-std::vector<Vibration>& vibrations(Workspace& work) { return work.document.set.vibrations; }
+std::vector<Vibration>& vibrations(Workspace& work) { return work.document.edit().vibrations; }
 
 // After vibrations came or went: indices that still exist.
 void mend_selection(Workspace& work) {
@@ -22,12 +22,9 @@ void mend_selection(Workspace& work) {
     work.selection.hovered.reset();
 }
 
-void show_state(Ui& ui, Workspace& work, const std::shared_ptr<const PatternSet>& state,
-                const std::string& text) {
-    if (!state) return;
-    follow_renames(work, work.document.set, *state);
-    work.document.set = *state;
-    work.committed = state;
+// After a step of undo or redo, from a set that was `before`.
+void follow_step(Ui& ui, Workspace& work, const PatternSet& before, const std::string& text) {
+    follow_renames(work, before, work.document.set);
     mend_selection(work);
     document_changed(work);
     say(ui, text);
@@ -149,12 +146,12 @@ void choose_pair(Workspace& work, std::size_t current, std::size_t partner) {
 }
 
 void document_changed(Workspace& work) {
-    give_looks(work.document.set);
+    give_looks(work.document.edit());
     ++work.revision;
 }
 
 void model_changed(Workspace& work) {
-    PatternSet& set = work.document.set;
+    PatternSet& set = work.document.edit();
     set.model_origin.changed_by_hand = !set.model_origin.trained_on.empty();
     if (set.model == PerceptualModelParams{}) set.model_origin = {};
     document_changed(work);
@@ -163,13 +160,10 @@ void model_changed(Workspace& work) {
 void predictions_changed(Workspace& work) { ++work.revision; }
 
 void commit_step(Ui& ui, Workspace& work, const std::string& label) {
-    auto after = std::make_shared<const PatternSet>(work.document.set);
-    const std::string* last = work.history.undo_label();
+    const std::string* last = work.document.history.undo_label();
     const bool joins =
         std::exchange(ui.field.nudges_on, false) && last != nullptr && *last == label;
-    const bool moved = joins ? work.history.join(work.committed, after, label)
-                             : work.history.commit(work.committed, after, label);
-    if (moved) work.committed = std::move(after);
+    work.document.commit(label, joins);
 }
 
 namespace {
@@ -223,13 +217,15 @@ std::string of_selection(const Workspace& work, const std::string& what) {
 }
 
 void undo(Ui& ui, Workspace& work) {
-    const std::string text = menu_text("Undid:", work.history.undo_label());
-    show_state(ui, work, work.history.undo(), text);
+    const PatternSet before = work.document.set;
+    if (!work.document.undo()) return;
+    follow_step(ui, work, before, menu_text("Undid:", work.document.history.redo_label()));
 }
 
 void redo(Ui& ui, Workspace& work) {
-    const std::string text = menu_text("Did again:", work.history.redo_label());
-    show_state(ui, work, work.history.redo(), text);
+    const PatternSet before = work.document.set;
+    if (!work.document.redo()) return;
+    follow_step(ui, work, before, menu_text("Did again:", work.document.history.undo_label()));
 }
 
 void add_pattern(Ui& ui, Workspace& work) {
@@ -315,7 +311,7 @@ void rename_vibration(Ui& ui, Workspace& work, std::size_t index, const std::str
         return;
     }
     const std::string before = all[index].name;
-    rename_in(work.document.set, index, name);
+    rename_in(work.document.edit(), index, name);
     follow_rename(work, {before, name});
     all[index].generated = false;  // a name given by hand is to stay
     ui.fonts_outdated = true;      // the name may need new glyphs

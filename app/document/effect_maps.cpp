@@ -129,7 +129,7 @@ void read_by_map(Ui& ui, Workspace& work, const std::string& format, const std::
         }
     }
     Exchanged count;
-    for (Vibration& now : work.document.set.vibrations) {
+    for (Vibration& now : work.document.edit().vibrations) {
         const bool other = now.effect.format == format && now.effect.actuator != actuator;
         if (other) exchange(now, all, count);
     }

@@ -52,7 +52,12 @@ std::string joined(const std::vector<std::string>& remarks) {
     return text;
 }
 
-std::filesystem::path folder_of(const Document& document) {
+// Recordings in a folder and effects of other programs are no set files.
+bool has_set_file(const EditedDocument& document) {
+    return is_set_file(document.path) && !holds_effects(document.path);
+}
+
+std::filesystem::path folder_of(const EditedDocument& document) {
     return document.path.empty() ? std::filesystem::path() : document.path.parent_path();
 }
 
@@ -91,10 +96,10 @@ bool show_document(Ui& ui, Workspace& work, Document document, std::string text)
         return false;
     }
     if (!aside->empty()) text += " Unsaved changes before it are kept in " + aside->string() + ".";
-    work.document = std::move(document);
     // What is given at opening is no change of the document.
-    give_looks(work.document.saved);
-    give_looks(work.document.set);
+    give_looks(document.saved);
+    give_looks(document.set);
+    work.document.open(std::move(document));
     work.document_number = ++work.documents;
     work.side = Side::both;
     if (!hold_document(work.session, work.document.path)) text += kOpenTwice;
@@ -103,8 +108,6 @@ bool show_document(Ui& ui, Workspace& work, Document document, std::string text)
     work.selection = {};
     ui.fonts_outdated = true;  // its names may need other glyphs
     work.selection.partner.clear();
-    work.history.clear();
-    work.committed = std::make_shared<const PatternSet>(work.document.set);
     document_changed(work);
     say(ui, text);
     return true;
@@ -164,8 +167,8 @@ namespace {
 
 // The document into the file, whatever is in it.
 void write_document(Ui& ui, Workspace& work, const std::filesystem::path& target) {
-    PatternSet set = work.document.set;
-    if (set.name.empty()) {
+    PatternSet set = work.document.kept().set;
+    if (set.name.empty() && !has_set_file(work.document)) {
         set.name = target.filename().string();
         if (set.name.ends_with(kSetEnding)) set.name.resize(set.name.size() - 15);
     }
@@ -176,14 +179,11 @@ void write_document(Ui& ui, Workspace& work, const std::filesystem::path& target
     if (!work.changes.saved_from) {
         work.changes.saved_from = {work.document.path, work.document.set.name};
     }
-    work.document.set = set;  // with its name, and with files of measurements beside it
-    work.document.path = target;
-    work.document.saved = work.document.set;
-    work.document.file_mark = content_mark(target);
+    work.document.was_saved(target, set, content_mark(target));
     work.unsaved_revision = 0;  // look again
     // What was kept before is older than the file: a crash must not bring it back.
     wait_for_autosave(work);
-    (void)autosave(work.session, work.document);
+    (void)autosave(work.session, work.document.kept());
     remember_file(work.session, target);
     std::string text = "Saved " + target.string() + ".";
     if (!hold_document(work.session, target)) text += kOpenTwice;
@@ -205,15 +205,13 @@ void ask_to_overwrite(Ui& ui, Workspace& work, const std::filesystem::path& targ
 void save_as(Ui& ui, Workspace& work, const std::filesystem::path& path) {
     std::filesystem::path target = std::filesystem::absolute(path);
     if (!is_set_file(target)) target += kSetEnding;
-    if (is_changed_outside(work.document, target)) return ask_to_overwrite(ui, work, target);
+    if (is_changed_outside(work.document.kept(), target)) return ask_to_overwrite(ui, work, target);
     write_document(ui, work, target);
 }
 
 void save(Ui& ui, Workspace& work) {
-    // Recordings in a folder, and effects of other programs, become a set only under a name of
-    // their own.
-    const bool is_set = is_set_file(work.document.path) && !holds_effects(work.document.path);
-    if (!is_set) return save_dialog(ui, work);
+    // What has no set file becomes a set only under a name of its own.
+    if (!has_set_file(work.document)) return save_dialog(ui, work);
     save_as(ui, work, work.document.path);
 }
 
@@ -253,7 +251,7 @@ void load_tables(Ui& ui, Workspace& work, const std::filesystem::path& path) {
     const bool thresholds = text->find("threshold_log10_um_peak") != std::string::npos;
     const auto curves = thresholds ? parse_thresholds(*text) : parse_slopes(*text);
     if (!curves) return complain(ui, path.filename().string() + ": " + curves.error().message);
-    PhysiologyTables& tables = work.document.set.model.coding.tables;
+    PhysiologyTables& tables = work.document.edit().model.coding.tables;
     (thresholds ? tables.threshold : tables.slope) = *curves;
     model_changed(work);
     commit_step(ui, work, thresholds ? "Load thresholds" : "Load slopes");
@@ -304,11 +302,11 @@ void autosave_if_due(Ui& ui, Workspace& work) {
     if (!work.autosave_pending || ui.time_s < work.autosave_due_s || is_autosaving(work)) return;
     work.autosave_pending = false;
     const bool has_text = work.unsaved && !work.session.folder.empty();
-    if (!has_text) return tell_if_unkept(ui, work, fault_of(work.session, work.document));
-    work.keeping =
-        std::async(std::launch::async, [place = place_of(work.session), document = work.document] {
-            return fault_of(place, document);
-        });
+    if (!has_text) return tell_if_unkept(ui, work, fault_of(work.session, work.document.kept()));
+    work.keeping = std::async(std::launch::async,
+                              [place = place_of(work.session), document = work.document.kept()] {
+                                  return fault_of(place, document);
+                              });
 }
 
 bool is_autosaving(const Workspace& work) { return work.keeping.valid(); }

@@ -69,6 +69,15 @@ class History {
     std::size_t done() const { return done_; }
     const std::string& label(std::size_t step) const { return steps_[step].label; }
 
+    // Puts `of(state)` in the place of every value: what happened to all of them alike is no step.
+    template <class Of>
+    void amend(Of of) {
+        for (Step& step : steps_) {
+            step.before = of(step.before);
+            step.after = of(step.after);
+        }
+    }
+
     void clear() {
         steps_.clear();
         done_ = 0;

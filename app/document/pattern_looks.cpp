@@ -44,8 +44,9 @@ void give_looks(PatternSet& set) {
 
 void change_look(Ui& ui, Workspace& work, const std::string& colour, bool ring) {
     for (const std::size_t index : selected_indices(work)) {
-        work.document.set.vibrations[index].colour = colour;
-        work.document.set.vibrations[index].ring = ring;
+        Vibration& vibration = work.document.edit().vibrations[index];
+        vibration.colour = colour;
+        vibration.ring = ring;
     }
     document_changed(work);
     commit_step(ui, work, of_selection(work, "Change colour"));

@@ -32,7 +32,8 @@ void load_ratings(Ui& ui, Workspace& work, Layout& layout,
         if (of_intended) study = std::move(of_intended);
     }
     if (!study) return complain(ui, file + ": " + study.error().message);
-    work.document.set.ratings = kept_ratings(*study, ratings_source(file, loaded->left_out.size()));
+    work.document.edit().ratings =
+        kept_ratings(*study, ratings_source(file, loaded->left_out.size()));
     document_changed(work);
     commit_step(ui, work, "Load ratings");
     layout.bench = BenchTab::compare;

@@ -32,7 +32,7 @@ void wait_for_autosave(const Workspace& work) {
 Expected<fs::path> keep_unsaved(Workspace& work) {
     wait_for_autosave(work);
     if (work.document.set == work.document.saved) return fs::path{};
-    if (const Expected<Done> kept = autosave(work.session, work.document); !kept)
+    if (const Expected<Done> kept = autosave(work.session, work.document.kept()); !kept)
         return kept.error();
     return set_autosave_aside(work.session);
 }

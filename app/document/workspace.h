@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "app/document/changes.h"
-#include "app/document/history.h"
+#include "app/document/edited_document.h"
 #include "app/document/selection.h"
 #include "app/document/vibration_cache.h"
-#include "app/session/document.h"
 #include "app/session/session.h"
 #include "model/set/measured_twin.h"
 
@@ -31,10 +30,8 @@ struct DocumentEffects {
 };
 
 struct Workspace {
-    Document document;
-    History<PatternSet> history;
-    std::shared_ptr<const PatternSet> committed;  // the document as of the last undo step
-    std::uint64_t revision = 1;                   // of document.set, every change during a drag too
+    EditedDocument document;            // with its undo steps
+    std::uint64_t revision = 1;         // of document.set, every change during a drag too
     std::uint64_t document_number = 1;  // tells the open one from all others; part of each request
     std::uint64_t documents = 1;        // that were numbered so far
     DocumentChanges changes;

@@ -103,7 +103,7 @@ std::optional<GeneratePlan> plan_of(const GenerateRequest& request, std::stop_to
 
 void follow_generate(const Ui& ui, const Workspace& work, GenerateState& generating) {
     if (ui.dialog != Dialog::generate || !generating.job) return;
-    GenerateRequest wanted{generating.draft, work.committed};
+    GenerateRequest wanted{generating.draft, work.document.committed};
     if (wanted == generating.asked) return;
     generating.asked = wanted;
     generating.job->submit(std::move(wanted));
@@ -112,8 +112,8 @@ void follow_generate(const Ui& ui, const Workspace& work, GenerateState& generat
 std::shared_ptr<const GeneratePlan> current_plan(const Workspace& work,
                                                  const GenerateState& generating) {
     auto plan = generating.job ? generating.job->latest() : nullptr;
-    const bool current =
-        plan && plan->request.space == generating.draft && plan->request.set == work.committed;
+    const bool current = plan && plan->request.space == generating.draft &&
+                         plan->request.set == work.document.committed;
     return current ? plan : nullptr;
 }
 
@@ -123,7 +123,7 @@ void add_candidates(Ui& ui, Workspace& work, GenerateState& generating, const Ge
     auto set = with_candidates(work.document.set, plan.request.space, outcome.fresh, before);
     if (!set) return complain(ui, "Nothing was generated: " + set.error().message);
     const std::size_t count = outcome.fresh.size();
-    work.document.set = *std::move(set);
+    work.document.edit() = *std::move(set);
     const std::size_t size = work.document.set.vibrations.size();
     generating.draft_of = work.document.set.generator;
     select_only(work, size == 0 ? 0 : std::min(size - count, size - 1));

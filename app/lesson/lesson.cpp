@@ -20,12 +20,12 @@ namespace {
 void keep_on_disk(Workspace& work) {
     wait_for_autosave(work);
     const bool pending = work.autosave_pending || work.unsaved_revision != work.revision;
-    if (pending) (void)autosave(work.session, work.document);
+    if (pending) (void)autosave(work.session, work.document.kept());
     work.autosave_pending = false;
 }
 
 // As opening does, but that nothing is told to the session.
-void show_in_place(Ui& ui, Workspace& work, Document document, std::uint64_t number) {
+void show_in_place(Ui& ui, Workspace& work, EditedDocument document, std::uint64_t number) {
     work.document = std::move(document);
     work.document_number = number;
     work.changes = {};
@@ -36,16 +36,16 @@ void show_in_place(Ui& ui, Workspace& work, Document document, std::uint64_t num
 void put_aside(const LessonHands& hands, LessonState& state, const PatternSet& set) {
     Workspace& work = hands.work;
     keep_on_disk(work);
-    state.aside = SetAside{work.document,  work.history, work.committed,      work.effects,
-                           work.selection, work.side,    work.document_number};
+    state.aside =
+        SetAside{work.document, work.effects, work.selection, work.side, work.document_number};
     PatternSet shown = set;
     give_looks(shown);
     work.effects = {};
     work.selection = {};
     work.side = Side::both;
-    work.history.clear();
-    work.committed = std::make_shared<const PatternSet>(shown);
-    show_in_place(hands.ui, work, {shown, {}, shown}, ++work.documents);
+    EditedDocument own;
+    own.open({shown, {}, shown});
+    show_in_place(hands.ui, work, std::move(own), ++work.documents);
     work.unsaved = false;
     state.document_number = work.document_number;
 }
@@ -55,8 +55,6 @@ void bring_back(const LessonHands& hands, LessonState& state) {
     SetAside aside = *std::exchange(state.aside, std::nullopt);
     Workspace& work = hands.work;
     show_in_place(hands.ui, work, std::move(aside.document), aside.number);
-    work.history = std::move(aside.history);
-    work.committed = std::move(aside.committed);
     work.effects = std::move(aside.effects);
     work.selection = std::move(aside.selection);
     work.side = aside.side;

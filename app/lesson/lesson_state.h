@@ -35,9 +35,7 @@ struct ViewBeforeLesson {
 
 // The person's own document while a lesson shows its set in the place of it.
 struct SetAside {
-    Document document;
-    History<PatternSet> history;
-    std::shared_ptr<const PatternSet> committed;
+    EditedDocument document;
     DocumentEffects effects;
     Selection selection;
     Side side = Side::both;

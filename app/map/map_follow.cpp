@@ -29,18 +29,18 @@ bool is_news(const ShownMap& shown_map, const std::shared_ptr<const LiveMap>& ma
     return shown.preview && !map->request.preview;
 }
 
-// Whether the map that is shown would be opened so from these places: then they say enough, and a
-// set that was only opened is saved as it was.
-bool lies_as_saved(const MapTransition& map, const MapPlaces& kept) {
-    constexpr double kSame = 0.01;  // of the map's size
-    const SavedPlaces saved = saved_places(*map.shown, kept);
-    const auto all = static_cast<std::size_t>(map.to.rows());
-    if (saved.rows.size() != all || kept.at.size() != all) return false;
-    if (!tells_turn(all, map.to.cols())) return false;
-    const Eigen::MatrixXd opened = turned_onto(map.to, saved.rows, saved.points);
-    const Eigen::MatrixXd centred = map.to.rowwise() - map.to.colwise().mean();
-    const Eigen::MatrixXd turned = opened.rowwise() - opened.colwise().mean();
-    return (turned - centred).norm() <= kSame * centred.norm();
+// The set, with where its map lay when it was as it is now, if that is known: there it is to lie
+// again.
+PatternSet set_to_lay(const Workspace& work) {
+    PatternSet set = shown_set(work);
+    const MapPlaces* places = work.document.places();
+    set.map_places = places == nullptr ? MapPlaces{} : *places;
+    return set;
+}
+
+bool are_known(const MapPlaces* places, const MapTransition& map) {
+    return places != nullptr &&
+           saved_places(*map.shown, *places).rows.size() == static_cast<std::size_t>(map.to.rows());
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingSta
     }
     LiveMapRequest request{work.revision,
                            work.document_number,
-                           std::make_shared<const PatternSet>(shown_set(work)),
+                           std::make_shared<const PatternSet>(set_to_lay(work)),
                            shown_map.dimensions,
                            false,
                            rendered_by(rendered)};
@@ -124,18 +124,18 @@ void note_map_places(Workspace& work, ShownMap& shown_map) {
     const MapTransition& map = shown_map.transition;
     if (map.shown->space.verdict == MdsVerdict::constant) return;
     if (std::exchange(shown_map.places_noted_of, map.shown) == map.shown) return;
-    if (lies_as_saved(map, work.document.set.map_places)) return;
-    constexpr double kFine = 1e4;  // of a map's mean distance from its middle
-    auto& at = work.document.set.map_places.at;
-    at.clear();
+    if (are_known(work.document.places(), map)) return;
     const auto& all = map.shown->request.set->vibrations;
+    if (all.size() != work.document.set.vibrations.size()) return;  // of one side alone
     if (!tells_turn(all.size(), map.to.cols())) return;
+    MapPlaces places;
     for (std::size_t k = 0; k < all.size(); ++k) {
-        auto& place = at[all[k].name];
+        auto& place = places.at[all[k].name];
         for (Eigen::Index d = 0; d < map.to.cols(); ++d) {
-            place.push_back(std::round(kFine * map.to(static_cast<Eigen::Index>(k), d)) / kFine);
+            place.push_back(map.to(static_cast<Eigen::Index>(k), d));
         }
     }
+    work.document.note_places(std::move(places));
 }
 
 MapState map_state(const Workspace& work, const ShownMap& shown_map) {

@@ -18,7 +18,8 @@ void follow_map(const Workspace& work, ShownMap& shown_map, const RenderingState
 // Takes what the jobs have finished, aligns it to what is shown and starts the transition.
 void take_maps(const Ui& ui, ShownMap& shown_map);
 
-// Keeps in the set where the points of its exact map are, to be saved with it.
+// Keeps with the document where the points of its exact map are, to be saved with it and to lie
+// there again after undo.
 void note_map_places(Workspace& work, ShownMap& shown_map);
 
 // Puts a map on the screen, aligned to the one before it.

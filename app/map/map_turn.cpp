@@ -70,14 +70,15 @@ bool tells_turn(std::size_t common, Eigen::Index dimensions) {
 
 Eigen::MatrixXd aligned_to_anchor(const MapTransition& map, const LiveMap& fresh) {
     const Eigen::MatrixXd& points = fresh.space.points;
+    const SavedPlaces saved = saved_places(fresh, fresh.request.set->map_places);
+    const bool tells = tells_turn(saved.rows.size(), points.cols());
+    const bool lay_whole = static_cast<Eigen::Index>(saved.rows.size()) == points.rows();
+    if (tells && lay_whole) return turned_onto(points, saved.rows, saved.points);
     if (map.anchor && map.anchor_points.cols() == points.cols()) {
         const Common common = common_rows(fresh, *map.anchor);
         return turned_onto(points, common.here, picked(map.anchor_points, common.there));
     }
-    const SavedPlaces saved = saved_places(fresh, fresh.request.set->map_places);
-    if (tells_turn(saved.rows.size(), points.cols())) {
-        return turned_onto(points, saved.rows, saved.points);
-    }
+    if (tells) return turned_onto(points, saved.rows, saved.points);
     if (!map.shown || map.to.cols() != points.cols()) return points;
     const Common common = common_rows(fresh, *map.shown);
     if (!tells_turn(common.here.size(), points.cols())) return points;

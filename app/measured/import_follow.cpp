@@ -98,7 +98,7 @@ void take(Ui& ui, Workspace& work, std::uint64_t document, const std::vector<con
                                 ": nothing was added, as the set it was for is not open any "
                                 "more. Open that one and ask again.");
     }
-    PatternSet& set = work.document.set;
+    PatternSet& set = work.document.edit();
     std::size_t count = 0;
     for (const Twin* twin : twins) {
         const std::string& name = std::get<Measurement>(twin->vibration.source).measures;

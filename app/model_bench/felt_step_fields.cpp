@@ -69,7 +69,7 @@ void draw_felt_step_fields(Ui& ui, Workspace& work) {
                         .normal = words.shown(usual.size[k])},
                        shown);
         if (edit.changed) {
-            work.document.set.felt_steps.size[k] = words.size(shown);
+            work.document.edit().felt_steps.size[k] = words.size(shown);
             document_changed(work);
         }
         if (edit.finished) {

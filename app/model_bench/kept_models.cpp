@@ -76,7 +76,7 @@ const std::vector<KeptModel>& kept_models(Ui& ui, const Workspace& work, ModelBe
 }
 
 void use_model(Ui& ui, Workspace& work, const ModelFile& content, const std::string& what) {
-    PatternSet& set = work.document.set;
+    PatternSet& set = work.document.edit();
     const ModelOrigin origin = origin_of(content);
     if (set.model == content.model && set.model_origin == origin) {
         return say(ui, "These parameters are in use already.");

@@ -17,7 +17,7 @@ namespace {
 using Model = PerceptualModelParams;
 
 void change_model(Workspace& work, const std::function<void(Model&)>& change) {
-    change(work.document.set.model);
+    change(work.document.edit().model);
     model_changed(work);
 }
 

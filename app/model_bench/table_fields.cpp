@@ -66,7 +66,7 @@ void draw_knot(Ui& ui, Workspace& work, const ModelBench& model_bench, std::size
     const FieldEdit edit = draw_field(ui, field, value);
     ImGui::EndGroup();
     const auto write = [&](double to) {
-        PhysiologyTables& tables = work.document.set.model.coding.tables;
+        PhysiologyTables& tables = work.document.edit().model.coding.tables;
         curve_of(tables, state.threshold, state.type).value[k] = to;
         model_changed(work);
     };
@@ -103,7 +103,7 @@ void draw_table_fields(Ui& ui, Workspace& work, ModelBench& model_bench,
     constexpr const char* kReset = "This table as it was";
     flow_on(ImGui::CalcTextSize(kReset).x, ui.theme.padding_px);
     if (link(ui, "reset table", kReset)) {
-        curve_of(work.document.set.model.coding.tables, state.threshold, state.type) = known;
+        curve_of(work.document.edit().model.coding.tables, state.threshold, state.type) = known;
         model_changed(work);
         commit_step(ui, work, std::string("Reset ") + traits(state.type).name + " table");
     }

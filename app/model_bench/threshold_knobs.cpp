@@ -12,7 +12,7 @@ namespace tact {
 namespace {
 
 PerReceptor<Curve>& thresholds_of(Workspace& work) {
-    return work.document.set.model.coding.tables.threshold;
+    return work.document.edit().model.coding.tables.threshold;
 }
 
 void set_threshold(Ui& ui, Workspace& work, Receptor type, const Curve& curve, const char* step) {

@@ -141,7 +141,7 @@ void move_threshold(Ui& ui, Workspace& work, Physiology& physiology) {
     const auto move = std::exchange(physiology.view.threshold_move, std::nullopt);
     if (!move) return;
     constexpr Range kTable = kThresholdTable.values;
-    Curve& curve = work.document.set.model.coding.tables.threshold[index_of(move->type)];
+    Curve& curve = work.document.edit().model.coding.tables.threshold[index_of(move->type)];
     const double by = move->db / 20.0;
     const auto [low, high] = std::ranges::minmax(curve.value);
     if (by != 0.0 && low + by >= kTable.low && high + by <= kTable.high) {

@@ -24,7 +24,7 @@ namespace tact {
 namespace {
 
 void change(Workspace& work, const std::function<void(StudyDesign&)>& edit) {
-    edit(work.document.set.study);
+    edit(work.document.edit().study);
     document_changed(work);
 }
 

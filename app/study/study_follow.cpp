@@ -37,7 +37,7 @@ void follow_question(const Ui& ui, const Workspace& work, StudyState& studying) 
     question.kind = studying.kind;
     question.rule = studying.rule;
     question.rule.attention = work.document.set.study.attention;
-    question.set = work.committed;
+    question.set = work.document.committed;
     if (!studying.job) {
         studying.job = std::make_unique<LatestJob<StudyQuestion, StudyAnswers>>(
             JobPolicy::supersede, read_answers, ui.wake);
@@ -218,7 +218,7 @@ void use_as_ratings(Ui& ui, Workspace& work, Layout& layout, Comparing& comparin
                                answers->question.folder.filename().string();
     const auto left_out = static_cast<std::size_t>(std::ranges::count_if(
         results.people, [](const ParticipantSummary& person) { return !person.excluded.empty(); }));
-    work.document.set.ratings = kept_ratings(*study, ratings_source(source, left_out));
+    work.document.edit().ratings = kept_ratings(*study, ratings_source(source, left_out));
     document_changed(work);
     commit_step(ui, work, "Use the study as ratings");
     layout.bench = BenchTab::compare;

@@ -204,7 +204,7 @@ void check_applied(Ui& ui, const Workspace& work, const ShownMap& shown_map, Sub
 }
 
 void apply_separation(Ui& ui, Workspace& work, std::size_t place, const Separation& separation) {
-    Vibration& vibration = work.document.set.vibrations[place];
+    Vibration& vibration = work.document.edit().vibrations[place];
     auto* pattern = std::get_if<Pattern>(&vibration.source);
     if (pattern == nullptr || vibration.locked) return;
     *pattern = with_value(*pattern, separation.parameter, separation.to);

@@ -199,9 +199,9 @@ void leave_the_lesson(App& app) {
 
 bool has_lesson(const App& app) { return app.lesson.step.has_value(); }
 
-bool has_undo(const App& app) { return app.work.history.undo_label() != nullptr; }
+bool has_undo(const App& app) { return app.work.document.history.undo_label() != nullptr; }
 
-bool has_redo(const App& app) { return app.work.history.redo_label() != nullptr; }
+bool has_redo(const App& app) { return app.work.document.history.redo_label() != nullptr; }
 
 bool has_sound(const App& app) { return can_sound(app.play); }
 

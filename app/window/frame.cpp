@@ -409,7 +409,6 @@ double next_wake_s(const App& app) {
 App make_app() {
     App app;
     app.ui.rects = widget_rects_wanted();
-    app.work.committed = std::make_shared<const PatternSet>();
     return app;
 }
 

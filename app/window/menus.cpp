@@ -79,7 +79,7 @@ void draw_recent(App& app) {
 
 // The newest step first; the one that the document stands at is ticked.
 void draw_history(App& app) {
-    const History<PatternSet>& history = app.work.history;
+    const History<PatternSet>& history = app.work.document.history;
     constexpr std::size_t kMost = 24;
     const bool open = ImGui::BeginMenu("History", history.size() > 0);
     note_item(app.ui.rects, "menu:History");
@@ -99,8 +99,8 @@ void draw_history(App& app) {
     ImGui::EndMenu();
     if (!wanted) return;
     app.ui.waiting.emplace_back([&app, step = *wanted] {
-        while (app.work.history.done() > step) undo(app.ui, app.work);
-        while (app.work.history.done() < step) redo(app.ui, app.work);
+        while (app.work.document.history.done() > step) undo(app.ui, app.work);
+        while (app.work.document.history.done() < step) redo(app.ui, app.work);
     });
 }
 
@@ -286,10 +286,10 @@ std::string menu_path(const Command& command) {
 
 std::string item_text(const App& app, const Command& command) {
     if (std::string_view(command.name) == "Undo") {
-        return menu_text("Undo", app.work.history.undo_label());
+        return menu_text("Undo", app.work.document.history.undo_label());
     }
     if (std::string_view(command.name) == "Redo") {
-        return menu_text("Redo", app.work.history.redo_label());
+        return menu_text("Redo", app.work.document.history.redo_label());
     }
     return command.name;
 }

@@ -32,7 +32,10 @@ void end_lesson(App& app) {
 }
 
 void discard_and_quit(App& app) {
-    app.work.document.set = app.work.document.saved;  // or the end would try to keep it once more
+    // Else the end would try to keep it once more.
+    Document saved = app.work.document.kept();
+    saved.set = saved.saved;
+    app.work.document.open(std::move(saved));
     app.ui.quit = true;
 }
 
@@ -41,7 +44,7 @@ void take_up_session(App& app) {
     Restored restored = restore(app.work.session);
     if (restored.document) {
         Document document = *std::move(restored.document);
-        app.work.document.set = app.work.document.saved = {};
+        app.work.document.open({});
         show_document(app.ui, app.work, std::move(document), restored.remark);
     } else {
         open_example(app.ui, app.work);
@@ -176,7 +179,7 @@ bool may_close(App& app) {
     if (is_study_running(app.studying)) leave_study(app);
     end_lesson(app);
     wait_for_autosave(app.work);
-    const Expected<Done> kept = autosave(app.work.session, app.work.document);
+    const Expected<Done> kept = autosave(app.work.session, app.work.document.kept());
     if (kept) return true;
     ask(app.ui, {.title = "Unsaved changes",
                  .text = "The unsaved changes of \"" + document_name(app.work) +
@@ -223,7 +226,7 @@ void end_session(App& app) {
     keep_devices(app.work, app.play);
     // Nobody is left to read a status line; the next start says what could not be kept.
     wait_for_autosave(app.work);
-    (void)autosave(app.work.session, app.work.document);
+    (void)autosave(app.work.session, app.work.document.kept());
     (void)close_session(app.work.session);
 }
 

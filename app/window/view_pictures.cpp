@@ -141,7 +141,7 @@ std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& 
     App& app = view->app;
     app.ui.rects = {};
     app.ui.motion = false;
-    app.work.document = {set, {}, set};
+    app.work.document.open({set, {}, set});
     app.work.unsaved_revision = app.work.revision;  // nothing to keep
     app.rendered.on = choice.rendered_by.has_value();
     app.rendered.by = choice.rendered_by.value_or(RenderedBy{});
@@ -178,8 +178,6 @@ void copy_looks(const Ui& ui, Ui& still) {
 // Without its place on the disk: nothing may be kept or locked from here.
 void copy_work(const Workspace& work, Workspace& still) {
     still.document = work.document;
-    still.history = work.history;
-    still.committed = work.committed;
     still.revision = work.revision;
     still.document_number = work.document_number;
     still.documents = work.documents;

@@ -42,7 +42,7 @@ void start_jobs(App& app) {
 void move_points(App& app) { app.shown_map.transition.since_s = app.ui.time_s; }
 
 void change_every_pattern(App& app, int turn) {
-    for (Vibration& vibration : app.work.document.set.vibrations) {
+    for (Vibration& vibration : app.work.document.edit().vibrations) {
         if (auto* pattern = std::get_if<Pattern>(&vibration.source)) {
             pattern->modulation.frequency_hz = 1.0 + turn % 50;
         }
@@ -255,8 +255,7 @@ void frame_on_display(benchmark::State& state, const PatternSet& set) {
         return;
     }
     App app = make_app();
-    app.work.document = {set, {}, set};
-    app.work.committed = std::make_shared<const PatternSet>(set);
+    app.work.document.open({set, {}, set});
     app.timeline.playhead = {.at_s = 0.0, .speed = 0.01, .playing = true, .loop = true};
     if (set.vibrations.size() == kManyPoints) {
         show_made_up_map(app);

@@ -57,8 +57,7 @@ struct Program {
         io.Fonts->Clear();
         PatternSet opened = set;
         give_looks(opened);  // as opening a document does
-        app.work.document = {opened, {}, opened};
-        app.work.committed = std::make_shared<const PatternSet>(opened);
+        app.work.document.open({opened, {}, opened});
         // Any name but none: the frame then notes where things are, and nothing is written.
         app.ui.rects.file = "/dev/null/no such file";
         make_theme(app);

@@ -216,7 +216,7 @@ void add_states(std::vector<Scene>& all) {
                    }});
     all.push_back({"a map of an earlier state", [](Program& p) {
                        p.app.shown_map.cancelled = true;
-                       auto& first = p.app.work.document.set.vibrations.front();
+                       auto& first = p.app.work.document.edit().vibrations.front();
                        std::get<Pattern>(first.source).amplitude_g *= 2.0;
                        ++p.app.work.revision;
                        for (int k = 0; k < 25; ++k) p.frame();  // what is behind for 0.3 s looks it
@@ -363,7 +363,7 @@ SceneWindow::SceneWindow(double duration_s) : Program(twelve_with_long_names(dur
     app.ui.motion = false;
     compute_map();
     settle();  // how the map lies is part of the document
-    document_ = app.work.document;
+    document_ = app.work.document.kept();
 }
 
 SceneWindow::~SceneWindow() { stop_jobs(app); }
@@ -405,10 +405,9 @@ void SceneWindow::show(const Scene& scene) {
     app.shown_map.cancelled = false;
     app.work.selection.search.clear();
     select_only(app.work, 0);
-    app.work.history.clear();
-    if (!(app.work.document.set == document_.set)) {
-        app.work.document = document_;
-        app.work.committed = std::make_shared<const PatternSet>(document_.set);
+    const bool is_another = !(app.work.document.set == document_.set);
+    app.work.document.open(document_);
+    if (is_another) {
         ++app.work.revision;
         request_maps(app.work, app.shown_map, app.rendered);
     }

@@ -65,7 +65,7 @@ long turn_of(const PatternSet& set) {
 }
 
 void edit(App& app, long turn) {
-    app.work.document.set = set_of(turn);
+    app.work.document.edit() = set_of(turn);
     document_changed(app.work);
 }
 

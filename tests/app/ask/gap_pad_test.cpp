@@ -103,7 +103,7 @@ TEST_CASE("fill the gap: Esc and an edit end the search, and nothing is added") 
     CHECK_FALSE(is_filling(program.app.maybes));
     CHECK(program.app.work.document.set.vibrations.size() == 3);
     fill_the_gap(program.app.ui, program.app.work, program.app.shown_map, program.app.maybes);
-    std::get<Pattern>(program.app.work.document.set.vibrations[0].source).amplitude_g = 0.7;
+    std::get<Pattern>(program.app.work.document.edit().vibrations[0].source).amplitude_g = 0.7;
     document_changed(program.app.work);
     program.settle();
     CHECK_FALSE(is_filling(program.app.maybes));
@@ -162,7 +162,7 @@ TEST_CASE("move tool: a drag of a point searches its pattern; without it the poi
     CHECK(program.app.maybes.put.asked);
     program.press_key(key::kEscape);
     CHECK_FALSE(program.app.maybes.put.asked);
-    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
 
 TEST_CASE("find similar: the closest by PM are selected, and named with how far they are") {

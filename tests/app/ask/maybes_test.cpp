@@ -57,7 +57,7 @@ TEST_CASE("vary: V again shows others, Esc leaves the pattern as it is") {
     program.press_key(key::kEscape);
     CHECK(program.app.maybes.varied.empty());
     CHECK_FALSE(program.shows("proposal:1"));
-    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
 
 TEST_CASE("track: resting on a slider shows where it leads, with the numbers of its ends") {
@@ -67,7 +67,7 @@ TEST_CASE("track: resting on a slider shows where it leads, with the numbers of 
     INFO(program.at("track:1").value);
     CHECK(program.at("track:1").value.starts_with("0 g"));
     CHECK(program.at("track:13").value.starts_with("4 g"));
-    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
 
 TEST_CASE("neighbour card: it names the closest, and its words lead to it") {

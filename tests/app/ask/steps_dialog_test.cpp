@@ -64,7 +64,7 @@ TEST_CASE("steps dialog: another question is asked at once; Esc leaves the set a
     program.press_key(key::kEscape);
     CHECK(program.app.ui.dialog == Dialog::none);
     CHECK(program.app.work.document.set == before);
-    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.history.undo_label() == nullptr);
     stop_jobs(program.app);
 }
 

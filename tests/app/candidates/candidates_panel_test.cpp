@@ -80,7 +80,7 @@ TEST_CASE("candidates: the nearest is the smallest PM of the row, whoever sorts"
 
 TEST_CASE("candidates: what is typed finds numbers and rhythms, whole ones alone") {
     Tabled program;
-    std::get<Pattern>(program.app.work.document.set.vibrations[1].source).rhythm.text = "x--x";
+    std::get<Pattern>(program.app.work.document.edit().vibrations[1].source).rhythm.text = "x--x";
     document_changed(program.app.work);
     program.search_for("110 Hz");
     CHECK(program.order() == Places{1});

@@ -113,7 +113,7 @@ TEST_CASE("compare tab: a file that does not fit is refused in words and changes
     load_ratings(app.ui, app.work, app.layout, {bench.folder.path / "none.csv"});
     CHECK(app.ui.status.is_error);
     CHECK(app.work.document.set.ratings.empty());
-    CHECK(app.work.history.undo_label() == nullptr);
+    CHECK(app.work.document.history.undo_label() == nullptr);
 }
 
 TEST_CASE("compare tab: ratings of a pattern that is gone no longer fit, and it says so") {

@@ -39,7 +39,7 @@ TEST_CASE("effects: saving a set made of a .json of Android asks for a name of i
     folder.write("buzz.json", kBuzz);
     Program program(short_patterns(2));
     open_paths(program.app.ui, program.app.work, {folder.path / "buzz.json"});
-    program.app.work.document.set.vibrations[0].name = "changed";
+    program.app.work.document.edit().vibrations[0].name = "changed";
     document_changed(program.app.work);
     save(program.app.ui, program.app.work);
     CHECK(program.app.ui.chooser.is_open);

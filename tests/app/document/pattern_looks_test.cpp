@@ -108,7 +108,7 @@ TEST_CASE("looks: moving, New, Duplicate, paste, delete and undo leave every pat
     CHECK(kept_and_new(before, looks_of(program)) == 3);
     rename_vibration(app.ui, app.work, 0, "another name");
     CHECK(looks_of(program).at("another name") == before.at("p4"));
-    while (app.work.history.undo_label() != nullptr) {
+    while (app.work.document.history.undo_label() != nullptr) {
         undo(app.ui, app.work);
         kept_and_new(before, looks_of(program));
     }
@@ -146,7 +146,7 @@ TEST_CASE("looks: the row's menu changes colour and mark of what is selected, in
     program.click("row menu:Colour and mark");
     program.click("row menu:Purple");
     CHECK(looks_of(program).at("p2") == Look{"#CC79A7", false});
-    CHECK(*program.app.work.history.undo_label() == "Change colour of p2");
+    CHECK(*program.app.work.document.history.undo_label() == "Change colour of p2");
     open_menu(program, "p2");
     program.click("row menu:Colour and mark");
     CHECK(program.at("row menu:Purple").value == "chosen");
@@ -156,7 +156,7 @@ TEST_CASE("looks: the row's menu changes colour and mark of what is selected, in
     undo(program.app.ui, program.app.work);
     CHECK(looks_of(program) == before);
     // A locked pattern keeps its vibration; how it looks is no part of that.
-    program.app.work.document.set.vibrations[0].locked = true;
+    program.app.work.document.edit().vibrations[0].locked = true;
     select_only(program.app.work, 0);
     program.app.work.selection.others = {2};
     change_look(program.app.ui, program.app.work, "#D55E00", false);

@@ -30,8 +30,8 @@ std::vector<std::string> names_kept(App& app) {
 TEST_CASE("rename: a pattern stays in the study, in pairs, pinned, and among what sounds") {
     Program program(short_patterns(4));
     App& app = program.app;
-    app.work.document.set.study.patterns = {"p1", "p2", "p4"};
-    app.work.document.set.ratings = {{"P", {"p1", "p2", "p3", "p4"}, {1, 2, 3, 4, 5, 6}, {}}};
+    app.work.document.edit().study.patterns = {"p1", "p2", "p4"};
+    app.work.document.edit().ratings = {{"P", {"p1", "p2", "p3", "p4"}, {1, 2, 3, 4, 5, 6}, {}}};
     commit_step(app.ui, app.work, "study");
     app.work.selection.partner = app.work.selection.pinned = app.lesson.before.pinned = "p2";
     app.picking.reference_a = "p2";

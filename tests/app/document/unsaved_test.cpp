@@ -52,7 +52,7 @@ bool refuses_others(Program& program) {
         app.ui.status = {};
         replace(app.ui, app.work);
         if (!app.ui.status.is_error || !contains(app.ui.status.text, "Save as...")) return false;
-        if (app.work.document.set != edited || app.work.history.undo_label() == nullptr)
+        if (app.work.document.set != edited || app.work.document.history.undo_label() == nullptr)
             return false;
     }
     return true;
@@ -286,7 +286,7 @@ TEST_CASE("save: who says so writes over it, and is not asked again") {
     program.press('s', true);
     program.click("answer:Overwrite");
     CHECK(load_set(file)->set == app.work.document.set);
-    CHECK_FALSE(is_changed_outside(app.work.document, file));
+    CHECK_FALSE(is_changed_outside(app.work.document.kept(), file));
     // Not there any more: nothing is lost by writing it.
     fs::remove(file);
     program.edit();
@@ -300,7 +300,7 @@ TEST_CASE("save: a change from outside is noticed after a recovery, too") {
     const fs::path file = program.folder.path / "mine.tactspace.json";
     save_as(app.ui, app.work, file);
     program.edit();
-    REQUIRE(autosave(app.work.session, app.work.document));
+    REQUIRE(autosave(app.work.session, app.work.document.kept()));
     REQUIRE(write_set_file(file, short_patterns(2)));
     const Restored restored = restore(app.work.session);
     REQUIRE(restored.document);

@@ -43,7 +43,8 @@ struct EffectDialog {
     explicit EffectDialog(const PatternSet& set = five_with_odd_names(), bool with_job = true)
         : program(set) {
         program.app.ui.motion = false;
-        program.app.work.document.path = folder.path / "test.tactspace.json";
+        EditedDocument& document = program.app.work.document;
+        document.open({document.set, folder.path / "test.tactspace.json", document.saved});
         program.compute_map();
         if (!with_job) effects().job.reset();
         run_command(program, "Export vibrations...");

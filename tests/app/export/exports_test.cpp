@@ -37,7 +37,7 @@ struct Exporting {
         exports.picture_size.width = exports.frame_size.width = 300;
         exports.picture_size.height = exports.frame_size.height = 400;
         App& app = program.app;
-        app.work.document.path = set_file;
+        app.work.document.open({app.work.document.set, set_file, app.work.document.saved});
         app.physiology.stages = still_view(app)->app.physiology.stages;
         program.settle();
     }

@@ -60,7 +60,7 @@ TEST_CASE("generate dialog: it opens on the current pattern varied, counted befo
     CHECK(program.shows("generate:preview 4"));
     CHECK_FALSE(program.shows("generate:preview 5"));
     CHECK(program.app.work.document.set == short_patterns(3));
-    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
 
 TEST_CASE("generate dialog: what was drawn by hand is said to be left out") {
@@ -68,7 +68,7 @@ TEST_CASE("generate dialog: what was drawn by hand is said to be left out") {
     open_dialog(program);
     CHECK(!program.shows("generate:left out"));
     program.press_key(key::kEscape);
-    auto& pattern = std::get<Pattern>(program.app.work.document.set.vibrations[0].source);
+    auto& pattern = std::get<Pattern>(program.app.work.document.edit().vibrations[0].source);
     pattern.transients = {{0.05, 1.0}};
     program.settle();
     open_dialog(program);

@@ -47,7 +47,7 @@ TEST_CASE("tour: it goes from start to end, and leaves the document and the view
     CHECK(program.app.physiology.view.open == Stage::envelope);
     CHECK(program.app.timeline.range == TimeRange{0.0, 0.05});
     CHECK(program.app.work.document.set == document);
-    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.history.undo_label() == nullptr);
     CHECK(program.lesson().left_at == 0);
 }
 
@@ -81,15 +81,15 @@ TEST_CASE("lesson: unsaved changes and undo steps of the document outlive it") {
     remove_selected(program.app.ui, program.app.work);
     program.settle();
     const auto changed = program.app.work.document.set;
-    REQUIRE(program.app.work.history.undo_label() != nullptr);
-    const std::string label = *program.app.work.history.undo_label();
+    REQUIRE(program.app.work.document.history.undo_label() != nullptr);
+    const std::string label = *program.app.work.document.history.undo_label();
     program.begin(kBundledLessons[0].path);
-    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.history.undo_label() == nullptr);
     leave_lesson(hands_of(program.app), program.lesson());
     program.settle();
     CHECK(program.app.work.document.set == changed);
-    REQUIRE(program.app.work.history.undo_label() != nullptr);
-    CHECK(*program.app.work.history.undo_label() == label);
+    REQUIRE(program.app.work.document.history.undo_label() != nullptr);
+    CHECK(*program.app.work.document.history.undo_label() == label);
     CHECK(program.app.work.unsaved);
 }
 

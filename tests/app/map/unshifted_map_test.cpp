@@ -12,7 +12,7 @@ namespace {
 
 void shift_pacinian(Program& program, double decades) {
     Workspace& work = program.app.work;
-    Curve& curve = work.document.set.model.coding.tables.threshold[index_of(Receptor::pacinian)];
+    Curve& curve = work.document.edit().model.coding.tables.threshold[index_of(Receptor::pacinian)];
     for (double& value : curve.value) value += decades;
     model_changed(work);
     commit_step(program.app.ui, work, "Shift");

@@ -58,7 +58,7 @@ TEST_CASE(
     program.settle();
     CHECK(program.at("model:provenance").value == "Trained on drawn.");
     CHECK(contains(program.at("model:synthetic").value, "nobody was asked"));
-    app.work.document.set.model.oc_weight = 0.1;
+    app.work.document.edit().model.oc_weight = 0.1;
     model_changed(app.work);
     program.settle();
     CHECK(program.at("model:choice").value == "Changed by hand");

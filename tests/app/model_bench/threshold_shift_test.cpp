@@ -77,14 +77,14 @@ TEST_CASE("spectrum: a threshold dragged upwards is one undo step, and rises by 
     for (float y = plot.min.y + 20.0F; y < plot.max.y - 40.0F; y += 5.0F) {
         program.drag({x, y}, {x, y - 12.0F}, 3);
         if (!(pacinian_of(program) == before)) break;
-        if (program.app.work.history.undo_label() != nullptr)
+        if (program.app.work.document.history.undo_label() != nullptr)
             undo(program.app.ui, program.app.work);
     }
     REQUIRE_FALSE(pacinian_of(program) == before);
     const double db = shift_db(pacinian_of(program), before).value();
     CHECK(db > 0.0);
-    REQUIRE(program.app.work.history.undo_label() != nullptr);
-    CHECK(*program.app.work.history.undo_label() == "Move threshold of Pacinian");
+    REQUIRE(program.app.work.document.history.undo_label() != nullptr);
+    CHECK(*program.app.work.document.history.undo_label() == "Move threshold of Pacinian");
     undo(program.app.ui, program.app.work);
     CHECK(pacinian_of(program) == before);
 }

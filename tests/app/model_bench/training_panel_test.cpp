@@ -115,7 +115,7 @@ TEST_CASE(
     CHECK_FALSE(bench.program.shows("train:stale"));  // the trained numbers alone have changed
     undo(app.ui, app.work);
     CHECK(app.work.document.set.model == before);
-    CHECK(app.work.history.undo_label() == nullptr);
+    CHECK(app.work.document.history.undo_label() == nullptr);
 }
 
 TEST_CASE("training panel: used parameters are kept for choosing, and say where they come from") {
@@ -139,7 +139,7 @@ TEST_CASE("training panel: used parameters are kept for choosing, and say where 
     bench.program.click("model:choice");
     bench.program.click("model option:" + kept_models(app.ui, app.work, app.model_bench)[0].name);
     CHECK(app.work.document.set.model == trained);
-    app.work.document.set.model.nc_weight = 0.123;
+    app.work.document.edit().model.nc_weight = 0.123;
     model_changed(app.work);
     bench.program.settle();
     CHECK(bench.program.at("model:choice").value == "Changed by hand");
@@ -166,10 +166,10 @@ TEST_CASE("training panel: saved parameters are those of --model, and load as on
     CHECK(read->model == app.model_bench.training.found->training.model);
     REQUIRE(read->training);
     CHECK(*read->training == app.model_bench.training.found->record);
-    CHECK(app.work.history.undo_label() == nullptr);
+    CHECK(app.work.document.history.undo_label() == nullptr);
     load_model(app.ui, app.work, app.model_bench, file);
     CHECK(app.work.document.set.model == read->model);
-    CHECK(*app.work.history.undo_label() == "Use the parameters mine");
+    CHECK(*app.work.document.history.undo_label() == "Use the parameters mine");
     const PerceptualModelParams loaded = app.work.document.set.model;
     load_model(app.ui, app.work, app.model_bench,
                bench.folder.write("odd.json", "{\"tactspace\": 1}"));
@@ -183,16 +183,16 @@ TEST_CASE("training panel: what was found is stale once the ratings or the patte
     bench.train();
     CHECK_FALSE(bench.program.shows("train:stale"));
     const PatternSet before = app.work.document.set;
-    app.work.document.set.ratings[0].condensed[3] += 1.0;
+    app.work.document.edit().ratings[0].condensed[3] += 1.0;
     document_changed(app.work);
     bench.program.settle();
     CHECK(bench.program.shows("train:stale"));
     CHECK(bench.program.at("button:use trained").value == "stale");
-    app.work.document.set = before;
+    app.work.document.edit() = before;
     document_changed(app.work);
     bench.program.settle();
     CHECK_FALSE(bench.program.shows("train:stale"));
-    app.work.document.set.model.coding.spike_cap = 40;  // a choice that training does not make
+    app.work.document.edit().model.coding.spike_cap = 40;  // a choice that training does not make
     document_changed(app.work);
     bench.program.settle();
     CHECK(bench.program.shows("train:stale"));
@@ -239,7 +239,7 @@ TEST_CASE("training panel: it says what is missing, and what cannot be fitted to
     CHECK(bench.program.shows("button:load ratings"));
     CHECK(bench.program.at("button:train").value == "disabled");
     RatingStudy study{names_of(app.work.document.set), true, {{"P1", {1, 1, 1, 1, 1, 1}}}};
-    app.work.document.set.ratings = kept_ratings(study, "flat.csv");
+    app.work.document.edit().ratings = kept_ratings(study, "flat.csv");
     document_changed(app.work);
     bench.program.settle();
     bench.program.click("button:train");
@@ -247,7 +247,7 @@ TEST_CASE("training panel: it says what is missing, and what cannot be fitted to
     CHECK(app.ui.status.is_error);
     CHECK(app.ui.status.text.ends_with("got the same for every pair"));
     CHECK_FALSE(bench.program.shows("train:result"));
-    app.work.document.set.ratings[0].labels[0] = "nobody";
+    app.work.document.edit().ratings[0].labels[0] = "nobody";
     document_changed(app.work);
     bench.program.settle();
     CHECK(bench.program.shows("train:fault"));

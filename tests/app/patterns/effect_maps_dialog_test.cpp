@@ -35,7 +35,7 @@ struct Effects {
         program.settle();
     }
 
-    PatternSet& set() { return program.app.work.document.set; }
+    PatternSet& set() { return program.app.work.document.edit(); }
     const Vibration& named(const std::string& name) {
         return set().vibrations[*place_named(set(), name)];
     }

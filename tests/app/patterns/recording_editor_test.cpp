@@ -83,7 +83,7 @@ TEST_CASE("recording: gain, part and fades are of the recording as it came, one 
     program.enter("entry:fade_in_ms", "50");
     CHECK(program.measured().waveform->samples_g[0] == 0.0);
     CHECK(program.recording().note.starts_with("Of a phone. Cut: 0.1 to 0.3 s, fades of 50"));
-    CHECK(*program.app.work.history.undo_label() == "Change fade of tap");
+    CHECK(*program.app.work.document.history.undo_label() == "Change fade of tap");
     undo(program.app.ui, program.app.work);
     undo(program.app.ui, program.app.work);
     undo(program.app.ui, program.app.work);
@@ -127,7 +127,7 @@ TEST_CASE("recording: made parametric it stands beside its pattern, and PM betwe
     const auto& traced = std::get<Pattern>(all[3].source);
     CHECK(traced.carriers[0].frequency_hz == doctest::Approx(180.0).epsilon(0.01));
     CHECK(envelope_g(traced, 0.25) == doctest::Approx(1.0).epsilon(0.05));
-    CHECK(*program.app.work.history.undo_label() == "Make tap parametric");
+    CHECK(*program.app.work.document.history.undo_label() == "Make tap parametric");
     program.wait_for("editor:partner");
     for (int k = 0; k < 4000; ++k) {
         const auto& map = program.app.shown_map.transition.shown;
@@ -158,7 +158,7 @@ TEST_CASE("recording: fewer points are asked for, and the worse fit is said") {
 
 TEST_CASE("recording: a locked one is not cut") {
     Recorded program;
-    program.app.work.document.set.vibrations[2].locked = true;
+    program.app.work.document.edit().vibrations[2].locked = true;
     program.settle();
     program.click("entry:gain_db");
     program.type("6");

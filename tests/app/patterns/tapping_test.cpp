@@ -14,7 +14,7 @@ struct Tapping : Program {
     double time_s = 0.0;
 
     Tapping() : Program(short_patterns(2)) {
-        auto& set = app.work.document.set;
+        auto& set = app.work.document.edit();
         for (Vibration& vibration : set.vibrations) {
             std::get<Pattern>(vibration.source).duration_s = 1.0;
         }
@@ -55,7 +55,7 @@ TEST_CASE("tapping: T opens it and is the first tap, Enter takes what was tapped
     CHECK(rhythm.unit_s == doctest::Approx(0.125).epsilon(0.1));
     CHECK(rhythm.text.starts_with("x=--x-x"));
     CHECK(program.pattern().duration_s == 1.0);
-    CHECK(*program.app.work.history.undo_label() == "Tap rhythm of p1");
+    CHECK(*program.app.work.document.history.undo_label() == "Tap rhythm of p1");
     CHECK(program.pattern(1).rhythm.text.empty());
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("tapping: another step is typed, and what is typed is no tap") {
     program.type("100");
     program.press_key(key::kEnter);
     CHECK(program.at("tapped").value.starts_with("x"));
-    CHECK(program.app.work.history.undo_label() != nullptr);
+    CHECK(program.app.work.document.history.undo_label() != nullptr);
     CHECK(program.app.ui.dialog == Dialog::tap_rhythm);
     program.click("button:choose");
     CHECK(program.pattern().rhythm.unit_s == doctest::Approx(0.1));
@@ -106,7 +106,7 @@ TEST_CASE("tapping: the mouse taps as well, and Esc leaves the pattern as it was
 
 TEST_CASE("tapping: T is a letter in a text field, and nothing for a locked pattern") {
     Tapping program;
-    program.app.work.document.set.vibrations[0].locked = true;
+    program.app.work.document.edit().vibrations[0].locked = true;
     program.settle();
     program.press(U't');
     CHECK(program.app.ui.dialog == Dialog::none);

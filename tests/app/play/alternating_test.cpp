@@ -20,7 +20,7 @@ TEST_CASE("A|B: the bar names both, and X swaps them") {
     CHECK(program.app.work.selection.current == 2);
     program.press('x');
     CHECK(program.at("alternate:pair").value == "A p1 | B p3");
-    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
 
 TEST_CASE("A|B: a swap while they sound changes their letters, not what is felt") {

@@ -79,7 +79,7 @@ TEST_CASE("failure: it goes with the first answer") {
     fail(app.shown_map.full_job);
     CHECK(program.says("space"));
     make_map_jobs(app.ui, app.work, app.shown_map);
-    std::get<Pattern>(app.work.document.set.vibrations[0].source).amplitude_g *= 0.5;
+    std::get<Pattern>(app.work.document.edit().vibrations[0].source).amplitude_g *= 0.5;
     document_changed(app.work);
     program.wait_for_exact_map();
     program.settle();

@@ -304,7 +304,7 @@ TEST_CASE("physiology: silence, saturation, nothing at all and an edit under way
         program.click("stage:all");
     }
     // An edit that the job has not answered yet: what is shown is known to be stale.
-    std::get<Pattern>(program.app.work.document.set.vibrations[2].source).amplitude_g = 0.3;
+    std::get<Pattern>(program.app.work.document.edit().vibrations[2].source).amplitude_g = 0.3;
     program.frame();
     CHECK(program.shows("plot:brain"));
     Program empty((PatternSet()));

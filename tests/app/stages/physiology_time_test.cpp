@@ -30,7 +30,7 @@ TEST_CASE("physiology: a press in any plot moves the one playhead, dragging scru
     CHECK(std::abs(program.app.timeline.playhead.at_s - 0.07) < 0.002);
     program.drag(program.in_row("vibration", 0.5F), program.in_row("vibration", 0.3F), 3);
     CHECK(std::abs(program.app.timeline.playhead.at_s - 0.03) < 0.002);
-    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
 
 TEST_CASE(

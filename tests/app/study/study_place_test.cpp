@@ -77,7 +77,7 @@ TEST_CASE("participants: of a saved set, they stay with its file and in sight of
 TEST_CASE("participants: a set that was put aside and opened again still has its own") {
     Rated program;
     App& app = program.app;
-    app.work.document.set.duration_s = 0.2;
+    app.work.document.edit().duration_s = 0.2;
     new_document(app.ui, app.work);
     REQUIRE_FALSE(app.work.session.recent_files.empty());
     open_paths(app.ui, app.work, {app.work.session.recent_files[0]});
@@ -93,7 +93,7 @@ TEST_CASE("participants: of a set with a name that no file can have, they have a
     std::string longest;
     for (int k = 0; k < 300; ++k) longest += "\u89e6";
     for (const std::string& name : {longest, std::string("a/b: c?"), std::string("..")}) {
-        app.work.document.set.name = name;
+        app.work.document.edit().name = name;
         const auto place = study_folder(app.work, app.studying);
         std::error_code fault;
         std::filesystem::create_directories(place, fault);

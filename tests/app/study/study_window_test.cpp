@@ -145,11 +145,11 @@ TEST_CASE("study window: a participant's page grows with the window, and the pan
 
 TEST_CASE("study window: the design says how many blind answers pass its identical pairs") {
     StudyProgram program;
-    program.app.work.document.set.study.attention = {};
+    program.app.work.document.edit().study.attention = {};
     program.press('4', true);
     program.settle();
     CHECK(program.at("study:chance").value.starts_with("20 % of those who answer blindly"));
-    program.app.work.document.set.study.attention_pairs = 3;
+    program.app.work.document.edit().study.attention_pairs = 3;
     program.settle();
     CHECK(program.at("study:chance").value ==
           "0.78 % of those who answer blindly would pass the identical pairs.");

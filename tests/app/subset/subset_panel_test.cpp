@@ -102,7 +102,7 @@ TEST_CASE("subset panel: it shows the model's answer, and a lock changes it as o
     CHECK_FALSE(app.work.document.set.vibrations[outsider].dropped);
     undo(app.ui, app.work);
     CHECK_FALSE(app.work.document.set.vibrations[outsider].locked);
-    CHECK(app.work.history.undo_label() == nullptr);
+    CHECK(app.work.document.history.undo_label() == nullptr);
 }
 
 TEST_CASE("subset panel: a click into the curve chooses k, a click on an alternative shows it") {
@@ -146,7 +146,7 @@ TEST_CASE("subset panel: a member has the menu that every pattern has") {
     const auto place = place_named(bench.app.work.document.set, name);
     REQUIRE(place);
     CHECK(bench.app.work.document.set.vibrations[*place].locked);
-    CHECK(bench.app.work.history.undo_label() != nullptr);
+    CHECK(bench.app.work.document.history.undo_label() != nullptr);
 }
 
 TEST_CASE("subset panel: too close pairs are listed, and a separation is one step of undo") {
@@ -195,7 +195,7 @@ TEST_CASE("subset panel: by felt steps no pair is too close, until two differ by
     CHECK(too_close_names(app.layout, app.picking).empty());
     Pattern twin = bench.program.pattern(0);
     twin.amplitude_g *= 1.1;
-    app.work.document.set.vibrations[1].source = twin;
+    app.work.document.edit().vibrations[1].source = twin;
     document_changed(app.work);
     commit_step(app.ui, app.work, "Change the second");
     bench.wait_for_pick();
@@ -238,7 +238,7 @@ TEST_CASE("subset panel: what would separate the weakest pair is asked in one cl
     bench.wait_for_pick();
     CHECK_FALSE(opened_rows(app.shown_map, app.picking) == std::nullopt);
     undo(app.ui, app.work);
-    CHECK(app.work.history.undo_label() == nullptr);
+    CHECK(app.work.document.history.undo_label() == nullptr);
 }
 
 TEST_CASE("subset panel: whatever cannot be asked says why") {
@@ -260,12 +260,12 @@ TEST_CASE("subset panel: whatever cannot be asked says why") {
     bench.program.click("subset:Too close");
     app.shown_map.maps_asked = --app.work.revision;
 
-    app.work.document.set.vibrations[pair.a].locked = true;
+    app.work.document.edit().vibrations[pair.a].locked = true;
     bench.program.settle();
     CHECK(bench.program.at("radio:change first").value == all[pair.a].name + "  (locked)");
     CHECK_FALSE(bench.program.shows("separation obstacle"));
     CHECK(row_to_change(app.work, app.shown_map, app.picking, {pair.a, pair.b}) == pair.b);
-    app.work.document.set.vibrations[pair.b].locked = true;
+    app.work.document.edit().vibrations[pair.b].locked = true;
     bench.program.settle();
     CHECK(bench.program.at("separation obstacle").value ==
           "Neither may be changed: unlock one of them (Ctrl+L).");
@@ -386,7 +386,7 @@ TEST_CASE("subset panel: a number that locks or the set do not allow is refused 
         return bench.program.at("subset:fault").value;
     };
     CHECK(fault_with(10) == "10 to pick of 9: expected at most as many.");
-    for (Vibration& one : app.work.document.set.vibrations) one.locked = true;
+    for (Vibration& one : app.work.document.edit().vibrations) one.locked = true;
     document_changed(app.work);
     bench.program.wait_for_exact_map();
     CHECK(fault_with(3) == "3 to pick, but 9 must be kept.");
@@ -440,7 +440,7 @@ TEST_CASE("subset panel: what nobody feels is none of the most distinct, unless 
     CHECK(program.at("subset:unfelt").value == "1 not felt may be picked.");
     // Whoever is locked is picked in any case.
     program.click("link:include unfelt");
-    app.work.document.set.vibrations[2].locked = true;
+    app.work.document.edit().vibrations[2].locked = true;
     document_changed(app.work);
     program.wait_for_exact_map();
     pick();

@@ -72,7 +72,7 @@ TEST_CASE("tab: nothing moves the numbers, the selection or the document on the 
     round_trip(program, false);
     CHECK(program.app.work.document.set == before);
     CHECK(program.app.work.selection.current == 0);
-    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
 
 TEST_CASE("tab: Enter presses what has the focus, and the frame around it is seen") {

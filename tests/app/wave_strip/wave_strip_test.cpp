@@ -14,7 +14,7 @@ namespace {
 struct Strip : Program {
     Strip() : Program(short_patterns(2)) {}
 
-    Pattern& pattern() { return std::get<Pattern>(app.work.document.set.vibrations[0].source); }
+    Pattern& pattern() { return std::get<Pattern>(app.work.document.edit().vibrations[0].source); }
     // A share of the amplitude lane from its lower left corner.
     ImVec2 in_lane(float x, float y) const {
         const Place& lane = at("strip:amplitude");
@@ -28,7 +28,7 @@ struct Strip : Program {
         settle();
     }
     std::string last_step() const {
-        const std::string* label = app.work.history.undo_label();
+        const std::string* label = app.work.document.history.undo_label();
         return label == nullptr ? "" : *label;
     }
 };

@@ -17,7 +17,7 @@ TEST_CASE("window: one drag of a slider is one undo step") {
 
     program.press('z', true);
     CHECK(program.pattern(0).amplitude_g == before_g);
-    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.history.undo_label() == nullptr);
     program.press('z', true, true);
     CHECK(program.pattern(0).amplitude_g == after_g);
     program.press('z', true);
@@ -290,7 +290,7 @@ TEST_CASE("window: the bar stays where it is, whatever is named, zoomed or compu
                 CHECK(program.at(name).min.x == before.at(name).min.x);
             }
         };
-        auto& all = program.app.work.document.set.vibrations;
+        auto& all = program.app.work.document.edit().vibrations;
         all[0].name = "a name that is rather longer than it would have to be";
         check("a long name");
         program.app.timeline.range = {0.0, 0.05};

@@ -36,8 +36,8 @@ TEST_CASE("gestures: a slider held while Down is pressed stays with the pattern 
     program.settle();
     CHECK(program.pattern(0).amplitude_g == held_g);
     CHECK(program.pattern(1).amplitude_g == 1.0);
-    REQUIRE(program.app.work.history.undo_label() != nullptr);
-    CHECK(*program.app.work.history.undo_label() == "Change amplitude of p1");
+    REQUIRE(program.app.work.document.history.undo_label() != nullptr);
+    CHECK(*program.app.work.document.history.undo_label() == "Change amplitude of p1");
     program.press('z', true);
     CHECK(program.app.work.document.set == short_patterns(3));
 }
@@ -82,8 +82,8 @@ TEST_CASE("gestures: a rhythm left by a click on another row is a step of its ow
     program.settle();
     program.click("row:p3");
     CHECK(program.app.work.selection.current == 2);
-    REQUIRE(program.app.work.history.undo_label() != nullptr);
-    CHECK(*program.app.work.history.undo_label() == "Change rhythm of p1");
+    REQUIRE(program.app.work.document.history.undo_label() != nullptr);
+    CHECK(*program.app.work.document.history.undo_label() == "Change rhythm of p1");
     CHECK(program.pattern(0).rhythm.text == "x--");
     CHECK(program.pattern(2).rhythm.text.empty());
 }

@@ -62,7 +62,7 @@ TEST_CASE("mixed numbers: looked at and left they stay as they are") {
     program.click("entry:amplitude_g");
     program.press_key(key::kEnter);
     program.check_strengths(1.0, 2.0, 0.5);
-    CHECK(program.app.work.history.undo_label() == nullptr);
+    CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
 
 TEST_CASE("mixed numbers: a typed number becomes that of all, the current one's own as well") {

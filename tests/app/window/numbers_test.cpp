@@ -19,7 +19,7 @@ bool says(const Program& program, const char* part) {
 }
 
 std::string undo_label(const Program& program) {
-    const std::string* label = program.app.work.history.undo_label();
+    const std::string* label = program.app.work.document.history.undo_label();
     return label == nullptr ? "" : *label;
 }
 
@@ -302,7 +302,7 @@ TEST_CASE("numbers: digits typed at a field, locked or not, do not change the la
     CHECK(program.app.layout.right == right);
     CHECK_FALSE(program.app.studying.is_open);
     // Nor while the slider of one that is not locked is held.
-    program.app.work.document.set.vibrations[0].locked = false;
+    program.app.work.document.edit().vibrations[0].locked = false;
     program.settle();
     program.window.move(program.at("slider:amplitude_g").middle());
     program.window.button(true);

@@ -35,7 +35,7 @@ TEST_CASE("session: the window begins as it was left") {
         left.app.lesson.left_at = 2;
         left.app.work.own_heights = true;
         left.app.pattern_panes.strip.height = 222.0F;
-        left.app.work.document.set = short_patterns(3);
+        left.app.work.document.edit() = short_patterns(3);
         save_as(left.app.ui, left.app.work, file);
         end_session(left.app);
     }
