@@ -5,6 +5,7 @@
 
 #include "app/session/document_file.h"
 #include "app/session/folders.h"
+#include "app/session/path_json.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
 #include "model/text/atomic_file.h"
@@ -28,7 +29,7 @@ void erase_file(const fs::path& path) {
 }
 
 std::string text_of(const Kept& kept) {
-    json all = {{"format", 1}, {"path", kept.path.string()}, {"set", kept.set_text}};
+    json all = {{"format", 1}, {"path", path_json(kept.path)}, {"set", kept.set_text}};
     if (kept.file_mark) all["file_mark"] = *kept.file_mark;
     return all.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
@@ -39,9 +40,9 @@ std::optional<Kept> read_kept(const fs::path& file) {
     const json all = json::parse(*text, nullptr, false);
     if (!all.is_object() || all.value("format", json()) != 1) return std::nullopt;
     const json set = all.value("set", json());
-    const json path = all.value("path", json());
-    if (!set.is_string() || !path.is_string()) return std::nullopt;
-    Kept kept{set.get<std::string>(), path.get<std::string>()};
+    const std::optional<fs::path> path = path_of(all.value("path", json()));
+    if (!set.is_string() || !path) return std::nullopt;
+    Kept kept{set.get<std::string>(), *path};
     const json mark = all.value("file_mark", json());
     if (mark.is_number_unsigned()) kept.file_mark = mark.get<std::uint64_t>();
     return kept;
@@ -61,7 +62,7 @@ Expected<Document> document_of(const Kept& kept, const fs::path& file) {
 Expected<fs::path> move_aside(Session& session, const fs::path& autosave_file) {
     const fs::path file = unused_file(session.folder, "recovered-", ".tactspace.json");
     if (const std::optional<Kept> kept = read_kept(autosave_file)) {
-        if (const auto written = write_atomically(file, kept->set_text); !written) {
+        if (const auto written = write_atomically(file, kept->set_text, kPrivateFile); !written) {
             return written.error();
         }
         erase_file(autosave_file);
@@ -115,7 +116,8 @@ Expected<Done> autosave(const Session& session, const Document& document) {
             "one that can be written"};
     }
     return write_atomically(session.autosave,
-                            text_of({print_set(document.set), document.path, document.file_mark}));
+                            text_of({print_set(document.set), document.path, document.file_mark}),
+                            kPrivateFile);
 }
 
 Restored restore(Session& session) {

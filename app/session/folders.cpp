@@ -18,6 +18,22 @@ Expected<Done> make_folder(const std::filesystem::path& folder) {
                  (fault ? ": " + fault.message() : "; there is a file of this name")};
 }
 
+void keep_private(const std::filesystem::path& folder) {
+    namespace fs = std::filesystem;
+    constexpr auto kOthers = fs::perms::group_all | fs::perms::others_all;
+    const auto tighten = [](const fs::path& path) {
+        std::error_code none;
+        fs::permissions(path, kOthers, fs::perm_options::remove, none);
+    };
+    tighten(folder);
+    std::error_code fault;
+    for (fs::recursive_directory_iterator entry(folder, fault), end; !fault && entry != end;
+         entry.increment(fault)) {
+        std::error_code none;
+        if (!entry->is_symlink(none)) tighten(entry->path());
+    }
+}
+
 std::filesystem::path unused_file(const std::filesystem::path& folder, const std::string& prefix,
                                   const std::string& ending) {
     const std::time_t now = std::time(nullptr);

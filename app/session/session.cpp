@@ -11,6 +11,7 @@
 #include "app/session/crash_report.h"
 #include "app/session/document_file.h"
 #include "app/session/folders.h"
+#include "app/session/path_json.h"
 #include "model/text/atomic_file.h"
 
 namespace tact {
@@ -55,6 +56,15 @@ void take_strings(const json& from, const char* name, Each each) {
     }
 }
 
+void take_paths(const json& from, std::vector<fs::path>& to) {
+    const auto at = from.find("recent_files");
+    if (at == from.end() || !at->is_array()) return;
+    for (const json& item : *at) {
+        const std::optional<fs::path> path = path_of(item);
+        if (path && to.size() < kRecentFiles) to.push_back(*path);
+    }
+}
+
 // How the devices were used that have been chosen so far.
 void take_devices(const json& from, Session& session) {
     take(from, "device", session.device);
@@ -74,9 +84,7 @@ void take_devices(const json& from, Session& session) {
 }
 
 void take_settings(const json& from, Session& session) {
-    take_strings(from, "recent_files", [&](const std::string& path) {
-        if (session.recent_files.size() < kRecentFiles) session.recent_files.emplace_back(path);
-    });
+    take_paths(from, session.recent_files);
     if (const auto at = from.find("layout"); at != from.end() && at->is_object()) {
         for (const auto& [name, number] : at->items()) {
             if (number.is_number()) session.layout[name] = number.get<double>();
@@ -89,9 +97,9 @@ void take_settings(const json& from, Session& session) {
     take(from, "window_maximised", session.window_maximised);
     take_strings(from, "dismissed_hints",
                  [&](const std::string& id) { session.dismissed_hints.insert(id); });
-    std::string document;
-    take(from, "document", document);
-    session.document = document;
+    if (const auto at = from.find("document"); at != from.end()) {
+        session.document = path_of(*at).value_or(fs::path{});
+    }
     take_devices(from, session);
 }
 
@@ -122,7 +130,7 @@ json settings_of(const Session& session) {
                            {"calibration", choice.calibration}});
     }
     json recent = json::array();
-    for (const fs::path& path : session.recent_files) recent.push_back(path.string());
+    for (const fs::path& path : session.recent_files) recent.push_back(path_json(path));
     return {{"format", kFormat},
             {"recent_files", recent},
             {"layout", session.layout},
@@ -132,7 +140,7 @@ json settings_of(const Session& session) {
             {"window_height", session.window_height},
             {"window_maximised", session.window_maximised},
             {"dismissed_hints", session.dismissed_hints},
-            {"document", session.document.string()},
+            {"document", path_json(session.document)},
             {"device", session.device},
             {"device_choices", devices},
             {"full_scale_g", session.full_scale_g}};
@@ -141,7 +149,10 @@ json settings_of(const Session& session) {
 bool make_folder(Session& session) {
     std::error_code failure;
     fs::create_directories(session.folder, failure);
-    if (!failure) return true;
+    if (!failure) {
+        keep_private(session.folder);
+        return true;
+    }
     session.remarks.push_back("Nothing will be kept after this run: " + session.folder.string() +
                               " cannot be made: " + failure.message() + ".");
     session.folder.clear();
@@ -202,9 +213,9 @@ Session open_session(const fs::path& folder) {
 
 Expected<Done> write_session(const Session& session) {
     if (session.folder.empty() || !session.is_first) return Done{};
-    const auto replace = json::error_handler_t::replace;  // a path need not be UTF-8
+    const auto replace = json::error_handler_t::replace;  // a device's id need not be UTF-8
     return write_atomically(settings_file(session.folder),
-                            settings_of(session).dump(2, ' ', false, replace) + "\n");
+                            settings_of(session).dump(2, ' ', false, replace) + "\n", kPrivateFile);
 }
 
 Expected<Done> close_session(Session& session) {

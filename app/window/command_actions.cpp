@@ -115,6 +115,8 @@ void escape(App& app) {
         app.palette.open = false;
     } else if (app.exports.animation) {
         cancel_animation(app);
+    } else if (app.lesson.step && app.lesson.editing) {
+        say(app.ui, "Esc ends no lesson that is being written. Lesson > Leave does.");
     } else if (app.lesson.step) {
         leave_lesson(hands_of(app), app.lesson);
     } else if (is_filling(app.maybes)) {

@@ -101,7 +101,7 @@ AtomicFile::~AtomicFile() {
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-Expected<AtomicFile> AtomicFile::open(const fs::path& path) {
+Expected<AtomicFile> AtomicFile::open(const fs::path& path, unsigned new_mode) {
     AtomicFile file(path);
     file.target_ = link_target(path);
     if (file.target_.empty()) return not_written(path, ELOOP);
@@ -114,7 +114,7 @@ Expected<AtomicFile> AtomicFile::open(const fs::path& path) {
         if (file.descriptor_ < 0) return not_written(path, errno);
         return file;
     }
-    if (auto opened = file.open_temporary(exists ? 0600 : 0666); !opened) return opened.error();
+    if (auto opened = file.open_temporary(exists ? 0600 : new_mode); !opened) return opened.error();
     if (exists) {
         // The owner first, as that clears bits of the mode. Only root may give files away.
         [[maybe_unused]] const int owned = ::fchown(file.descriptor_, old.st_uid, old.st_gid);
@@ -157,8 +157,8 @@ Expected<Done> AtomicFile::commit() {
     return Done{};
 }
 
-Expected<Done> write_atomically(const fs::path& path, std::string_view bytes) {
-    auto file = AtomicFile::open(path);
+Expected<Done> write_atomically(const fs::path& path, std::string_view bytes, unsigned new_mode) {
+    auto file = AtomicFile::open(path, new_mode);
     if (!file) return file.error();
     if (auto appended = file->append(bytes); !appended) return appended;
     return file->commit();

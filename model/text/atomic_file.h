@@ -26,7 +26,8 @@ inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 29;  // that are 
 // A file being written. Without commit() the destructor leaves everything as it was.
 class AtomicFile {
   public:
-    static Expected<AtomicFile> open(const std::filesystem::path& path);
+    // `new_mode` is that of a file that was not there, less what the umask takes.
+    static Expected<AtomicFile> open(const std::filesystem::path& path, unsigned new_mode = 0666);
 
     // Best in large pieces: each is a system call.
     Expected<Done> append(std::string_view bytes);
@@ -48,7 +49,8 @@ class AtomicFile {
     int descriptor_ = -1;
 };
 
-Expected<Done> write_atomically(const std::filesystem::path& path, std::string_view bytes);
+Expected<Done> write_atomically(const std::filesystem::path& path, std::string_view bytes,
+                                unsigned new_mode = 0666);
 
 // Removes what programs that were killed while they wrote left in a folder: temporary files of this
 // user whose process is gone and that nobody has written to for a day (on a shared disk the process

@@ -95,6 +95,50 @@ TEST_CASE("autosave: closing without saving loses nothing, and the document is s
     CHECK(restored.remark.find("crash") == std::string::npos);
 }
 
+TEST_CASE("autosave: a path of any bytes comes back as it was, from settings too") {
+    const Places places;
+    Document document = stored(places, 1.0);
+    document.path = places.own / "na\xefve 100%.tactspace.json";
+    REQUIRE(write_set_file(document.path, document.set));
+    {
+        Session session = open_session(places.state);
+        remember_file(session, document.path);
+        session.document = document.path;
+        edit(document, 2.5);
+        REQUIRE(autosave(session, document));
+        REQUIRE(close_session(session));
+    }
+    Session session = open_session(places.state);
+    CHECK(session.document == document.path);
+    REQUIRE(session.recent_files.size() == 1);
+    CHECK(session.recent_files[0] == document.path);
+    const Restored restored = restore(session);
+    REQUIRE(restored.document.has_value());
+    CHECK(restored.document->path == document.path);
+    CHECK(amplitude_of(restored.document->saved) == 1.0);
+}
+
+TEST_CASE("autosave: what is kept is for this user alone, whatever was open to others before") {
+    const Places places;
+    fs::create_directories(places.state / "studies" / "one");
+    std::ofstream(places.state / "studies" / "one" / "answers.jsonl") << "{}";
+    Session session = open_session(places.state);
+    REQUIRE(autosave(session, one_pattern(2.0)));
+    REQUIRE(write_session(session));
+    const auto is_private = [](const fs::path& path) {
+        return (fs::status(path).permissions() & (fs::perms::group_all | fs::perms::others_all)) ==
+               fs::perms::none;
+    };
+    CHECK(is_private(places.state));
+    CHECK(is_private(session.autosave));
+    CHECK(is_private(places.state / "session.json"));
+    CHECK(is_private(places.state / "studies"));
+    CHECK(is_private(places.state / "studies" / "one" / "answers.jsonl"));
+    const auto aside = set_autosave_aside(session);
+    REQUIRE(aside);
+    CHECK(is_private(*aside));
+}
+
 TEST_CASE("autosave: after a crash the remark says so") {
     const Places places;
     {
