@@ -7,6 +7,7 @@
 
 #include "model/common/mean.h"
 #include "model/common/quantile.h"
+#include "model/common/share.h"
 #include "model/dissimilarity/correlation.h"
 #include "model/study/study_results.h"
 #include "model/text/numbers.h"
@@ -39,7 +40,7 @@ std::string fault_of_speed(const StudyRecord& record, const ConductRule& rule) {
     const std::vector<double> times = response_times_s(record);
     const auto fast = static_cast<std::size_t>(std::ranges::count_if(
         times, [&rule](double time_s) { return time_s < *rule.fast_below_s; }));
-    if (static_cast<double>(fast) <= rule.fast_share * static_cast<double>(times.size())) return {};
+    if (is_at_most_share(fast, rule.fast_share, times.size())) return {};
     return grouped_digits(fast) + " of " + grouped_digits(times.size()) + " answers in under " +
            shortest_digits(*rule.fast_below_s) + " s, expected at most " +
            significant_digits(100.0 * rule.fast_share, 3) + " %";
@@ -84,11 +85,11 @@ std::string fault_of(const StudyRecord& record, const ConductRule& rule, Conduct
     if (test == ConductTest::speed) return fault_of_speed(record, rule);
     const Conduct conduct = conduct_of(record);
     // What is not known (NaN) is below nothing and above nothing.
-    if (test == ConductTest::repetition && conduct.repeat_rho < *rule.repeat_rho) {
+    if (test == ConductTest::repetition && conduct.repeat_rho < *rule.repeat_rho - kShareSpare) {
         return "own repetitions agree with rho " + significant_digits(conduct.repeat_rho, 2) +
                ", expected " + shortest_digits(*rule.repeat_rho) + " at least";
     }
-    if (test == ConductTest::replays && conduct.replays > *rule.replays) {
+    if (test == ConductTest::replays && conduct.replays > *rule.replays + kShareSpare) {
         return significant_digits(conduct.replays, 3) +
                " replays a trial on average, expected at most " + shortest_digits(*rule.replays);
     }

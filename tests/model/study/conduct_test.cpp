@@ -127,4 +127,21 @@ TEST_CASE("conduct: ratings without a record of times refuse rules on them") {
     CHECK(counted.error().message.starts_with("expected the folder of a study"));
 }
 
+TEST_CASE("conduct: at most so many percent are that many of a hundred, for every percent") {
+    for (int percent = 1; percent < 100; ++percent) {
+        CAPTURE(percent);
+        StudyRecord record = rater("quick", {10, 50, 90}, {20, 50, 80}, 8.0);
+        const PairAnswer one = record.answers.front();
+        record.answers.assign(100, one);
+        for (int k = 0; k < percent; ++k)
+            record.answers[static_cast<std::size_t>(k)].response_s = 0.5;
+        ConductRule rule{.fast_below_s = 2.0};
+        rule.fast_share =
+            std::stod("0." + std::string(percent < 10 ? "0" : "") + std::to_string(percent));
+        CHECK(fault_of(record, rule, ConductTest::speed).empty());
+        record.answers[static_cast<std::size_t>(percent)].response_s = 0.5;
+        CHECK_FALSE(fault_of(record, rule, ConductTest::speed).empty());
+    }
+}
+
 }  // namespace conduct_test

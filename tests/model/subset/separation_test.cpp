@@ -342,4 +342,16 @@ TEST_CASE("separation: a threshold that is no finite number parts nothing, and a
     }
 }
 
+TEST_CASE("confusable: a share of the pairs holds as many as it says, for every percent") {
+    Dissimilarity all{15, {}};  // 105 pairs; the first 101 count
+    for (std::size_t k = 0; k < pair_count(all.size); ++k) {
+        all.condensed.push_back(k < 101 ? 0.1 * static_cast<double>(k) : std::nan(""));
+    }
+    for (int percent = 0; percent <= 100; ++percent) {
+        const double share = std::stod(std::to_string(percent) + "e-2");
+        CHECK(confusable_pairs(all, threshold_at(all, share), 999).size() ==
+              static_cast<std::size_t>(percent) + 1);
+    }
+}
+
 }  // namespace separation_test
