@@ -45,10 +45,13 @@ DesignSpace space_around(const Pattern& pattern) {
     for (const Carrier& carrier : pattern.carriers) {
         space.carriers.push_back({fixed(carrier.frequency_hz), fixed(carrier.weight)});
     }
+    // Weights that are shares are one number; others stay what they are.
     if (pattern.carriers.size() == 2) {
-        const double sum = pattern.carriers[0].weight + pattern.carriers[1].weight;
-        const double share = sum != 0.0 ? pattern.carriers[1].weight / sum : 0.5;
-        space.mix = fixed(std::clamp(share, limits::kMix.low, limits::kMix.high));
+        const double first = pattern.carriers[0].weight;
+        const double second = pattern.carriers[1].weight;
+        constexpr double kRounding = 1e-9;
+        const bool are_shares = std::abs(first + second - 1.0) <= kRounding;
+        if (are_shares && limits::kMix.contains(second)) space.mix = fixed(second);
     }
     space.kinds = {pattern.modulation.kind};
     space.modulation_hz = fixed(pattern.modulation.frequency_hz);

@@ -70,8 +70,8 @@ void draw_carrier(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k
         {.id = id.c_str(),
          .label = label.c_str(),
          .format = "%.5g Hz",
-         .slider = {10.0, 500.0},
-         .typed = limits::kCarrierHz,
+         .slider = traits(PatternParameter::carrier).slider,
+         .typed = traits(PatternParameter::carrier).range,
          .step = std::max(1.0, bin_hz),
          .snap = bin_hz,
          .logarithmic = true,
@@ -124,7 +124,8 @@ void draw_mix(Ui& ui, Workspace& work, const Pattern& pattern) {
         const std::string id = "weight_" + std::to_string(k + 1);
         edit_number(
             ui, work,
-            {id.c_str(), label.c_str(), "%.3g", {0.0, 1.0}, limits::kCarrierWeight, 0.05, 0.01},
+            {id.c_str(), label.c_str(), "%.3g", traits(PatternParameter::mix).slider,
+             traits(PatternParameter::mix).range, 0.05, 0.01},
             "weight",
             [k](const Pattern& p) {
                 return k < p.carriers.size() ? std::optional(p.carriers[k].weight) : std::nullopt;

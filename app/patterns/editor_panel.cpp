@@ -28,8 +28,8 @@ void draw_modulation(Ui& ui, Workspace& work, const Pattern& pattern) {
         {.id = "modulation_hz",
          .label = "Modulation",
          .format = "%.4g Hz",
-         .slider = {0.0, 100.0},
-         .typed = limits::kModulationHz,
+         .slider = traits(PatternParameter::modulation).slider,
+         .typed = traits(PatternParameter::modulation).range,
          .step = 1.0,
          .snap = 1.0 / pattern.duration_s,
          .help = "Frequency of the amplitude modulation; 0 is none."},
@@ -41,8 +41,8 @@ void draw_modulation(Ui& ui, Workspace& work, const Pattern& pattern) {
         {.id = "depth",
          .label = "Depth",
          .format = "%.3g",
-         .slider = limits::kDepth,
-         .typed = limits::kDepth,
+         .slider = traits(PatternParameter::depth).slider,
+         .typed = traits(PatternParameter::depth).range,
          .step = 0.05,
          .snap = 0.01,
          .help = am ? "m of 1 + m sin(2 pi f t)."
@@ -66,12 +66,12 @@ void draw_modulation(Ui& ui, Workspace& work, const Pattern& pattern) {
     choose("1 + m sin", ModulationKind::am);
 }
 
-constexpr Field ramp(const char* id, const char* label, const char* help) {
+Field ramp(PatternParameter parameter, const char* id, const char* label, const char* help) {
     return {.id = id,
             .label = label,
             .format = "%.4g ms",
-            .slider = {0.0, 500.0},
-            .typed = {0.0, 10'000.0},
+            .slider = in_ms(traits(parameter).slider),
+            .typed = in_ms(traits(parameter).range),
             .step = 5.0,
             .snap = 1.0,
             .help = help};
@@ -79,12 +79,16 @@ constexpr Field ramp(const char* id, const char* label, const char* help) {
 
 void draw_times(Ui& ui, Workspace& work) {
     edit_number(
-        ui, work, ramp("attack_ms", "Attack", "Linear rise at the beginning of every note."),
+        ui, work,
+        ramp(PatternParameter::attack, "attack_ms", "Attack",
+             "Linear rise at the beginning of every note."),
         "attack", [](const Pattern& p) { return 1000.0 * p.attack_s; },
         [](Pattern& p, double value) { p.attack_s = value / 1000.0; });
     edit_number(
-        ui, work, ramp("release_ms", "Release", "Linear fall at the end of every note."), "release",
-        [](const Pattern& p) { return 1000.0 * p.release_s; },
+        ui, work,
+        ramp(PatternParameter::release, "release_ms", "Release",
+             "Linear fall at the end of every note."),
+        "release", [](const Pattern& p) { return 1000.0 * p.release_s; },
         [](Pattern& p, double value) { p.release_s = value / 1000.0; });
     edit_number(
         ui, work,
@@ -230,8 +234,8 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
             {.id = "amplitude_g",
              .label = "Amplitude",
              .format = "%.3g g",
-             .slider = {0.0, 4.0},
-             .typed = limits::kAmplitudeG,
+             .slider = traits(PatternParameter::amplitude).slider,
+             .typed = traits(PatternParameter::amplitude).range,
              .step = 0.05,
              .snap = 0.01,
              .help = "Peak acceleration of the sum of carriers. Typed values reach 50 g."},

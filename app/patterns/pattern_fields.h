@@ -9,6 +9,7 @@
 #include "app/patterns/patterns_state.h"
 #include "app/ui/ui.h"
 #include "app/ui/widgets.h"
+#include "model/pattern/pattern_parameter.h"
 
 namespace tact {
 
@@ -21,6 +22,9 @@ using WriteNumber = std::function<void(Pattern&, double)>;
 // differences where one is not above 0. `what` is its name in the step's label.
 void edit_number(Ui& ui, Workspace& work, Field field, const std::string& what,
                  const ReadNumber& read, const WriteNumber& write);
+
+// What a number's table says in seconds, for a field in milliseconds.
+inline Range in_ms(const Range& seconds) { return {1000.0 * seconds.low, 1000.0 * seconds.high}; }
 
 // A tooltip of what can be pressed among the fields, or why it cannot.
 void draw_field_tooltip(const Ui& ui, const char* text);

@@ -29,11 +29,22 @@ std::size_t place_in_order(PatternParameter parameter) {
     return static_cast<std::size_t>(parameter);
 }
 
+// By ratio: of anything above 0 the least is felt, where there was nothing.
 double steps_from_zero(const FeltSteps& steps, PatternParameter parameter, double value) {
     const double first = traits(parameter).first;
-    if (value <= 0.0) return 0.0;
     if (value <= first) return 1.0;
     return 1.0 + portable::log(value / first) / portable::log(step_of(steps, parameter));
+}
+
+// A step up and one down again may come to a little less than where they began.
+constexpr double kUpToRounding = 1.0 - 1e-9;
+
+double stepped_by_ratio(const ParameterTraits& about, double step, double value, double count) {
+    if (value <= 0.0) return count < 1.0 ? 0.0 : about.first * portable::pow(step, count - 1.0);
+    const double moved = value * portable::pow(step, count);
+    if (count < 0.0) return moved < kUpToRounding * about.least ? 0.0 : moved;
+    // What is next to nothing has no more digits to grow by.
+    return count > 0.0 ? std::max(moved, std::nextafter(value, about.range.high)) : value;
 }
 
 }  // namespace
@@ -56,14 +67,8 @@ double step_of(const FeltSteps& steps, PatternParameter parameter) {
 double stepped(const FeltSteps& steps, PatternParameter parameter, double value, double count) {
     const ParameterTraits& about = traits(parameter);
     const double step = step_of(steps, parameter);
-    double moved = value + step * count;
-    if (about.by_ratio) {
-        // Below the first there is only 0, where the range has it.
-        const double from = std::max(value, about.first);
-        const bool from_nothing = value < about.first && count > 0.0;
-        moved = from * portable::pow(step, from_nothing ? count - 1.0 : count);
-        if (moved < about.first && about.range.low <= 0.0) moved = 0.0;
-    }
+    const double moved =
+        about.by_ratio ? stepped_by_ratio(about, step, value, count) : value + step * count;
     return std::clamp(moved, about.range.low, about.range.high);
 }
 
@@ -71,12 +76,7 @@ double steps_between(const FeltSteps& steps, PatternParameter parameter, double 
     if (a == b) return 0.0;
     const double low = std::min(a, b);
     const double high = std::max(a, b);
-    const ParameterTraits& about = traits(parameter);
-    if (!about.by_ratio) return (high - low) / step_of(steps, parameter);
-    if (low < about.first && about.range.low <= 0.0) {
-        return std::max(
-            1.0, steps_from_zero(steps, parameter, high) - steps_from_zero(steps, parameter, low));
-    }
+    if (!traits(parameter).by_ratio) return (high - low) / step_of(steps, parameter);
     if (low <= 0.0) return steps_from_zero(steps, parameter, high);
     return portable::log(high / low) / portable::log(step_of(steps, parameter));
 }

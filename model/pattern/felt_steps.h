@@ -40,11 +40,13 @@ Range step_range(PatternParameter parameter);
 
 double step_of(const FeltSteps& steps, PatternParameter parameter);
 
-// The value so many steps away, in range. From 0 of what goes by ratio, the first step leads to
-// traits().first.
+// The value so many steps away, in range: a step up is more, a step down is less, wherever the
+// range goes on. From 0 of what goes by ratio, the first step leads to traits().first; what would
+// come to less than traits().least on the way down is 0.
 double stepped(const FeltSteps& steps, PatternParameter parameter, double value, double count);
 
-// How many steps two values are apart, at least 0; not whole.
+// How many steps two values are apart, at least 0; not whole. From 0 of what goes by ratio to
+// anything else at least one.
 double steps_between(const FeltSteps& steps, PatternParameter parameter, double a, double b);
 
 // How far two patterns are apart in such steps.

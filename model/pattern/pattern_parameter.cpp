@@ -6,16 +6,18 @@ namespace tact {
 
 namespace {
 
-constexpr std::array<ParameterTraits, 9> kTraits{
-    {{"amplitude_g", "amplitude", "g", {0.01, 50.0}, true, 0.05},
-     {"carrier_hz", "carrier", "Hz", {20.0, 1000.0}, true, 20.0},
-     {"second_carrier_hz", "second carrier", "Hz", {20.0, 1000.0}, true, 20.0},
-     {"mix", "weight of the second carrier", "", {0.0, 10.0}, false, 0.0},
-     {"modulation_hz", "modulation", "Hz", {0.0, 200.0}, true, 1.0},
-     {"depth", "depth", "", {0.0, 1.0}, false, 0.0},
-     {"rhythm_unit_s", "rhythm unit", "s", {0.01, 2.0}, true, 0.01},
-     {"attack_s", "attack", "s", {0.0, 1.0}, false, 0.0},
-     {"release_s", "release", "s", {0.0, 1.0}, false, 0.0}}};
+// clang-format off
+constexpr std::array<ParameterTraits, 9> kTraits{{
+    {"amplitude_g", "amplitude", "g", limits::kAmplitudeG, {0.0, 4.0}, true, 0.05, 0.001},
+    {"carrier_hz", "carrier", "Hz", limits::kCarrierHz, {10.0, 500.0}, true, 0.0, 0.0},
+    {"second_carrier_hz", "second carrier", "Hz", limits::kCarrierHz, {10.0, 500.0}, true, 0.0, 0.0},
+    {"mix", "weight of the second carrier", "", limits::kCarrierWeight, {0.0, 1.0}, false, 0.0, 0.0},
+    {"modulation_hz", "modulation", "Hz", limits::kModulationHz, {0.0, 100.0}, true, 1.0, 1.0},
+    {"depth", "depth", "", limits::kDepth, limits::kDepth, false, 0.0, 0.0},
+    {"rhythm_unit_s", "rhythm unit", "s", limits::kRhythmUnitS, {0.005, 0.5}, true, 0.0, 0.0},
+    {"attack_s", "attack", "s", limits::kRampS, {0.0, 0.5}, false, 0.0, 0.0},
+    {"release_s", "release", "s", limits::kRampS, {0.0, 0.5}, false, 0.0, 0.0}}};
+// clang-format on
 
 // The number itself, in either kind of pattern.
 template <class SomePattern>

@@ -1,7 +1,8 @@
 // The numbers of a pattern, one by one: to colour, filter and join patterns by, and to change.
 //
 // Input     a parametric pattern
-// Valid     of the carriers, the first and the second; the second's weight is the mix
+// Valid     of the carriers, the first and the second; the second's weight is the mix. Ranges are
+//           those of files (limits::), so that no change moves a number that a file may hold
 // Left out  phases, further carriers, the rhythm's notes, what is drawn, the duration, which all
 //           patterns share.
 #pragma once
@@ -31,15 +32,18 @@ inline constexpr std::array<PatternParameter, 9> kPatternParameters{
     PatternParameter::mix,         PatternParameter::modulation, PatternParameter::depth,
     PatternParameter::rhythm_unit, PatternParameter::attack,     PatternParameter::release};
 
+// What a number is, said once: files, fields and felt steps all go by it.
 struct ParameterTraits {
     const char* key;   // amplitude_g
     const char* name;  // amplitude
     const char* unit;  // g
-    Range range;
-    // Whether changes of it are felt by ratio (model/pattern/felt_steps.h); then one from 0 begins
-    // at `first`.
+    Range range;       // what files may hold, and a person may type
+    Range slider;      // what a slider shows; numbers beside it are as good
+    // Whether changes of it are felt by ratio (model/pattern/felt_steps.h). Then one from 0 begins
+    // at `first`, and one that would end below `least` ends at 0; both 0 where the range has no 0.
     bool by_ratio;
     double first;
+    double least;
 };
 
 const ParameterTraits& traits(PatternParameter parameter);
@@ -48,7 +52,7 @@ const ParameterTraits& traits(PatternParameter parameter);
 // where its frequency is a curve.
 std::optional<double> value_of(const Pattern& pattern, PatternParameter parameter);
 
-// The pattern with the number put in range; unchanged where it has none.
+// The pattern with the number, put in the range that files have; unchanged where it has none.
 Pattern with_value(Pattern pattern, PatternParameter parameter, double value);
 
 }  // namespace tact

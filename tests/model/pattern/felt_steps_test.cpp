@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/common/random.h"
+
 namespace felt_steps_test {
 
 using namespace tact;
@@ -73,6 +75,89 @@ TEST_CASE("felt steps: patterns are within a step where no number differs by one
     b = a;
     b.amplitude_g = 1.9;
     CHECK(within_a_step(coarse, a, b));
+}
+
+// Values that a file may hold: the ends, what lies next to them, the bends of the scale, and any.
+std::vector<double> legal_values(PatternParameter parameter, RandomStream& random) {
+    const auto& [key, name, unit, range, slider, by_ratio, first, least] = traits(parameter);
+    std::vector<double> values{range.low, range.high, std::nextafter(range.low, range.high),
+                               std::nextafter(range.high, range.low)};
+    for (const double bend : {first, least, 0.5 * least, slider.low, slider.high}) {
+        if (range.contains(bend)) values.push_back(bend);
+    }
+    for (int k = 0; k < 50; ++k) {
+        const double share = 0.5 + 0.5 * next_even(random);
+        values.push_back(range.low + share * (range.high - range.low));
+        const double small = range.high * std::pow(1e-4, share);
+        if (range.contains(small)) values.push_back(small);
+    }
+    return values;
+}
+
+// It has every number.
+Pattern with_all_numbers() {
+    Pattern pattern;
+    pattern.carriers.resize(2);
+    pattern.modulation = {ModulationKind::am, 8.0, 0.5};
+    pattern.rhythm.text = "x-";
+    return pattern;
+}
+
+TEST_CASE("felt steps: a step up is more and a step down less, but at the end of what files hold") {
+    const FeltSteps felt;
+    RandomStream random{5};
+    for (const PatternParameter parameter : kPatternParameters) {
+        CAPTURE(traits(parameter).key);
+        const Range range = traits(parameter).range;
+        for (const double value : legal_values(parameter, random)) {
+            CAPTURE(value);
+            const double up = stepped(felt, parameter, value, 1.0);
+            const double down = stepped(felt, parameter, value, -1.0);
+            CHECK(stepped(felt, parameter, value, 0.0) == value);
+            CHECK(range.contains(up));
+            CHECK(range.contains(down));
+            CHECK((up > value || value == range.high));
+            CHECK((down < value || value == range.low));
+            if (up < range.high && up > value && value > 1e-300) {
+                CHECK(steps_between(felt, parameter, value, up) == doctest::Approx(1.0));
+            }
+            double last = value;
+            for (int k = 1; k <= 40; ++k) {
+                const double next = stepped(felt, parameter, value, k);
+                CHECK(next >= last);
+                last = next;
+            }
+        }
+    }
+}
+
+TEST_CASE("felt steps: a step down of 0.04 g is less than that, and so is one of 0.02 g") {
+    const FeltSteps felt;
+    for (const double g : {0.04, 0.02, 0.002}) {
+        const double down = stepped(felt, PatternParameter::amplitude, g, -1.0);
+        CHECK(down == doctest::Approx(g / step_of(felt, PatternParameter::amplitude)));
+        CHECK(stepped(felt, PatternParameter::amplitude, down, 1.0) == doctest::Approx(g));
+    }
+}
+
+TEST_CASE("pattern parameters: what a file may hold is written as it is, and no more than that") {
+    RandomStream random{6};
+    for (const PatternParameter parameter : kPatternParameters) {
+        CAPTURE(traits(parameter).key);
+        const Range range = traits(parameter).range;
+        for (const double value : legal_values(parameter, random)) {
+            const Pattern pattern = with_value(with_all_numbers(), parameter, value);
+            CHECK(value_of(pattern, parameter) == value);
+            CHECK(clamped(pattern) == pattern);
+        }
+        // The range is that of files: the next number beside it is moved.
+        for (const auto& [end, beside] :
+             {std::pair{range.low, range.low - 1e-3}, std::pair{range.high, range.high + 1e-3}}) {
+            CHECK(value_of(with_value(with_all_numbers(), parameter, beside), parameter) == end);
+        }
+        CHECK(range.contains(traits(parameter).slider.low));
+        CHECK(range.contains(traits(parameter).slider.high));
+    }
 }
 
 }  // namespace felt_steps_test
