@@ -195,8 +195,12 @@ std::string trace_words(const TracedPattern& traced) {
     if (!pattern.frequency_curve.empty()) {
         words += ", " + std::to_string(pattern.frequency_curve.size()) + " of frequency";
     }
-    return words + ": within " + significant(traced.amplitude_error_g) + " g and " +
-           significant(traced.frequency_error_hz) + " Hz of it";
+    words += ": within " + significant(traced.amplitude_error_g) + " g";
+    if (traced.frequency_is_a_guess) {
+        return words + " of it; it is too short to measure its frequency, so " +
+               significant(pattern.carriers[0].frequency_hz) + " Hz are a guess";
+    }
+    return words + " and " + significant(traced.frequency_error_hz) + " Hz of it";
 }
 
 // Beside the recording, and its partner: what one is to the other is then told.

@@ -1,5 +1,6 @@
 #include "model/pattern/traced.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,6 +19,7 @@ constexpr double kEnvelopeStepS = 0.002;
 constexpr double kSpectrumS = 0.040;
 constexpr double kSpectrumStepS = 0.010;
 constexpr Range kTracedHz{20.0, 1000.0};
+constexpr std::size_t kFewestSamples = 8;  // a sine and a constant, twice over
 constexpr double kEnergyFloor = 0.05;  // of the largest amplitude: what is less has no frequency
 
 struct Track {
@@ -73,9 +75,59 @@ std::vector<double> hann_windowed(std::span<const double> samples) {
     return windowed;
 }
 
-// As many half cycles as 10 ms hold, rounded up, but for what is rounding.
-double whole_half_cycles_s(double frequency_hz) {
-    return std::ceil(2.0 * frequency_hz * kEnvelopeS - 1e-3) / (2.0 * frequency_hz);
+// As many half cycles as 10 ms hold, rounded up, but for what is rounding; of a shorter recording
+// as many as it holds, and of less than one, all of it.
+double whole_half_cycles_s(double frequency_hz, double longest_s) {
+    constexpr double kRounding = 1e-3;
+    const double wanted = std::ceil(2.0 * frequency_hz * kEnvelopeS - kRounding);
+    const double held = std::floor(2.0 * frequency_hz * longest_s + kRounding);
+    const double count = std::min(wanted, held);
+    return count < 1.0 ? longest_s : count / (2.0 * frequency_hz);
+}
+
+// How much of the energy a sine of this frequency explains, beside a constant: least squares.
+double explained_by(std::span<const double> x, double rate_hz, double frequency_hz) {
+    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d with_x = Eigen::Vector3d::Zero();
+    const double turn = 2.0 * std::numbers::pi * frequency_hz / rate_hz;
+    for (std::size_t n = 0; n < x.size(); ++n) {
+        const double phase = turn * (static_cast<double>(n) - 0.5 * static_cast<double>(x.size()));
+        const Eigen::Vector3d base{portable::cos(phase), portable::sin(phase), 1.0};
+        products += base * base.transpose();
+        with_x += base * x[n];
+    }
+    return with_x.dot(products.ldlt().solve(with_x));
+}
+
+// Where no window fits: the one sine that explains most of a recording too short for a spectrum.
+std::optional<double> guessed_hz(std::span<const double> x, double rate_hz) {
+    constexpr double kLeastCycles = 0.75;  // of fewer, a constant and a slope explain all
+    constexpr double kFirstStep = 1.05;
+    constexpr int kFiner = 12;
+    const double length_s = static_cast<double>(x.size()) / rate_hz;
+    double best_hz = 0.0;
+    double most = 0.0;
+    const auto look_at = [&](double hz) {
+        if (!kTracedHz.contains(hz) || hz > 0.45 * rate_hz) return;
+        const double explained = explained_by(x, rate_hz, hz);
+        if (explained > most) {
+            most = explained;
+            best_hz = hz;
+        }
+    };
+    for (double hz = std::max(kTracedHz.low, kLeastCycles / length_s); hz <= kTracedHz.high;
+         hz *= kFirstStep) {
+        look_at(hz);
+    }
+    if (!(most > 0.0)) return std::nullopt;
+    double step = kFirstStep;
+    for (int round = 0; round < kFiner; ++round) {
+        step = std::sqrt(step);
+        const double middle_hz = best_hz;
+        look_at(middle_hz * step);
+        look_at(middle_hz / step);
+    }
+    return best_hz;
 }
 
 // sqrt(2) rms about each time; near the ends, of a window that begins or ends there.
@@ -86,7 +138,7 @@ Track amplitude_track(const Waveform& recording, const FrequencyCurve& frequency
     Track track;
     for (const double t_s : times_through(duration_s(recording), kEnvelopeStepS)) {
         const auto hz = frequency_at(frequency, t_s);
-        const double window_s = hz ? whole_half_cycles_s(*hz) : kEnvelopeS;
+        const double window_s = hz ? whole_half_cycles_s(*hz, duration_s(recording)) : kEnvelopeS;
         const std::size_t window = std::min(sample_count(window_s, recording.rate_hz), x.size());
         if (window == 0) continue;
         const double ahead_s = std::max(t_s - 0.5 * window_s, 0.0);
@@ -167,7 +219,12 @@ TracedPattern traced(const Waveform& recording, const TraceParams& params) {
     result.pattern.amplitude_g = 0.0;
     const Track rough = amplitude_track(recording, {});
     if (rough.heights.empty() || !(std::ranges::max(rough.heights) > 0.0)) return result;
-    const Track frequency = frequency_track(recording, rough);
+    Track frequency = frequency_track(recording, rough);
+    if (frequency.heights.empty() && recording.samples_g.size() >= kFewestSamples) {
+        const auto guess = guessed_hz(recording.samples_g, recording.rate_hz);
+        if (guess) frequency.add(0.5 * duration_s(recording), *guess);
+        result.frequency_is_a_guess = guess.has_value();
+    }
     const Track amplitude = amplitude_track(recording, curve_of(frequency));
     const double largest_g = std::ranges::max(amplitude.heights);
     result.pattern.amplitude_g = largest_g;

@@ -4,7 +4,8 @@
 // makes whole half cycles of the strongest frequency there, so that a steady tone comes out flat.
 // The strongest frequency is the peak of a spectrum of 40 ms or four cycles (Hann window; a
 // parabola through the logarithms of the three bins about it), wherever there is energy; elsewhere
-// the curve is straight.
+// the curve is straight. Of a recording in which no such window fits, it is the one sine that
+// explains most of it (least squares): a guess.
 //
 // Source    ours
 // Input     a recording at any rate; between 20 and 1000 Hz there is something to be traced
@@ -28,8 +29,9 @@ struct TraceParams {
 
 struct TracedPattern {
     Pattern pattern;
-    double amplitude_error_g = 0.0;   // the largest, from the 10 ms envelope
-    double frequency_error_hz = 0.0;  // the largest, from the strongest frequencies
+    double amplitude_error_g = 0.0;     // the largest, from the 10 ms envelope
+    double frequency_error_hz = 0.0;    // the largest, from the strongest frequencies
+    bool frequency_is_a_guess = false;  // too short to be measured: the error is not known
 };
 
 // No frequency curve where the frequency is steady; silence gives a pattern of 0 g without curves.

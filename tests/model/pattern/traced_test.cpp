@@ -83,4 +83,51 @@ TEST_CASE("traced: silence, nothing and a single sample give patterns without cu
     CHECK(!drawn_fault(traced({10'000.0, std::vector<double>(5000, 0.7)}).pattern));
 }
 
+TEST_CASE(
+    "traced: a tone of a few milliseconds is its frequency and strength, and called a guess") {
+    for (const double rate_hz : {10'000.0, 48'000.0}) {
+        for (const double hz : {60.0, 100.0, 250.0, 400.0}) {
+            for (const double length_ms : {3.0, 5.0, 8.0, 12.0, 25.0, 30.0, 35.0, 45.0}) {
+                if (hz * length_ms < 900.0) continue;  // less than a cycle tells little
+                CAPTURE(rate_hz);
+                CAPTURE(hz);
+                CAPTURE(length_ms);
+                Pattern tone;
+                tone.amplitude_g = 0.8;
+                tone.carriers[0].frequency_hz = hz;
+                tone.carriers[0].phase_rad = 0.7;
+                tone.duration_s = 1e-3 * length_ms;
+                const TracedPattern got = traced(render(tone, rate_hz));
+                CHECK(std::abs(got.pattern.carriers[0].frequency_hz - hz) <= 0.01 * hz);
+                CHECK(std::abs(got.pattern.amplitude_g - 0.8) <= 0.04);
+                CHECK(got.pattern.frequency_curve.empty());
+                CHECK(got.pattern.duration_s == doctest::Approx(tone.duration_s));
+                if (length_ms < 40.0) CHECK(got.frequency_is_a_guess);
+            }
+        }
+    }
+    Pattern long_enough;
+    CHECK_FALSE(traced(render(long_enough)).frequency_is_a_guess);
+}
+
+TEST_CASE("traced: a tone with whole half cycles in 10 ms comes out flat, at every rate") {
+    for (const double rate_hz : {8'000.0, 10'000.0, 44'100.0, 48'000.0}) {
+        for (const double hz : {50.0, 100.0, 150.0, 200.0, 350.0}) {
+            CAPTURE(rate_hz);
+            CAPTURE(hz);
+            Pattern tone;
+            tone.duration_s = 0.3;
+            tone.carriers[0].frequency_hz = hz;
+            const TracedPattern got = traced(render(tone, rate_hz), {60, 1e-5, 1.0});
+            double least = 1e9;
+            double most = 0.0;
+            for (double t = 0.02; t < 0.28; t += 0.001) {
+                least = std::min(least, envelope_g(got.pattern, t));
+                most = std::max(most, envelope_g(got.pattern, t));
+            }
+            CHECK(most - least <= 1e-3);
+        }
+    }
+}
+
 }  // namespace traced_test
