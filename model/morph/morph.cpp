@@ -20,43 +20,51 @@ void set_tone(Pattern& pattern, const Pattern& from, const Pattern& to, double s
     pattern.modulation = tone.modulation;
 }
 
-void set_rhythm(Pattern& pattern, const Pattern& from, const Pattern& to, double share) {
-    if (from.rhythm.text == to.rhythm.text) {
-        pattern.rhythm = from.rhythm;
+}  // namespace
+
+Morph::Morph(const Pattern& from, const Pattern& to) : from_(from), to_(to) {
+    if (from.rhythm.text != to.rhythm.text) notes_ = notes_on_the_way(from, to);
+}
+
+void Morph::set_rhythm(Pattern& pattern, double share) const {
+    if (from_.rhythm.text == to_.rhythm.text) {
+        pattern.rhythm = from_.rhythm;
         pattern.rhythm.unit_s =
-            between(from.rhythm.unit_s, to.rhythm.unit_s, share, BlendBy::ratio);
-        pattern.attack_s = between(from.attack_s, to.attack_s, share, BlendBy::difference);
-        pattern.release_s = between(from.release_s, to.release_s, share, BlendBy::difference);
-        pattern.amplitude_curve = amplitude_between(from, to, share);
+            between(from_.rhythm.unit_s, to_.rhythm.unit_s, share, BlendBy::ratio);
+        pattern.attack_s = between(from_.attack_s, to_.attack_s, share, BlendBy::difference);
+        pattern.release_s = between(from_.release_s, to_.release_s, share, BlendBy::difference);
+        pattern.amplitude_curve = amplitude_between(from_, to_, share);
         return;
     }
-    if (const auto notes = notes_on_the_way(from, to)) {
+    if (notes_) {
         pattern.rhythm = {};
         pattern.attack_s = 0.0;
         pattern.release_s = 0.0;
-        pattern.amplitude_curve = notes_between(from, to, *notes, share);
+        pattern.amplitude_curve = notes_between(from_, to_, *notes_, share);
         return;
     }
-    const Pattern& near = share < 0.5 ? from : to;
+    const Pattern& near = share < 0.5 ? from_ : to_;
     pattern.rhythm = near.rhythm;
     pattern.attack_s = near.attack_s;
     pattern.release_s = near.release_s;
     pattern.amplitude_curve = near.amplitude_curve;
 }
 
-}  // namespace
+Pattern Morph::at(double share) const {
+    if (share <= 0.0) return from_;
+    if (share >= 1.0) return to_;
+    Pattern pattern;
+    pattern.amplitude_g = between(from_.amplitude_g, to_.amplitude_g, share, BlendBy::ratio);
+    pattern.duration_s = between(from_.duration_s, to_.duration_s, share, BlendBy::difference);
+    set_tone(pattern, from_, to_, share);
+    set_rhythm(pattern, share);
+    pattern.frequency_curve = frequency_between(from_, to_, share);
+    pattern.transients = transients_between(from_, to_, share);
+    return clamped(std::move(pattern));
+}
 
 Pattern morphed(const Pattern& from, const Pattern& to, double share) {
-    if (share <= 0.0) return from;
-    if (share >= 1.0) return to;
-    Pattern pattern;
-    pattern.amplitude_g = between(from.amplitude_g, to.amplitude_g, share, BlendBy::ratio);
-    pattern.duration_s = between(from.duration_s, to.duration_s, share, BlendBy::difference);
-    set_tone(pattern, from, to, share);
-    set_rhythm(pattern, from, to, share);
-    pattern.frequency_curve = frequency_between(from, to, share);
-    pattern.transients = transients_between(from, to, share);
-    return clamped(std::move(pattern));
+    return Morph(from, to).at(share);
 }
 
 std::vector<std::string> morph_jumps(const Pattern& from, const Pattern& to) {

@@ -12,14 +12,31 @@
 // Left out  what morph_jumps() names, which changes at half of the way.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "model/morph/note_warp.h"
 #include "model/pattern/pattern.h"
 
 namespace tact {
 
-// `share` of the way, 0 to 1.
+// The way from one to the other: their notes are matched once, for all places of it.
+class Morph {
+  public:
+    Morph(const Pattern& from, const Pattern& to);
+    Pattern at(double share) const;  // of the way, 0 to 1
+
+  private:
+    void set_rhythm(Pattern& pattern, double share) const;
+
+    Pattern from_;
+    Pattern to_;
+    // Of rhythms that differ; none where there are too many.
+    std::optional<std::vector<WarpedNote>> notes_;
+};
+
+// One place of it.
 Pattern morphed(const Pattern& from, const Pattern& to, double share);
 
 // What cannot change by degrees between these two, as the beginning of a sentence each ("the

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "model/morph/blend.h"
 #include "model/morph/morph_parts.h"
@@ -10,6 +11,34 @@ namespace {
 
 double middle_s(double from_s, double to_s, double share) {
     return between(from_s, to_s, share, BlendBy::difference);
+}
+
+// A ramp over a slope is a parabola, which a line of points follows by as many as it takes.
+void add_bends_of_ramps(const Pattern& pattern, const Note& note, std::vector<double>& times_s) {
+    constexpr double kOff = 1e-4;  // of the full strength
+    if (pattern.amplitude_curve.empty()) return;
+    const double end_s = note.onset_s + note.length_s;
+    std::vector<double> bends{note.onset_s, end_s};
+    for (const double t_s : times_s) {
+        if (t_s > note.onset_s && t_s < end_s) bends.push_back(t_s);
+    }
+    std::ranges::sort(bends);
+    for (std::size_t k = 0; k + 1 < bends.size(); ++k) {
+        const double length_s = bends[k + 1] - bends[k];
+        const double middle_s = 0.5 * (bends[k] + bends[k + 1]);
+        // From the inside: at a bend the curve may jump.
+        const double rises = amplitude_factor(pattern, middle_s + 0.25 * length_s) -
+                             amplitude_factor(pattern, middle_s - 0.25 * length_s);
+        const double ramp_s = middle_s < note.onset_s + pattern.attack_s ? pattern.attack_s
+                              : middle_s > end_s - pattern.release_s     ? pattern.release_s
+                                                                         : 0.0;
+        if (!(ramp_s > 0.0) || rises == 0.0) continue;
+        const double off = std::abs(2.0 * rises) * length_s / ramp_s / 4.0;
+        const double parts = std::ceil(std::sqrt(off / kOff));
+        for (double part = 1.0; part < parts; part += 1.0) {
+            times_s.push_back(bends[k] + length_s * part / parts);
+        }
+    }
 }
 
 // Strength of a note's part over its time, 0 to 1: ramps, amplitude curve, or nothing.
@@ -26,6 +55,7 @@ BentLine line_of(const Pattern& pattern, const NoteSide& side) {
         times_s = {note.onset_s + note.length_s * pattern.attack_s / ramps_s};
     }
     for (const AmplitudePoint& point : pattern.amplitude_curve) times_s.push_back(point.time_s);
+    add_bends_of_ramps(pattern, note, times_s);
     BentLine line;
     for (const double t_s : times_s) line.bends.push_back((t_s - begin_s) / extent_s);
     line.at = [&pattern, note, begin_s, extent_s, end_s](double place) {

@@ -9,6 +9,7 @@ namespace tact {
 namespace {
 
 constexpr double kFadeCost = 0.1;
+constexpr double kRounding = 1e-12;
 
 struct Span01 {
     double begin = 0.0;
@@ -31,14 +32,6 @@ struct Group {
 
 double ends_moved(const Span01& a, double begin, double end) {
     return std::abs(a.begin - begin) + std::abs(a.end - end);
-}
-
-// One note as those from `first` until before `last`.
-double split_cost(const Span01& one, const std::vector<Span01>& many, std::size_t first,
-                  std::size_t last) {
-    double cost = ends_moved(one, many[first].begin, many[last - 1].end);
-    for (std::size_t k = first + 1; k < last; ++k) cost += many[k].begin - many[k - 1].end;
-    return cost;
 }
 
 // The cheapest groups, by what notes before them cost: rows of `from`, columns of `to`.
@@ -70,7 +63,8 @@ class Alignment {
     void offer(std::size_t i, std::size_t j, Group group, double cost) {
         const double all = cost_[(i - group.from) * columns_ + (j - group.to)] + cost;
         double& least = cost_[i * columns_ + j];
-        if (!(all < least)) return;
+        // Equal but for rounding: the first stays.
+        if (!(all < least - kRounding)) return;
         least = all;
         best_[i * columns_ + j] = group;
     }
@@ -79,11 +73,24 @@ class Alignment {
         if (i > 0 && from_.size() > to_.size()) offer(i, j, {1, 0}, fade_cost(from_[i - 1]));
         if (j > 0 && to_.size() > from_.size()) offer(i, j, {0, 1}, fade_cost(to_[j - 1]));
         if (i == 0 || j == 0) return;
-        for (std::size_t m = 1; m <= j; ++m) {
-            offer(i, j, {1, m}, split_cost(from_[i - 1], to_, j - m, j));
-        }
-        for (std::size_t m = 2; m <= i; ++m) {
-            offer(i, j, {m, 1}, split_cost(to_[j - 1], from_, i - m, i));
+        split(from_[i - 1], to_, j, 1, [&](std::size_t m, double cost) {
+            offer(i, j, {1, m}, cost);
+        });
+        split(to_[j - 1], from_, i, 2, [&](std::size_t m, double cost) {
+            offer(i, j, {m, 1}, cost);
+        });
+    }
+
+    // One note as the last `least` and more of those before `last`; their gaps add up on the way.
+    template <class Take>
+    static void split(const Span01& one, const std::vector<Span01>& many, std::size_t last,
+                      std::size_t least, Take take) {
+        double gaps = 0.0;
+        for (std::size_t m = 1; m <= last; ++m) {
+            const std::size_t first = last - m;
+            if (m > 1) gaps += many[first + 1].begin - many[first].end;
+            if (m < least) continue;
+            take(m, ends_moved(one, many[first].begin, many[last - 1].end) + gaps);
         }
     }
 

@@ -136,4 +136,43 @@ TEST_CASE("morph: transients in order become each other, more of them fade in") 
     CHECK(half.transients[1].time_s == doctest::Approx(0.8));
 }
 
+// The largest difference of the samples that both have, in g.
+double farthest_g(const Pattern& a, const Pattern& b) {
+    const Waveform x = render(a);
+    const Waveform y = render(b);
+    double farthest = 0.0;
+    for (std::size_t k = 0; k < std::min(x.samples_g.size(), y.samples_g.size()); ++k) {
+        farthest = std::max(farthest, std::abs(x.samples_g[k] - y.samples_g[k]));
+    }
+    return farthest;
+}
+
+void check_ends(const Pattern& a, const Pattern& b) {
+    CHECK(farthest_g(morphed(a, b, 1e-7), a) <= 1e-3 * std::max(1.0, a.amplitude_g));
+    CHECK(farthest_g(morphed(a, b, 1.0 - 1e-7), b) <= 1e-3 * std::max(1.0, b.amplitude_g));
+}
+
+TEST_CASE("morph: next to an end it is nearly that end, ramps over sloped curves among them") {
+    Pattern ramps = pattern_of(1.0, 150.0, 0.0, "x==-x===");
+    ramps.attack_s = 0.1;
+    ramps.release_s = 0.15;
+    ramps.amplitude_curve = {{0.0, 0.1}, {0.2, 1.0}, {0.6, 0.2}, {1.0, 0.9}};
+    check_ends(ramps, pattern_of(1.0, 150.0, 0.0, "x-x-x-x-"));
+    check_ends(pattern_of(1.0, 150.0, 0.0, ""), ramps);
+    Pattern taps = pattern_of(1.0, 150.0, 0.0, "");
+    taps.transients = {{0.1, 2.0}, {0.4, 1.0}, {0.7, 1.5}};
+    const Pattern none = pattern_of(1.0, 150.0, 0.0, "");
+    Pattern one = none;
+    one.transients = {{0.5, 1.0}};
+    check_ends(taps, none);
+    check_ends(none, taps);
+    check_ends(taps, one);
+    check_ends(one, taps);
+    // A modulation faster than its carrier: the lower side band is mirrored at 0 Hz.
+    Pattern fast = pattern_of(1.0, 60.0, 90.0, "");
+    fast.carriers[0].phase_rad = 0.7;
+    check_ends(fast, none);
+    check_ends(none, fast);
+}
+
 }  // namespace morph_test
