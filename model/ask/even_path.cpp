@@ -76,6 +76,18 @@ Costs costs_of(const std::vector<std::vector<double>>& layers, const Steps& step
     return result;
 }
 
+// The largest distance of a way to its smallest.
+double ratio_of(const std::vector<std::size_t>& chosen, const LayerDistance& distance) {
+    double least = kNever;
+    double most = 0.0;
+    for (std::size_t layer = 0; layer + 1 < chosen.size(); ++layer) {
+        const double apart = distance(layer, chosen[layer], chosen[layer + 1]);
+        least = std::min(least, apart);
+        most = std::max(most, apart);
+    }
+    return most / least;
+}
+
 std::vector<std::size_t> way_to(const Costs& costs, std::size_t last) {
     std::vector<std::size_t> chosen{last};
     for (std::size_t layer = costs.before.size() - 1; layer > 0; --layer) {
@@ -99,7 +111,7 @@ EvenPath even_path(const std::vector<std::vector<double>>& layers, const LayerDi
         const double ratio = *end / least;
         const auto last = static_cast<std::size_t>(end - any.cost.back().begin());
         if (ratio > 1.0 + tolerance) {
-            if (ratio < best.ratio) best = {way_to(any, last), ratio};
+            if (least_extent == kNever && ratio < best.ratio) best = {way_to(any, last), ratio};
             continue;
         }
         const double most = least * (1.0 + tolerance);
@@ -108,7 +120,8 @@ EvenPath even_path(const std::vector<std::vector<double>>& layers, const LayerDi
         if (!(*nearest < least_extent)) continue;
         least_extent = *nearest;
         const auto place = static_cast<std::size_t>(nearest - even.cost.back().begin());
-        best = {way_to(even, place), std::min(best.ratio, 1.0 + tolerance)};
+        best.chosen = way_to(even, place);
+        best.ratio = ratio_of(best.chosen, distance);
     }
     return best;
 }

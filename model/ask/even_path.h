@@ -6,8 +6,9 @@
 //           are spread most evenly, else the way with the smallest ratio of its largest distance to
 //           its smallest
 // Valid     distances at least 0
-// Exact     same input, same way. All ways are considered: dynamic programming for each distance
-//           that could be the smallest one (a bottleneck, then a sum of squares).
+// Exact     same input, same way. Dynamic programming for each distance that could be the smallest
+//           one (a bottleneck, then a sum of squares); of more than 1,500 distances, which is what
+//           narrowing is for, only every n-th is taken for the smallest.
 #pragma once
 
 #include <cstddef>

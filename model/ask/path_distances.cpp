@@ -4,7 +4,6 @@
 
 #include "model/common/parallel.h"
 #include "model/dtw/dtw.h"
-#include "model/morph/morph.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 
 namespace tact {
@@ -21,11 +20,10 @@ PathDistances::PathDistances(const StepsQuestion& question, const StepsOptions& 
     : question_(question),
       options_(options),
       samples_(std::max(sample_count(question.from.duration_s, kModelRateHz),
-                        sample_count(question.to.duration_s, kModelRateHz))) {}
+                        sample_count(question.to.duration_s, kModelRateHz))),
+      morph_(question.from, question.to) {}
 
-Pattern PathDistances::at(double share) const {
-    return morphed(question_.from, question_.to, share);
-}
+Pattern PathDistances::at(double share) const { return morph_.at(share); }
 
 bool PathDistances::prepare(const std::vector<double>& shares) {
     std::vector<double> missing;
@@ -92,23 +90,23 @@ std::vector<double> PathDistances::of(const Pairs& pairs, bool exact) const {
 }
 
 void PathDistances::scale_by(const Pairs& pairs) {
-    const auto share_of = [](double weight, const std::vector<double>& values, double nothing) {
-        const double most = values.empty() ? 0.0 : *std::ranges::max_element(values);
-        return most > nothing ? weight / most : 0.0;
-    };
-    const double nothing = kNothing * static_cast<double>(samples_);
-    switch (question_.measure) {
-        case StepMeasure::pm:
-            nc_scale_ = share_of(question_.model.nc_weight, nc_of(pairs), 0.0);
-            oc_scale_ = share_of(question_.model.oc_weight, oc_of(pairs, false), nothing);
-            break;
-        case StepMeasure::nc:
-            nc_scale_ = 1.0;
-            break;
-        case StepMeasure::oc:
-            oc_scale_ = 1.0;
-            break;
+    if (pairs.empty() || question_.measure != StepMeasure::pm) return scale_to(1.0, 1.0);
+    const std::vector<double> nc = nc_of(pairs);
+    const std::vector<double> oc = oc_of(pairs, false);
+    const auto widest = std::ranges::max_element(oc) - oc.begin();
+    const Pairs one{pairs[static_cast<std::size_t>(widest)]};
+    scale_to(*std::ranges::max_element(nc), oc_of(one, true).front());
+}
+
+void PathDistances::scale_to(double largest_nc, double largest_oc) {
+    if (question_.measure != StepMeasure::pm) {
+        nc_scale_ = question_.measure == StepMeasure::nc ? 1.0 : 0.0;
+        oc_scale_ = question_.measure == StepMeasure::oc ? 1.0 : 0.0;
+        return;
     }
+    const double nothing = kNothing * static_cast<double>(samples_);
+    nc_scale_ = largest_nc > 0.0 ? question_.model.nc_weight / largest_nc : 0.0;
+    oc_scale_ = largest_oc > nothing ? question_.model.oc_weight / largest_oc : 0.0;
 }
 
 }  // namespace tact

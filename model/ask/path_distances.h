@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/ask/steps.h"
+#include "model/morph/morph.h"
 
 namespace tact {
 
@@ -25,8 +26,14 @@ class PathDistances {
     using Pairs = std::vector<std::pair<double, double>>;
     std::vector<double> of(const Pairs& pairs, bool exact) const;
 
-    // Takes the largest NC and OC of these pairs for 1. Before that, distances are 0.
+    // Takes the largest NC and OC of these pairs for 1; the largest OC is that of the pair whose
+    // coarse one is largest, exactly. Before that, distances are 0.
     void scale_by(const Pairs& pairs);
+    // Takes these for 1.
+    void scale_to(double largest_nc, double largest_oc);
+
+    // An NC and an OC as they are scaled.
+    double sum_of(double nc, double oc) const { return nc_scale_ * nc + oc_scale_ * oc; }
 
   private:
     struct Place {
@@ -40,6 +47,7 @@ class PathDistances {
     const StepsOptions& options_;
     std::size_t samples_ = 0;
     std::map<double, Place> places_;
+    Morph morph_;
     double nc_scale_ = 0.0;
     double oc_scale_ = 0.0;
 };

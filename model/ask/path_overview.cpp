@@ -55,6 +55,11 @@ bool look_over(PathDistances& path, PathOverview& overview) {
     for (int round = 0; round < kBisections; ++round) {
         if (!bisect(path, overview.shares)) return false;
     }
+    measure(path, overview);
+    return true;
+}
+
+void measure(const PathDistances& path, PathOverview& overview) {
     const std::size_t n = overview.shares.size();
     const std::vector<double> flat = path.of(all_pairs_of(overview.shares), false);
     overview.coarse.assign(n * n, 0.0);
@@ -62,7 +67,6 @@ bool look_over(PathDistances& path, PathOverview& overview) {
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = i + 1; j < n; ++j) overview.coarse[i * n + j] = flat[at++];
     }
-    return true;
 }
 
 // Halves where more of the way is, until a jump is all that is left.

@@ -17,6 +17,9 @@ struct PathOverview {
 // False when stopped. Distances of the path have their scale from then on.
 bool look_over(PathDistances& path, PathOverview& overview);
 
+// All its coarse distances by the scale that the path has now.
+void measure(const PathDistances& path, PathOverview& overview);
+
 // Each with the next one.
 PathDistances::Pairs neighbours_of(const std::vector<double>& shares);
 

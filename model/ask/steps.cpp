@@ -13,6 +13,8 @@ namespace tact {
 namespace {
 
 constexpr int kNarrowings = 7;
+constexpr int kScalings = 3;
+constexpr double kAsMeant = 0.005;  // of unevenness: the scale was right
 constexpr int kHalfWindow = 4;      // places to either side, in a window
 constexpr double kAimedAt = 0.015;  // of the tolerance some is left for what is coarse
 
@@ -155,11 +157,12 @@ Placed placed(PathDistances& path, const StepsQuestion& question, const PathOver
     return best;
 }
 
-// The exact PM of neighbours in the set of these patterns alone; false when stopped.
-bool tell_pm(const StepsQuestion& question, const StepsOptions& options, EvenSteps& steps) {
+// NC, OC and PM of the set of these patterns alone; none when stopped.
+std::optional<Prediction> predicted(const StepsQuestion& question, const StepsOptions& options,
+                                    const std::vector<Pattern>& patterns) {
     std::vector<Waveform> waveforms;
     std::size_t longest = 0;
-    for (const Pattern& pattern : steps.patterns) {
+    for (const Pattern& pattern : patterns) {
         waveforms.push_back(render(pattern));
         longest = std::max(longest, waveforms.back().samples_g.size());
     }
@@ -167,13 +170,40 @@ bool tell_pm(const StepsQuestion& question, const StepsOptions& options, EvenSte
     PredictOptions predicting;
     predicting.threads = options.threads;
     predicting.stop = options.stop;
-    const auto prediction = predict(waveforms, question.model, predicting);
-    if (!prediction) return false;
-    for (std::size_t k = 0; k + 1 < steps.patterns.size(); ++k) {
+    return predict(waveforms, question.model, predicting);
+}
+
+struct Told {
+    EvenSteps steps;
+    double largest_nc = 0.0;
+    double largest_oc = 0.0;
+};
+
+// What is told of these places: the numbers of the set itself, by whose maxima the path is scaled
+// from then on. None when stopped.
+std::optional<Told> told(PathDistances& path, const StepsQuestion& question,
+                         const StepsOptions& options, const std::vector<double>& shares) {
+    Told all;
+    EvenSteps& steps = all.steps;
+    steps.shares = shares;
+    for (const double share : shares) steps.patterns.push_back(path.at(share));
+    const auto prediction = predicted(question, options, steps.patterns);
+    if (!prediction) return std::nullopt;
+    all.largest_nc = *std::ranges::max_element(prediction->nc.condensed);
+    all.largest_oc = *std::ranges::max_element(prediction->oc.condensed);
+    path.scale_to(all.largest_nc, all.largest_oc);
+    const auto apart = [&](std::size_t i, std::size_t j) {
+        return path.sum_of(prediction->nc(i, j), prediction->oc(i, j));
+    };
+    const std::size_t last = shares.size() - 1;
+    for (std::size_t k = 0; k < last; ++k) {
+        steps.apart.push_back(apart(k, k + 1));
         steps.pm.push_back(prediction->pm(k, k + 1));
     }
+    steps.ends_apart = apart(0, last);
+    steps.uneven = unevenness(steps.apart);
     steps.largest_pm = *std::ranges::max_element(prediction->pm.condensed);
-    return true;
+    return all;
 }
 
 }  // namespace
@@ -183,19 +213,25 @@ std::optional<EvenSteps> even_steps(const StepsQuestion& question, const StepsOp
     PathOverview overview;
     if (!look_over(path, overview)) return std::nullopt;
     if (options.progress) options.progress(0.4);
-    const Placed found = placed(path, question, overview, options.progress);
-    if (found.shares.empty()) return std::nullopt;
-    EvenSteps steps;
-    steps.shares = found.shares;
-    steps.apart = found.exact;
-    steps.uneven = found.uneven;
-    steps.ends_apart = path.of({{0.0, 1.0}}, true).front();
-    for (const double share : steps.shares) steps.patterns.push_back(path.at(share));
-    if (!is_even(steps)) steps.jump = largest_jump(path, overview);
-    if (!tell_pm(question, options, steps)) return std::nullopt;
+    std::optional<Told> best;
+    // Once more by the maxima of the set that was found, where they are not those of the way.
+    for (int scaling = 0; scaling < kScalings; ++scaling) {
+        if (scaling > 0) measure(path, overview);
+        const Placed found = placed(path, question, overview, options.progress);
+        if (found.shares.empty()) return std::nullopt;
+        auto now = told(path, question, options, found.shares);
+        if (!now) return std::nullopt;
+        const bool is_as_meant = std::abs(now->steps.uneven - found.uneven) <= kAsMeant;
+        if (!best || now->steps.uneven < best->steps.uneven) best = std::move(now);
+        if (is_even(best->steps) || is_as_meant) break;
+    }
+    if (!is_even(best->steps)) {
+        path.scale_to(best->largest_nc, best->largest_oc);
+        best->steps.jump = largest_jump(path, overview);
+    }
     if (options.stop.stop_requested()) return std::nullopt;
     if (options.progress) options.progress(1.0);
-    return steps;
+    return best->steps;
 }
 
 }  // namespace tact

@@ -9,9 +9,10 @@
 // of such a set, and so their ranks are 1, 2, 3 ... whatever their distances are. What is made even
 // instead is the sum that PM would be without ranks:
 //
-//     d_ij = w_NC NC_ij / NC_max + w_OC OC_ij / OC_max       maxima over the way
+//     d_ij = w_NC NC_ij / NC_max + w_OC OC_ij / OC_max       maxima over the set of these patterns
 //
-// or NC or OC alone. The exact PM of the patterns is told beside it.
+// or NC or OC alone. What is told is what a prediction of that set gives, and so is the verdict;
+// its PM is told beside it.
 //
 // Source    ours
 // Valid     2 to kMostSteps patterns in all
@@ -61,7 +62,7 @@ struct PathJump {
 struct EvenSteps {
     std::vector<Pattern> patterns;   // the ends bit for bit
     std::vector<double> shares;      // of the way, 0 to 1
-    std::vector<double> apart;       // neighbours, in what was to be even; exact
+    std::vector<double> apart;       // neighbours, in what was to be even; exact, by this set
     double ends_apart = 0.0;         // first and last, in the same
     std::vector<double> pm;          // neighbours, exact PM of the set of these
     double largest_pm = 0.0;         // of any pair of them

@@ -62,4 +62,16 @@ TEST_CASE("even path: a jump leaves the least uneven way; without distances ther
               .chosen.empty());
 }
 
+TEST_CASE("even path: of ways that are as even, the one whose shares are spread most evenly") {
+    const std::vector<std::vector<double>> layers{{0.0}, {0.1, 0.3, 0.5, 0.9}, {1.0}};
+    const auto alike = [](std::size_t, std::size_t, std::size_t) { return 1.0; };
+    CHECK(even_path(layers, alike, 0.02).chosen == std::vector<std::size_t>{0, 2, 0});
+    CHECK(even_path(layers, alike, 0.02).ratio == 1.0);
+    // A ratio within the tolerance is told as it is.
+    const auto nearly = [](std::size_t layer, std::size_t, std::size_t) {
+        return layer == 0 ? 1.0 : 1.01;
+    };
+    CHECK(even_path(layers, nearly, 0.02).ratio == doctest::Approx(1.01));
+}
+
 }  // namespace even_path_test

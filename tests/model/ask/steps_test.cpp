@@ -7,6 +7,7 @@
 #include "model/ask/steps_set.h"
 #include "model/common/random.h"
 #include "model/io/set/set_file.h"
+#include "model/morph/morph.h"
 #include "tests/support/bundled_sets.h"
 
 namespace steps_test {
@@ -59,6 +60,18 @@ void check_promise(const StepsQuestion& question, const EvenSteps& steps) {
         for (std::size_t k = 0; k < values.size(); ++k) {
             CHECK(values[k] == doctest::Approx(steps.apart[k]).epsilon(1e-9));
         }
+    }
+    const double largest_nc = *std::ranges::max_element(truth.nc.condensed);
+    const double largest_oc = *std::ranges::max_element(truth.oc.condensed);
+    if (question.measure == StepMeasure::pm && largest_nc > 0.0 && largest_oc > 0.0) {
+        std::vector<double> told;
+        for (std::size_t k = 0; k + 1 < truth.nc.size; ++k) {
+            told.push_back(question.model.nc_weight * truth.nc(k, k + 1) / largest_nc +
+                           question.model.oc_weight * truth.oc(k, k + 1) / largest_oc);
+            CHECK(told.back() == doctest::Approx(steps.apart[k]).epsilon(1e-9));
+        }
+        CHECK(unevenness(told) == doctest::Approx(steps.uneven).epsilon(1e-6));
+        CHECK((unevenness(told) <= kEvenWithin) == is_even(steps));
     }
     const std::string said = sentence_on(question, steps);
     INFO(said);
@@ -151,6 +164,48 @@ TEST_CASE("steps: between pairs of the example sets, the promise is kept" *
             CHECK(written.vibrations.size() == 4);
         }
     }
+}
+
+TEST_CASE(
+    "steps: along any number that files may hold, the way is straight and ends where it says") {
+    RandomStream random{8};
+    for (const PatternParameter parameter : kPatternParameters) {
+        CAPTURE(traits(parameter).key);
+        const Range range = traits(parameter).range;
+        const auto any = [&] {
+            return range.low + (0.5 + 0.5 * next_even(random)) * (range.high - range.low);
+        };
+        for (int tried = 0; tried < 12; ++tried) {
+            Pattern a = short_pattern(0.5, 80.0, 4.0);
+            a.carriers.push_back({120.0, 0.5});
+            a.modulation.kind = ModulationKind::am;
+            a.rhythm = {"x-", 0.02};
+            a = with_value(a, parameter, tried == 0 ? range.low : any());
+            const double to = tried == 0 ? range.high : tried == 1 ? range.low : any();
+            const auto end = end_along(a, with_value(a, parameter, to), parameter);
+            REQUIRE(end);
+            CHECK(value_of(*end, parameter) == to);
+            CHECK(morphed(a, *end, 0.0) == a);
+            CHECK(morphed(a, *end, 1.0) == *end);
+            const double sign = to >= *value_of(a, parameter) ? 1.0 : -1.0;
+            double last = *value_of(a, parameter);
+            for (int k = 1; k <= 10; ++k) {
+                const double next = *value_of(morphed(a, *end, k / 10.0), parameter);
+                CHECK(sign * (next - last) >= 0.0);
+                last = next;
+            }
+        }
+    }
+}
+
+TEST_CASE("steps: from a modulation of 250 Hz to one of 400 Hz they rise to 400 Hz") {
+    const Pattern a = short_pattern(1.0, 450.0, 250.0);
+    const auto end = end_along(a, short_pattern(1.0, 450.0, 400.0), PatternParameter::modulation);
+    const auto steps = even_steps(question_of(a, *end, 3, StepMeasure::nc), {});
+    REQUIRE(steps);
+    CHECK(steps->patterns[1].modulation.frequency_hz > 250.0);
+    CHECK(steps->patterns[1].modulation.frequency_hz < 400.0);
+    CHECK(steps->patterns[2].modulation.frequency_hz == 400.0);
 }
 
 }  // namespace steps_test
