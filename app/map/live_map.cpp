@@ -146,7 +146,9 @@ std::string matrix_csv(const LiveMap& map) {
     std::vector<std::string> labels;
     for (const Vibration& one : map.request.set->vibrations) labels.push_back(one.name);
     std::ostringstream csv;
-    write_matrix_csv(csv, labels, map.prediction.pm);
+    Dissimilarity pm = map.prediction.pm;
+    tie_rounding_noise(pm.condensed);
+    write_matrix_csv(csv, labels, pm);
     return csv.str();
 }
 

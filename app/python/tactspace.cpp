@@ -44,8 +44,7 @@ py::array predict_matrix(const py::object& waves, const std::string& metric, dou
     return square_array(*beside_python([&](std::stop_token stop) {
         options.stop = stop;
         auto matrix = metric_matrix(by, at_model_rate(std::move(given)), params, options);
-        if (matrix && by == Metric::oc) tie_rounding_noise(matrix->condensed);
-        return matrix;
+        return matrix ? std::optional(as_ranked(by, *std::move(matrix))) : std::nullopt;
     }));
 }
 

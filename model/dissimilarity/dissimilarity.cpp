@@ -10,13 +10,35 @@ namespace tact {
 
 namespace {
 
+constexpr double kLeastLargest = 1e-6;
+
 double largest_size(std::span<const double> values) {
-    double largest = 1e-6;
+    double largest = kLeastLargest;
     for (const double value : values) largest = std::max(largest, std::abs(value));
     return largest;
 }
 
 double quantised(double value, double largest) { return std::round(value / largest * 1e9); }
+
+// Key and place in one word: half the memory of keys and an order apart, and sorting does not jump
+// about in it. Keys are whole and within 1e9.
+constexpr double kLowestKey = -1e9;
+std::uint64_t key_in(std::uint64_t word) { return word >> 32U; }
+std::size_t place_in(std::uint64_t word) { return word & 0xffffffffU; }
+
+// The finite values by their quantised distance from `origin`, ascending.
+std::vector<std::uint64_t> in_order(std::span<const double> values, double origin, double largest) {
+    assert(values.size() <= std::numeric_limits<std::uint32_t>::max() && "places take 32 bits");
+    std::vector<std::uint64_t> order;
+    order.reserve(values.size());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (!std::isfinite(values[k])) continue;
+        const double key = quantised(values[k] - origin, largest) - kLowestKey;
+        order.push_back(static_cast<std::uint64_t>(key) << 32U | k);
+    }
+    std::ranges::sort(order);
+    return order;
+}
 
 }  // namespace
 
@@ -59,9 +81,23 @@ bool is_zero_among(std::span<const double> values, std::size_t place) {
     return quantised(values[place], largest_size(values)) == 0.0;
 }
 
-void tie_rounding_noise(std::vector<double>& values) {
-    const double largest = largest_size(values);
-    for (double& value : values) value = quantised(value, largest) * largest / 1e9;
+void tie_rounding_noise(std::vector<double>& values, double origin) {
+    const auto size_of = [&](std::size_t k) { return std::abs(values[k] - origin); };
+    double largest = kLeastLargest;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (std::isfinite(values[k])) largest = std::max(largest, size_of(k));
+    }
+    const std::vector<std::uint64_t> order = in_order(values, origin, largest);
+    for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+        std::size_t farthest = place_in(order[first]);
+        for (end = first; end < order.size() && key_in(order[end]) == key_in(order[first]); ++end) {
+            if (size_of(place_in(order[end])) > size_of(farthest)) farthest = place_in(order[end]);
+        }
+        // What is nothing but rounding is nothing.
+        const bool is_nothing = static_cast<double>(key_in(order[first])) == -kLowestKey;
+        const double one = is_nothing ? origin : values[farthest];
+        for (std::size_t k = first; k < end; ++k) values[place_in(order[k])] = one;
+    }
 }
 
 std::vector<double> average_ranks(std::span<const double> values) {
@@ -71,23 +107,17 @@ std::vector<double> average_ranks(std::span<const double> values) {
 }
 
 void replace_by_ranks(std::vector<double>& values) {
-    // Key and place in one word: half the memory of keys and an order apart, and sorting does not
-    // jump about in it. Keys are whole and within 1e9.
-    assert(values.size() <= std::numeric_limits<std::uint32_t>::max() && "places take 32 bits");
-    constexpr double kLowest = -1e9;
-    const double largest = largest_size(values);
-    std::vector<std::uint64_t> order(values.size());
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        assert(std::isfinite(values[k]) && "only numbers have ranks");
-        order[k] = static_cast<std::uint64_t>(quantised(values[k], largest) - kLowest) << 32U | k;
+    for (const double value : values) {
+        assert(std::isfinite(value) && "only numbers have ranks");
+        static_cast<void>(value);
     }
-    std::ranges::sort(order);
+    const std::vector<std::uint64_t> order = in_order(values, 0.0, largest_size(values));
     for (std::size_t first = 0; first < order.size();) {
         std::size_t end = first + 1;
-        while (end < order.size() && order[end] >> 32U == order[first] >> 32U) ++end;
+        while (end < order.size() && key_in(order[end]) == key_in(order[first])) ++end;
         // Ranks first + 1 .. end share their mean.
         const double rank = static_cast<double>(first + 1 + end) / 2.0;
-        for (std::size_t k = first; k < end; ++k) values[order[k] & 0xffffffffU] = rank;
+        for (std::size_t k = first; k < end; ++k) values[place_in(order[k])] = rank;
         first = end;
     }
 }

@@ -37,9 +37,12 @@ std::pair<std::size_t, std::size_t> pair_at(std::size_t n, std::size_t index);
 // d <- round(d / max(max |d|, 1e-6) 1e9), so that rounding noise makes no order.
 std::vector<double> quantised(std::span<const double> values);
 
-// The same in the values' own units and place: what differs by rounding noise alone becomes equal,
-// so that ranks that others make of them are ours.
-void tie_rounding_noise(std::vector<double>& values);
+// Values that differ by rounding noise alone, and so share a rank, become one of them: the one
+// farthest from `origin`, or `origin` where they are next to nothing. All others keep their bits,
+// so that ranks which others make of the values are ours. Of what is not finite, nothing is
+// changed. As much memory again is needed meanwhile. `origin`: what the quantised values are taken
+// from.
+void tie_rounding_noise(std::vector<double>& values, double origin = 0.0);
 
 // Whether a value is 0 among the others but for rounding noise, as its rank has it.
 bool is_zero_among(std::span<const double> values, std::size_t place);

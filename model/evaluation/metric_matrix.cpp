@@ -258,12 +258,27 @@ std::optional<Dissimilarity> metric_matrix(Metric metric, std::span<const Wavefo
     return std::nullopt;
 }
 
+namespace {
+
+// What its values are counted from where they are ranked.
+double origin_of(Metric metric, const BaselineParams& params) {
+    const bool is_score = metric == Metric::spqi && params.spqi.distance == SpqiDistance::score;
+    return is_score ? 1.0 : 0.0;
+}
+
+}  // namespace
+
 std::vector<double> values_to_rank(Metric metric, const Dissimilarity& matrix,
                                    const BaselineParams& params) {
     std::vector<double> values = matrix.condensed;
-    if (metric != Metric::spqi || params.spqi.distance != SpqiDistance::score) return values;
-    for (double& value : values) value -= 1.0;
+    const double origin = origin_of(metric, params);
+    for (double& value : values) value -= origin;
     return values;
+}
+
+Dissimilarity as_ranked(Metric metric, Dissimilarity matrix, const BaselineParams& params) {
+    tie_rounding_noise(matrix.condensed, origin_of(metric, params));
+    return matrix;
 }
 
 }  // namespace tact

@@ -65,4 +65,8 @@ std::optional<Dissimilarity> metric_matrix(Metric metric, std::span<const Wavefo
 std::vector<double> values_to_rank(Metric metric, const Dissimilarity& matrix,
                                    const BaselineParams& params = {});
 
+// The matrix as it is written: pairs that share a rank have one value. Ranks that others make of it
+// are then the ones that the metric is compared with people by; all other values keep their bits.
+Dissimilarity as_ranked(Metric metric, Dissimilarity matrix, const BaselineParams& params = {});
+
 }  // namespace tact

@@ -110,7 +110,8 @@ std::string foot_of_given(const SetAgreement& set) {
 }
 
 std::string foot_of_paper_table() {
-    return "rho: Spearman's, with mid-ranks; K: alienation of the distances of two maps of " +
+    return "rho: Spearman's, with mid-ranks of values that are equal within 1e-9 of the largest; "
+           "K: alienation of the distances of two maps of " +
            std::to_string(kEvaluation.dimensions) +
            " dimensions, as Borg & Leutner 1985 have it (the publication gives no formula), each "
            "map "
@@ -122,7 +123,9 @@ std::string methods_text(std::span<const SetAgreement> sets) {
     const std::size_t patterns = sets.front().patterns;
     std::string text =
         "\nMethods\nAgreement of a metric with mean dissimilarity ratings is Spearman's rank "
-        "correlation over the rated pairs, tested one-sided by permutation of patterns (Mantel, "
+        "correlation over the rated pairs, with mid-ranks, where values within 1e-9 of the largest "
+        "count as equal, as \"predict\" writes them; it is tested one-sided by permutation of "
+        "patterns (Mantel, "
         "1967; " +
         orders_text(patterns, kEvaluation.rho_orders, 1) + "). Maps of " +
         std::to_string(kEvaluation.dimensions) +

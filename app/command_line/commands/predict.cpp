@@ -137,10 +137,7 @@ Dissimilarity rank_sum(Work& work) {
 Dissimilarity matrix_of(Work& work) {
     const std::vector<Part>& parts = work.tiles.parts;
     if (parts.size() > 1) return rank_sum(work);
-    Dissimilarity& matrix = work.tiles.made[static_cast<std::size_t>(parts[0])].matrix;
-    // Warping makes many pairs equal but for the order of its sums.
-    if (parts[0] == Part::oc) tie_rounding_noise(matrix.condensed);
-    return std::move(matrix);
+    return std::move(work.tiles.made[static_cast<std::size_t>(parts[0])].matrix);
 }
 
 // Number by number: as one value, JSON of a large matrix takes several times its memory.
@@ -206,9 +203,9 @@ Expected<Done> run_whole(const PredictCommand& command, Metric metric, std::stop
     options.stop = stop;
     options.progress = progress_line("comparing patterns");
     if (command.first_as_reference) options.direction = Direction::first_is_reference;
-    const auto matrix = metric_matrix(metric, waveforms, set->model, options);
+    auto matrix = metric_matrix(metric, waveforms, set->model, options);
     if (!matrix) return Error{"stopped, and nothing is kept of a metric other than pm, nc and oc"};
-    return write_matrix(command, names_of(*set), *matrix, *image);
+    return write_matrix(command, names_of(*set), as_ranked(metric, *std::move(matrix)), *image);
 }
 
 // The tiles, made by all ranks together.
@@ -239,7 +236,7 @@ Expected<Done> run(const PredictCommand& command) {
     Expected<Work> work = computed(command, *ranks, interrupt.token());
     if (!work) return work.error();
     if (ranks->rank > 0) return Done{};
-    const Dissimilarity matrix = matrix_of(*work);
+    const Dissimilarity matrix = as_ranked(*metric, matrix_of(*work));
     const Expected<Done> written = write_matrix(command, work->labels, matrix, work->image);
     if (written && work->tiles.keeping.file) work->tiles.keeping.file->remove();
     return written;

@@ -274,7 +274,9 @@ Expected<Done> collect(const StudyCommand& command, const PatternSet& set) {
     }
     if (!command.matrix.empty()) {
         const auto written = write_result(command.matrix, [&](std::ostream& stream) {
-            write_matrix_csv(stream, results.study.labels, results.mean);
+            Dissimilarity mean = results.mean;
+            tie_rounding_noise(mean.condensed);
+            write_matrix_csv(stream, results.study.labels, mean);
         });
         if (!written) return written.error();
     }

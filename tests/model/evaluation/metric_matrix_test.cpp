@@ -258,4 +258,38 @@ TEST_CASE("metric matrix: none and one pattern have no pairs") {
     }
 }
 
+// Mid-ranks of the values as they are, by counting.
+std::vector<double> plain_ranks(const std::vector<double>& values) {
+    std::vector<double> ranks;
+    for (const double value : values) {
+        const auto below = std::ranges::count_if(values, [&](double v) { return v < value; });
+        const auto equal = std::ranges::count(values, value);
+        ranks.push_back(static_cast<double>(below) + 0.5 * static_cast<double>(equal + 1));
+    }
+    return ranks;
+}
+
+TEST_CASE("metric matrix: as it is written, anybody's ranks of it are the ones that are compared") {
+    std::vector<Waveform> waveforms;
+    for (int k = 0; k < 8; ++k) {
+        Pattern pattern;
+        pattern.duration_s = 0.2;
+        pattern.amplitude_g = k % 2 == 0 ? 1.0 : 0.7;
+        pattern.carriers[0].frequency_hz = 100.0 + 50.0 * (k / 4);
+        pattern.modulation.frequency_hz = 5.0 * (k % 4);
+        waveforms.push_back(render(pattern));
+    }
+    for (const Metric metric : kMetrics) {
+        CAPTURE(traits(metric).key);
+        const auto matrix = metric_matrix(metric, waveforms, {});
+        REQUIRE(matrix);
+        const Dissimilarity written = as_ranked(metric, *matrix);
+        CHECK(plain_ranks(written.condensed) == average_ranks(values_to_rank(metric, *matrix)));
+        for (std::size_t k = 0; k < written.condensed.size(); ++k) {
+            CHECK(std::abs(written.condensed[k] - matrix->condensed[k]) <=
+                  1e-8 * std::max(1.0, std::abs(matrix->condensed[k])));
+        }
+    }
+}
+
 }  // namespace metric_matrix_test
