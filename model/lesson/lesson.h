@@ -75,6 +75,7 @@ struct LessonStep {
     double to_s = 0.0;     // ... up to there; both 0: the whole pattern
     std::optional<LessonCamera> camera{};
     std::optional<LessonQuestion> question{};
+    std::string unknown_json{};  // keys of the step, its camera and its question, kept on save
 
     bool operator==(const LessonStep&) const = default;
 };

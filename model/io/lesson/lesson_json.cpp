@@ -87,10 +87,20 @@ LessonCamera camera_of(JsonObject& object) {
     return camera;
 }
 
+// What belonged to a question or a camera that the step has no more is gone with it.
+void restore(Json& fields, const std::string& unknown_json) {
+    if (unknown_json.empty()) return;
+    Json unknown = Json::parse(unknown_json, nullptr, false);
+    for (const char* part : {"camera", "question"}) {
+        if (!fields.contains(part) && unknown.is_object()) unknown.erase(part);
+    }
+    if (unknown.is_object()) restore_unknown(fields, unknown);
+}
+
 Json json_of(const LessonQuestion& question) {
     Json fields = {{"kind", kQuestionKinds[static_cast<std::size_t>(question.kind)]},
                    {"ask", question.ask}};
-    if (question.kind == QuestionKind::choice) {
+    if (question.kind == QuestionKind::choice || !question.options.empty()) {
         fields["options"] = question.options;
         fields["answer"] = question.answer;
     }
@@ -117,16 +127,21 @@ LessonStep step_of(JsonObject& object, const PatternSet& set) {
     step.speed = number_field(object, "speed", 0.0, limits::kLessonSpeed);
     step.from_s = number_field(object, "from_s", 0.0, limits::kLessonTimeS);
     step.to_s = number_field(object, "to_s", 0.0, limits::kLessonTimeS);
+    Json unknown = Json::object();
     if (object.value != nullptr && object.value->contains("camera")) {
         JsonObject camera = object_field(object, "camera");
         step.camera = camera_of(camera);
+        note_unknown(unknown, "camera", unknown_fields(camera));
     }
     if (object.value != nullptr && object.value->contains("question")) {
         JsonObject question = object_field(object, "question");
         step.question = question_of(question, set);
         const std::string needed = question_needs(step, set.vibrations.size());
         if (!needed.empty()) refuse(*question.reading, question.place, needed, *question.value);
+        note_unknown(unknown, "question", unknown_fields(question));
     }
+    unknown.update(unknown_fields(object));
+    if (!unknown.empty()) step.unknown_json = unknown.dump();
     return step;
 }
 
@@ -154,6 +169,7 @@ Json json_of(const LessonStep& step) {
                             {"zoom", step.camera->zoom}};
     }
     if (step.question) fields["question"] = json_of(*step.question);
+    restore(fields, step.unknown_json);
     return fields;
 }
 

@@ -92,4 +92,22 @@ TEST_CASE("lesson file: a lesson that could not be opened again is not written")
     CHECK_FALSE(std::filesystem::exists(file));
 }
 
+TEST_CASE("lesson file: keys of a newer version stay, in a step, its camera and its question") {
+    const auto lesson = parse_lesson(one_step(R"("title": "T", "text": "t", "colour": "red",
+            "camera": {"yaw_rad": 1.0, "lens": 35},
+            "question": {"kind": "choice", "ask": "a", "options": ["x", "y"], "answer": 1,
+                         "hint": {"after_s": 3}})"),
+                                     "l.json", {});
+    REQUIRE_MESSAGE(lesson, (lesson ? "" : lesson.error().message));
+    const std::string written = print_lesson(*lesson, {});
+    for (const char* kept : {"\"colour\": \"red\"", "\"lens\": 35", "\"after_s\": 3"}) {
+        CHECK(holds(written, kept));
+    }
+    // What was the question's goes with the question.
+    Lesson shorter = *lesson;
+    shorter.steps[0].question.reset();
+    CHECK_FALSE(holds(print_lesson(shorter, {}), "hint"));
+    CHECK(parse_lesson(print_lesson(shorter, {}), "again", {}));
+}
+
 }  // namespace lesson_file_test
