@@ -4,6 +4,7 @@
 
 #include "app/stages/receptor_readout.h"
 #include "app/stages/stage_pictures.h"
+#include "app/stages/stage_remarks.h"
 #include "app/timeline/time_rows.h"
 #include "viz/skin/raster_view.h"
 
@@ -15,7 +16,8 @@ void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiol
     std::array<RasterChannel, kReceptorCount> channels;
     for (const Receptor type : kReceptors) {
         const std::size_t c = index_of(type);
-        channels[c] = {type, live.neural.channel[c].spike_count, live.by_distance[c]};
+        channels[c] = {type, live.neural.channel[c].spike_count, live.by_distance[c],
+                       only_leaks(live, type)};
     }
     const auto spot = [](const std::optional<ReceptorPlace>& place) -> std::optional<RasterSpot> {
         if (!place) return std::nullopt;

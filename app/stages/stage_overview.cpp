@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <numeric>
 #include <optional>
 
 #include "app/document/editing.h"
 #include "app/stages/stage_label.h"
 #include "app/stages/stage_pair.h"
+#include "app/stages/stage_remarks.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 
@@ -84,6 +86,24 @@ bool have_one_reach(const Workspace& work, const std::vector<ShownStages>& patte
            reach_text(work, patterns.front(), stage) == reach_text(work, patterns.back(), stage);
 }
 
+// What misleads in the stage, under its name; what does not fit is in the tooltip with the rest.
+void draw_short_remark(Ui& ui, const ShownStages& shown, Stage stage, const Rect& area) {
+    const std::string text = short_remark(*shown.live, stage);
+    if (text.empty()) return;
+    const ImFont& font = font_or_current(ui.theme.fonts.small);
+    const ImVec2 size = font.CalcTextSizeA(font.FontSize, FLT_MAX, area.width(), text.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(area.min, area.max, true);
+    list.AddText(&font, font.FontSize, area.min, ui.theme.warning, text.c_str(), nullptr,
+                 area.width());
+    list.PopClipRect();
+    const ImVec2 end{area.min.x + size.x, std::min(area.max.y, area.min.y + size.y)};
+    note_rect(ui.rects, std::string("remark:") + text_of(stage).key, area.min, end, text);
+    ImGui::SetCursorScreenPos(area.min);
+    ImGui::Dummy({std::max(1.0F, end.x - area.min.x), std::max(1.0F, end.y - area.min.y)});
+    draw_tooltip(ui, stage_remark(*shown.live, stage).c_str());
+}
+
 }  // namespace
 
 void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
@@ -120,6 +140,9 @@ void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
             const float line = text_size(theme.fonts.small, "X").y;
             draw_reach(ui, {{corner.x, named}, {words.max.x, std::min(bottom, named + line)}},
                        stage, reach_text(work, patterns[0], stage));
+        }
+        if (patterns.size() == 1) {
+            draw_short_remark(ui, patterns[0], stage, {{corner.x, named}, words.max});
         }
         StageSize size;
         size.time_axis = stage == kStages.back();

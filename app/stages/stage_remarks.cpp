@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/physiology/firing.h"
 #include "viz/drawing/plot.h"
 #include "viz/skin/fingertip.h"
 
@@ -64,6 +65,28 @@ std::string leak_text(const LiveStages& live, bool fires) {
     return {};
 }
 
+// "Meissner 11.5, Pacinian 2": of types that fire more often than a fibre does.
+std::string many_a_cycle(const LiveStages& live) {
+    std::string text;
+    for (const Receptor receptor : kReceptors) {
+        if (only_leaks(live, receptor)) continue;
+        const double times = impulses_a_cycle(live.neural, receptor);
+        if (times <= kManyACycle) continue;
+        text += std::string(text.empty() ? "" : ", ") + traits(receptor).name + " " +
+                significant(times, 2);
+    }
+    return text;
+}
+
+std::string spike_text(const LiveStages& live) {
+    std::string text = leak_text(live, true);
+    const std::string many = many_a_cycle(live);
+    if (many.empty()) return text;
+    text += text.empty() ? "" : " ";
+    return text + "Impulses a cycle: " + many +
+           ". A fibre fires about one; the model\u2019s rate knows no cycles.";
+}
+
 std::string beyond_text(const LiveStages& live) {
     std::string text;
     for (const Receptor receptor : kReceptors) {
@@ -92,19 +115,7 @@ std::string on_text(const LiveStages& live) {
 }  // namespace
 
 bool only_leaks(const LiveStages& live, Receptor receptor) {
-    const ChannelStages& channel = live.neural.channel[index_of(receptor)];
-    const double peak_g = peak_of(channel.filtered_g);
-    if (channel.silent || peak_g <= 0.0) return false;
-    if (peak_g > kLeakShare * peak_of(live.waveform.samples_g)) return false;
-    double in_band_g = 0.0;
-    double strongest_g = 0.0;
-    for (const Component& component : live.neural.components) {
-        strongest_g = std::max(strongest_g, component.amplitude_g);
-        const bool in_band = component.frequency_hz >= traits(receptor).low_hz &&
-                             component.frequency_hz <= traits(receptor).high_hz;
-        if (in_band) in_band_g = std::max(in_band_g, component.amplitude_g);
-    }
-    return in_band_g <= kLeakShare * strongest_g;
+    return only_leaks(live.waveform, live.neural, receptor);
 }
 
 double share_on(const LiveStages& live, Receptor receptor) {
@@ -124,12 +135,24 @@ std::size_t beyond_finger(const LiveStages& live, Receptor receptor) {
         }));
 }
 
+std::string short_remark(const LiveStages& live, Stage stage) {
+    std::string text;
+    if (stage != Stage::spikes && stage != Stage::receptors) return text;
+    for (const Receptor receptor : kReceptors) {
+        if (!only_leaks(live, receptor) || !fires_at_all(live, receptor)) continue;
+        text += std::string(text.empty() ? "" : "; ") + traits(receptor).name + ": filter leak";
+    }
+    const std::string many = stage == Stage::spikes ? many_a_cycle(live) : std::string();
+    if (many.empty()) return text;
+    return text + (text.empty() ? "" : "; ") + many + " a cycle";
+}
+
 std::string stage_remark(const LiveStages& live, Stage stage) {
     switch (stage) {
         case Stage::filtered:
             return leak_text(live, false);
         case Stage::spikes:
-            return leak_text(live, true);
+            return spike_text(live);
         case Stage::receptors: {
             const std::string beyond = beyond_text(live);
             return beyond.empty() ? leak_text(live, true) : beyond;

@@ -1,5 +1,5 @@
 // What misleads in a stage of one pattern, said where it is seen: what a filter leaks, a gate that
-// is nearly on or off, receptors beyond the finger.
+// is nearly on or off, receptors beyond the finger, more impulses than cycles.
 //
 // Input     one pattern's stages
 // Output    numbers of this pattern; a sentence, or nothing where there is nothing to say
@@ -12,10 +12,8 @@
 
 namespace tact {
 
-// What a filter lets through, and the strongest component in its band, are at most this share of
-// the vibration's: nothing of the type's band, but what the filter leaks, and how it rings where
-// the vibration begins and ends. [ours]
-inline constexpr double kLeakShare = 0.05;
+// More impulses a cycle than this are said: a fibre fires about one.
+inline constexpr double kManyACycle = 1.5;
 
 // The type follows nothing but what its filter leaks.
 bool only_leaks(const LiveStages& live, Receptor receptor);
@@ -28,6 +26,9 @@ double share_at_cap(const LiveStages& live, Receptor receptor);
 
 // Receptors of the grid that lie beyond the finger's edge.
 std::size_t beyond_finger(const LiveStages& live, Receptor receptor);
+
+// The same in a few words, for beside a small stage: who only leaks, who fires many a cycle.
+std::string short_remark(const LiveStages& live, Stage stage);
 
 // For the line under a stage's title; empty: nothing to say.
 std::string stage_remark(const LiveStages& live, Stage stage);

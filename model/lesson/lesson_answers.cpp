@@ -3,6 +3,7 @@
 
 #include "model/lesson/lesson_numbers.h"
 #include "model/lesson/lesson_pairs.h"
+#include "model/physiology/firing.h"
 #include "model/set/set_ratings.h"
 #include "model/study/ratings.h"
 
@@ -120,13 +121,17 @@ QuestionAnswer answer_of_place(const Lesson& lesson, const LessonStep& step,
 QuestionAnswer answer_of_receptors(const Lesson& lesson, const LessonStep& step,
                                    const LessonPairs& pairs) {
     QuestionAnswer answer;
+    const CodedPattern& coded = pairs.coded[place_named(lesson.set, step.pattern).value()];
     for (const Receptor receptor : kReceptors) answer.options.emplace_back(traits(receptor).name);
     for (const Receptor receptor : kReceptors) {
         const std::string word = std::string("spikes | ") + traits(receptor).name + " | ";
         const std::string count = value_of(word + step.pattern, lesson.set, pairs);
-        if (count != "0") answer.right.push_back(index_of(receptor));
+        if (is_felt(coded, receptor)) answer.right.push_back(index_of(receptor));
         answer.model += std::string(index_of(receptor) == 0 ? "Impulses under the probe: " : ", ") +
                         traits(receptor).name + " " + count;
+        if (count != "0" && coded.leaks[index_of(receptor)]) {
+            answer.model += " (of what its filter leaks, not counted)";
+        }
     }
     answer.model += ".";
     return answer;
@@ -156,8 +161,12 @@ LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop, bool with_p
     const std::vector<Waveform> waveforms = model_waveforms(lesson.set);
     for (const Waveform& waveform : waveforms) {
         if (stop.stop_requested()) return pairs;
-        pairs.coded.push_back({neural_coding_stages(waveform, lesson.set.model.coding,
-                                                    KeepLayers::none, {stop, {}})});
+        CodedPattern coded{
+            neural_coding_stages(waveform, lesson.set.model.coding, KeepLayers::none, {stop, {}})};
+        for (const Receptor receptor : kReceptors) {
+            coded.leaks[index_of(receptor)] = only_leaks(waveform, coded.stages, receptor);
+        }
+        pairs.coded.push_back(std::move(coded));
     }
     if (!with_pairs || !asks_for_pairs(lesson) || waveforms.size() < 2) return pairs;
     PredictOptions options;

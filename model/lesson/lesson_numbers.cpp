@@ -4,9 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
+#include "model/common/portable.h"
 #include "model/common/units.h"
 #include "model/lesson/lesson_pairs.h"
+#include "model/pattern/pattern_parameter.h"
+#include "model/physiology/firing.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -57,20 +61,29 @@ std::optional<Receptor> receptor_named(const std::string& name) {
     return std::nullopt;
 }
 
-std::string pattern_fault(const PatternSet& set, const std::string& name, bool parametric) {
-    const auto place = place_named(set, name);
-    if (!place) return "there is no pattern " + in_quotes(name) + " in the lesson's set";
-    if (parametric && !std::holds_alternative<Pattern>(set.vibrations[*place].source)) {
-        return in_quotes(name) + " is a recording, which has no carriers";
-    }
-    return {};
-}
-
 bool is_parametric(const std::string& word) {
     constexpr std::array<const char*, 7> kOfParameters{"frequency", "amplitude",    "modulation",
                                                        "duration",  "displacement", "threshold",
                                                        "per cycle"};
     return std::ranges::find(kOfParameters, word) != kOfParameters.end();
+}
+
+// Words that are said of a first carrier's one frequency.
+bool is_of_frequency(const std::string& word) {
+    return word == "frequency" || word == "displacement" || word == "threshold" ||
+           word == "per cycle";
+}
+
+std::string pattern_fault(const PatternSet& set, const std::string& name, const std::string& word) {
+    const auto place = place_named(set, name);
+    if (!place) return "there is no pattern " + in_quotes(name) + " in the lesson's set";
+    if (!is_parametric(word)) return {};
+    const auto* pattern = std::get_if<Pattern>(&set.vibrations[*place].source);
+    if (pattern == nullptr) return in_quotes(name) + " is a recording, which has no carriers";
+    if (is_of_frequency(word) && !value_of(*pattern, PatternParameter::carrier)) {
+        return "the frequency of " + in_quotes(name) + " is drawn, so it has no one number";
+    }
+    return {};
 }
 
 std::string list_of_words() {
@@ -86,15 +99,8 @@ const ChannelStages& channel_of(const CodedPattern& coded, Receptor receptor) {
 }
 
 int centre_spikes(const CodedPattern& coded, Receptor receptor) {
-    const ChannelStages& channel = channel_of(coded, receptor);
-    const auto& all = channel.grid.receptors;
-    const auto centre = std::ranges::min_element(all, {}, &GridReceptor::distance_mm);
-    const auto k = static_cast<std::size_t>(centre - all.begin());
-    int sum = 0;
-    if (k < channel.spike_count.size()) {
-        for (const int count : channel.spike_count[k]) sum += count;
-    }
-    return sum;
+    const std::span<const int> counts = spikes_under_probe(channel_of(coded, receptor));
+    return std::accumulate(counts.begin(), counts.end(), 0);
 }
 
 std::string share_text(const CodedPattern& coded, Receptor receptor, int least) {
@@ -108,7 +114,7 @@ std::string share_text(const CodedPattern& coded, Receptor receptor, int least) 
 std::string felt_text(const CodedPattern& coded) {
     std::vector<std::string> names;
     for (const Receptor receptor : kReceptors) {
-        if (centre_spikes(coded, receptor) > 0) names.emplace_back(traits(receptor).name);
+        if (is_felt(coded, receptor)) names.emplace_back(traits(receptor).name);
     }
     if (names.empty()) return "no type";
     std::string text = names[0];
@@ -120,7 +126,9 @@ std::string felt_text(const CodedPattern& coded) {
 
 double displacement_of(const Pattern& pattern) {
     const Carrier& first = pattern.carriers[0];
-    return displacement_um(pattern.amplitude_g * std::abs(first.weight), first.frequency_hz);
+    double most = pattern.amplitude_curve.empty() ? 1.0 : 0.0;
+    for (const AmplitudePoint& point : pattern.amplitude_curve) most = std::max(most, point.value);
+    return displacement_um(pattern.amplitude_g * most * std::abs(first.weight), first.frequency_hz);
 }
 
 std::string value_of_pattern(const std::string& word, const CodedPattern& coded,
@@ -137,7 +145,7 @@ std::string value_of_pattern(const std::string& word, const CodedPattern& coded,
 std::string threshold_text(const PatternSet& set, Receptor receptor, const Vibration& vibration) {
     const double frequency_hz = std::get<Pattern>(vibration.source).carriers[0].frequency_hz;
     const Curve& curve = set.model.coding.tables.threshold[index_of(receptor)];
-    return plain_digits(std::pow(10.0, at(curve, frequency_hz)), 2) + " \u00b5m";
+    return plain_digits(portable::pow(10.0, at(curve, frequency_hz)), 2) + " \u00b5m";
 }
 
 std::string value_of_type(const std::string& word, Receptor receptor, const CodedPattern& coded,
@@ -160,6 +168,10 @@ std::string value_of_type(const std::string& word, Receptor receptor, const Code
 }
 
 }  // namespace
+
+bool is_felt(const CodedPattern& coded, Receptor receptor) {
+    return !coded.leaks[index_of(receptor)] && centre_spikes(coded, receptor) > 0;
+}
 
 std::string plain_digits(double value, int count) {
     std::string text = significant_digits(value, count);
@@ -197,11 +209,11 @@ std::string placeholder_fault(const std::string& placeholder, const PatternSet& 
         return "expected Meissner, Pacinian, Merkel or Ruffini, got " + in_quotes(parts[1]);
     }
     if (word->arguments == Arguments::pair) {
-        const std::string fault = pattern_fault(set, parts[1], false);
+        const std::string fault = pattern_fault(set, parts[1], parts[0]);
         if (!fault.empty()) return fault;
         if (parts[1] == parts[2]) return "expected two patterns that differ";
     }
-    return pattern_fault(set, parts.back(), is_parametric(parts[0]));
+    return pattern_fault(set, parts.back(), parts[0]);
 }
 
 std::string filled(std::string_view text, const LessonNumbers& numbers) {

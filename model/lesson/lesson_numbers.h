@@ -1,9 +1,11 @@
 // The numbers in a lesson's texts, made by the model: "{spikes | Pacinian | plain}" becomes "100".
 //
 //     {frequency | A}  {amplitude | A}  {modulation | A}  {duration | A}    what A was made with
-//     {displacement | A}           of the skin, peak, at A's first carrier
+//     {displacement | A}           of the skin, peak, at A's first carrier; of a drawn amplitude,
+//                                  where it is largest
 //     {threshold | TYPE | A}       the least displacement that the type notices, there
-//     {felt | A}                   the types that fire: "Meissner and Pacinian"
+//     {felt | A}                   the types that fire, by more than what their filters leak:
+//                                  "Meissner and Pacinian"
 //     {spikes | TYPE | A}          impulses of the receptor under the probe, in all of A
 //     {per cycle | TYPE | A}       the same, for each cycle of A's first carrier
 //     {rate | TYPE | A}            its mean rate by Eq. 2
@@ -12,6 +14,9 @@
 //                                  sends anything; as much as it can
 //     {nc | A | B}  {oc | A | B}  {pm | A | B}  {pm rank | A | B}   how far two are apart; the rank
 //                                  of the pair, from the closest
+//
+// A frequency that is drawn is no one number: {frequency}, {displacement}, {threshold} and {per
+// cycle} are refused of it.
 //
 // Source    the rooms of the model that are named with each
 // Input     names of patterns and of receptor types as the program shows them; spaces around | are

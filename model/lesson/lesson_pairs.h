@@ -17,7 +17,11 @@ std::string plain_digits(double value, int count);
 
 struct CodedPattern {
     NeuralCodingStages stages;  // without layers
+    PerReceptor<bool> leaks{};  // the type follows nothing but what its filter leaks
 };
+
+// Whether the receptor under the probe fires, by more than what its filter leaks.
+bool is_felt(const CodedPattern& coded, Receptor receptor);
 
 struct LessonPairs {
     std::vector<CodedPattern> coded;       // of each pattern; empty where no text asks for any

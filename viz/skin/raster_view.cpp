@@ -233,6 +233,11 @@ RasterAction draw_raster(const char* id, const Theme& theme, const Rect& area,
     for (std::size_t i = 0; i < scene.channels.size(); ++i) {
         all.push_back(totals(scene.channels[i]));
         draw_channel(list, theme, layout, scene.channels[i], layout.bands[i], all.back());
+        const RasterBand& band = layout.bands[i];
+        if (scene.channels[i].pale && band.fires) {
+            list.AddRectFilled(band.rows.min, {band.rows.max.x, band.rate.max.y},
+                               faded(theme.pane, 0.65F));
+        }
     }
     const std::optional<RasterSpot> pointed = action.hovered ? action.hovered : scene.pointed;
     if (pointed && pointed != scene.selected) {

@@ -22,6 +22,7 @@ struct RasterChannel {
     Receptor receptor = Receptor::meissner;
     std::span<const std::vector<int>> spike_count{};  // receptor (as in the grid), 5 ms step
     std::span<const std::size_t> order{};  // receptors from the top row down; empty: as they come
+    bool pale = false;                     // what fires here says nothing of the skin
 };
 
 struct RasterSpot {

@@ -12,6 +12,7 @@
 #include "model/lesson/lesson_numbers.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/perceptual_model/rhythm_envelope.h"
+#include "model/physiology/firing.h"
 #include "model/physiology/neural_coding.h"
 #include "model/text/numbers.h"
 
@@ -126,7 +127,10 @@ std::string of_pattern(const Recomputed& model, const std::vector<std::string>& 
     REQUIRE(words[0] == "felt");
     std::vector<std::string> felt;
     for (const char* type : {"Meissner", "Pacinian", "Merkel", "Ruffini"}) {
-        if (model.spikes(type_of(type), name) > 0) felt.emplace_back(type);
+        const std::size_t place = model.place(name);
+        const bool leaks =
+            only_leaks(model.waveforms[place], model.stages[place], kReceptors[type_of(type)]);
+        if (!leaks && model.spikes(type_of(type), name) > 0) felt.emplace_back(type);
     }
     REQUIRE_FALSE(felt.empty());
     std::string text = felt[0];
@@ -360,6 +364,75 @@ TEST_CASE("lessons: a placeholder that cannot be evaluated is told, with what is
     CHECK(placeholder_fault("frequency | " + name, set).empty());
     CHECK(filled("a {b} c {d", {{"b", "2"}}) == "a 2 c {d");
     CHECK(filled("a {x}", {}) == "a \u2026");
+}
+
+TEST_CASE("lessons: a frequency that is drawn has no one number, and what needs one is refused") {
+    PatternSet set;
+    set.vibrations.resize(2);
+    set.vibrations[0].name = "sweep";
+    set.vibrations[1].name = "tone";
+    Pattern sweep;
+    sweep.frequency_curve = {{0.0, 20.0}, {1.0, 60.0}};
+    set.vibrations[0].source = sweep;
+    set.vibrations[1].source = Pattern{};
+    for (const std::string word : {"frequency | ", "displacement | ", "threshold | Pacinian | ",
+                                   "per cycle | Pacinian | "}) {
+        CHECK(placeholder_fault(word + "sweep", set).find("drawn") != std::string::npos);
+        CHECK(placeholder_fault(word + "tone", set).empty());
+    }
+    CHECK(placeholder_fault("amplitude | sweep", set).empty());
+    CHECK(placeholder_fault("felt | sweep", set).empty());
+}
+
+TEST_CASE("lessons: in a set of twelve, nine places can be chosen, and the nearest is among them") {
+    Lesson lesson;
+    for (int k = 0; k < 12; ++k) {
+        Pattern pattern;
+        pattern.duration_s = 0.1;
+        pattern.amplitude_g = 0.2 + 0.15 * ((5 * k) % 12);
+        pattern.carriers[0].frequency_hz = 40.0 + 20.0 * ((7 * k) % 12);
+        Vibration vibration;
+        vibration.name = "p" + std::to_string(k);
+        vibration.source = pattern;
+        lesson.set.vibrations.push_back(vibration);
+    }
+    lesson.steps.resize(1);
+    lesson.steps[0].pattern = "p11";
+    lesson.steps[0].question.emplace();
+    lesson.steps[0].question->kind = QuestionKind::place;
+    lesson.steps[0].question->ask = "Where?";
+    const LessonAnswers answers = lesson_answers(lesson);
+    REQUIRE(answers.questions.size() == 1);
+    const QuestionAnswer& answer = answers.questions[0];
+    CHECK(answer.options.size() == 9);
+    REQUIRE(answer.right.size() >= 1);
+    const auto prediction = predict(model_waveforms(lesson.set), lesson.set.model);
+    for (std::size_t k = 0; k < 11; ++k) {
+        const std::size_t right = place_named(lesson.set, answer.options[answer.right[0]]).value();
+        CHECK(prediction->pm(11, right) <= prediction->pm(11, k));
+    }
+}
+
+TEST_CASE("lessons: a type that follows only what its filter leaks does not count as firing") {
+    Lesson lesson;
+    Pattern tone;
+    tone.amplitude_g = 0.8;
+    tone.carriers[0].frequency_hz = 70.0;
+    Vibration vibration;
+    vibration.name = "tone";
+    vibration.source = tone;
+    lesson.set.vibrations.push_back(vibration);
+    lesson.steps.resize(1);
+    lesson.steps[0].pattern = "tone";
+    lesson.steps[0].text = "{felt | tone} {spikes | Merkel | tone}";
+    lesson.steps[0].question.emplace();
+    lesson.steps[0].question->kind = QuestionKind::receptors;
+    lesson.steps[0].question->ask = "Who?";
+    const LessonAnswers answers = lesson_answers(lesson);
+    CHECK(answers.numbers.at("spikes | Merkel | tone") != "0");
+    CHECK(answers.numbers.at("felt | tone").find("Merkel") == std::string::npos);
+    CHECK(std::ranges::count(answers.questions[0].right, index_of(Receptor::merkel)) == 0);
+    CHECK(answers.questions[0].model.find("leaks") != std::string::npos);
 }
 
 }  // namespace lesson_numbers_test

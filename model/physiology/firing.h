@@ -1,0 +1,31 @@
+// What of a type's firing is the model's doing and not the skin's.
+//
+// Source    ours; that a fibre fires about once a cycle: Talbot, Darian-Smith, Kornhuber &
+//           Mountcastle 1968
+// Input     a vibration and its stages
+// Left out  bursts of less than four cycles; of a sweep, cycles are those of its fastest strong
+// part
+#pragma once
+
+#include <span>
+
+#include "model/physiology/neural_coding.h"
+
+namespace tact {
+
+// What a filter lets through, and the strongest component in its band, are at most this share of
+// the vibration's: nothing of the type's band, but what the filter leaks, and how it rings where
+// the vibration begins and ends. [ours]
+inline constexpr double kLeakShare = 0.05;
+
+// The type follows nothing but what its filter leaks.
+bool only_leaks(const Waveform& waveform, const NeuralCodingStages& stages, Receptor receptor);
+
+// Impulses of the receptor under the probe, in each 5 ms step; empty where there is none.
+std::span<const int> spikes_under_probe(const ChannelStages& channel);
+
+// How many impulses the receptor under the probe fires in a cycle of the fastest strong component
+// of its band, where it fires most: over 100 ms, or four cycles. 0 where it does not fire.
+double impulses_a_cycle(const NeuralCodingStages& stages, Receptor receptor);
+
+}  // namespace tact
