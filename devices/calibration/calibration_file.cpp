@@ -15,7 +15,7 @@ constexpr Range kShare{0.0, 1.0};
 constexpr Range kFactor{0.0, 1e3};
 constexpr std::size_t kMostPoints = 10'000;
 
-ResponsePoint point_of(JsonObject object) {
+ResponsePoint point_of(JsonObject& object) {
     ResponsePoint point;
     for (const char* needed : {"frequency_hz", "g_per_full_scale"}) {
         if (field(object, needed) == nullptr) {
@@ -31,20 +31,18 @@ ResponsePoint point_of(JsonObject object) {
     return point;
 }
 
-std::vector<ResponsePoint> points_of(JsonObject& object) {
+std::vector<ResponsePoint> points_of(JsonObject& object, Json& unknown) {
     JsonReading& reading = *object.reading;
     std::vector<ResponsePoint> points;
     const std::string place = place_of(object, "points");
-    const auto elements = array_field(object, "points", 1, kMostPoints);
-    if (elements.empty()) refuse(reading, place, "the measured points", nullptr);
-    for (const Json* element : elements) {
-        const std::string at = place + "/" + std::to_string(points.size());
-        points.push_back(point_of(object_at(reading, *element, at)));
+    read_objects(object, "points", 1, kMostPoints, unknown, [&](JsonObject& one, Json&) {
+        points.push_back(point_of(one));
         const std::size_t last = points.size() - 1;
-        if (last == 0 || points[last].frequency_hz > points[last - 1].frequency_hz) continue;
-        refuse(reading, at + "/frequency_hz", "a higher frequency than the point before",
+        if (last == 0 || points[last].frequency_hz > points[last - 1].frequency_hz) return;
+        refuse(reading, one.place + "/frequency_hz", "a higher frequency than the point before",
                points[last].frequency_hz);
-    }
+    });
+    if (points.empty()) refuse(reading, place, "the measured points", nullptr);
     return points;
 }
 
@@ -70,9 +68,10 @@ Expected<Calibration> parse_calibration(std::string_view text, const std::string
     calibration.load_mass_g = number_field(object, "load_mass_g", 0.0, {0.0, 1e5});
     calibration.excursion_limit_mm = number_field(object, "excursion_limit_mm", 0.0, {0.0, 100.0});
     calibration.rms_limit = number_field(object, "rms_limit", 0.0, kShare);
-    calibration.points = points_of(object);
+    Json unknown = Json::object();
+    calibration.points = points_of(object, unknown);
     if (!reading.fault.empty()) return Error{reading.fault};
-    const Json unknown = unknown_fields(object);
+    unknown.update(unknown_fields(object));
     if (!unknown.empty()) calibration.unknown_json = unknown.dump();
     return calibration;
 }

@@ -6,7 +6,7 @@
 //
 // Output    what std:: gives, the special cases too; within 0.505 units in the last place, so that
 // all
-//           but one result in two thousand are the nearest double; erfc within 10 units
+//           but one result in two thousand are the nearest double; erfc within 12 units
 // Valid     sin, cos, tan: angles up to 2^48, beyond which a double has few digits of a turn left;
 //           sqrt: numbers of 1e-300 to 1e300
 // Left out  errno, floating-point flags, rounding modes but to nearest.

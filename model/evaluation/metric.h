@@ -1,7 +1,7 @@
 // Every way of saying how far apart two vibrations are, by name: PM, its parts, the paper's rivals,
 // and reference metrics of ours that a good model has to beat.
 //
-// Source    Lim & Park 2023, sections 2.3 and 6, and what each file of model/baseline names.
+// Source    Lim & Park 2023, sections 2.3 and 6, and what each file of model/metrics names.
 // Left out  VibroMAF (Noll et al. 2022), which is no distance: a regression trained on the
 //           distortions of codecs alone, it rates 0..10 how well a vibration is kept, and between
 //           vibrations that differ it gives numbers such as -14. Two of its features are here,

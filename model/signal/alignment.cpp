@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "model/common/portable.h"
 #include "model/signal/spectrum.h"
 
 namespace tact {
@@ -71,7 +72,7 @@ double gain_db_of(const Samples& a, const Samples& b) {
         energy += b[n] * b[n];
     }
     const double factor = energy > 0.0 ? std::abs(product) / energy : 0.0;
-    return factor > 0.0 ? 20.0 * std::log10(factor) : 0.0;
+    return factor > 0.0 ? 20.0 * portable::log10(factor) : 0.0;
 }
 
 std::string silence_text(std::size_t samples, double rate_hz, const char* where) {

@@ -57,7 +57,7 @@ struct Shift {
 struct OrderEffects {
     // The pattern that is earlier in the set felt first, less felt second; on the left, less on the
     // right. p: how often drawn orders make the pairs' own shifts as large: the sum over pairs of
-    // the squared mean shift.
+    // the squared mean shift, each by how many people have it.
     Shift felt_first;  // only of trials of which it is known
     Shift side;
     // Last pass less first. p: how often the mean over people is as far from zero when the sign of

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "model/common/portable.h"
 #include "model/common/units.h"
 #include "model/text/numbers.h"
 
@@ -117,7 +118,7 @@ Expected<Meaning> level_meant(std::string_view text, const Parts& parts, const N
         return Error{quoted(text) + " changes a strength: this is a number of " +
                      std::string(rules.unit)};
     }
-    if (parts.has_sign) return Meaning{0.0, std::pow(10.0, parts.number / 20.0)};
+    if (parts.has_sign) return Meaning{0.0, portable::pow(10.0, parts.number / 20.0)};
     return Error{quoted(text) + " is neither more nor less: type +3dB or -3dB"};
 }
 
