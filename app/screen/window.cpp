@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 
+#include "app/screen/display_loss.h"
 #include "app/screen/escape_watch.h"
 #include "app/screen/full_screen.h"
 #include "app/screen/kept_frame.h"
@@ -284,10 +285,12 @@ Expected<Done> run_window(const WindowOptions& options, const WindowClient& clie
     make_cursors(window);
     show_icon(window.glfw);
     const EscapeWatch escape_watch(window.glfw, client.escape);
+    end_with_display(client.display_gone);
 
     ImGuiContext* context = ImGui::CreateContext();
     connect_imgui(window);
     run_loop(window);
+    end_with_display(nullptr);
     close_side(window.side, *window.glfw);
     destroy(window.kept);
     ImGui_ImplOpenGL3_Shutdown();

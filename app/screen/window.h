@@ -71,6 +71,8 @@ struct WindowClient {
     // As soon as Esc goes down, on another thread where the screen is X11's
     // (app/screen/escape_watch.h) and between two frames; perhaps both. Its own frame follows.
     std::function<void()> escape;
+    // The screen is gone, and the program ends as soon as this returns; on the thread that draws.
+    std::function<void()> display_gone;
     // The user wants to close the window: may it? Without this, yes.
     std::function<bool()> close;
     // Fills the empty atlas of ImGui::GetIO(); also the place to set the style. Called before the

@@ -108,6 +108,10 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
         return draw_window_frame(app, stop, context);
     };
     client.escape = [&stop] { stop.stop(); };
+    client.display_gone = [&app, &stop] {
+        stop.stop();
+        keep_before_end(app);
+    };
     client.drop = [&app](const std::vector<std::filesystem::path>& paths) {
         drop_paths(app, paths);
     };

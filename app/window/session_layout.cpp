@@ -175,6 +175,12 @@ void restore_layout(App& app) {
     app.ui.motion = value("motion", 0.0, 1.0, 1.0) > 0.5;
 }
 
+void keep_before_end(App& app) {
+    if (app.lesson.aside) return;  // it was kept when the lesson took its place
+    wait_for_autosave(app.work);
+    (void)autosave(app.work.session, app.work.document.kept());
+}
+
 bool may_close(App& app) {
     if (is_study_running(app.studying)) leave_study(app);
     end_lesson(app);

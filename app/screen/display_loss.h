@@ -1,0 +1,18 @@
+// The X server is gone: what is to be kept is kept, one sentence is said, the program ends with 1.
+//
+// Xlib ends the program by itself, with whichever thread found out; destructors that then run
+// beside the other thread crash it. The program's own thread, which is inside Xlib and so changes
+// nothing, does the keeping; any other waits for it.
+//
+// Left out  Wayland, where GLFW is told and ends the loop.
+#pragma once
+
+#include <functional>
+
+namespace tact {
+
+// From now on; to be called by the thread that draws. `keep` is called once, by it. An empty one:
+// nothing is to be kept any more.
+void end_with_display(std::function<void()> keep);
+
+}  // namespace tact
