@@ -28,7 +28,7 @@ struct MapMaybes {
 struct MapMarks {
     std::vector<std::size_t> chosen{};        // a subset: others step back
     std::vector<SpaceLink> links{};           // pairs that are too close
-    std::vector<Eigen::Matrix3d> spread{};    // how sure each place is
+    std::vector<Eigen::Matrix3Xd> spread{};   // where each place might be as well
     std::optional<Eigen::MatrixXd> people{};  // the map of the ratings, laid over this one
     std::string people_text{};                // whose it is
     std::optional<std::size_t> hidden{};      // is not to be seen yet

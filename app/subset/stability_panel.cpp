@@ -125,7 +125,7 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
     const std::string text = "The same subset in " + percent(stability->share_same) +
                              " of the draws, the same weakest pair in " +
                              percent(stability->share_weakest) +
-                             ". In the map, half of the draws lie within each ellipse.";
+                             ". In the map, each ellipse holds half of the draws of its point.";
     ImGui::PushFont(ui.theme.fonts.small);
     reading_text(ui.theme.dim_text, text);
     if (is_pick_stale(work, shown_map, picking)) {

@@ -23,7 +23,7 @@ MapMarks subset_marks(const Layout& layout, const ShownMap& shown_map, SubsetSta
     const Stability* stability = shown_stability(picking);
     if (picking.view == SubsetView::stability && stability &&
         picking.pick->request.map == shown_map.transition.shown) {
-        marks.spread.assign(stability->spread.begin(), stability->spread.end());
+        marks.spread = stability->moves;
     }
     return marks;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "model/common/random.h"
 #include "model/map/mds.h"
@@ -15,23 +16,37 @@ namespace {
 
 constexpr std::size_t kCoarse = 10;  // envelopes at 1 kHz: OC's order hardly changes
 
-bool toss(RandomStream& random) { return next_even(random) < 0.0; }
+constexpr int kOrderReach = 2;  // of filters, either way
+
+template <class Choice>
+void turn(RandomStream& random, double share, Choice one, Choice other, Choice& value) {
+    if (0.5 * (next_even(random) + 1.0) < share) value = value == one ? other : one;
+}
 
 double near(RandomStream& random, double value, double reach) {
     return std::max(0.0, value + reach * next_even(random));
 }
 
-void toss_choices(RandomStream& random, PerceptualModelParams& params) {
+int near(RandomStream& random, int order, int reach) {
+    const auto steps = static_cast<std::size_t>(2 * reach + 1);
+    const int moved = order - reach + static_cast<int>(next_index(random, steps));
+    return std::clamp(moved, static_cast<int>(limits::kFilterOrder.low),
+                      static_cast<int>(limits::kFilterOrder.high));
+}
+
+void turn_choices(RandomStream& random, double share, PerceptualModelParams& params) {
     NeuralCodingParams& coding = params.coding;
-    coding.components = toss(random) ? Components::all : Components::peaks;
-    coding.subthreshold = toss(random) ? Subthreshold::ignored : Subthreshold::subtracted;
-    coding.split = toss(random) ? WindowSplit::halves : WindowSplit::first;
-    coding.share = toss(random) ? FireSharing::total : FireSharing::own;
-    coding.band_pass_order_per_edge = 4 + static_cast<int>(next_index(random, 3));
-    coding.low_pass_order = 8 + static_cast<int>(next_index(random, 5));
+    turn(random, share, Components::all, Components::peaks, coding.components);
+    turn(random, share, Subthreshold::ignored, Subthreshold::subtracted, coding.subthreshold);
+    turn(random, share, WindowSplit::halves, WindowSplit::first, coding.split);
+    turn(random, share, FireSharing::total, FireSharing::own, coding.share);
+    turn(random, share, EnvelopeAlignment::causal, EnvelopeAlignment::centred,
+         params.envelope.alignment);
+    // A bandpass has its order at either edge: half the reach.
+    coding.band_pass_order_per_edge =
+        near(random, coding.band_pass_order_per_edge, kOrderReach / 2);
+    coding.low_pass_order = near(random, coding.low_pass_order, kOrderReach);
     coding.inhibitory.centre = near(random, coding.inhibitory.centre, 1.0);
-    params.envelope.alignment =
-        toss(random) ? EnvelopeAlignment::causal : EnvelopeAlignment::centred;
 }
 
 // Envelopes are the dearest part, and few draws differ in them: one prediction of each kind is kept
@@ -61,49 +76,37 @@ class Predictions {
     std::array<std::optional<Prediction>, 2> last_;
 };
 
-// Sums of points that are turned to a map.
+// Where maps put their points beside where the first one has them, to which they are turned. The
+// first draw is the model itself: its map, of coarse envelopes as theirs, is what they differ from.
 class Cloud {
   public:
-    explicit Cloud(const Eigen::MatrixXd& points)
+    Cloud(const Eigen::MatrixXd& points, std::size_t draws)
         : points_(points),
-          sum_(Eigen::MatrixXd::Zero(points.rows(), points.cols())),
-          products_(static_cast<std::size_t>(points.rows()), Eigen::Matrix3d::Zero()) {}
+          moves_(static_cast<std::size_t>(points.rows()),
+                 Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(draws))) {}
 
     void add(const Eigen::MatrixXd& map) {
-        const Eigen::MatrixXd away = procrustes(map, points_).aligned - points_;
-        sum_ += away;
-        ++count_;
+        if (count_ == 0) first_ = procrustes(map, points_).aligned;
+        const Eigen::MatrixXd away = procrustes(map, first_).aligned - first_;
+        const Eigen::Index axes = std::min<Eigen::Index>(away.cols(), 3);
         for (Eigen::Index i = 0; i < away.rows(); ++i) {
-            const Eigen::Vector3d d = in_space(away, i);
-            products_[static_cast<std::size_t>(i)] += d * d.transpose();
+            moves_[static_cast<std::size_t>(i)].col(count_).head(axes) =
+                away.row(i).head(axes).transpose();
         }
+        ++count_;
     }
 
-    std::vector<Eigen::Matrix3d> covariance() const {
-        std::vector<Eigen::Matrix3d> result = products_;
-        if (count_ < 2) return std::vector<Eigen::Matrix3d>(result.size(), Eigen::Matrix3d::Zero());
-        const auto count = static_cast<double>(count_);
-        for (Eigen::Index i = 0; i < sum_.rows(); ++i) {
-            const Eigen::Vector3d mean = in_space(sum_, i) / count;
-            Eigen::Matrix3d& c = result[static_cast<std::size_t>(i)];
-            c = (c - count * mean * mean.transpose()) / (count - 1.0);
-        }
-        return result;
+    // Draws without a map have none.
+    std::vector<Eigen::Matrix3Xd> moves() && {
+        for (Eigen::Matrix3Xd& one : moves_) one.conservativeResize(3, count_);
+        return std::move(moves_);
     }
 
   private:
-    static Eigen::Vector3d in_space(const Eigen::MatrixXd& points, Eigen::Index i) {
-        Eigen::Vector3d p = Eigen::Vector3d::Zero();
-        for (Eigen::Index k = 0; k < std::min<Eigen::Index>(points.cols(), 3); ++k) {
-            p(k) = points(i, k);
-        }
-        return p;
-    }
-
     const Eigen::MatrixXd& points_;
-    Eigen::MatrixXd sum_;
-    std::vector<Eigen::Matrix3d> products_;
-    std::size_t count_ = 0;
+    Eigen::MatrixXd first_;
+    std::vector<Eigen::Matrix3Xd> moves_;
+    Eigen::Index count_ = 0;
 };
 
 // From the set's own map: another start would find another map of the same matrix.
@@ -121,8 +124,9 @@ PerceptualSpace near_map(const Dissimilarity& pm, const Eigen::MatrixXd& points,
 
 PerceptualModelParams drawn_params(const PerceptualModelParams& params,
                                    const StabilityParams& stability, std::size_t draw) {
-    RandomStream random{random_bits(stability.seed, draw)};
     PerceptualModelParams drawn = params;
+    if (draw == 0) return drawn;
+    RandomStream random{random_bits(stability.seed, draw)};
     for (Curve& threshold : drawn.coding.tables.threshold) {
         const double decades = stability.threshold_db / 20.0 * next_even(random);
         for (double& value : threshold.value) value += decades;
@@ -131,7 +135,7 @@ PerceptualModelParams drawn_params(const PerceptualModelParams& params,
         weight = near(random, weight, stability.weight_step);
     drawn.nc_weight = near(random, params.nc_weight, stability.weight_step);
     drawn.oc_weight = near(random, params.oc_weight, stability.weight_step);
-    if (stability.toss_choices) toss_choices(random, drawn);
+    if (stability.turned_share > 0.0) turn_choices(random, stability.turned_share, drawn);
     return drawn;
 }
 
@@ -151,7 +155,7 @@ std::optional<Stability> subset_stability(const PatternSet& set, const SubsetPro
                                           const StabilityParams& params) {
     const std::size_t n = set.vibrations.size();
     Predictions predictions(set, params);
-    Cloud cloud(points);
+    Cloud cloud(points, params.draws);
     std::vector<std::size_t> picked(n, 0);
     std::size_t same = 0;
     std::size_t weakest = 0;
@@ -174,7 +178,7 @@ std::optional<Stability> subset_stability(const PatternSet& set, const SubsetPro
         }
     }
     const double draws = std::max(1.0, static_cast<double>(params.draws));
-    Stability result{params.draws, subset, {}, 0.0, 0.0, cloud.covariance()};
+    Stability result{params.draws, subset, {}, 0.0, 0.0, std::move(cloud).moves()};
     for (const std::size_t count : picked) {
         result.share_picked.push_back(static_cast<double>(count) / draws);
     }

@@ -1,10 +1,11 @@
 // How sure a subset and a map are, when what is uncertain in the model is drawn at random.
 //
 // Source    ours: thresholds of each receptor type even within 6 dB either way, as between people
-//           and probes; each choice of ours that is one of two tossed; orders, kernels and weights
-//           near their values
+//           and probes; each choice that is one of two taken the other way in one draw of four;
+//           orders, kernels and weights near their values. All lie about the model in use, which is
+//           the first draw itself.
 // Input     the set, and its map, to which each draw's map is turned
-// Output    the share of draws in which each member stays, and the covariance of each point
+// Output    the share of draws in which each member stays, and where each draw puts each point
 // Left out  slopes of the firing rates, densities; whether some choices are likelier than others.
 // Exact     same seed, same numbers, on any number of threads.
 #pragma once
@@ -25,16 +26,16 @@ namespace tact {
 struct StabilityParams {
     std::size_t draws = 100;
     std::uint64_t seed = 1;
-    double threshold_db = 6.0;  // either way, of each type by itself
-    double weight_step = 0.1;   // either way, of each weight: a step of the training's grid
-    bool toss_choices = true;   // those marked [ours]
-    double time_limit_s = 5.0;  // for the subset of each draw
-    int threads = 0;            // 0: all cores
+    double threshold_db = 6.0;   // either way, of each type by itself
+    double weight_step = 0.1;    // either way, of each weight: a step of the training's grid
+    double turned_share = 0.25;  // of draws in which a choice is not the model's; 0: none is
+    double time_limit_s = 5.0;   // for the subset of each draw
+    int threads = 0;             // 0: all cores
     std::stop_token stop{};
     std::function<void(double)> progress{};  // 0..1
 };
 
-// The model of one draw.
+// The model of one draw; of the first, `params`.
 PerceptualModelParams drawn_params(const PerceptualModelParams& params,
                                    const StabilityParams& stability, std::size_t draw);
 
@@ -44,7 +45,7 @@ struct Stability {
     std::vector<double> share_picked;     // of each pattern of the set, in 0..1
     double share_same = 0.0;              // of draws with this very subset
     double share_weakest = 0.0;           // of draws in which its weakest pair stays its weakest
-    std::vector<Eigen::Matrix3d> spread;  // covariance of each point about its mean
+    std::vector<Eigen::Matrix3Xd> moves;  // of each point, a column a draw, from where it is
 };
 
 // Members, and who else was picked in some draw; the oftenest first.

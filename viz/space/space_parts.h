@@ -20,6 +20,11 @@ std::optional<int> axis_at(const SpaceStage& stage, const SpaceCamera& camera, I
 void draw_paths(const SpaceStage& stage);
 void draw_links(const SpaceStage& stage);
 void draw_spread(const SpaceStage& stage);
+
+// The ellipse round a point that holds half of its moves, of any distribution and centre: it is
+// where this matrix takes the unit circle. Its shape is that of their second moments about the
+// point. None of no moves.
+std::optional<Eigen::Matrix2d> half_ellipse(const Eigen::Matrix2Xd& moves);
 void draw_ghosts(const SpaceStage& stage);
 void draw_points(const SpaceStage& stage, std::optional<std::size_t> hovered);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,9 +15,9 @@ namespace {
 
 constexpr double kLeastContrast = 3.0;  // of graphics, WCAG 2.1
 
-// The part of a covariance that is seen: J C J', J the change of the place on the screen along each
-// axis of the map.
-Eigen::Matrix2d seen_covariance(const SpaceStage& stage, std::size_t i) {
+// The moves as they are seen: J is the change of the place on the screen along each axis of the
+// map.
+Eigen::Matrix2Xd seen_moves(const SpaceStage& stage, std::size_t i) {
     const Eigen::Vector3d p = point_of(*stage.scene.points, static_cast<Eigen::Index>(i));
     const double step = 1e-3 * stage.fit.radius;
     Eigen::Matrix<double, 2, 3> change;
@@ -25,7 +26,7 @@ Eigen::Matrix2d seen_covariance(const SpaceStage& stage, std::size_t i) {
         const ImVec2 way = stage.seen(moved).at - stage.projected[i].at;
         change.col(axis) = Eigen::Vector2d(way.x, way.y) / step;
     }
-    return change * stage.scene.spread[i] * change.transpose();
+    return change * stage.scene.spread[i];
 }
 
 // A head at the rim of a disc that an arrow of this length ends at; too short a way has none.
@@ -71,26 +72,38 @@ void draw_links(const SpaceStage& stage) {
     }
 }
 
-// Around where each point might be as well: half of a normal distribution in two dimensions lies
-// within sqrt(2 ln 2) standard deviations.
+std::optional<Eigen::Matrix2d> half_ellipse(const Eigen::Matrix2Xd& moves) {
+    if (moves.cols() == 0) return std::nullopt;
+    constexpr double kLeast = 1e-9;  // of a point that stays where it is, or moves along a line
+    const Eigen::Matrix2d second = moves * moves.transpose() / static_cast<double>(moves.cols());
+    // Its Cholesky root.
+    const double x = std::sqrt(second(0, 0) + kLeast);
+    const double y = second(1, 0) / x;
+    const double rest = second(1, 1) + kLeast - y * y;
+    if (!(rest > 0.0)) return std::nullopt;
+    const Eigen::Matrix2d root{{x, 0.0}, {y, std::sqrt(rest)}};
+    const Eigen::Matrix2Xd white = root.triangularView<Eigen::Lower>().solve(moves);
+    std::vector<double> reach(static_cast<std::size_t>(moves.cols()));
+    for (std::size_t k = 0; k < reach.size(); ++k) {
+        reach[k] = white.col(static_cast<Eigen::Index>(k)).norm();
+    }
+    const auto middle = reach.begin() + static_cast<std::ptrdiff_t>((reach.size() - 1) / 2);
+    std::ranges::nth_element(reach, middle);
+    return *middle * root;
+}
+
+// Around where half of the draws put each point, as seen from here.
 void draw_spread(const SpaceStage& stage) {
     if (stage.scene.spread.size() != stage.discs.size()) return;
-    constexpr double kHalf = 1.17741;
-    constexpr double kLeast = 1e-9;  // px2: of a point that stays where it is
     constexpr int kCorners = 32;
     const std::size_t shown = std::min(stage.front_to_back.size(), kMostSpreads);
     for (const std::size_t i : std::span(stage.front_to_back).first(shown)) {
-        const Eigen::Matrix2d covariance = seen_covariance(stage, i);
-        // Its Cholesky root; a spread that is a line has a corner of nearly 0.
-        const double x = std::sqrt(covariance(0, 0) + kLeast);
-        const double y = covariance(1, 0) / x;
-        const double rest = covariance(1, 1) + kLeast - y * y;
-        if (!(rest > 0.0)) continue;
-        const Eigen::Matrix2d half{{kHalf * x, 0.0}, {kHalf * y, kHalf * std::sqrt(rest)}};
+        const std::optional<Eigen::Matrix2d> half = half_ellipse(seen_moves(stage, i));
+        if (!half) continue;
         std::array<ImVec2, kCorners> corners;
         for (int k = 0; k < kCorners; ++k) {
             const double angle = 2.0 * std::acos(-1.0) * k / kCorners;
-            const Eigen::Vector2d at = half * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+            const Eigen::Vector2d at = *half * Eigen::Vector2d(std::cos(angle), std::sin(angle));
             corners[static_cast<std::size_t>(k)] =
                 stage.discs[i].centre +
                 ImVec2{static_cast<float>(at.x()), static_cast<float>(at.y())};

@@ -53,7 +53,8 @@ struct SpaceScene {
     std::span<const std::size_t> chosen{};              // a subset, ringed; others step back
     std::span<const std::size_t> faint{};               // filtered out: they step back farther
     std::span<const SpaceLink> links{};                 // pairs that are too close
-    std::span<const Eigen::Matrix3d> spread{};          // covariance of each point, or empty
+    // Where each point might be as well, a column a draw, from the point; or empty.
+    std::span<const Eigen::Matrix3Xd> spread{};
     std::optional<std::size_t> selected{};
     std::span<const std::size_t> selected_too{};                      // beside it
     std::optional<std::size_t> pointed{};                             // pointed at elsewhere

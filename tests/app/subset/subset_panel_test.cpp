@@ -299,7 +299,7 @@ TEST_CASE("subset panel: models are drawn on request, and the map has an ellipse
     bench.wait([&] { return shown_stability(bench.app.picking) != nullptr; });
     const Stability& stability = *shown_stability(bench.app.picking);
     CHECK(stability.draws == 4);
-    CHECK(stability.spread.size() == 9);
+    CHECK(stability.moves.size() == 9);
     CHECK(bench.program.shows("subset:stability"));
     CHECK(bench.program.shows("stability:" + bench.app.work.document.set.vibrations[0].name) ==
           (stability.share_picked[0] > 0.0 ||

@@ -246,7 +246,7 @@ TEST_CASE("stability: draws without any uncertainty all pick the same, and no po
     params.draws = 3;
     params.threshold_db = 0.0;
     params.weight_step = 0.0;
-    params.toss_choices = false;
+    params.turned_share = 0.0;
     CHECK(drawn_params(set.model, params, 2) == set.model);
     const auto certain = subset_stability(set, problem, subset, space.points, params);
     REQUIRE(certain);
@@ -257,7 +257,11 @@ TEST_CASE("stability: draws without any uncertainty all pick the same, and no po
     }();
     CHECK(std::abs(sum - 3.0) <= 1e-12);  // three members in every draw
     for (const double share : certain->share_picked) CHECK((share == 0.0 || share == 1.0));
-    for (const Eigen::Matrix3d& spread : certain->spread) CHECK(spread.norm() <= 1e-16);
+    REQUIRE(certain->moves.size() == 5);
+    for (const Eigen::Matrix3Xd& moves : certain->moves) {
+        CHECK(moves.cols() == 3);
+        CHECK(moves.norm() <= 1e-8);
+    }
 
     params = {};
     params.draws = 6;
@@ -268,13 +272,16 @@ TEST_CASE("stability: draws without any uncertainty all pick the same, and no po
     REQUIRE(one);
     REQUIRE(four);
     CHECK(one->share_picked == four->share_picked);
-    CHECK(one->spread == four->spread);
+    CHECK(one->moves == four->moves);
     double moved = 0.0;
-    for (const Eigen::Matrix3d& spread : one->spread) {
-        CHECK((spread - spread.transpose()).norm() <= 1e-15);
-        moved += spread.trace();
+    double moved_at_first = 0.0;
+    for (const Eigen::Matrix3Xd& moves : one->moves) {
+        CHECK(moves.cols() == 6);
+        moved += moves.norm();
+        moved_at_first += moves.col(0).norm();
     }
     CHECK(moved > 0.0);
+    CHECK(moved_at_first <= 1e-7);  // the first draw is the model in use
     std::stop_source stop;
     stop.request_stop();
     params.stop = stop.get_token();
@@ -284,7 +291,8 @@ TEST_CASE("stability: draws without any uncertainty all pick the same, and no po
 TEST_CASE("stability: drawn thresholds stay within their decibels, and every draw is another") {
     const PerceptualModelParams params;
     const StabilityParams stability;
-    for (std::size_t draw = 0; draw < 50; ++draw) {
+    CHECK(drawn_params(params, stability, 0) == params);
+    for (std::size_t draw = 1; draw < 50; ++draw) {
         const PerceptualModelParams drawn = drawn_params(params, stability, draw);
         for (const Receptor type : kReceptors) {
             const auto& before = params.coding.tables.threshold[index_of(type)].value;
@@ -299,18 +307,40 @@ TEST_CASE("stability: drawn thresholds stay within their decibels, and every dra
     }
 }
 
-TEST_CASE("stability: each choice is made about as often either way") {
-    int all = 0;
-    int causal = 0;
-    constexpr int kDraws = 200;
-    for (std::size_t draw = 0; draw < kDraws; ++draw) {
-        const PerceptualModelParams drawn = drawn_params({}, {}, draw);
-        all += drawn.coding.components == Components::all ? 1 : 0;
-        causal += drawn.envelope.alignment == EnvelopeAlignment::causal ? 1 : 0;
+TEST_CASE("stability: draws lie about the model in use, whatever its orders and choices are") {
+    PerceptualModelParams other;
+    other.coding.components = Components::peaks;
+    other.coding.split = WindowSplit::first;
+    other.coding.band_pass_order_per_edge = 9;
+    other.coding.low_pass_order = 20;
+    other.envelope.alignment = EnvelopeAlignment::centred;
+    for (const PerceptualModelParams& model : {PerceptualModelParams{}, other}) {
+        constexpr int kDraws = 400;
+        int turned = 0;
+        int shifted = 0;
+        double band_pass = 0.0;
+        double low_pass = 0.0;
+        for (std::size_t draw = 1; draw <= kDraws; ++draw) {
+            const PerceptualModelParams drawn = drawn_params(model, {}, draw);
+            turned += drawn.coding.components != model.coding.components ? 1 : 0;
+            shifted += drawn.envelope.alignment != model.envelope.alignment ? 1 : 0;
+            const int edge =
+                drawn.coding.band_pass_order_per_edge - model.coding.band_pass_order_per_edge;
+            const int low = drawn.coding.low_pass_order - model.coding.low_pass_order;
+            CHECK(std::abs(edge) <= 1);
+            CHECK(std::abs(low) <= 2);
+            CHECK(drawn.coding.low_pass_order <= limits::kFilterOrder.high);
+            band_pass += edge;
+            low_pass += low;
+        }
+        // One in four, and a mean of zero: four standard deviations.
+        CHECK(std::abs(turned - kDraws / 4) <= 35);
+        CHECK(std::abs(shifted - kDraws / 4) <= 35);
+        CHECK(std::abs(band_pass / kDraws) <= 0.17);
+        if (model.coding.low_pass_order <= limits::kFilterOrder.high - 2) {
+            CHECK(std::abs(low_pass / kDraws) <= 0.29);
+        }
     }
-    // Of a fair coin, four standard deviations.
-    CHECK(std::abs(all - kDraws / 2) <= 28);
-    CHECK(std::abs(causal - kDraws / 2) <= 28);
 }
 
 TEST_CASE("part of a set: its patterns and their ratings, by names") {

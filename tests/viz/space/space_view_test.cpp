@@ -2,15 +2,18 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "model/common/random.h"
 #include "tests/support/presence.h"
 #include "viz/drawing/colormap.h"
 #include "viz/drawing/colour.h"
+#include "viz/space/space_parts.h"
 
 namespace tact::space_view_test {
 namespace {
@@ -274,7 +277,7 @@ TEST_CASE("space view: beside a subset of many points the others are a cloud wit
 
 TEST_CASE("space: ten thousand points with all their lines and ellipses are bounded work") {
     const Example e = example(10'000, 3);
-    const std::vector<Eigen::Matrix3d> spread(10'000, 0.01 * Eigen::Matrix3d::Identity());
+    const std::vector<Eigen::Matrix3Xd> spread(10'000, 0.1 * Eigen::Matrix3Xd::Identity(3, 5));
     std::vector<SpaceLink> links;
     for (std::size_t k = 0; k < 1'000'000; ++k) links.push_back({k % 10'000, k * 31 % 10'000});
     SpaceScene scene = scene_of(e);
@@ -294,6 +297,28 @@ TEST_CASE("space: ten thousand points with all their lines and ellipses are boun
     CHECK(vertices < 12 * 10'000 + 8 * 4'000 + 200 * 500 + 50'000);
     CHECK(links_alone > 8 * 10'000 + 4 * 4'000);
     CHECK(links_alone < vertices);
+}
+
+TEST_CASE("space: an ellipse holds half of the draws, however they lie about the point") {
+    RandomStream random{5};
+    for (int cloud = 0; cloud < 60; ++cloud) {
+        // Normal ones, off their point by up to two deviations, bent, or nearly on a line.
+        const double off = 0.5 * (cloud % 5);
+        const double bend = cloud % 3 == 0 ? 2.0 : 0.0;
+        const double thin = cloud % 4 == 0 ? 1e-3 : 1.0;
+        Eigen::Matrix2Xd moves(2, 100);
+        for (Eigen::Index k = 0; k < 100; ++k) {
+            const double x = next_normal(random) + off;
+            moves.col(k) << 30.0 * x, 30.0 * thin * (next_normal(random) + bend * x * x);
+        }
+        const auto half = half_ellipse(moves);
+        REQUIRE(half);
+        const Eigen::Matrix2Xd white = half->inverse() * moves;
+        const auto inside = (white.colwise().norm().array() <= 1.0 + 1e-9).count();
+        CHECK(inside == 50);
+    }
+    CHECK_FALSE(half_ellipse(Eigen::Matrix2Xd(2, 0)));
+    CHECK(half_ellipse(Eigen::Matrix2Xd::Zero(2, 4))->norm() <= 1e-3);
 }
 
 TEST_CASE("space: a point of any colour of the map stands out from the pane") {
