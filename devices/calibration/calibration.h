@@ -50,7 +50,6 @@ struct Calibration {
     std::vector<ResponsePoint> points;  // frequencies rise; at least one
     double excursion_limit_mm = 0.0;    // peak; 0: not known
     double rms_limit = 0.0;             // of the drive over any second; 0: not known
-    std::string unknown_json;
 
     bool operator==(const Calibration&) const = default;
 };

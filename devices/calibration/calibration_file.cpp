@@ -15,7 +15,7 @@ constexpr Range kShare{0.0, 1.0};
 constexpr Range kFactor{0.0, 1e3};
 constexpr std::size_t kMostPoints = 10'000;
 
-ResponsePoint point_of(JsonObject& object) {
+ResponsePoint point_of(JsonObject object) {
     ResponsePoint point;
     for (const char* needed : {"frequency_hz", "g_per_full_scale"}) {
         if (field(object, needed) == nullptr) {
@@ -28,21 +28,24 @@ ResponsePoint point_of(JsonObject& object) {
     point.thd = number_field(object, "thd", point.thd, kFactor);
     point.nonlinearity = number_field(object, "nonlinearity", point.nonlinearity, kFactor);
     point.between = yes_no_field(object, "between", false);
+    (void)unknown_fields(object);
     return point;
 }
 
-std::vector<ResponsePoint> points_of(JsonObject& object, Json& unknown) {
+std::vector<ResponsePoint> points_of(JsonObject& object) {
     JsonReading& reading = *object.reading;
     std::vector<ResponsePoint> points;
     const std::string place = place_of(object, "points");
-    read_objects(object, "points", 1, kMostPoints, unknown, [&](JsonObject& one, Json&) {
-        points.push_back(point_of(one));
+    const auto elements = array_field(object, "points", 1, kMostPoints);
+    if (elements.empty()) refuse(reading, place, "the measured points", nullptr);
+    for (const Json* element : elements) {
+        const std::string at = place + "/" + std::to_string(points.size());
+        points.push_back(point_of(object_at(reading, *element, at)));
         const std::size_t last = points.size() - 1;
-        if (last == 0 || points[last].frequency_hz > points[last - 1].frequency_hz) return;
-        refuse(reading, one.place + "/frequency_hz", "a higher frequency than the point before",
+        if (last == 0 || points[last].frequency_hz > points[last - 1].frequency_hz) continue;
+        refuse(reading, at + "/frequency_hz", "a higher frequency than the point before",
                points[last].frequency_hz);
-    });
-    if (points.empty()) refuse(reading, place, "the measured points", nullptr);
+    }
     return points;
 }
 
@@ -51,7 +54,7 @@ std::vector<ResponsePoint> points_of(JsonObject& object, Json& unknown) {
 Expected<Calibration> parse_calibration(std::string_view text, const std::string& file) {
     const Expected<Json> json = parse_json(text, file);
     if (!json) return json.error();
-    JsonReading reading{file, {}};
+    JsonReading reading{file, {}, UnknownKeys::refused};
     JsonObject object = object_at(reading, *json, "");
     if (field(object, "tactspace_calibration") == nullptr) {
         return Error{file + ": expected a calibration, with \"tactspace_calibration\": 1"};
@@ -68,11 +71,9 @@ Expected<Calibration> parse_calibration(std::string_view text, const std::string
     calibration.load_mass_g = number_field(object, "load_mass_g", 0.0, {0.0, 1e5});
     calibration.excursion_limit_mm = number_field(object, "excursion_limit_mm", 0.0, {0.0, 100.0});
     calibration.rms_limit = number_field(object, "rms_limit", 0.0, kShare);
-    Json unknown = Json::object();
-    calibration.points = points_of(object, unknown);
+    calibration.points = points_of(object);
+    (void)unknown_fields(object);
     if (!reading.fault.empty()) return Error{reading.fault};
-    unknown.update(unknown_fields(object));
-    if (!unknown.empty()) calibration.unknown_json = unknown.dump();
     return calibration;
 }
 
@@ -102,9 +103,6 @@ std::string print_calibration(const Calibration& calibration) {
                                   {"thd", point.thd},
                                   {"nonlinearity", point.nonlinearity}});
         if (point.between) json["points"].back()["between"] = true;
-    }
-    if (!calibration.unknown_json.empty()) {
-        restore_unknown(json, Json::parse(calibration.unknown_json));
     }
     return json.dump(2) + "\n";
 }

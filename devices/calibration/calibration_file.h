@@ -8,7 +8,7 @@
 //
 // A point that was not measured but worked out has "between": true as well.
 //
-// Input     missing fields take their defaults, but for the points; unknown ones are kept
+// Input     missing fields take their defaults, but for the points; unknown ones are refused
 // Output    errors name the file, the place and what was expected
 #pragma once
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/text/enough_memory.h"
+#include "model/text/misspelt.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -97,6 +98,17 @@ std::string described(Range range, const char* kind) {
     if (range.high == kAnyNumber.high) return kind;
     return std::string(kind) + " from " + shortest_digits(range.low) + " to " +
            shortest_digits(range.high);
+}
+
+// "FILE: /model: does not know "nc_wieght"; the nearest key is "nc_weight""
+void refuse_unknown(const JsonObject& object, const std::string& key) {
+    JsonReading& reading = *object.reading;
+    if (reading.unknown == UnknownKeys::passed_over || !reading.fault.empty()) return;
+    const auto nearest = misspelt(key, object.known);
+    if (reading.unknown == UnknownKeys::kept && !nearest) return;
+    reading.fault = reading.file + ": " + (object.place.empty() ? "/" : object.place) +
+                    ": does not know " + in_quotes(key);
+    if (nearest) reading.fault += "; the nearest key is " + in_quotes(std::string(*nearest));
 }
 
 }  // namespace
@@ -224,7 +236,9 @@ Json unknown_fields(const JsonObject& object) {
     Json unknown = Json::object();
     if (object.value == nullptr) return unknown;
     for (const auto& [key, value] : object.value->items()) {
-        if (std::ranges::find(object.known, key) == object.known.end()) unknown[key] = value;
+        if (std::ranges::find(object.known, key) != object.known.end()) continue;
+        unknown[key] = value;
+        refuse_unknown(object, key);
     }
     return unknown;
 }

@@ -32,9 +32,17 @@ inline constexpr std::size_t kMaxJsonMemory = 900'000'000;
 // An Error names the line and the column: "set.json, line 3, column 7: ...".
 Expected<Json> parse_json(std::string_view text, const std::string& file);
 
+// What becomes of keys that nobody asked for.
+enum class UnknownKeys {
+    passed_over,  // another program's
+    kept,         // a document's, for the version that knows them; a misspelt one is refused
+    refused       // of a file that has no place for them
+};
+
 struct JsonReading {
     std::string file;   // for messages
     std::string fault;  // the first one, a whole sentence; empty: none so far
+    UnknownKeys unknown = UnknownKeys::passed_over;
 };
 
 // Notes "FILE: PLACE: expected WHAT, got GOT", unless there is a fault already.
@@ -78,7 +86,8 @@ std::vector<const Json*> array_field(JsonObject& object, std::string_view key, s
 // A number outside of any object.
 double number_at(JsonReading& reading, const Json& value, const std::string& place, Range range);
 
-// The fields nobody asked for, as an object.
+// The fields nobody asked for, as an object; to be called once all known ones were. Refuses them as
+// the reading says, each by its name with the known one that it is nearest to.
 Json unknown_fields(const JsonObject& object);
 
 // Notes the unknown fields of a part of the whole, where there are any; objects and arrays on the

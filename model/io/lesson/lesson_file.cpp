@@ -88,7 +88,7 @@ Expected<Lesson> parse_lesson(std::string_view text, const std::string& name_for
     return with_enough_memory(name_for_messages, [&]() -> Expected<Lesson> {
         const auto document = parse_json(text, name_for_messages);
         if (!document) return document.error();
-        JsonReading reading{name_for_messages, {}};
+        JsonReading reading{name_for_messages, {}, UnknownKeys::kept};
         Lesson lesson = lesson_of(reading, *document, folder);
         if (!reading.fault.empty()) return Error{reading.fault};
         return lesson;

@@ -66,11 +66,12 @@ Expected<Told> with_sidecar(RecordingOptions options, const WaveText& text, cons
     const std::string sidecar = sidecar_of(file).string();
     auto document = parse_json(text.sidecar, sidecar);
     if (!document) return document.error();
-    JsonReading reading{sidecar, {}};
+    JsonReading reading{sidecar, {}, UnknownKeys::kept};
     JsonObject object = object_at(reading, *document, "");
     const double scale_g = number_field(object, "scale_g", 0.0, limits::kScaleG);
     const int channel = whole_field(object, "channel", 0, kChannels);
     const std::string of = text_field(object, "of", "");
+    (void)unknown_fields(object);
     if (!reading.fault.empty()) return Error{reading.fault};
     Told told{options, {}};
     if (!options.scale_g && scale_g > 0.0) {

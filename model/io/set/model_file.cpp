@@ -38,6 +38,7 @@ TrainedOn trained_on(JsonObject object) {
     set.rho_before = rho_field(object, "rho_before");
     set.rho_after = rho_field(object, "rho_after");
     set.felt = text_field(object, "felt", {});
+    (void)unknown_fields(object);
     return set;
 }
 
@@ -59,6 +60,8 @@ TrainingRecord record_in(JsonObject object) {
         record.sets.push_back(
             trained_on(object_at(*object.reading, *sets[k], place + "/" + std::to_string(k))));
     }
+    (void)yes_no_field(object, "synthetic", false);  // says what the sets say
+    (void)unknown_fields(object);
     return record;
 }
 
@@ -175,7 +178,7 @@ TrainingRecord record_of(const Training& training, std::span<const TrainingSet> 
 Expected<ModelFile> parse_model(std::string_view text, const std::string& file) {
     const auto document = parse_json(text, file);
     if (!document) return document.error();
-    JsonReading reading{file, {}};
+    JsonReading reading{file, {}, UnknownKeys::refused};
     JsonObject object = object_at(reading, *document, "");
     const int format = whole_field(object, kFormatKey, 0, {0, 1'000'000});
     if (reading.fault.empty() && format == 0) {
@@ -192,6 +195,7 @@ Expected<ModelFile> parse_model(std::string_view text, const std::string& file) 
     result.model = model_of(model, unknown);
     JsonObject training = object_field(object, "training");
     if (training.value != nullptr) result.training = record_in(training);
+    (void)unknown_fields(object);
     if (!reading.fault.empty()) return Error{reading.fault};
     return result;
 }

@@ -71,7 +71,7 @@ Expected<Loaded> loaded_from(std::string_view text, const std::string& name,
                              const fs::path& folder) {
     auto document = parse_json(text, name);
     if (!document) return document.error();
-    JsonReading reading{name, {}};
+    JsonReading reading{name, {}, UnknownKeys::kept};
     Loaded loaded;
     loaded.set = set_of(reading, *document, loaded.remarks);
     if (!reading.fault.empty()) return Error{reading.fault};
@@ -122,7 +122,7 @@ Expected<Done> write_set_file(const fs::path& path, const PatternSet& set) {
     const std::string text = print_set(set, folder);
     const auto document = parse_json(text, name);
     if (!document) return document.error();
-    JsonReading reading{name, {}};
+    JsonReading reading{name, {}, UnknownKeys::kept};
     std::vector<std::string> remarks;
     set_of(reading, *document, remarks);
     if (!reading.fault.empty()) return Error{reading.fault};

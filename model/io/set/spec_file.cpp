@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostNamed = 20;
 
 Expected<Loaded> generator_alone(const std::filesystem::path& path, const Json& document) {
-    JsonReading reading{path.string(), {}};
+    JsonReading reading{path.string(), {}, UnknownKeys::kept};
     JsonObject object = object_at(reading, document, "");
     Loaded loaded;
     PatternSet& set = loaded.set;

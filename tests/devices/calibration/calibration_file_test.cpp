@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/support/coil.h"
+#include "tests/support/misspelt_keys.h"
 #include "tests/support/mutations.h"
 #include "tests/support/temporary_folder.h"
 
@@ -47,7 +48,6 @@ Calibration any_calibration(std::mt19937& random) {
                                any_below(random, 2) == 0});
         f_hz *= 1.01 + 0.4 * share_of(random);
     }
-    if (any_below(random, 2) == 0) made.unknown_json = R"({"future":[1,{"deep":-0.0}]})";
     return made;
 }
 
@@ -89,17 +89,28 @@ TEST_CASE("calibration file: after an accident it is refused, or kept as it was 
     CHECK(accepted > 20);
 }
 
-TEST_CASE("calibration file: it comes back as it went, with keys from the future") {
+TEST_CASE("calibration file: it comes back as it went") {
     Calibration calibration = coil::table();
     calibration.device = "audio:ALSA:card";
     calibration.channel = 3;
     calibration.actuator = "coil \"A\"";
     calibration.rms_limit = 0.4;
     calibration.points[1].between = true;
-    calibration.unknown_json = R"({"colour":"red"})";
     const auto back = parse_calibration(print_calibration(calibration), "c.json");
     REQUIRE(back);
     CHECK(*back == calibration);
+}
+
+TEST_CASE("calibration file: a limit that is misspelt is refused, not left out") {
+    const std::string text = print_calibration(coil::table());
+    check_misspelt_keys_refused(text, [](const std::string& changed) {
+        const auto answer = parse_calibration(changed, "c.json");
+        return answer ? std::string() : answer.error().message;
+    });
+    std::string other = text;
+    other.insert(other.find('{') + 1, R"("colour": "red", )");
+    CHECK(parse_calibration(other, "c.json").error().message ==
+          "c.json: /: does not know \"colour\"");
 }
 
 TEST_CASE("calibration file: a bad one is refused by its place") {

@@ -64,6 +64,12 @@ TEST_CASE("lesson file: what a step may say comes back whole") {
     CHECK_FALSE(is_lesson_file("a.tactspace.json"));
 }
 
+TEST_CASE("lesson file: a misspelt key of the whole is refused by its name") {
+    CHECK(holds(fault_of(R"({"tactlesson": 1, "set": "pm_2023_twelve", "abuot": "x",
+                             "steps": [{"title": "T"}]})"),
+                "l.json: /: does not know \"abuot\"; the nearest key is \"about\""));
+}
+
 TEST_CASE("lesson file: a fault is told with its file, its place and what was expected") {
     CHECK(holds(fault_of("{}"), "l.json: /tactlesson: expected"));
     CHECK(holds(fault_of(R"({"tactlesson": 1, "steps": [{}]})"), "/set: expected a set"));

@@ -119,9 +119,12 @@ TEST_CASE("exclusions: a file that is not as it should be is refused with the pl
     CHECK(fault_of(head + R"([{"participant": "", "because": "x"}]})")
               .starts_with("exclusions.json: /excluded/0/participant: expected a text"));
     CHECK(fault_of(head + R"([{"participant": "P1", "becuase": "x", "because": "y"}]})")
-              .starts_with("exclusions.json: /excluded: expected only keys"));
-    CHECK(fault_of(R"({"tactspace_exclusions": 1, "exclude": []})")
-              .starts_with("exclusions.json: /exclude: expected only keys"));
+              .starts_with("exclusions.json: /excluded/0: does not know \"becuase\"; the nearest "
+                           "key is \"because\""));
+    CHECK(
+        fault_of(R"({"tactspace_exclusions": 1, "exclude": []})")
+            .starts_with(
+                "exclusions.json: /: does not know \"exclude\"; the nearest key is \"excluded\""));
     CHECK(fault_of(head + R"([{"participant": "P1", "because": "x"},
                               {"participant": "P1", "because": "y"}]})")
               .starts_with("exclusions.json: /excluded: expected each participant once"));

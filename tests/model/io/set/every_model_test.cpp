@@ -8,6 +8,7 @@
 
 #include "model/io/set/model_file.h"
 #include "model/text/numbers.h"
+#include "tests/support/misspelt_keys.h"
 #include "tests/support/mutations.h"
 #include "tests/support/temporary_folder.h"
 
@@ -133,6 +134,20 @@ TEST_CASE("every model: whatever parameters there can be are written, and read a
         std::mt19937 random(seed);
         check_kept(any_file(random));
     }
+}
+
+TEST_CASE(
+    "every model: a misspelt parameter is refused by its name, not taken for the published one") {
+    const auto fault_of = [](const std::string& text) {
+        const auto file = parse_model(text, "m.json");
+        return file ? std::string() : file.error().message;
+    };
+    std::mt19937 random(1);
+    ModelFile file = any_file(random);
+    while (!file.training || file.training->sets.empty()) file = any_file(random);
+    check_misspelt_keys_refused(print_model(file), fault_of);
+    CHECK(fault_of(R"({"tactspace_model": 1, "model": {"colour": 1}})") ==
+          "m.json: /model: does not know \"colour\"");
 }
 
 TEST_CASE("every model: a file after an accident is refused, or kept as it was read") {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "model/io/set/load.h"
+#include "tests/support/misspelt_keys.h"
 #include "tests/support/set_texts.h"
 #include "tests/support/temporary_folder.h"
 
@@ -97,6 +98,16 @@ TEST_CASE("set file: a saved set is short: defaults are left out") {
   ]
 }
 )");
+}
+
+TEST_CASE("set file: a misspelt key is refused, in the model and the study's design, too") {
+    const auto fault_of = [](const std::string& text) {
+        const auto set = parse_set(text, "s.json", {});
+        return set ? std::string() : set.error().message;
+    };
+    check_misspelt_keys_refused(print_set(unusual_set()), fault_of, {"/map_places"});
+    CHECK(fault_of(with_set(R"(, "model": {"nc_wieght": 2})")) ==
+          "s.json: /model: does not know \"nc_wieght\"; the nearest key is \"nc_weight\"");
 }
 
 TEST_CASE("set file: keys of other versions are kept at every level") {
