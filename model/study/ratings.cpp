@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
+#include <string_view>
 #include <unordered_map>
 
 #include "model/common/random.h"
@@ -138,13 +140,22 @@ std::vector<bool> rated_ones(const RatingStudy& study) {
 
 }  // namespace
 
-bool is_partly_synthetic(const RatingStudy& study) {
-    return std::ranges::any_of(study.standings, [&study](const Standing& standing) {
-        return standing.synthetic &&
-               std::ranges::find(study.judgements, standing.participant, &Judgement::participant) !=
-                   study.judgements.end();
-    });
+std::string words_on_simulated(const RatingStudy& study) {
+    std::set<std::string_view> people;
+    std::set<std::string_view> simulated;
+    for (const Judgement& judgement : study.judgements) people.insert(judgement.participant);
+    for (const Standing& standing : study.standings) {
+        if (standing.synthetic && people.contains(standing.participant)) {
+            simulated.insert(standing.participant);
+        }
+    }
+    if (simulated.empty()) return {};
+    if (simulated.size() == people.size()) return "nobody was asked";
+    return std::to_string(simulated.size()) + " of " + std::to_string(people.size()) +
+           " were simulated";
 }
+
+bool is_partly_synthetic(const RatingStudy& study) { return !words_on_simulated(study).empty(); }
 
 Expected<RatingStudy> spread_over(const RatingStudy& study, const std::vector<std::string>& names) {
     if (!study.is_named && study.labels.size() != names.size()) {

@@ -48,6 +48,9 @@ struct RatingStudy {
     bool operator==(const RatingStudy&) const = default;
 };
 
+// "" of people alone; "nobody was asked" of simulated participants alone, "2 of 4 were simulated".
+std::string words_on_simulated(const RatingStudy& study);
+
 // Whether nobody was asked for some of the judgements.
 bool is_partly_synthetic(const RatingStudy& study);
 

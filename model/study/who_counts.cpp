@@ -53,12 +53,22 @@ std::string fault_of(const RatingStudy& study, const CountRule& rule) {
     return {};
 }
 
+// Whether anybody took part who is no simulation and no rehearsal.
+bool has_people(const RatingStudy& study) {
+    return std::ranges::any_of(study.judgements, [&study](const Judgement& judgement) {
+        const Standing* standing = standing_of(study, judgement.participant);
+        return standing == nullptr || (!standing->synthetic && !standing->rehearsal);
+    });
+}
+
 // Why one does not count; empty: they do.
-std::string reason(const RatingStudy& study, const std::string& name, const CountRule& rule) {
+std::string reason(const RatingStudy& study, const std::string& name, const CountRule& rule,
+                   bool beside_people) {
     const Standing* standing = standing_of(study, name);
     if (standing != nullptr && standing->rehearsal) return kNothingFelt;
     if (is_among(rule.exclude, name)) return excluded_because(rule.because);
     if (standing == nullptr || is_among(rule.include, name)) return {};
+    if (standing->synthetic && beside_people) return kSimulated;
     return standing->excluded;
 }
 
@@ -74,10 +84,11 @@ Expected<Counted> who_counts(RatingStudy study, const CountRule& rule) {
     for (const Judgement& judgement : study.judgements) people.push_back(judgement.participant);
     for (const Standing& standing : study.standings) people.push_back(standing.participant);
     Counted counted;
+    const bool beside_people = has_people(study);
     std::set<std::string> seen;
     for (const std::string& name : people) {
         if (!seen.insert(name).second) continue;
-        std::string why = reason(study, name, rule);
+        std::string why = reason(study, name, rule, beside_people);
         if (!why.empty()) counted.left_out.push_back({name, std::move(why)});
     }
     const auto is_left_out = [&counted](const auto& one) {

@@ -187,7 +187,7 @@ std::string head_of(const StudyResults& results, const OrderEffects& effects) {
     text += " by " + std::to_string(counted_in(results)) + " of " +
             std::to_string(results.people.size()) + " participants";
     if (results.order == StudyOrder::adaptive) text += ", in adaptive order";
-    if (results.synthetic) text += "; SYNTHETIC: nobody was asked";
+    if (results.synthetic) text += "; SYNTHETIC: " + words_on_simulated(results.study);
     if (results.scaling != RatingScaling::none) {
         text += std::string("; each one's similarities scaled: ") +
                 kScalingNames[static_cast<std::size_t>(results.scaling)];

@@ -73,6 +73,39 @@ TEST_CASE(
     CHECK(who_counts(once)->left_out.empty());
 }
 
+TEST_CASE("who counts: nobody is averaged with a simulation, unless it is asked for by name") {
+    RatingStudy study{
+        {"a", "b", "c"},
+        true,
+        {{"Ann", {1, 2, 3}}, {"S01", {3, 2, 1}}, {"Bob", {1, 2, 4}}, {"S02", {9, 9, 9}}},
+        {{"S01", true}, {"S02", true, false, "no answer"}}};
+    const auto counted = who_counts(study);
+    REQUIRE(counted);
+    CHECK(people_of(*counted) == std::vector<std::string>{"Ann", "Bob"});
+    CHECK(counted->left_out ==
+          std::vector<LeftOutParticipant>{{"S01", kSimulated}, {"S02", kSimulated}});
+    CHECK(words_on_simulated(counted->study) == "");
+    const auto asked = who_counts(study, {{"S01"}, {}});
+    REQUIRE(asked);
+    CHECK(people_of(*asked) == std::vector<std::string>{"Ann", "S01", "Bob"});
+    CHECK(words_on_simulated(asked->study) == "1 of 3 were simulated");
+    // By themselves they are a study that says what it is, a rehearsal beside them or not.
+    for (const bool rehearsed : {false, true}) {
+        RatingStudy alone = study;
+        std::erase_if(alone.judgements,
+                      [](const Judgement& one) { return !one.participant.starts_with('S'); });
+        alone.standings[1].excluded.clear();
+        if (rehearsed) {
+            alone.judgements.push_back({"dry", {1, 1, 1}});
+            alone.standings.push_back({"dry", false, true, {}});
+        }
+        const auto simulated = who_counts(alone);
+        REQUIRE(simulated);
+        CHECK(people_of(*simulated) == std::vector<std::string>{"S01", "S02"});
+        CHECK(words_on_simulated(simulated->study) == "nobody was asked");
+    }
+}
+
 TEST_CASE("ratings: synthetic ones are known as long as one of them is counted") {
     RatingStudy study = crowd();
     CHECK_FALSE(is_partly_synthetic(study));
