@@ -157,9 +157,11 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
 }
 
 Expected<Dissimilarity> dissimilarities_in(const std::filesystem::path& file,
-                                           const std::vector<std::string>& names) {
+                                           const std::vector<std::string>& names,
+                                           std::string* mark) {
     const Expected<LabelledMatrix> matrix = read_matrix_file(file);
     if (!matrix) return matrix.error();
+    if (mark != nullptr) *mark = matrix->mark;
     std::vector<std::size_t> places;
     for (const std::string& name : names) {
         const auto found = std::ranges::find(matrix->labels, name);

@@ -41,7 +41,9 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
                                                 const RatingFiles& ratings);
 
 // How far apart the patterns of these names are by a matrix that may have others and another order.
+// `mark`: what the file says of its numbers.
 Expected<Dissimilarity> dissimilarities_in(const std::filesystem::path& file,
-                                           const std::vector<std::string>& names);
+                                           const std::vector<std::string>& names,
+                                           std::string* mark = nullptr);
 
 }  // namespace tact

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "app/rendering/labels.h"
 #include "model/common/parallel.h"
 #include "model/dtw/dtw_kernel.h"
 #include "model/io/tables/matrix_file.h"
@@ -144,11 +145,14 @@ double largest_pm(const LiveMap& map) { return map.sorted_pm.empty() ? 0.0 : map
 
 std::string matrix_csv(const LiveMap& map) {
     std::vector<std::string> labels;
-    for (const Vibration& one : map.request.set->vibrations) labels.push_back(one.name);
+    const PatternSet& set = *map.request.set;
+    for (const Vibration& one : set.vibrations) labels.push_back(one.name);
     std::ostringstream csv;
     Dissimilarity pm = map.prediction.pm;
     tie_rounding_noise(pm.condensed);
-    write_matrix_csv(csv, labels, pm);
+    write_matrix_csv(csv, labels, pm,
+                     mark_of(Labels{.synthetic_patterns = has_synthetic_patterns(set),
+                                    .synthetic_model = set.model_origin.synthetic}));
     return csv.str();
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/document/pattern_looks.h"
+#include "app/rendering/labels.h"
 #include "model/signal/spectrum.h"
 #include "viz/charts/matrix_view.h"
 #include "viz/charts/spectrum_view.h"
@@ -37,6 +38,8 @@ Rect draw_title(const Theme& theme, const std::string& title, const std::string&
     return {{area.min.x, area.min.y + 2.0F * ImGui::GetTextLineHeight()}, area.max};
 }
 
+std::string after_comma(const std::string& mark) { return mark.empty() ? "" : ", " + mark; }
+
 }  // namespace
 
 Picture drawn(const PictureSize& size, const PictureOptions& options,
@@ -48,11 +51,13 @@ Picture drawn(const PictureSize& size, const PictureOptions& options,
 }
 
 Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
-                       const std::string& quantity, const PictureSize& size) {
+                       const std::string& quantity, const PictureSize& size,
+                       const std::string& mark) {
     std::string names;
     for (const std::string& label : labels) names += label;
     return drawn(size, options_of(size, names), [&](const Theme& theme) {
-        const Rect area = draw_title(theme, quantity, "predicted dissimilarity of every pair");
+        const Rect area = draw_title(theme, quantity,
+                                     "predicted dissimilarity of every pair" + after_comma(mark));
         MatrixScene scene;
         scene.condensed = matrix.condensed;
         scene.labels = labels;
@@ -68,7 +73,9 @@ Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const Perc
     std::snprintf(stress, sizeof stress, ", stress-1 %.3f, ", space.stress1);
     const std::string detail =
         (marks.source.empty() ? "predicted by " + marks.quantity : marks.source) + stress +
-        fit_label(space);
+        fit_label(space) +
+        after_comma(marks.mark.empty() && marks.source.empty() ? mark_of(set.model_origin)
+                                                               : marks.mark);
     return drawn(size, options_of(size, drawn_text(set)), [&](const Theme& theme) {
         const Rect area = size.titled ? draw_title(theme, "Perceptual space", detail) : whole();
         std::vector<PatternLook> looks;

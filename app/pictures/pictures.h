@@ -43,7 +43,8 @@ Picture drawn(const PictureSize& size, const PictureOptions& options,
               const std::function<void(const Theme&)>& draw);
 
 Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilarity& matrix,
-                       const std::string& quantity, const PictureSize& size);
+                       const std::string& quantity, const PictureSize& size,
+                       const std::string& mark = {});
 
 // What a space is drawn with besides its points.
 struct SpaceMarks {
@@ -52,6 +53,7 @@ struct SpaceMarks {
     const Eigen::MatrixXd* before = nullptr;  // where the points were, n x k: arrows from there
     std::string quantity = "PM";              // what the matrix is
     std::string source{};                     // where it is from; empty: predicted by that
+    std::string mark{};                       // what has to be said of it; empty: nothing
 };
 
 Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,

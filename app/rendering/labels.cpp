@@ -52,6 +52,19 @@ std::string text_of(const Labels& labels) {
     return text;
 }
 
+std::string mark_of(const Labels& labels) {
+    std::string mark;
+    for (const std::string& line : lines_of(labels)) {
+        if (!line.starts_with("SYNTHETIC") && !line.starts_with("CHANGED")) continue;
+        mark += (mark.empty() ? "" : "; ") + line;
+    }
+    return mark;
+}
+
+std::string mark_of(const ModelOrigin& origin) {
+    return origin.synthetic ? "by a model trained on synthetic ratings" : "";
+}
+
 void add_labels(nlohmann::json& json, const Labels& labels) {
     json["synthetic_patterns"] = labels.synthetic_patterns;
     json["synthetic_model"] = labels.synthetic_model;

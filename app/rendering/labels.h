@@ -11,6 +11,7 @@
 #include "devices/calibration/rendering.h"
 #include "model/export/export_target.h"
 #include "model/set/measured_twin.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 
@@ -35,6 +36,12 @@ std::string sentence_on(const ExportTarget& target);
 // A sentence each, none where there is nothing to say; and as lines.
 std::vector<std::string> lines_of(const Labels& labels);
 std::string text_of(const Labels& labels);
+
+// What is false about who gave or felt what these numbers rest on: for the corner of a table, or
+// the title of a picture; empty where nothing is. Everything that hands numbers on hands it on.
+std::string mark_of(const Labels& labels);
+// The same of a model alone: "by a model trained on synthetic ratings".
+std::string mark_of(const ModelOrigin& origin);
 
 // Keys of an object: synthetic_patterns and synthetic_model always; changed_since_felt, only,
 // exported_as with exported_onto and exported_onto_source or exported_rate_hz, and rendered_by with

@@ -28,6 +28,7 @@
 #include "app/patterns/set_panel.h"
 #include "app/play/play_panels.h"
 #include "app/play/playing.h"
+#include "app/rendering/labels.h"
 #include "app/stages/physiology_panel.h"
 #include "app/study/study_panels.h"
 #include "app/study/study_state.h"
@@ -185,9 +186,11 @@ std::string shown_voice(const App& app) {
 
 // Results that are not of the patterns as they were meant say so in their title.
 PaneTitle with_origin(const App& app, PaneTitle title) {
-    const std::string origin = rendered_words(app.rendered);
-    if (origin.empty()) return title;
-    title.detail += (title.detail.empty() ? "" : "   ") + origin;
+    const std::string model = mark_of(app.work.document.set.model_origin);
+    for (const std::string& origin : {rendered_words(app.rendered), model}) {
+        if (origin.empty()) continue;
+        title.detail += (title.detail.empty() ? "" : "   ") + origin;
+    }
     return title;
 }
 

@@ -12,6 +12,7 @@
 #include "app/map/map_follow.h"
 #include "app/map/matrix_panel.h"
 #include "app/map/space_panel.h"
+#include "app/rendering/labels.h"
 #include "app/stages/physiology_panel.h"
 #include "app/ui/widgets.h"
 #include "app/window/app.h"
@@ -68,12 +69,20 @@ const char* quantity_name(MatrixQuantity quantity) {
     return "";
 }
 
+// Who plays the patterns, and what has to be said of the model.
+void add_origin(const App& app, PaneTitle& title) {
+    for (const std::string& origin :
+         {rendered_words(app.rendered), mark_of(app.work.document.set.model_origin)}) {
+        if (!origin.empty()) title.detail += "   " + origin;
+    }
+}
+
 PaneTitle physiology_title(const App& app) {
     PaneTitle title{"Physiology", "", {}};
     if (const Vibration* current = current_vibration(app.work)) title.detail = current->name;
     if (!app.work.selection.pinned.empty())
         title.detail += "   compared with   " + app.work.selection.pinned;
-    if (app.rendered.on) title.detail += "   " + rendered_words(app.rendered);
+    add_origin(app, title);
     char at[64];
     std::snprintf(at, sizeof at, "at %.3f s of %.3f s", app.timeline.playhead.at_s,
                   shown_duration_s(app.work));
@@ -83,7 +92,7 @@ PaneTitle physiology_title(const App& app) {
 
 PaneTitle space_title(const App& app) {
     PaneTitle title{"Perceptual space", app.work.document.set.name, {}};
-    if (app.rendered.on) title.detail += "   " + rendered_words(app.rendered);
+    add_origin(app, title);
     if (shown_side(app.work) != Side::both) title.detail += "   " + shown_patterns_text(app.work);
     if (map_state(app.work, app.shown_map) == MapState::stale)
         title.detail += "   before the last change";

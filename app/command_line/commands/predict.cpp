@@ -24,9 +24,15 @@ namespace {
 namespace fs = std::filesystem;
 
 // What is left of a set when its patterns are coded.
+// Whose numbers these are.
+struct Named {
+    std::vector<std::string> patterns;
+    Labels labels;
+};
+
 struct Work {
     TileRun tiles;
-    std::vector<std::string> labels;
+    Named named;
     double nc_weight = 0.0;
     double oc_weight = 0.0;
     PictureSize image;
@@ -73,10 +79,10 @@ Expected<PictureSize> picture_asked_for(const PredictCommand& command) {
 }
 
 // Remarks about a set that every rank reads are wanted once.
-Expected<PatternSet> load_on(const RankGroup& ranks, const CommonOptions& options) {
-    if (ranks.rank == 0) return load_for(options);
+Expected<FeltSet> load_on(const RankGroup& ranks, const CommonOptions& options) {
+    if (ranks.rank == 0) return load_felt(options);
     std::streambuf* const console = std::cerr.rdbuf(nullptr);
-    Expected<PatternSet> set = load_for(options);
+    Expected<FeltSet> set = load_felt(options);
     std::cerr.rdbuf(console);
     return set;
 }
@@ -93,17 +99,18 @@ Expected<Work> prepared(const PredictCommand& command, const RankGroup& ranks,
         if (!image) return image.error();
         work.image = *image;
     }
-    const Expected<PatternSet> set = load_on(ranks, command.common);
-    if (!set) return set.error();
-    if (const auto pair = need_a_pair(*set, command.common); !pair) return pair.error();
-    work.labels = names_of(*set);
-    work.nc_weight = set->model.nc_weight;
-    work.oc_weight = set->model.oc_weight;
+    const Expected<FeltSet> loaded = load_on(ranks, command.common);
+    if (!loaded) return loaded.error();
+    const PatternSet& set = loaded->felt;
+    if (const auto pair = need_a_pair(set, command.common); !pair) return pair.error();
+    work.named = {names_of(set), loaded->labels};
+    work.nc_weight = set.model.nc_weight;
+    work.oc_weight = set.model.oc_weight;
     work.tiles.parts = parts_of(command.metric);
     work.tiles.threads = command.common.threads;
     work.tiles.stop = stop;
     auto source = tile_source(
-        *set, command.common.threads, stop,
+        set, command.common.threads, stop,
         ranks.rank == 0 ? progress_line("coding patterns") : std::function<void(double)>{});
     if (!source) return source.error();
     work.tiles.source = std::move(*source);
@@ -141,32 +148,41 @@ Dissimilarity matrix_of(Work& work) {
 }
 
 // Number by number: as one value, JSON of a large matrix takes several times its memory.
-void print_json(std::ostream& stream, const std::vector<std::string>& labels,
-                const std::string& metric, const Dissimilarity& matrix) {
+void print_json(std::ostream& stream, const Named& named, const std::string& metric,
+                const Dissimilarity& matrix) {
     stream << "{\"condensed\":";
     char before = '[';
     for (const double value : matrix.condensed) {
         stream << before << nlohmann::json(value);
         before = ',';
     }
-    stream << "],\"labels\":" << nlohmann::json(labels) << ",\"metric\":" << nlohmann::json(metric)
-           << "}\n";
+    stream << "],\"labels\":" << nlohmann::json(named.patterns)
+           << ",\"metric\":" << nlohmann::json(metric);
+    if (!lines_of(named.labels).empty()) {
+        nlohmann::json labels;
+        add_labels(labels, named.labels);
+        for (const auto& [key, value] : labels.items()) {
+            stream << "," << nlohmann::json(key) << ":" << value;
+        }
+    }
+    stream << "}\n";
 }
 
-Expected<Done> write_matrix(const PredictCommand& command, const std::vector<std::string>& labels,
+Expected<Done> write_matrix(const PredictCommand& command, const Named& named,
                             const Dissimilarity& matrix, const PictureSize& image) {
     show("writing", matrix.condensed.size());
     const Expected<Done> written = write_result(command.out, [&](std::ostream& stream) {
         if (command.common.json) {
-            print_json(stream, labels, command.metric, matrix);
+            print_json(stream, named, command.metric, matrix);
         } else {
-            write_matrix_csv(stream, labels, matrix);
+            write_matrix_csv(stream, named.patterns, matrix, mark_of(named.labels));
         }
     });
     show("", matrix.condensed.size());
     if (!written || command.image.empty()) return written;
     const std::string quantity = traits(*metric_named(command.metric)).name;
-    return write_picture(command.image, matrix_picture(labels, matrix, quantity, image));
+    return write_picture(command.image, matrix_picture(named.patterns, matrix, quantity, image,
+                                                       mark_of(named.labels)));
 }
 
 bool has_tiles(const std::string& metric) {
@@ -193,19 +209,21 @@ Expected<Done> run_whole(const PredictCommand& command, Metric metric, std::stop
     if (const auto writable = writable_result(command.out); !writable) return writable;
     const Expected<PictureSize> image = picture_asked_for(command);
     if (!image) return image.error();
-    const Expected<PatternSet> set = load_for(command.common);
-    if (!set) return set.error();
-    if (const auto pair = need_a_pair(*set, command.common); !pair) return pair;
+    const Expected<FeltSet> loaded = load_felt(command.common);
+    if (!loaded) return loaded.error();
+    const PatternSet& set = loaded->felt;
+    if (const auto pair = need_a_pair(set, command.common); !pair) return pair;
     std::vector<Waveform> waveforms;  // unpadded: DTW takes them so
-    for (const Vibration& vibration : set->vibrations) waveforms.push_back(waveform_of(vibration));
+    for (const Vibration& vibration : set.vibrations) waveforms.push_back(waveform_of(vibration));
     MetricOptions options;
     options.threads = command.common.threads;
     options.stop = stop;
     options.progress = progress_line("comparing patterns");
     if (command.first_as_reference) options.direction = Direction::first_is_reference;
-    auto matrix = metric_matrix(metric, waveforms, set->model, options);
+    auto matrix = metric_matrix(metric, waveforms, set.model, options);
     if (!matrix) return Error{"stopped, and nothing is kept of a metric other than pm, nc and oc"};
-    return write_matrix(command, names_of(*set), as_ranked(metric, *std::move(matrix)), *image);
+    return write_matrix(command, {names_of(set), loaded->labels},
+                        as_ranked(metric, *std::move(matrix)), *image);
 }
 
 // The tiles, made by all ranks together.
@@ -237,7 +255,7 @@ Expected<Done> run(const PredictCommand& command) {
     if (!work) return work.error();
     if (ranks->rank > 0) return Done{};
     const Dissimilarity matrix = as_ranked(*metric, matrix_of(*work));
-    const Expected<Done> written = write_matrix(command, work->labels, matrix, work->image);
+    const Expected<Done> written = write_matrix(command, work->named, matrix, work->image);
     if (written && work->tiles.keeping.file) work->tiles.keeping.file->remove();
     return written;
 }

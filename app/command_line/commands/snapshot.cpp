@@ -77,7 +77,8 @@ Expected<Picture> picture_of_set(const SnapshotCommand& command, const PatternSe
     options.progress = progress_line("comparing pairs");
     const Prediction prediction = *predict(model_waveforms(set), set.model, options);
     if (command.view == "matrix") {
-        return matrix_picture(names_of(set), prediction.pm, traits(Metric::pm).name, size);
+        return matrix_picture(names_of(set), prediction.pm, traits(Metric::pm).name, size,
+                              mark_of(set.model_origin));
     }
     MdsParams params = standard_mds_params(set.vibrations.size(), 3);
     params.threads = command.common.threads;

@@ -28,6 +28,8 @@ struct Mappable {
     std::string quantity;  // PM
     bool of_people = false;
     bool synthetic = false;  // people that nobody asked
+    Labels labels{};
+    std::string mark{};  // what has to be said of all numbers
 };
 
 // How a map lies upon another one.
@@ -60,6 +62,7 @@ Expected<Mappable> people_of(const SpaceCommand& command) {
     const std::vector<std::string> unrated = unrated_patterns(one.study);
     Mappable result{
         rated_alone(one.set, unrated), {}, "ratings", true, is_partly_synthetic(one.study)};
+    if (result.synthetic) result.mark = kNobodyAsked;
     // Of an unrated pattern there is nothing to say where it lies.
     const Expected<RatingStudy> study = spread_over(one.study, names_of(one.set));
     const Dissimilarity mean = mean_ratings(*study);
@@ -78,21 +81,30 @@ Expected<Mappable> people_of(const SpaceCommand& command) {
 
 Expected<Mappable> mappable(const SpaceCommand& command) {
     if (command.people || !command.ratings.files.empty()) return people_of(command);
-    const Expected<PatternSet> set = load_for(command.common);
-    if (!set) return set.error();
-    if (const Expected<Done> pair = need_a_pair(*set, command.common); !pair) return pair.error();
+    const Expected<FeltSet> loaded = load_felt(command.common);
+    if (!loaded) return loaded.error();
+    const PatternSet& set = loaded->felt;
+    if (const Expected<Done> pair = need_a_pair(set, command.common); !pair) return pair.error();
     if (!command.matrix.empty()) {
-        Expected<Dissimilarity> read = dissimilarities_in(command.matrix, names_of(*set));
+        std::string mark;
+        Expected<Dissimilarity> read = dissimilarities_in(command.matrix, names_of(set), &mark);
         if (!read) return read.error();
-        return Mappable{*set, *std::move(read), command.matrix.filename().string(), false, false};
+        return Mappable{set, *std::move(read), command.matrix.filename().string(), false, false, {},
+                        mark};
     }
     const Expected<Metric> metric = metric_named(command.metric);
     if (!metric) return metric.error();
     MetricOptions options;
     options.threads = command.common.threads;
     options.progress = progress_line("comparing pairs");
-    auto matrices = *compared_matrices(*set, {&*metric, 1}, nullptr, options);
-    return Mappable{*set, std::move(matrices.front()), traits(*metric).name, false, false};
+    auto matrices = *compared_matrices(set, {&*metric, 1}, nullptr, options);
+    return Mappable{set,
+                    std::move(matrices.front()),
+                    traits(*metric).name,
+                    false,
+                    false,
+                    loaded->labels,
+                    mark_of(loaded->labels)};
 }
 
 // Errors: fewer than three patterns in common; maps that cannot lie upon each other.
@@ -150,6 +162,8 @@ nlohmann::json json_of(const Mappable& of, const PerceptualSpace& space,
     nlohmann::json json{
         {"labels", names_of(of.set)}, {"coordinates", coordinates}, {"stress1", space.stress1}};
     if (of.of_people) json["synthetic"] = of.synthetic;
+    if (!lines_of(of.labels).empty()) add_labels(json, of.labels);
+    if (!of.mark.empty()) json["mark"] = of.mark;
     if (alignment) json["aligned"] = json_of(*alignment);
     return json;
 }
@@ -177,6 +191,7 @@ Expected<Done> draw(const SpaceCommand& command, const Mappable& of, const Perce
     marks.quantity = of.quantity;
     if (of.of_people) marks.source = of.synthetic ? "synthetic ratings" : "rated by people";
     if (!command.matrix.empty()) marks.source = "by " + of.quantity;
+    marks.mark = of.mark;
     // Arrows from where the other map has them, if it has all.
     const bool has_all = alignment && alignment->target.rows() == space.points.rows();
     if (has_all) marks.before = &alignment->target;
@@ -212,7 +227,7 @@ Expected<Done> run(const SpaceCommand& command) {
         if (command.common.json) {
             stream << json_of(*of, space, alignment).dump() << "\n";
         } else {
-            write_coordinates_csv(stream, labels, space.points);
+            write_coordinates_csv(stream, labels, space.points, of->mark);
         }
     });
     if (!written || command.image.empty()) return written;

@@ -276,7 +276,8 @@ Expected<Done> collect(const StudyCommand& command, const PatternSet& set) {
         const auto written = write_result(command.matrix, [&](std::ostream& stream) {
             Dissimilarity mean = results.mean;
             tie_rounding_noise(mean.condensed);
-            write_matrix_csv(stream, results.study.labels, mean);
+            write_matrix_csv(stream, results.study.labels, mean,
+                             results.synthetic ? kNobodyAsked : "");
         });
         if (!written) return written.error();
     }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/io/tables/matrix_file.h"
 #include "model/text/numbers.h"
 #include "model/text/unique_names.h"
 #include "model/text/utf8.h"
@@ -82,6 +83,9 @@ Expected<RatingsText> labelled_square(RatingsText into, const std::vector<CsvRec
         if (auto fault = take_numbers(record, 1, rows.emplace_back()); !fault.empty()) {
             return at_line(into, record.line, fault);
         }
+    }
+    if (trimmed(records[0].fields[0]).starts_with(kSyntheticMark)) {
+        into.study.standings.push_back({.participant = {}, .synthetic = true});
     }
     if (rows.size() != labels.size()) {
         return at_line(into, records.back().line,
@@ -174,7 +178,9 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
     if (!has_columns && head.fields.size() > pair_count(kMaxRatedPatterns)) {
         return at_line(into, head.line, "expected at most 500 patterns");
     }
-    const bool has_names = head.fields.size() > 1 && trimmed(head.fields[0]).empty();
+    const std::string_view corner = trimmed(head.fields[0]);
+    const bool has_names =
+        head.fields.size() > 1 && (corner.empty() || corner.starts_with(kSyntheticMark));
     auto answer = is_sorted     ? ratings_of_sortings(file, *records)
                   : has_columns ? ratings_of_lines(file, *records)
                   : has_names   ? labelled_square(std::move(into), *records)

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kAsymmetry = 1e-9;  // of the larger value: rounding of other programs
 
-std::string head_row(std::span<const std::string> labels) {
-    std::string row;
+std::string head_row(std::span<const std::string> labels, const std::string& mark) {
+    std::string row = csv_field(mark);
     for (const std::string& label : labels) row += "," + csv_field(label);
     return row + "\n";
 }
@@ -52,6 +52,7 @@ Error at_line(const MatrixReading& reading, std::size_t line, const std::string&
 std::string take_labels(MatrixReading& reading, const CsvRecord& first) {
     auto& labels = reading.matrix.labels;
     if (reading.is_labelled) {
+        reading.matrix.mark = first.fields.front();
         labels.assign(first.fields.begin() + 1, first.fields.end());
     } else {
         for (std::size_t k = 0; k < first.fields.size(); ++k) {
@@ -131,9 +132,9 @@ std::string csv_field(std::string_view text) {
 }
 
 void write_matrix_csv(std::ostream& stream, std::span<const std::string> labels,
-                      const Dissimilarity& dissimilarity) {
+                      const Dissimilarity& dissimilarity, const std::string& mark) {
     assert(labels.size() == dissimilarity.size && "one label for each object");
-    stream << head_row(labels);
+    stream << head_row(labels, mark);
     for (std::size_t i = 0; i < labels.size(); ++i) {
         stream << matrix_row(labels, dissimilarity, i);
     }
@@ -146,7 +147,7 @@ Expected<Done> write_matrix_file(const std::filesystem::path& path,
     remove_abandoned_files(path.has_parent_path() ? path.parent_path() : ".");
     auto file = AtomicFile::open(path);
     if (!file) return file.error();
-    if (auto appended = file->append(head_row(labels)); !appended) return appended;
+    if (auto appended = file->append(head_row(labels, {})); !appended) return appended;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         auto appended = file->append(matrix_row(labels, dissimilarity, i));
         if (!appended) return appended;
@@ -155,9 +156,9 @@ Expected<Done> write_matrix_file(const std::filesystem::path& path,
 }
 
 void write_coordinates_csv(std::ostream& stream, std::span<const std::string> labels,
-                           const Eigen::MatrixXd& points) {
+                           const Eigen::MatrixXd& points, const std::string& mark) {
     assert(static_cast<Eigen::Index>(labels.size()) == points.rows() && "one label for each point");
-    stream << "name";
+    stream << (mark.empty() ? "name" : csv_field(mark));
     for (Eigen::Index k = 0; k < points.cols(); ++k) stream << ",D" << k + 1;
     stream << '\n';
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
