@@ -92,9 +92,8 @@ TEST_CASE("neighbour card: it names the closest, and its words lead to it") {
 TEST_CASE("map: saved with the set, it is opened as it lay") {
     Mapped program;
     const Eigen::MatrixXd lay = program.app.shown_map.transition.to;
-    const auto& saved = program.app.work.document.set.map_places.at;
-    REQUIRE(saved.size() == 5);
-    PatternSet turned = program.app.work.document.set;
+    PatternSet turned = program.app.work.document.kept().set;
+    REQUIRE(turned.map_places.at.size() == 5);
     for (auto& [name, at] : turned.map_places.at) {
         at[0] = -at[0];  // as a mirror has it
     }
@@ -105,7 +104,7 @@ TEST_CASE("map: saved with the set, it is opened as it lay") {
     mirrored.col(0) *= -1.0;
     CHECK((again.app.shown_map.transition.to - mirrored).norm() < 1e-3 * lay.norm());
     // What was only opened is saved as it was, to the last digit.
-    CHECK(again.app.work.document.set.map_places.at == turned.map_places.at);
+    CHECK(again.app.work.document.kept().set.map_places.at == turned.map_places.at);
     stop_jobs(again.app);
 }
 
