@@ -1,7 +1,6 @@
 #include "app/map/space_panel.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 
 #include "app/document/editing.h"
@@ -177,15 +176,15 @@ std::string verdict_text(const PerceptualSpace& space, std::size_t patterns) {
             return std::to_string(patterns) +
                    " patterns always fit: stress says nothing, the picture little.";
         case MdsVerdict::colocated:
+            return "Degenerate: some different patterns fell onto one point.";
         case MdsVerdict::fine:
-            break;
         case MdsVerdict::too_few:
-            return {};
+            break;
     }
-    std::string words = remark_on(space);
-    if (words.empty()) return words;
-    words.front() = static_cast<char>(std::toupper(words.front()));
-    return words + ".";
+    // Where the patterns are merely few, the headline's word says it.
+    const bool has_collapsed =
+        space.is_degenerate && space.points.rows() > 2 * space.points.cols() + 1;
+    return has_collapsed ? "Degenerate: groups of patterns nearly fell together." : "";
 }
 
 SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
