@@ -20,6 +20,14 @@ namespace tact {
 
 namespace {
 
+// An actuator is measured through the sound output that drives it: that is chosen first.
+void open_calibration(App& app) {
+    app.ui.dialog = Dialog::calibrate;
+    if (can_be_calibrated(app.play)) return;
+    app.ui.dialog = Dialog::devices;
+    say(app.ui, "Choose the sound output that drives the actuator, then Calibrate.");
+}
+
 template <int kSteps>
 void step_playhead(App& app) {
     app.timeline.playhead = stepped(app.timeline.playhead, kSteps, shown_duration_s(app.work));
@@ -100,6 +108,13 @@ constexpr auto kOtherCommands = std::to_array<Command>({
      [](App& app) { app.ui.dialog = Dialog::devices; },
      nullptr,
      "actuator sound card channel latency full scale output"},
+    {"Play",
+     "Calibrate...",
+     {},
+     always,
+     open_calibration,
+     nullptr,
+     "accelerometer g response resonance measure actuator calibration"},
     {"Play",
      "Refresh devices",
      {},
