@@ -1,6 +1,9 @@
 #include "model/text/csv.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -32,6 +35,12 @@ std::vector<std::string> words(std::string_view line) {
     return result;
 }
 
+// Whether a formula begins there, behind apostrophes if any.
+bool is_run_behind(std::string_view text, std::size_t first) {
+    constexpr std::string_view kRun = "=+-@\t";
+    return first != text.npos && kRun.find(text[first]) != kRun.npos && text.size() > first + 1;
+}
+
 // Fields of a line; one whose quotes are open at its end goes on in the next line.
 void take_fields(CsvReader& reader, std::string_view line, CsvRecord& record) {
     std::string field;
@@ -52,16 +61,28 @@ void take_fields(CsvReader& reader, std::string_view line, CsvRecord& record) {
             quoted = !quoted;
         } else if (line[k] == reader.separator && !quoted &&
                    record.fields.size() + 1 < kMaxCsvFields) {
-            record.fields.push_back(std::move(field));
+            record.fields.push_back(unguarded(std::move(field)));
             field.clear();
         } else {
             field += line[k];
         }
     }
-    record.fields.push_back(std::move(field));
+    record.fields.push_back(unguarded(std::move(field)));
 }
 
 }  // namespace
+
+std::string guarded(std::string_view text) {
+    const bool is_run = is_run_behind(text, text.find_first_not_of('\''));
+    if (!is_run || finite_number_in(std::string(text))) return std::string(text);
+    return "'" + std::string(text);
+}
+
+std::string unguarded(std::string text) {
+    const std::size_t first = text.find_first_not_of('\'');
+    if (first > 0 && is_run_behind(text, first)) text.erase(0, 1);
+    return text;
+}
 
 CsvReader reader_of(std::string_view text) {
     const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());

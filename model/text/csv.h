@@ -31,4 +31,10 @@ CsvReader reader_of(std::string_view text);
 
 CsvRecord next_record(CsvReader& reader);
 
+// A text that a spreadsheet would run as a formula (it begins with = + - @, and is no number),
+// behind an apostrophe, by which spreadsheets tell text; and the text again. Every other text stays
+// as it is.
+std::string guarded(std::string_view text);
+std::string unguarded(std::string text);
+
 }  // namespace tact

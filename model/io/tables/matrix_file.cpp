@@ -121,11 +121,12 @@ std::string csv_row(std::span<const std::string> texts) {
     return row + "\n";
 }
 
-std::string csv_field(std::string_view text) {
+std::string csv_field(std::string_view plain) {
+    const std::string text = guarded(plain);
     // Blanks at the ends get quotes too: some programs drop bare ones.
     const bool is_bare = text.find_first_of(",\"\r\n") == text.npos && !text.starts_with(' ') &&
                          !text.ends_with(' ');
-    if (is_bare) return std::string(text);
+    if (is_bare) return text;
     std::string field = "\"";
     for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
     return field + "\"";

@@ -37,7 +37,7 @@ struct LabelledMatrix {
 inline constexpr const char* kSyntheticMark = "SYNTHETIC";
 inline constexpr const char* kNobodyAsked = "SYNTHETIC: nobody was asked for some or all of these";
 
-// A text as a field of a CSV line: in quotes where it has to be.
+// A text as a field of a CSV line: in quotes where it has to be, and guarded from spreadsheets.
 std::string csv_field(std::string_view text);
 
 // Such fields with commas between them, and the end of the line.

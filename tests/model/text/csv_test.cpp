@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+
+#include "model/text/numbers.h"
+
 namespace csv_test {
 
 using namespace tact;
@@ -45,6 +49,22 @@ TEST_CASE("csv: lines are counted through quotes, and an open quote is noticed")
     CHECK(open.line == 7);
     CHECK(open.is_quote_open);
     CHECK(next_record(reader).line == 0);
+}
+
+TEST_CASE("csv: what a spreadsheet would run is written as text, and reads back as it was") {
+    for (const char* text : {"=cmd|A1", "+x", "-x", "@sum", "'=x", "''=x", "=", "-", "'", "", "x=1",
+                             "-5", "+0.5", "-1e3", "'quoted'"}) {
+        CAPTURE(text);
+        const std::string written = guarded(text);
+        CHECK(unguarded(written) == text);
+        CHECK(all(written + ",x\n")[0][0] == text);
+        CHECK(guarded(unguarded(written)) == written);
+        const bool is_run =
+            written.size() > 1 && std::string("=+-@").find(written[0]) != std::string::npos;
+        CHECK((!is_run || finite_number_in(written)));
+    }
+    CHECK(guarded("=cmd|A1") == "'=cmd|A1");
+    CHECK(guarded("-0.31") == "-0.31");  // numbers stay numbers
 }
 
 TEST_CASE("csv: runs of blanks separate bare numbers") {
