@@ -124,13 +124,17 @@ void set_study_folder(const Workspace& work, StudyState& studying, const fs::pat
     studying.folder = {folder, work.document_number};
 }
 
+bool is_code_taken(const Workspace& work, const StudyState& studying, const std::string& code) {
+    const std::string file = study_file_name(code);
+    std::error_code none;
+    return !file.empty() && fs::exists(study_folder(work, studying) / file, none);
+}
+
 std::string unused_code(const Workspace& work, const StudyState& studying,
                         const std::string& prefix) {
-    const fs::path folder = study_folder(work, studying);
-    std::error_code none;
     for (int number = 1;; ++number) {
-        const std::string code = prefix + "P" + std::to_string(number);
-        if (!fs::exists(folder / study_file_name(code), none)) return code;
+        std::string code = prefix + "P" + std::to_string(number);
+        if (!is_code_taken(work, studying, code)) return code;
     }
 }
 

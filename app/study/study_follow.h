@@ -45,6 +45,9 @@ void keep_participants(Ui& ui, const Workspace& work, StudyState& studying,
                        const SavedFrom& place_before);
 
 // "P1", "P2", ... after a prefix, whichever has no file yet.
+// Whether another participant's file has this code's name, which different codes may share.
+bool is_code_taken(const Workspace& work, const StudyState& studying, const std::string& code);
+
 std::string unused_code(const Workspace& work, const StudyState& studying,
                         const std::string& prefix = "");
 

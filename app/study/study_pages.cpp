@@ -146,9 +146,22 @@ float form_height() {
     return 5.0F * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
 }
 
-void draw_form(Ui& ui, StudyState& studying) {
+// Why the code cannot be begun with; empty: it can.
+std::string code_fault(const Workspace& work, const StudyState& studying) {
+    if (study_file_name(studying.code).empty()) return "letters or digits, please";
+    if (is_code_taken(work, studying, studying.code)) return "This code is taken: choose another.";
+    return {};
+}
+
+void draw_form(Ui& ui, const Workspace& work, StudyState& studying) {
     ImGui::BeginGroup();
-    draw_entry(ui, "Code", "code", studying.code, "no name, please");
+    const std::string fault = code_fault(work, studying);
+    draw_entry(ui, "Code", "code", studying.code, fault.empty() ? "no name, please" : "");
+    if (!fault.empty()) {
+        ImGui::SameLine();
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.theme.warning), "%s", fault.c_str());
+        note_item(ui.rects, "study field:code fault", fault);
+    }
     draw_entry(ui, "Age", "age", studying.age, "years");
     draw_entry(ui, "Gender", "gender", studying.gender, "");
     draw_entry(ui, "Writing hand", "hand", studying.hand, "left or right");
@@ -160,6 +173,7 @@ void draw_form(Ui& ui, StudyState& studying) {
 
 // Enter ticks, then begins.
 void take_consent_key(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying) {
+    if (!code_fault(work, studying).empty()) return;
     if (studying.agrees) {
         act(ui, work, play, studying, {What::go_on, 0, 0.0, {}, {}});
     } else {
@@ -253,14 +267,13 @@ void draw_column(Ui& ui, const Workspace& work, const PlayState& play, StudyStat
     ImGui::PopTextWrapPos();
     const ImVec2 below{corner.x, corner.y + title + text};
     ImGui::SetCursorScreenPos(below);
-    if (has_form) draw_form(ui, studying);
+    if (has_form) draw_form(ui, work, studying);
     const ImVec2 foot{below.x, below.y + form};
     ImGui::SetCursorScreenPos(foot);
     if (run.is_asking) {
         draw_asking_buttons(ui, work, play, studying, pressed);
     } else {
-        ImGui::BeginDisabled(has_form &&
-                             (!studying.agrees || study_file_name(studying.code).empty()));
+        ImGui::BeginDisabled(has_form && (!studying.agrees || !code_fault(work, studying).empty()));
         draw_go_on(ui, work, play, studying, {foot, foot}, words.go_on);
         ImGui::EndDisabled();
     }

@@ -1,5 +1,6 @@
 // The view of studies and a participant's pages, in the program's real frames.
 #include <filesystem>
+#include <fstream>
 
 #include "app/study/study_follow.h"
 #include "app/window/jobs.h"
@@ -214,6 +215,22 @@ TEST_CASE("study window: the design is part of the document, a change one undo s
     CHECK(program.app.work.document.set.study.patterns.empty());
     program.press('1', true);
     CHECK(program.shows("pane:Patterns"));
+}
+
+TEST_CASE("study window: a code that is taken is told beside its field, before anything begins") {
+    StudyProgram program;
+    program.press('4', true);
+    std::filesystem::create_directories(program.folder.path / "people");
+    std::ofstream(program.folder.path / "people" / study_file_name("Zo,b")) << "x";
+    program.click("button:run participant");
+    CHECK_FALSE(program.shows("study field:code fault"));
+    program.app.studying.code = "Zo;b";  // another code with the same file
+    program.app.studying.agrees = true;
+    program.settle();
+    CHECK(program.at("study field:code fault").value == "This code is taken: choose another.");
+    program.key(key::kEnter);
+    CHECK(program.page() == "consent 0");
+    CHECK(program.app.studying.run->trouble.empty());
 }
 
 TEST_CASE("study window: sorting by keyboard and by mouse") {
