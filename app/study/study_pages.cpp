@@ -202,7 +202,12 @@ std::string paused_text(const StudyState& studying) {
     const std::string kept = given == 0   ? "You have not answered anything yet."
                              : given == 1 ? "Your answer is kept."
                                           : "Your " + std::to_string(given) + " answers are kept.";
-    return kept + " If you leave now, you can come back later and go on from here." +
+    const int cut = run.cut_short_in_all;
+    const std::string cuts = cut == 0 ? ""
+                                      : "\n\n" + std::to_string(cut) +
+                                            (cut == 1 ? " play was" : " plays were") +
+                                            " cut short and felt once more.";
+    return kept + " If you leave now, you can come back later and go on from here." + cuts +
            settling_text(studying);
 }
 

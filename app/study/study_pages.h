@@ -23,6 +23,10 @@ void draw_study_pages(Ui& ui, const Workspace& work, const PlayState& play, Stud
 // window of so many pixels; in eighths, as fonts are made anew for each.
 float wanted_page_scale(const Ui& ui, ImVec2 window_px);
 
+// After kCallAfter plays in a row that were cut short.
+inline constexpr const char* kCallText =
+    "It is cut short again and again: please call the experimenter.";
+
 // Content of pages, in the middle of `area`; each takes its own keys.
 void draw_training_page(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                         const Rect& area, std::span<const KeyPress> pressed);

@@ -38,6 +38,8 @@ void show_next(StudyRun& run, double now_s) {
         run.page = StudyPage::sorting;
         run.asked_groups = next_round_groups(run.record);
         run.groups.assign(patterns_of(run), kUnsorted);
+        run.felt_in_round = {};
+        run.felt_in_round.plays.assign(patterns_of(run), 0);
         return;
     }
     run.page = StudyPage::trial;
@@ -76,8 +78,13 @@ void start_playing(StudyRun& run, StudyDeeds& deeds, std::size_t pattern, double
 void end_playing(StudyRun& run, const Play& played) {
     run.playing.reset();
     run.feels_again = !is_whole(played);
+    run.cut_short = run.feels_again ? run.cut_short + 1 : 0;
+    run.cut_short_in_all += run.feels_again ? 1 : 0;
     if (run.page == StudyPage::training && !run.feels_again) ++run.felt[run.playing_button];
     if (run.page == StudyPage::trial) note_play(run.given, run.playing_button == 0, played);
+    if (run.page != StudyPage::sorting) return;
+    note_play(run.felt_in_round, run.playing_button, played);
+    if (!run.feels_again) ++run.felt_sorting[run.playing_button];
 }
 
 void play(StudyRun& run, StudyDeeds& deeds, std::size_t button, double now_s) {
@@ -114,7 +121,11 @@ PairAnswer pair_answer(const StudyRun& run, const std::string& at, double now_s)
 
 SortingAnswer sorting_answer(const StudyRun& run, const std::string& at, double now_s) {
     // Groups by number, without the empty ones between.
-    SortingAnswer answer{run.asked_groups, run.groups, tenths(now_s - run.shown_s), at};
+    SortingAnswer answer = run.felt_in_round;
+    answer.asked_groups = run.asked_groups;
+    answer.groups = run.groups;
+    answer.response_s = tenths(now_s - run.shown_s);
+    answer.at = at;
     std::vector<std::size_t> used = run.groups;
     std::ranges::sort(used);
     const auto rest = std::ranges::unique(used);
@@ -220,6 +231,7 @@ StudyRun study_run(StudyRecord record, std::vector<double> duration_s) {
     run.answers_before = answers_given(run.record);
     run.training = training_order(plan_of(run));
     run.felt.assign(run.training.size(), 0);
+    run.felt_sorting.assign(patterns_of(run), 0);
     if (is_pairwise(run) && run.record.header.design.order == StudyOrder::full) {
         run.trials = trial_list(plan_of(run));
     }
@@ -297,7 +309,7 @@ bool may_go_on(const StudyRun& run, double now_s) {
             const std::size_t filled = filled_groups(run);
             const bool is_as_asked =
                 run.asked_groups == 0 || filled == static_cast<std::size_t>(run.asked_groups);
-            return is_quiet && unsorted_count(run) == 0 && is_as_asked;
+            return is_quiet && unsorted_count(run) == 0 && unfelt_count(run) == 0 && is_as_asked;
         }
         case StudyPage::instructions:
         case StudyPage::rest:
@@ -316,6 +328,10 @@ double next_change_s(const StudyRun& run, double now_s) {
 }
 
 std::size_t filled_groups(const StudyRun& run) { return group_count(run.groups); }
+
+std::size_t unfelt_count(const StudyRun& run) {
+    return static_cast<std::size_t>(std::ranges::count(run.felt_sorting, 0));
+}
 
 std::size_t unsorted_count(const StudyRun& run) {
     return static_cast<std::size_t>(std::ranges::count(run.groups, kUnsorted));

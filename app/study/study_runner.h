@@ -35,10 +35,14 @@ struct StudyRun {
     Trial trial;                       // on the screen
     PairAnswer given;                  // to it so far: how its sides were felt
     bool feels_again = false;          // the last play was not whole, and does not count
+    int cut_short = 0;                 // plays in a row that were not whole
+    int cut_short_in_all = 0;          // of this sitting
     std::optional<double> similarity;  // where the slider was put
 
-    int asked_groups = 0;  // of the round of sorting on the screen; 0: free
-    Sorting groups;        // so far
+    int asked_groups = 0;           // of the round of sorting on the screen; 0: free
+    Sorting groups;                 // so far
+    SortingAnswer felt_in_round;    // how the round's patterns were felt
+    std::vector<int> felt_sorting;  // whole plays of each pattern in this sitting
 
     std::optional<std::size_t> playing;  // position of the pattern
     std::size_t playing_button = 0;
@@ -100,6 +104,12 @@ bool may_rate(const StudyRun& run, double now_s);
 bool may_go_on(const StudyRun& run, double now_s);
 // When something changes by itself, such as a gap that ends; infinite: nothing does.
 double next_change_s(const StudyRun& run, double now_s);
+
+// So many plays in a row that were cut short are not the participant's to mend.
+inline constexpr int kCallAfter = 3;
+
+// Patterns to sort that were not felt whole in this sitting.
+std::size_t unfelt_count(const StudyRun& run);
 
 // Groups of the round that have patterns, and what is still to be sorted.
 std::size_t filled_groups(const StudyRun& run);

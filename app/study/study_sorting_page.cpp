@@ -147,7 +147,9 @@ void draw_token(Ui& ui, const Workspace& work, const PlayState& play, StudyState
     const bool is_chosen = studying.held == pattern;
     list.AddRect(at.min, at.max, is_chosen ? theme.accent : theme.line, theme.pane_rounding_px, 0,
                  (is_chosen ? 2.0F : 1.0F) * theme.scale);
-    centred_text(theme.fonts.large, theme.text, at,
+    // What was not felt yet is hollow.
+    const bool is_felt = studying.run->felt_sorting[pattern] > 0;
+    centred_text(theme.fonts.large, is_felt ? theme.text : theme.dim_text, at,
                  at.centre().y - 0.5F * text_size(theme.fonts.large, name).y, name);
     if (is_released) release(ui, work, play, studying, layout, pattern);
 }
@@ -176,6 +178,12 @@ void take_keys(Ui& ui, const Workspace& work, const PlayState& play, StudyState&
 }
 
 std::string task_text(const StudyRun& run) {
+    if (run.cut_short >= kCallAfter) return kCallText;
+    if (run.feels_again) return "That was cut short: feel it once more";
+    if (unsorted_count(run) == 0 && unfelt_count(run) > 0) {
+        return "Feel each number before you go on: " + std::to_string(unfelt_count(run)) +
+               (unfelt_count(run) == 1 ? " is left" : " are left");
+    }
     if (run.asked_groups > 0) {
         return "Sort them into " + std::to_string(run.asked_groups) +
                " groups: what feels alike goes together";

@@ -34,6 +34,7 @@ std::string waiting_text(const StudyRun& run, double now_s) {
                               : "How similar? Click on the line, or press 0 to 9.";
     }
     if (run.playing) return "Feel ...";
+    if (run.cut_short >= kCallAfter) return kCallText;
     if (run.feels_again) return "That was cut short: feel it once more";
     if (run.given.plays_left == 0 && run.given.plays_right == 0) return "Feel both, A and B";
     return run.given.plays_left == 0 ? "Now feel A" : "Now feel B";
@@ -156,8 +157,9 @@ void draw_training_page(Ui& ui, const Workspace& work, const PlayState& play, St
     const ImVec2 down{0.0F, top - page.min.y};
     buttons = {buttons.min + down, buttons.max + down};
     centred_text(theme.fonts.large, theme.text, page, top,
-                 run.feels_again && !run.playing ? "That was cut short: feel it once more"
-                                                 : "Get to know them: feel each at least once");
+                 run.cut_short >= kCallAfter       ? kCallText
+                 : run.feels_again && !run.playing ? "That was cut short: feel it once more"
+                                                   : "Get to know them: feel each at least once");
     std::optional<std::size_t> chosen;
     for (std::size_t k = 0; k < count; ++k) {
         const Rect cell = training_cell(ui, buttons, k, count);

@@ -17,18 +17,40 @@ bool is_rehearsal(const StudyDevice& device) { return device.name == kNoDevice; 
 
 bool is_whole(const Play& play) { return play.is_to_the_end && play.dropouts == 0; }
 
-void note_play(PairAnswer& answer, bool is_left, const Play& play) {
-    PlaysReport& report = is_left ? answer.left : answer.right;
+namespace {
+
+// Whether it counts.
+bool noted(PlaysReport& report, const Play& play) {
     report.turned_down_db = std::max(report.turned_down_db, play.turned_down_db);
-    if (is_whole(play)) {
-        if (answer.first == FeltFirst::unknown) {
-            answer.first = is_left ? FeltFirst::left : FeltFirst::right;
-        }
-        ++(is_left ? answer.plays_left : answer.plays_right);
-        return;
-    }
+    if (is_whole(play)) return true;
     ++report.broken;
     report.dropouts += play.dropouts;
+    return false;
+}
+
+// Whether every pattern was played whole in a round up to this one; files of before do not say.
+bool is_sorting_felt(const StudyRecord& record, std::size_t round) {
+    std::vector<bool> felt(record.header.patterns.size(), false);
+    for (std::size_t k = 0; k <= round; ++k) {
+        const std::vector<int>& plays = record.sortings[k].plays;
+        if (plays.size() != felt.size()) return true;
+        for (std::size_t p = 0; p < felt.size(); ++p) felt[p] = felt[p] || plays[p] > 0;
+    }
+    return std::ranges::find(felt, false) == felt.end();
+}
+
+}  // namespace
+
+void note_play(PairAnswer& answer, bool is_left, const Play& play) {
+    if (!noted(is_left ? answer.left : answer.right, play)) return;
+    if (answer.first == FeltFirst::unknown) {
+        answer.first = is_left ? FeltFirst::left : FeltFirst::right;
+    }
+    ++(is_left ? answer.plays_left : answer.plays_right);
+}
+
+void note_play(SortingAnswer& answer, std::size_t pattern, const Play& play) {
+    if (noted(answer.report, play) && pattern < answer.plays.size()) ++answer.plays[pattern];
 }
 
 int replays_of(const PairAnswer& answer) {
@@ -71,7 +93,9 @@ const StudyDevice& device_of(const StudyRecord& record, std::size_t k) {
 
 Felt felt_of(const StudyRecord& record, std::size_t k) {
     if (is_rehearsal(device_of(record, k))) return Felt::nothing;
-    if (record.header.kind != StudyKind::pairwise) return Felt::whole;
+    if (record.header.kind != StudyKind::pairwise) {
+        return is_sorting_felt(record, k) ? Felt::whole : Felt::in_part;
+    }
     const PairAnswer& answer = record.answers[k];
     // Files of before say nothing of broken plays.
     const bool left_missing = answer.plays_left == 0 && answer.left.broken > 0;

@@ -113,9 +113,14 @@ struct SortingAnswer {
     Sorting groups;
     double response_s = 0.0;
     std::string at;
+    std::vector<int> plays{};  // whole ones in this round, of each pattern; files of before: none
+    PlaysReport report{};      // of all patterns
 
     bool operator==(const SortingAnswer&) const = default;
 };
+
+// A play into the sorting that is being made, in which a button is a pattern.
+void note_play(SortingAnswer& answer, std::size_t pattern, const Play& play);
 
 struct StudyRecord {
     StudyHeader header;
@@ -150,7 +155,7 @@ const StudyDevice& device_of(const StudyRecord& record, std::size_t k);
 enum class Felt {
     whole,
     nothing,  // there was no device
-    in_part   // a side was never played whole
+    in_part   // a side, or a pattern that was sorted, was never played whole
 };
 Felt felt_of(const StudyRecord& record, std::size_t k);
 

@@ -210,6 +210,17 @@ SortingAnswer sorting_answer_of(JsonObject& object, const StudyHeader& header) {
     answer.groups = groups_of(object, header);
     answer.response_s = number_field(object, "response_s", 0.0, kSeconds);
     answer.at = text_field(object, "at", "");
+    const auto plays = array_field(object, "plays", 0, limits::kMaxStudyPatterns);
+    for (std::size_t k = 0; k < plays.size(); ++k) {
+        const std::string place = place_of(object, "plays") + "/" + std::to_string(k);
+        answer.plays.push_back(
+            static_cast<int>(number_at(*object.reading, *plays[k], place, kPlays)));
+    }
+    if (!plays.empty() && plays.size() != header.patterns.size()) {
+        refuse(*object.reading, place_of(object, "plays"), "a number for each pattern",
+               plays.size());
+    }
+    answer.report = plays_report(object_field(object, "play_report"));
     return answer;
 }
 
@@ -253,11 +264,13 @@ std::string answer_line(const StudyHeader& header, std::size_t serial,
         }
         if (!names.empty()) groups.push_back(names);
     }
-    const Json fields = {{"round", serial + 1},
-                         {"asked_groups", answer.asked_groups},
-                         {"groups", groups},
-                         {"response_s", answer.response_s},
-                         {"at", answer.at}};
+    Json fields = {{"round", serial + 1},
+                   {"asked_groups", answer.asked_groups},
+                   {"groups", groups},
+                   {"response_s", answer.response_s},
+                   {"at", answer.at}};
+    if (!answer.plays.empty()) fields["plays"] = answer.plays;
+    note_report(fields, "play_report", answer.report);
     return as_line(fields);
 }
 

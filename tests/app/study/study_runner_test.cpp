@@ -268,7 +268,16 @@ TEST_CASE("study runner: sorting asks for the free choice, then for the given nu
     person.act(What::put, 3, 9.0);
     person.wait(40.0);
     person.act(What::go_on);
+    CHECK(answers_given(person.run.record) == 0);  // nothing was felt
+    for (std::size_t k = 0; k < kPatterns; ++k) {
+        CHECK(unfelt_count(person.run) == kPatterns - k);
+        CHECK_FALSE(may_go_on(person.run, person.now_s));
+        person.feel(k);
+    }
+    person.feel(2);
+    person.act(What::go_on);
     REQUIRE(person.run.page == StudyPage::sorting);
+    CHECK(person.run.record.sortings[0].plays == std::vector<int>{1, 1, 2, 1});
     CHECK(person.run.asked_groups == 2);
     CHECK(person.run.record.sortings[0].groups == Sorting{0, 1, 0, 2});
     for (std::size_t k = 0; k < 4; ++k) person.act(What::put, k, k == 0 ? 0.0 : 1.0);
@@ -281,6 +290,16 @@ TEST_CASE("study runner: sorting asks for the free choice, then for the given nu
     const auto read = parse_study(person.file, "file");
     REQUIRE(read);
     CHECK(read->sortings.size() == 2);
+    CHECK(read->sortings[0].plays == std::vector<int>{1, 1, 2, 1});
+    CHECK(read->sortings[1].plays == std::vector<int>{0, 0, 0, 0});
+    CHECK(felt_of(*read, 0) == Felt::whole);
+    CHECK(felt_of(*read, 1) == Felt::whole);  // they were felt in the round before
+    StudyRecord blind = *read;
+    blind.sortings[0].plays[1] = 0;
+    CHECK(felt_of(blind, 0) == Felt::in_part);
+    CHECK(felt_of(blind, 1) == Felt::in_part);
+    for (SortingAnswer& old : blind.sortings) old.plays.clear();
+    CHECK(felt_of(blind, 1) == Felt::whole);  // files of before do not say
     CHECK(read->sortings[1].groups == Sorting{0, 1, 1, 1});
 }
 
@@ -315,6 +334,30 @@ TEST_CASE("study runner: a pattern counts as felt at its end, and not when it wa
     CHECK(answer.left.broken == 2);
     CHECK(answer.right.broken == 0);
     CHECK(answer.plays_left == 1);
+}
+
+TEST_CASE(
+    "study runner: after three cuts in a row the experimenter is called, and all are counted") {
+    Person person;
+    person.act(What::go_on);
+    person.act(What::go_on);
+    const auto cut = [&] {
+        person.act(What::play, 0);
+        person.wait(0.6 * kDurationS);
+        person.act(What::cut_short);
+        person.wait(2.0);
+    };
+    for (int k = 1; k <= kCallAfter; ++k) {
+        CHECK(person.run.cut_short < kCallAfter);
+        cut();
+        CHECK(person.run.cut_short == k);
+    }
+    CHECK(person.run.cut_short >= kCallAfter);
+    person.feel(0);
+    CHECK(person.run.cut_short == 0);
+    CHECK(person.run.cut_short_in_all == 3);
+    cut();
+    CHECK(person.run.cut_short_in_all == 4);
 }
 
 TEST_CASE("study runner: what its device still plays is not over when its time is") {

@@ -252,6 +252,13 @@ TEST_CASE("study window: sorting by keyboard and by mouse") {
     }
     CHECK(unsorted_count(*program.app.studying.run) == 0);
     program.key(key::kEnter);
+    CHECK(program.page() == "sorting 0");  // nothing was felt
+    for (std::size_t k = 0; k < study_set().vibrations.size(); ++k) {
+        program.key(key::kRight);
+        program.key(key::kSpace);
+        program.wait(0.3);
+    }
+    program.key(key::kEnter);
     CHECK(program.page() == "finished 1");
     program.key(key::kEnter);
     program.wait_for("participant:P1");
