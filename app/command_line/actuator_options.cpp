@@ -87,7 +87,8 @@ void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen) {
                   "quarter passes below 10 Hz, without the ramps of 5 ms at both ends, and for "
                   "however long; an actuator may be harmed");
     play.add_option("--longest", options.longest_s,
-                    "that a pattern or a loop may play on end without a calibration, s; else 60")
+                    "that a pattern or a loop may play on end, s; default: 60, and no limit with "
+                    "--no-protection or a calibration that has an rms limit")
         ->check(within(0.1, 86'400.0));
     play.add_option("--buffer", options.buffer_ms,
                     "of sound rendered ahead, ms; else 100. Less follows --level sooner and has "

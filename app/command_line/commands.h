@@ -305,7 +305,7 @@ struct PlayCommand {
     double gap_s = 0.5;                 // between patterns
     double buffer_ms = 100.0;           // of an output
     bool no_protection = false;         // of an actuator without a calibration
-    double longest_s = 60.0;            // that one plays on end
+    std::optional<double> longest_s;    // that one plays on end
     bool loop = false;
 };
 Expected<Done> run(const PlayCommand& command);

@@ -97,7 +97,7 @@ MadeDrive made_drive(const DriveRequest& request) {
         if (!kept.remark.empty()) made.remark = request.vibration.name + " " + kept.remark + ".";
         return made;
     }
-    CalibratedDrive driven = calibrated_drive(waveform, *request.calibration);
+    CalibratedDrive driven = calibrated_drive(waveform, *request.calibration, request.loops);
     made.drive = std::move(driven.drive);
     for (const std::string& warning : driven.warnings) {
         made.remark += (made.remark.empty() ? request.vibration.name + " " : "; it ") + warning;

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <complex>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 
+#include "devices/device/protection.h"
 #include "model/common/units.h"
 #include "model/signal/spectrum.h"
 
@@ -16,7 +19,7 @@ namespace {
 constexpr double kReachOctaves = 1.0 / 3.0;  // beyond the table that is still trusted
 constexpr double kEdgeOctaves = 1.0 / 6.0;   // of it, until nothing is sent
 constexpr double kLargestBoost = 10.0;       // over the strongest point: 20 dB
-constexpr double kLowestMotionHz = 10.0;
+constexpr double kLowestMotionHz = 10.0;  // slower is drift of a sensor, unless it was measured
 
 double octaves_outside(const Calibration& calibration, double frequency_hz) {
     const double below = std::log2(calibration.points.front().frequency_hz / frequency_hz);
@@ -24,12 +27,25 @@ double octaves_outside(const Calibration& calibration, double frequency_hz) {
     return std::max({0.0, below, above});
 }
 
-// log S between the points; the nearest one's beyond them.
+// Below the table S may go on rising, as above a resonance: it is taken to rise as it does between
+// the lowest two, so that nothing is driven harder there than the actuator's own slope allows.
+double below_table_g(const std::vector<ResponsePoint>& points, double frequency_hz) {
+    const double lowest_g = points.front().g_per_full_scale;
+    if (points.size() < 2 || points[1].g_per_full_scale >= lowest_g) return lowest_g;
+    const double slope = std::log(points[1].g_per_full_scale / lowest_g) /
+                         std::log(points[1].frequency_hz / points[0].frequency_hz);
+    return lowest_g * std::pow(frequency_hz / points[0].frequency_hz, slope);
+}
+
+// log S between the points; the nearest one's above them, and at least that below.
 double interpolated_g(const Calibration& calibration, double frequency_hz) {
     const auto& points = calibration.points;
     const auto above =
         std::ranges::lower_bound(points, frequency_hz, {}, &ResponsePoint::frequency_hz);
-    if (above == points.begin()) return points.front().g_per_full_scale;
+    if (above == points.begin()) {
+        return frequency_hz > 0.0 ? below_table_g(points, frequency_hz)
+                                  : points.front().g_per_full_scale;
+    }
     if (above == points.end()) return points.back().g_per_full_scale;
     const ResponsePoint& low = *(above - 1);
     const double share = std::log(frequency_hz / low.frequency_hz) /
@@ -68,6 +84,61 @@ double loudest_second(const Drive& drive) {
         most = std::max(most, sum);
     }
     return std::sqrt(most / static_cast<double>(window));
+}
+
+// ... of its endless repetition: whole passes, and the rest of a second where that has most.
+double loudest_second_of_loop(const Drive& drive) {
+    const auto window = std::max<std::size_t>(1, static_cast<std::size_t>(drive.rate_hz));
+    const std::size_t length = drive.samples.size();
+    if (length == 0) return 0.0;
+    const auto square = [&](std::size_t n) {
+        const double sample = drive.samples[n % length];
+        return sample * sample;
+    };
+    const std::size_t rest = window % length;
+    double pass = 0.0;
+    for (std::size_t n = 0; n < length; ++n) pass += square(n);
+    double sum = 0.0;
+    for (std::size_t n = 0; n < rest; ++n) sum += square(n);
+    double most = sum;
+    for (std::size_t n = 0; n < length; ++n) {
+        sum += square(n + rest) - square(n);
+        most = std::max(most, sum);
+    }
+    const double whole = static_cast<double>(window / length) * pass;
+    return std::sqrt(std::max(0.0, whole + most) / static_cast<double>(window));
+}
+
+// The slowest motion that a table has a strength for.
+double slowest_hz(const Calibration& calibration) {
+    return std::min(kLowestMotionHz,
+                    calibration.points.front().frequency_hz * std::exp2(-kReachOctaves));
+}
+
+double displaced_um_per_g(double f_hz, double lowest_hz) {
+    return f_hz < lowest_hz ? 0.0 : displacement_um(1.0, f_hz);
+}
+
+double excursion_of_pass_mm(const Drive& drive, const Calibration& calibration) {
+    const double lowest_hz = slowest_hz(calibration);
+    const Waveform moved{drive.rate_hz, acceleration_g(drive, calibration)};
+    return largest_of(zero_phase_filtered(moved.samples_g, moved.rate_hz, [&](double f_hz) {
+        return 1e-3 * displaced_um_per_g(f_hz, lowest_hz);
+    }));
+}
+
+// Of an endless repetition, whose lines lie at whole multiples of one per pass.
+double excursion_of_loop_mm(const Drive& drive, const Calibration& calibration) {
+    if (drive.samples.empty()) return 0.0;
+    std::vector<std::complex<double>> half = half_spectrum(drive.samples);
+    const double length_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
+    const double lowest_hz = slowest_hz(calibration);
+    for (std::size_t k = 0; k < half.size(); ++k) {
+        const double f_hz = static_cast<double>(k) / length_s;
+        half[k] *= response_g(calibration, f_hz).value_or(0.0) * 1e-3 *
+                   displaced_um_per_g(f_hz, lowest_hz);
+    }
+    return largest_of(samples_of(half, drive.samples.size()));
 }
 
 // What of the energy meant the actuator will not give.
@@ -189,7 +260,8 @@ std::optional<double> response_g(const Calibration& calibration, double frequenc
     return interpolated_g(calibration, frequency_hz);
 }
 
-CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& calibration) {
+CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& calibration,
+                                 bool loop, std::optional<double> longest_s) {
     assert(!calibration.points.empty() && "a calibration without a point");
     const double floor_g = strongest_g(calibration) / kLargestBoost;
     CalibratedDrive driven;
@@ -201,13 +273,25 @@ CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& ca
             return passed / std::max(interpolated_g(calibration, f_hz), floor_g);
         });
     driven.peak = largest_of(driven.drive.samples);
-    driven.excursion_mm =
-        peak_displacement_mm({waveform.rate_hz, acceleration_g(driven.drive, calibration)});
+    driven.excursion_mm = excursion_of_pass_mm(driven.drive, calibration);
     driven.rms = loudest_second(driven.drive);
+    if (loop) {
+        driven.excursion_mm =
+            std::max(driven.excursion_mm, excursion_of_loop_mm(driven.drive, calibration));
+        driven.rms = std::max(driven.rms, loudest_second_of_loop(driven.drive));
+    }
+    // A limit of rms is one of heat; without it nobody knows how warm the actuator gets.
+    driven.drive.longest_s = longest_s.value_or(calibration.rms_limit > 0.0
+                                                    ? std::numeric_limits<double>::infinity()
+                                                    : kLongestOnEndS);
     driven.over_measured = over_measured(driven.drive, calibration);
     driven.share_lost = share_lost(waveform, calibration);
     driven.drive.largest_level = largest_level(driven, calibration);
     driven.warnings = warnings_of(driven, calibration);
+    const double length_s = static_cast<double>(waveform.samples_g.size()) / waveform.rate_hz;
+    if (!loop && length_s > driven.drive.longest_s) {
+        driven.warnings.push_back("ends after " + digits(driven.drive.longest_s) + " s");
+    }
     return driven;
 }
 

@@ -29,7 +29,7 @@ namespace tact {
 struct ResponsePoint {
     double frequency_hz = 0.0;
     double g_per_full_scale = 0.0;
-    double largest_drive = 1.0;  // up to which it was measured, of full scale; no more is sent
+    double largest_drive = 1.0;  // up to which it was measured, of full scale, above 0; no more is sent
     double thd = 0.0;            // total harmonic distortion there: second to fifth, as a share
     double nonlinearity = 0.0;   // largest departure from proportional over the levels, as a share
     bool between = false;        // worked out from the points around it, not measured
@@ -68,8 +68,8 @@ std::optional<double> response_g(const Calibration& calibration, double frequenc
 struct CalibratedDrive {
     Drive drive;
     double peak = 0.0;           // of full scale; above 1 it would be cut
-    double excursion_mm = 0.0;   // peak displacement of what is driven
-    double rms = 0.0;            // of the loudest second
+    double excursion_mm = 0.0;   // peak, down to the slowest that the table reaches
+    double rms = 0.0;            // of the loudest second, of a loop's repetition too
     double over_measured = 0.0;  // peak, each frequency as a share of the largest drive measured
                                  // there; 0: measured up to full scale
     double share_lost = 0.0;     // of the energy meant: outside the table, or boosted too little
@@ -78,7 +78,10 @@ struct CalibratedDrive {
     bool operator==(const CalibratedDrive&) const = default;
 };
 
-CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& calibration);
+// `loop`: the limits are those of its endless repetition. `longest_s`: on end; default: for ever where
+// an rms limit knows the heat, kLongestOnEndS (devices/device/protection.h) where nothing does.
+CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& calibration,
+                                 bool loop = false, std::optional<double> longest_s = {});
 
 // What the actuator makes of a drive signal, in g, as long as it; nothing beyond the table's reach.
 std::vector<double> acceleration_g(const Drive& drive, const Calibration& calibration);

@@ -25,6 +25,10 @@ ResponsePoint point_of(JsonObject object) {
     point.frequency_hz = number_field(object, "frequency_hz", 1.0, kFrequencyHz);
     point.g_per_full_scale = number_field(object, "g_per_full_scale", 1.0, kResponseG);
     point.largest_drive = number_field(object, "largest_drive", point.largest_drive, kShare);
+    if (point.largest_drive <= 0.0) {
+        refuse(*object.reading, place_of(object, "largest_drive"), "a number above 0",
+               point.largest_drive);
+    }
     point.thd = number_field(object, "thd", point.thd, kFactor);
     point.nonlinearity = number_field(object, "nonlinearity", point.nonlinearity, kFactor);
     point.between = yes_no_field(object, "between", false);

@@ -94,7 +94,7 @@ Clip clip_of(const Drive& drive, double rate_hz, bool loop) {
         clip.samples.push_back(static_cast<float>(played.samples_g[n]));
     }
     clip.peak = static_cast<float>(true_peak(played, from, count));
-    clip.lead_s = loop ? 0.0 : kClipMarginS;
+    clip.lead_s = loop ? 0.0 : kClipMarginS + drive.lead_s;
     return clip;
 }
 

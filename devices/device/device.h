@@ -21,6 +21,7 @@ struct Drive {
     double largest_level =
         1.0;  // a level above it counts as this one: more would harm the actuator
     double longest_s = std::numeric_limits<double>::infinity();  // on end; then it fades
+    double lead_s = 0.0;  // in it before what is meant begins
 
     bool operator==(const Drive&) const = default;
 };

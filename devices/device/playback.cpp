@@ -39,14 +39,16 @@ struct FlushDenormals {
 struct Steps {
     float fade = 0.0F;
     float cross = 0.0F;
-    float pull = 0.0F;  // of what a level is off
+    float pull = 0.0F;  // of what a level is off ...
+    float rise = 0.0F;  // ... but no more upwards
 };
 
 Steps steps_at(double rate_hz) {
     const auto share = [rate_hz](double seconds) {
         return static_cast<float>(1.0 / (seconds * rate_hz));
     };
-    return {share(kRampS), share(kCrossS), 4.6F * share(kSettleS)};  // e^-4.6 = 1 %
+    return {share(kRampS), share(kCrossS), 4.6F * share(kSettleS),  // e^-4.6 = 1 %
+            share(kRiseS)};
 }
 
 // A frame that may leave: never beyond the ceiling, and what is no number is silence.
@@ -235,7 +237,8 @@ bool render(Playback& playback, float* interleaved, std::size_t frames, double h
             tell_origin(playback, heard_s, n);
         }
         const float off = target - own.gain;
-        own.gain = std::abs(off) < 1e-5F ? target : own.gain + off * steps.pull;
+        own.gain = std::abs(off) < 1e-5F ? target
+                                         : own.gain + std::min(off * steps.pull, steps.rise);
         const bool leaving = own.clip != wanted && !is_change(own.clip, wanted) &&
                              (wanted == nullptr || !wanted->waits);
         const std::size_t spare = spare_frames(playback, wanted);

@@ -8,8 +8,8 @@
 // Output    interleaved frames: silence on all channels but one, or the same on all; never NaN.
 //           No sound in the first kPadS of a stream, as servers lose some of it. A clip that is
 //           stopped fades out in kRampS where the output is short enough for that to be heard in
-//           time; else the stream is cut, and what is on its way is not heard. A change of level
-//           takes about as long as a fade. A loop that is changed goes on from where it is: with w
+//           time; else the stream is cut, and what is on its way is not heard. A lower level
+//           takes about as long as a fade, a higher one up to kRiseS. A loop that is changed goes on from where it is: with w
 //           rising smoothly from 0 to 1 within kCrossS, (1 - w) before + w after, which is never
 //           above the larger one, nor steps by more than the two do and their difference / 600.
 // Left out  gaps that leave the output's clock as it was: of a period that comes just too late
@@ -32,7 +32,8 @@ inline constexpr double kPadS = 0.1;      // of silence before the first clip an
 inline constexpr double kRampS = 0.005;   // of a stop: with 10 ms of latency it is silent in 20
 inline constexpr double kCeiling = 0.8;   // of full scale: no sample leaves that is larger
 inline constexpr double kCrossS = 0.02;   // from a loop to what it is changed into
-inline constexpr double kSettleS = 0.01;  // until a new level is reached to 1 %
+inline constexpr double kSettleS = 0.01;  // until a lower level is reached to 1 %
+inline constexpr double kRiseS = 0.2;     // of a level from nothing to all: one click is no blow
 inline constexpr double kGapS = 0.003;    // that the output's clock leaps by where sound is missing
 // Between a frame's rendering and its being heard: with more of it a stop has to cut the stream.
 inline constexpr double kLongestFadedS = 0.0125;

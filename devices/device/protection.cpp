@@ -16,6 +16,8 @@ namespace {
 constexpr double kWholeFromHz = 16.0;    // a burst of 20 Hz reaches down to there
 constexpr double kNothingBelowHz = 7.0;  // 1/4 at 10 Hz
 constexpr double kEdgeRampS = 0.005;
+constexpr double kRingS = 0.1;   // of the filter, at either end of ...
+constexpr double kShortS = 0.3;  // ... a shorter drive; what a longer one gives back is 1 % at most
 // Of the energy: what a sudden start alone loses is not worth a word.
 constexpr double kToldShare = 0.005;
 
@@ -42,16 +44,37 @@ std::vector<double> repeated_high_passed(const Drive& drive) {
     return samples_of(half, drive.samples.size());
 }
 
-// The share of its energy that went.
+// With room for what the filter rings at either end.
+void widen(Drive& drive) {
+    const std::size_t ring = sample_count(kRingS, drive.rate_hz);
+    drive.samples.insert(drive.samples.begin(), ring, 0.0);
+    drive.samples.insert(drive.samples.end(), ring, 0.0);
+    drive.lead_s += static_cast<double>(ring) / drive.rate_hz;
+}
+
+std::vector<double> high_passed(const Drive& drive, bool loop) {
+    return loop ? repeated_high_passed(drive)
+                : zero_phase_filtered(drive.samples, drive.rate_hz, passed_share);
+}
+
+double energy_apart(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0.0;
+    for (std::size_t n = 0; n < a.size(); ++n) sum += (a[n] - b[n]) * (a[n] - b[n]);
+    return sum;
+}
+
+// The share of its energy that went. Cut to a short drive's own length, the filter's ring would
+// give the slow part back with the cut.
 double take_slow_motion(Drive& drive, bool loop) {
     const double before = energy(drive.samples);
     if (before <= 0.0) return 0.0;
-    std::vector<double> high =
-        loop ? repeated_high_passed(drive)
-             : zero_phase_filtered(drive.samples, drive.rate_hz, passed_share);
-    double lost = 0.0;
-    for (std::size_t n = 0; n < high.size(); ++n) {
-        lost += (drive.samples[n] - high[n]) * (drive.samples[n] - high[n]);
+    std::vector<double> high = high_passed(drive, loop);
+    double lost = energy_apart(drive.samples, high);
+    const double length_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
+    if (!loop && length_s < kShortS && lost > kToldShare * before) {
+        widen(drive);
+        high = high_passed(drive, loop);
+        lost = energy_apart(drive.samples, high);
     }
     drive.samples = std::move(high);
     return std::min(1.0, lost / before);
@@ -68,6 +91,13 @@ void soften_ends(Drive& drive) {
     }
 }
 
+// Of more than 99.5 % two digits would be 1e+02.
+std::string percent(double share) {
+    char text[32];
+    std::snprintf(text, sizeof text, share < 0.0995 ? "%.2g %%" : "%.0f %%", 100.0 * share);
+    return text;
+}
+
 std::string words(const char* format, double value) {
     char text[160];
     std::snprintf(text, sizeof text, format, value);
@@ -76,9 +106,14 @@ std::string words(const char* format, double value) {
 
 }  // namespace
 
-ProtectedDrive protected_drive(const Drive& drive, bool loop, bool is_on, double longest_s) {
+ProtectedDrive protected_drive(const Drive& drive, bool loop, bool is_on,
+                               std::optional<double> asked_s) {
     ProtectedDrive made{drive, {}};
-    if (!is_on) return made;
+    if (!is_on) {
+        made.drive.longest_s = std::min(drive.longest_s, asked_s.value_or(drive.longest_s));
+        return made;
+    }
+    const double longest_s = asked_s.value_or(kLongestOnEndS);
     for (double& sample : made.drive.samples) {
         if (!std::isfinite(sample)) sample = 0.0;
     }
@@ -86,10 +121,8 @@ ProtectedDrive protected_drive(const Drive& drive, bool loop, bool is_on, double
     if (!loop) soften_ends(made.drive);
     made.drive.longest_s = std::min(made.drive.longest_s, longest_s);
     if (lost > kToldShare) {
-        made.remark = words(
-            "loses what is slower than 16 Hz, %.2g %% of its energy: an actuator without a "
-            "calibration might not bear it",
-            100.0 * lost);
+        made.remark = "loses what is slower than 16 Hz, " + percent(lost) +
+                      " of its energy: an actuator without a calibration might not bear it";
     }
     const double length_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
     if (!loop && length_s > longest_s) {

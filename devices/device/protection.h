@@ -12,12 +12,14 @@
 // A calibration knows better: devices/calibration/calibration.h holds back by what it says.
 //
 // Source    choices of ours; 1 g is 0.6 mm at 20 Hz and 250 mm at 1 Hz
-// Output    the drive as long as before; what lies above 16 Hz as it was, but for the ramps. A
+// Output    the drive as long as before; one below 0.3 s that loses a part has 0.1 s more at either
+//           end, for the filter's ring, and says so as its lead. What lies above 16 Hz as it was, but for the ramps. A
 //           sudden start reaches below, and loses that: within 0.1 s of it a tone of 20 Hz changes
 //           by up to a quarter of its peak, one of 150 Hz by 3 %. What is no number is silence.
 // Left out  ramps of a loop, whose seam is its own; the heat of plays with pauses between them.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "devices/device/device.h"
@@ -31,8 +33,9 @@ struct ProtectedDrive {
     std::string remark;  // "loses ..." without a subject and a full stop; empty: as it was meant
 };
 
-// `is_on` false: the drive as it is. `longest_s`: on end, above 0.
+// `is_on` false: the drive as it is. `longest_s`: on end, above 0; it holds where protection is off
+// as well. Default: kLongestOnEndS where that is on.
 ProtectedDrive protected_drive(const Drive& drive, bool loop, bool is_on,
-                               double longest_s = kLongestOnEndS);
+                               std::optional<double> longest_s = {});
 
 }  // namespace tact

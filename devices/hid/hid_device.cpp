@@ -223,8 +223,12 @@ bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_
         const auto hops = static_cast<double>(k % plan.size());
         return pass.begin + nanoseconds(round * pass.duration_s + hops * hop_s);
     };
-    const auto end =
-        on_end_s < kLongestCountedS ? pass.begin + nanoseconds(on_end_s) : Clock::time_point::max();
+    // What the loop is changed into has a limit of its own, from the start of the play.
+    const auto begun = pass.begin;
+    const auto end = [&] {
+        const double now_s = kept_s(pass.duration_s, play.loop, plan.drive().longest_s);
+        return now_s < kLongestCountedS ? begun + nanoseconds(now_s) : Clock::time_point::max();
+    };
     std::size_t& k = pass.frame;
     for (; play.loop || k < plan.size(); ++k) {
         if (play.loop) take_change(pass, plan);
@@ -236,13 +240,13 @@ bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_
             const std::lock_guard lock(mutex_);
             statistics_.skipped += skipped;
         }
-        if ((!play.loop && k >= plan.size()) || moment >= end) break;
+        if ((!play.loop && k >= plan.size()) || moment >= end()) break;
         prepare(plan, k % plan.size(), moment);
         if (!wait_until(moment, quit)) return false;
         note_lateness(deadline(k));
         if (!send_if_due(plan, k % plan.size())) return false;
     }
-    return wait_until(end, quit);
+    return wait_until(end(), quit);
 }
 
 // Makes frame k, and as many after it as the time until its deadline is good for: later ones may

@@ -67,7 +67,7 @@ Expected<Done> write_signal(const CalibrateCommand& command, const CalibrationPl
     std::cerr
         << "tactspace: wrote " << command.signal.string() << ", "
         << fixed_digits(duration_s(signal), 1)
-        << " s: play it with --full-scale 1 --level 1 while the sensor records, then give the "
+        << " s: play it with --full-scale 1 --level 1 --no-protection while the sensor records, then give the "
            "recording to --recording with the same options\n";
     return Done{};
 }

@@ -115,7 +115,7 @@ Prepared prepared(const Vibration& vibration, const std::optional<Calibration>& 
         remark(vibration.name, made.remark);
         return {vibration.name, std::move(made.drive)};
     }
-    CalibratedDrive driven = calibrated_drive(waveform, *calibration);
+    CalibratedDrive driven = calibrated_drive(waveform, *calibration, command.loop, command.longest_s);
     for (const std::string& warning : driven.warnings) remark(vibration.name, warning);
     return {vibration.name, std::move(driven.drive)};
 }
@@ -167,7 +167,7 @@ Expected<nlohmann::json> play_in_turn(Device& device, std::size_t count,
         if (!is_last && !waits && !waited(command.gap_s, stop)) return Error{"stopped"};
     }
     if (command.loop) {
-        std::cerr << "tactspace: stopped after " << command.longest_s
+        std::cerr << "tactspace: stopped after " << next.drive.longest_s
                   << " s; --longest says how long\n";
     }
     return reports;
