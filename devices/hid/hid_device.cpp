@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "devices/device/bounds.h"
+#include "devices/device/halt.h"
+#include "devices/hid/patient_port.h"
 #include "model/common/quantile.h"
 
 namespace tact {
@@ -14,6 +16,9 @@ namespace {
 
 constexpr auto kRefresh = std::chrono::milliseconds(50);
 constexpr auto kPresenceCheck = std::chrono::milliseconds(500);
+constexpr auto kUnrestCheck = std::chrono::milliseconds(50);
+constexpr auto kReopenedAfter = std::chrono::milliseconds(150);
+constexpr auto kLastTries = std::chrono::seconds(1);  // at the end of the program
 constexpr std::size_t kKeptLateness = 100'000;
 constexpr double kLongestCountedS = 1e9;  // what is longer does not fit a clock, and never ends
 
@@ -113,20 +118,23 @@ SendStatistics HidDevice::statistics() const {
 void HidDevice::run(const std::stop_token& quit) {
     ask_for_priority();
     while (!quit.stop_requested()) {
-        std::optional<Play> play;
-        {
-            std::unique_lock lock(mutex_);
-            changed_.wait_for(lock, quit, kPresenceCheck, [this] { return next_.has_value(); });
-            play = std::exchange(next_, std::nullopt);
-        }
-        if (!play) {
-            watch();
-        } else {
+        if (const std::optional<Play> play = next_play(quit)) {
             take_up(*play, quit);
+        } else {
+            if (owes_rest_) put_to_rest(quit);
+            watch();
         }
         const std::lock_guard lock(mutex_);
         if (!next_) status_.playing = false;
     }
+}
+
+// None: nothing is asked for, for some time.
+std::optional<HidDevice::Play> HidDevice::next_play(const std::stop_token& quit) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, quit, owes_rest_ ? kUnrestCheck : kPresenceCheck,
+                      [this] { return next_.has_value(); });
+    return std::exchange(next_, std::nullopt);
 }
 
 // While it is played on nobody else may: two would send in turn.
@@ -135,26 +143,28 @@ void HidDevice::take_up(const Play& play, const std::stop_token& quit) {
     if (!alone) {
         const std::lock_guard lock(mutex_);
         status_.trouble = alone.error().message;
-    } else if (ready()) {
-        perform(play, quit);
+        return;
     }
+    if (const auto is_ready = ready(); !is_ready) return lose(is_ready.error().message);
+    perform(play, quit);
 }
 
 // Opens the controller and wakes it, where that is not done yet.
-bool HidDevice::ready() {
-    if (port_) return true;
+Expected<Done> HidDevice::ready() {
+    if (port_) return Done{};
     Expected<Done> allowed = door_.may_be_opened(actuator_);
-    if (!allowed) return lose(allowed.error().message), false;
-    Expected<HidPort> port = door_.open(actuator_.path);
-    if (!port) return lose(port.error().message), false;
-    Expected<Encoder> encode = begin_protocol(actuator_, *port);
-    if (!encode) return lose(encode.error().message), false;
-    port_ = *std::move(port);
+    if (!allowed) return allowed;
+    Expected<HidPort> opened = door_.open(actuator_.path);
+    if (!opened) return opened.error();
+    HidPort port = patient_port(*std::move(opened));
+    Expected<Encoder> encode = begin_protocol(actuator_, port);
+    if (!encode) return encode.error();
+    port_ = std::move(port);
     encode_ = *std::move(encode);
     last_sent_.clear();
     last_sent_at_ = Clock::now();
     port_->set_last_words(encode_(RumbleFrame{}, 0));
-    return true;
+    return Done{};
 }
 
 void HidDevice::perform(const Play& play, const std::stop_token& quit) {
@@ -165,6 +175,7 @@ void HidDevice::perform(const Play& play, const std::stop_token& quit) {
         statistics_ = {};
         late_s_.clear();
     }
+    halts_ = halts();
     RumblePlan plan(play.drive, traits(actuator_.kind).language, frame_hop_s(actuator_),
                     level_for(play.drive));
     if (plan.size() > 0) send_frames(play, plan, quit);
@@ -242,7 +253,7 @@ bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_
         }
         if ((!play.loop && k >= plan.size()) || moment >= end()) break;
         prepare(plan, k % plan.size(), moment);
-        if (!wait_until(moment, quit)) return false;
+        if (!wait_until(moment, quit) || was_halted()) return false;
         note_lateness(deadline(k));
         if (!send_if_due(plan, k % plan.size())) return false;
     }
@@ -293,18 +304,25 @@ bool HidDevice::send_if_due(RumblePlan& plan, std::size_t k) {
 }
 
 bool HidDevice::send(const RumbleFrame& frame) {
+    owes_rest_ = true;
     bool taken = write(frame);
     // Through the air one may be refused for the moment.
     if (!taken && port_->is_there()) taken = write(frame);
     ++counter_;
     last_sent_ = encode_(frame, 0);
     if (!taken) {
-        lose(port_->is_there() ? actuator_.name + " takes no packets any more: connect it again"
-                               : actuator_.name + " was unplugged, or is out of reach");
+        port_->is_there() ? fail(actuator_.name + " takes no packets any more: connect it again")
+                          : lose(actuator_.name + " was unplugged, or is out of reach");
         return false;
     }
     const std::lock_guard lock(mutex_);
     ++statistics_.sent;
+    return true;
+}
+
+bool HidDevice::was_halted() {
+    if (halts() == halts_) return false;
+    fail(actuator_.name + kHalted);
     return true;
 }
 
@@ -318,13 +336,40 @@ bool HidDevice::write(const RumbleFrame& frame) {
 
 // Also when the program ends: hence no waiting by a condition that is true already.
 void HidDevice::end_in_silence(const std::stop_token& quit) {
-    for (int k = 0; port_ && k < kNeutralPackets; ++k) {
-        if (!send(RumbleFrame{})) return;
+    const Clock::time_point since = Clock::now();
+    int refused = 0;
+    for (int k = 0; port_ && k < kNeutralPackets;) {
+        const bool taken = write(RumbleFrame{});
+        last_sent_ = encode_(RumbleFrame{}, 0);
+        if (taken) {
+            ++counter_;
+            ++k;
+        } else if (is_given_up(++refused, since, quit)) {
+            return;
+        }
         const std::lock_guard lock(mutex_);
+        statistics_.sent += taken ? 1 : 0;
         status_.playing = next_.has_value();
         // What is to be played next ends this one as well.
         if (next_ && !quit.stop_requested()) return;
     }
+    if (port_) owes_rest_ = false;
+}
+
+// Whether this port is of no use any more, or there is no time. What stays behind a node that was
+// plugged in again meanwhile refuses everything: it is opened anew.
+bool HidDevice::is_given_up(int refused, Clock::time_point since, const std::stop_token& quit) {
+    if (!port_->is_there()) {
+        lose(actuator_.name + " was unplugged, or is out of reach");
+        return true;
+    }
+    if (refused == 1 && status().trouble.empty()) {
+        fail(actuator_.name + " takes no packets any more: connect it again");
+    }
+    const Clock::duration tried = Clock::now() - since;
+    if (quit.stop_requested()) return tried > kLastTries;
+    if (refused > 1 && tried > kReopenedAfter) port_.reset();
+    return !port_;
 }
 
 }  // namespace tact

@@ -7,7 +7,9 @@
 // moment; those that the wait has passed by are skipped rather than queued, as the controller has
 // no clock to catch up with. A packet goes out when it differs from the last, or after 50 ms, lest
 // the controller thinks it forgotten. A play ends, by itself, by stop() or with the device, with
-// five neutral packets: the first of them comes a period after the last packet at the latest. From
+// five neutral packets: the first of them comes a period after the last packet at the latest. Where
+// they are not taken they are sent again and again, as long as the controller is there, and at once
+// when it is back; a write that does not return is left to itself. From
 // the first packet of a play to the last the controller is this program's alone; how strong and for
 // how long a drive may be holds here as for an output (devices/device/bounds.h).
 //
@@ -91,9 +93,10 @@ class HidDevice final : public Device {
     };
 
     void run(const std::stop_token& quit);
+    std::optional<Play> next_play(const std::stop_token& quit);
     void take_change(Pass& pass, RumblePlan& plan);
     void take_up(const Play& play, const std::stop_token& quit);
-    bool ready();
+    Expected<Done> ready();
     void perform(const Play& play, const std::stop_token& quit);
     double level_for(const Drive& drive);
     bool send_frames(const Play& play, RumblePlan& plan, const std::stop_token& quit);
@@ -105,6 +108,10 @@ class HidDevice final : public Device {
     bool send(const RumbleFrame& frame);
     bool write(const RumbleFrame& frame);
     void end_in_silence(const std::stop_token& quit);
+    bool is_given_up(int refused, Clock::time_point since, const std::stop_token& quit);
+    void put_to_rest(const std::stop_token& quit);
+    bool was_halted();
+    void fail(const std::string& why);
     void lose(const std::string& why);
     void watch();
     bool is_back();
@@ -118,6 +125,8 @@ class HidDevice final : public Device {
     int counter_ = 0;
     Packet last_sent_;
     Clock::time_point last_sent_at_;  // when the port had taken it, or not
+    bool owes_rest_ = false;          // it was told to vibrate, and not yet to be still
+    std::uint64_t halts_ = 0;         // of the program, at the beginning of the play
 
     mutable std::mutex mutex_;  // guards all of these
     std::condition_variable_any changed_;

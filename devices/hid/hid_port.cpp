@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <mutex>
 
@@ -79,7 +80,9 @@ Expected<HidPort> open_hid_port(const std::string& path) {
     const auto open = std::make_shared<Open>(path, device);
     HidPort port;
     port.write = [open](std::span<const std::uint8_t> report) {
-        return hid_write(open->device, report.data(), report.size()) >= 0;
+        if (has_said_last_words()) return false;
+        // A part of a report is none: what the controller makes of it nobody knows.
+        return hid_write(open->device, report.data(), report.size()) == std::ssize(report);
     };
     port.read = [open](int wait_ms) { return read_report(open->device, wait_ms); };
     port.feature = [open](int number, std::size_t bytes) {

@@ -19,7 +19,7 @@ namespace tact {
 
 // From one thread at a time. All may be called after the device is gone.
 struct HidPort {
-    // A report, its number first. False: it was not taken.
+    // A report, its number first. False: it was not taken whole.
     std::function<bool(std::span<const std::uint8_t>)> write;
     // The next report that comes, within so many milliseconds; empty: none did.
     std::function<Packet(int)> read;

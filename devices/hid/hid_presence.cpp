@@ -3,14 +3,29 @@
 
 namespace tact {
 
-void HidDevice::lose(const std::string& why) {
-    port_.reset();
+// The play is over. The port stays: what follows is to be said through it.
+void HidDevice::fail(const std::string& why) {
     const bool there = door_.may_be_opened(actuator_).operator bool();
     const std::lock_guard lock(mutex_);
     next_.reset();
     status_.connected = there;
     status_.playing = false;
     status_.trouble = why;
+}
+
+void HidDevice::lose(const std::string& why) {
+    port_.reset();
+    fail(why);
+}
+
+// One that was lost while it vibrated goes on with that where it is out of reach, or only its node
+// was another one meanwhile.
+void HidDevice::put_to_rest(const std::stop_token& quit) {
+    if (!port_ && !is_back()) return;
+    const Expected<ActuatorLock> alone = door_.claim(actuator_);
+    // Whoever has it now drives it.
+    if (!alone) owes_rest_ = false;
+    if (alone && (port_ || ready())) end_in_silence(quit);
 }
 
 // Between plays: unplugged, or there again.

@@ -6,7 +6,10 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <mutex>
+
+#include "devices/device/halt.h"
 
 namespace tact {
 
@@ -29,7 +32,7 @@ constexpr std::array kSignals{SIGSEGV, SIGBUS,  SIGFPE, SIGILL,  SIGABRT, SIGTER
 // What answered each signal before, and does so once the words are said.
 std::array<struct sigaction, kSignals.size()> others{};
 
-void say_last_words(int signal) {
+void say_all() {
     for (const Place& place : places) {
         const std::size_t size = place.size.load();
         const int descriptor = place.descriptor.load();
@@ -39,6 +42,17 @@ void say_last_words(int signal) {
             [[maybe_unused]] const ssize_t written = write(descriptor, place.bytes.data(), size);
         }
     }
+}
+
+std::atomic<bool> is_over = false;
+
+void say_at_exit() {
+    is_over = true;
+    say_all();
+}
+
+void say_last_words(int signal) {
+    say_at_exit();
     // The handler was for once: now the signal does what it would have done.
     for (std::size_t k = 0; k < kSignals.size(); ++k) {
         if (kSignals[k] == signal) sigaction(signal, &others[k], nullptr);
@@ -57,6 +71,10 @@ bool comes_after(const struct sigaction& before) {
 void listen() {
     static std::mutex one_at_a_time;
     const std::lock_guard lock(one_at_a_time);
+    // A library that gives up calls exit(): Xlib does where its display dies.
+    [[maybe_unused]] static const int at_exit = std::atexit(say_at_exit);
+    call_before_halts(say_all);
+    rest_before_halts();
     for (std::size_t k = 0; k < kSignals.size(); ++k) {
         struct sigaction before {};
         if (sigaction(kSignals[k], nullptr, &before) != 0 || !comes_after(before)) continue;
@@ -71,6 +89,8 @@ void listen() {
 }
 
 }  // namespace
+
+bool has_said_last_words() { return is_over.load(); }
 
 LastWords::LastWords(const std::string& path) {
     listen();

@@ -1,4 +1,5 @@
-// What is written to a controller if the program dies by a signal: that it shall be still.
+// What is written to a controller if the program dies by a signal, is halted by one, or exits without
+// having closed it: that it shall be still.
 //
 // A controller goes on with what it was told last. When the program crashes, or is ended from
 // outside, nobody is left to tell it but the signal's handler, and a handler may do little: here
@@ -13,6 +14,9 @@
 #include <string>
 
 namespace tact {
+
+// From then on nothing else is to be written: other threads run on for a moment.
+bool has_said_last_words();
 
 // Holds a descriptor of its own on a device. One for each open controller; more than 16 at a time
 // are not looked after.

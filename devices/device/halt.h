@@ -1,0 +1,26 @@
+// Ctrl+Z and its like: a program that is halted drives nothing, so all that plays is put to rest
+// before, and stays at rest when the program goes on.
+//
+// Source    signal-safety(7); SIGTSTP, SIGTTIN and SIGTTOU, where nobody else answers them
+// Left out  SIGSTOP, which no program hears: a controller goes on with what it was told last, an
+//           output of sound falls silent within what was rendered ahead.
+#pragma once
+
+#include <cstdint>
+
+namespace tact {
+
+// From now on, and once for all callers.
+void rest_before_halts();
+
+// Called by the signal's handler, which may do little; null: nothing.
+void call_before_halts(void (*last_words)());
+
+// How often the program was about to be halted. What plays looks at it every 20 ms or so, and ends
+// with a fade or neutral packets when it has grown.
+std::uint64_t halts();
+
+// Why a play ended by itself after that, for its status.
+inline constexpr const char* kHalted = " was put to rest when the program was halted: play again";
+
+}  // namespace tact

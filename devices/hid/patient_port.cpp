@@ -1,0 +1,94 @@
+#include "devices/hid/patient_port.h"
+
+#include <pthread.h>
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace tact {
+
+namespace {
+
+// Where one thread lays down a packet and another one takes it up.
+struct Desk {
+    std::function<bool(std::span<const std::uint8_t>)> write;
+    std::mutex mutex;  // guards the rest
+    std::condition_variable changed;
+    std::optional<Packet> next;
+    bool is_busy = false;
+    bool was_taken = false;
+    bool is_closed = false;
+};
+
+// Ahead of what draws and computes, where the system allows it to this program.
+void ask_for_priority() {
+    sched_param param{};
+    param.sched_priority = 1;
+    pthread_setschedparam(pthread_self(), SCHED_FIFO, &param);
+}
+
+void serve(const std::shared_ptr<Desk>& desk) {
+    ask_for_priority();
+    std::unique_lock lock(desk->mutex);
+    for (;;) {
+        desk->changed.wait(lock, [&] { return desk->next || desk->is_closed; });
+        if (!desk->next) return;
+        const Packet packet = *std::exchange(desk->next, std::nullopt);
+        lock.unlock();
+        const bool was_taken = desk->write(packet);
+        lock.lock();
+        desk->was_taken = was_taken;
+        desk->is_busy = false;
+        desk->changed.notify_all();
+    }
+}
+
+// The thread ends with the port; one that does not come back is left alone with its desk.
+struct Server {
+    std::shared_ptr<Desk> desk;
+    std::thread thread;
+
+    explicit Server(std::shared_ptr<Desk> at) : desk(std::move(at)), thread(serve, desk) {}
+    ~Server() {
+        bool is_busy = false;
+        {
+            const std::lock_guard lock(desk->mutex);
+            desk->is_closed = true;
+            is_busy = desk->is_busy;
+        }
+        desk->changed.notify_all();
+        is_busy ? thread.detach() : thread.join();
+    }
+    Server(const Server&) = delete;
+    Server& operator=(const Server&) = delete;
+};
+
+bool hand_over(Desk& desk, std::span<const std::uint8_t> packet,
+               std::chrono::milliseconds patience) {
+    const auto until = std::chrono::steady_clock::now() + patience;
+    const auto is_free = [&desk] { return !desk.is_busy; };
+    std::unique_lock lock(desk.mutex);
+    if (!desk.changed.wait_until(lock, until, is_free)) return false;
+    desk.next = Packet(packet.begin(), packet.end());
+    desk.is_busy = true;
+    desk.changed.notify_all();
+    return desk.changed.wait_until(lock, until, is_free) && desk.was_taken;
+}
+
+}  // namespace
+
+HidPort patient_port(HidPort port, std::chrono::milliseconds patience) {
+    auto desk = std::make_shared<Desk>();
+    desk->write = std::move(port.write);
+    port.write = [server = std::make_shared<Server>(std::move(desk)),
+                  patience](std::span<const std::uint8_t> packet) {
+        return hand_over(*server->desk, packet, patience);
+    };
+    return port;
+}
+
+}  // namespace tact

@@ -1,0 +1,22 @@
+// A port that always comes back: what a write waits for is waited for on a thread of its own.
+//
+// A driver may keep a write for seconds, or for good. Whoever plays has to be able to stop, to say
+// what is wrong and to end the program meanwhile.
+//
+// Left out  reading, which has its own time limit.
+#pragma once
+
+#include <chrono>
+
+#include "devices/hid/hid_port.h"
+
+namespace tact {
+
+// So long a packet may take; by then three periods of any controller have passed.
+inline constexpr std::chrono::milliseconds kWritePatience{80};
+
+// The same port, whose write() is false where the packet was not taken within `patience`, and while
+// that one is still under way. The packet itself may be taken later.
+HidPort patient_port(HidPort port, std::chrono::milliseconds patience = kWritePatience);
+
+}  // namespace tact
