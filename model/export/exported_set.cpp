@@ -51,6 +51,8 @@ Pattern silence_like(const Pattern& pattern) {
     return silence;
 }
 
+bool is_silent(const Pattern& pattern) { return !(peak_g(render(pattern)) > 0.0); }
+
 ExportedPattern effect_exported(const Pattern& pattern, const std::string& name,
                                 const ExportTarget& target, const std::string& date) {
     const EffectTarget effect{name, target.map, date, {}};
@@ -64,8 +66,8 @@ ExportedPattern effect_exported(const Pattern& pattern, const std::string& name,
         return result;
     }
     for (std::string& remark : back->remarks) {
-        // A file says so on reading; a pattern that is silent, or half of a pair, is no loss here.
-        if (remark.starts_with("it is silent")) continue;
+        // Nothing is lost of a pattern that was silent before.
+        if (remark.starts_with("it is silent") && is_silent(pattern)) continue;
         result.remarks.push_back("as it is read back: " + std::move(remark));
     }
     result.back = std::move(back->pattern);

@@ -12,6 +12,7 @@ namespace tact {
 namespace {
 
 constexpr double kFlankShare = 0.25;
+constexpr double kLeastChange = 0.04;  // of a transient's energy, 0.2 dB
 
 // The samples that a transient may touch.
 struct Span {
@@ -56,16 +57,26 @@ double phase_without_product(const Transient& transient, const Waveform& wavefor
     return 0.5 * (low + high);
 }
 
-bool is_silent(const Waveform& waveform, Span span) {
+double own_energy(const Transient& transient, const Waveform& waveform, Span span) {
+    double sum = 0.0;
     for (std::size_t n = span.first; n < span.end; ++n) {
-        if (waveform.samples_g[n] != 0.0) return false;
+        const double g = transient_g(transient, since_s(transient, waveform, n), 0.0);
+        sum += g * g;
     }
-    return true;
+    return sum;
 }
 
-double joining_turns(const Transient& transient, const Waveform& under) {
+// Whether the transient's phase against the carriers could change its energy.
+bool is_over(const Transient& transient, const Waveform& carriers, Span span) {
+    const double at_zero = product(transient, carriers, span, 0.0);
+    const double at_quarter = product(transient, carriers, span, 0.25);
+    return 2.0 * std::sqrt(at_zero * at_zero + at_quarter * at_quarter) >
+           kLeastChange * own_energy(transient, carriers, span);
+}
+
+double joining_turns(const Transient& transient, const Waveform& carriers, const Waveform& under) {
     const Span span = span_of(transient, under);
-    if (is_silent(under, span)) return 0.0;
+    if (!is_over(transient, carriers, span)) return 0.0;
     const double turns = phase_without_product(transient, under, span);
     const Span half{span.first, (span.first + span.end) / 2};
     return product(transient, under, half, turns) < 0.0 ? turns + 0.5 : turns;
@@ -95,6 +106,8 @@ double transient_g(const Transient& transient, double since_s, double phase_turn
 }
 
 void add_accents(Waveform& waveform, std::vector<Transient> transients) {
+    if (transients.empty()) return;
+    const Waveform carriers = waveform;
     std::ranges::stable_sort(transients, {}, &Transient::time_s);
     for (auto first = transients.begin(); first != transients.end();) {
         const auto behind = std::find_if(first, transients.end(), [&](const Transient& one) {
@@ -102,7 +115,7 @@ void add_accents(Waveform& waveform, std::vector<Transient> transients) {
         });
         std::vector<double> turns;
         for (auto one = first; one != behind; ++one) {
-            turns.push_back(joining_turns(*one, waveform));
+            turns.push_back(joining_turns(*one, carriers, waveform));
         }
         for (std::size_t k = 0; k < turns.size(); ++k, ++first) add(waveform, *first, turns[k]);
     }

@@ -3,8 +3,8 @@
 // A curve is straight between its points and held before the first and after the last. Two points
 // at one time are a jump; at that time the second one holds.
 //
-// A transient is a sine, or a square wave, that begins at phase 0 with its time, under a window of
-// its duration: Hann flanks of a quarter each, flat between them, so that neither shape clicks.
+// A transient is a sine, or a square wave, under a window of its duration: Hann flanks of a quarter
+// each, flat between them, so that neither clicks. Its phase is model/pattern/accents.h's.
 //
 // Source    ours; the frequency's integral is exact for each straight piece, not a sum over samples
 // Valid     curves without fault (model/pattern/drawn_fault.h)
@@ -73,7 +73,7 @@ Sweep sweep_of(FrequencyCurve curve);
 // Turns since 0 s. Asserts that there are points.
 double turns_at(const Sweep& sweep, double t_s);
 
-// The transient so long after its beginning; 0 g outside of its duration.
+// The transient so long after its beginning at phase 0; 0 g outside of its duration.
 double transient_g(const Transient& transient, double since_s);
 
 // Where the time of point k may go so that the curve keeps its rules: from its predecessor to its

@@ -2,8 +2,8 @@
 //
 //     x(t) = A e(t) r(t) a(t) sum_j w_j sin(2 pi (f_j / f_1) F(t) + phi_j) + sum_k b_k(t - t_k)
 //
-// Carriers as the frequency curve drives them, times modulation e(t), times rhythm gate with linear
-// ramps r(t), times amplitude curve a(t), plus transients b_k, which none of these touches.
+// Carriers as the frequency curve drives them, times modulation e(t), rhythm gate with linear ramps
+// r(t) and amplitude curve a(t), plus transients b_k in the phase of model/pattern/accents.h.
 // F(t) is the integral of the frequency curve, which is the first carrier's; f_1 t without one.
 // Read literally, Eq. 7's e(t) = sin(2 pi f_e t) is silent for f_e = 0; there the factor is 1.
 //

@@ -52,6 +52,25 @@ TEST_CASE("export: every format comes back, silence and transients too") {
     }
 }
 
+TEST_CASE("export: it is said that silence comes back, unless the pattern was silent before") {
+    Pattern silent;
+    silent.amplitude_g = 0.0;
+    silent.duration_s = 0.2;
+    Pattern faint = silent;
+    faint.amplitude_g = 1e-5;
+    for (const TargetTraits& one : target_formats()) {
+        CAPTURE(one.key);
+        const ExportTarget target = own_target(*target_format_of(one.key));
+        if (is_sampled(target.format)) continue;
+        CHECK_FALSE(contains(exported(silent, "x", target).remarks, "it is silent"));
+        const ExportedPattern made = exported(faint, "x", target);
+        const bool silent_back = !(peak_g(waveform_back(made)) > 0.0);
+        const bool said =
+            contains(made.remarks, "it is silent") || contains(made.remarks, "nothing of it");
+        if (silent_back) CHECK(said);
+    }
+}
+
 TEST_CASE("export: samples are read back at their one full scale, recordings among them") {
     PatternSet set = six_tones();
     Measurement measured;

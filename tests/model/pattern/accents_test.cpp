@@ -93,16 +93,62 @@ TEST_CASE("accents: over silence they begin at phase 0, and their order in the l
     CHECK(render(close) == forward);
 }
 
-TEST_CASE("accents: of two that overlap none takes the other's energy away") {
-    Pattern silent = sustained(150.0);
-    silent.amplitude_g = 0.0;
-    const double one = energy_with(silent, {{0.2, 1.0, 100.0, 0.022, TransientShape::sine}});
+TEST_CASE("accents: of two that overlap over a vibration none takes the other's energy away") {
+    Pattern under = sustained(150.0);
+    under.amplitude_g = 0.4;
+    const double plain = energy_with(under, {});
+    const double one = energy_with(under, {{0.2, 1.0, 100.0, 0.022, TransientShape::sine}}) - plain;
     for (double t_s = 0.201; t_s < 0.222; t_s += 0.001) {
         CAPTURE(t_s);
-        const double both = energy_with(silent, {{0.2, 1.0, 100.0, 0.022, TransientShape::sine},
-                                                 {t_s, 1.0, 100.0, 0.022, TransientShape::sine}});
-        CHECK(both > 1.6 * one);
-        CHECK(both < 2.4 * one);
+        const double both = energy_with(under, {{0.2, 1.0, 100.0, 0.022, TransientShape::sine},
+                                                {t_s, 1.0, 100.0, 0.022, TransientShape::sine}});
+        CHECK(both - plain > 1.6 * one);
+        CHECK(both - plain < 2.4 * one);
+    }
+}
+
+TEST_CASE("accents: over silence they are added as they are, others that they overlap or not") {
+    Pattern pattern = sustained(150.0);
+    pattern.rhythm = {"x-", 0.1};
+    const Transient first{0.13, 1.0, 90.0, 0.022, TransientShape::sine};
+    const Transient second{0.141, 0.7, 130.0, 0.022, TransientShape::square};
+    const auto plain = render(pattern).samples_g;
+    pattern.transients = {first, second};
+    const auto sum = render(pattern).samples_g;
+    for (std::size_t n = 0; n < sum.size(); ++n) {
+        const double t_s = static_cast<double>(n) / 1e4;
+        CHECK(sum[n] ==
+              plain[n] + transient_g(first, t_s - 0.13) + transient_g(second, t_s - 0.141));
+    }
+}
+
+TEST_CASE("accents: a note that ends in a tick's first samples leaves it as it is") {
+    Pattern pattern = sustained(150.0);
+    pattern.rhythm = {"x-", 0.1};
+    const Transient tick{0.0995, 1.0, 90.0, 0.022, TransientShape::sine};
+    const auto plain = render(pattern).samples_g;
+    pattern.transients = {tick};
+    const auto sum = render(pattern).samples_g;
+    for (std::size_t n = 0; n < sum.size(); ++n) {
+        CHECK(sum[n] == plain[n] + transient_g(tick, static_cast<double>(n) / 1e4 - 0.0995));
+    }
+}
+
+TEST_CASE("accents: moved by up to 3 ms, the level over one changes by less than 2 dB") {
+    for (const double accent_hz : {60.0, 140.0, 149.6, 185.0, 230.0}) {
+        CAPTURE(accent_hz);
+        const Pattern under = sustained(149.6);
+        double least = 1e9;
+        double most = 0.0;
+        for (double t_s = 0.2; t_s < 0.208; t_s += 0.0005) {
+            Pattern with = under;
+            with.transients = {{t_s, 1.6, accent_hz, 0.022, TransientShape::sine}};
+            const double over = energy(render(with), t_s, t_s + 0.022);
+            CHECK(over > energy(render(under), t_s, t_s + 0.022));
+            least = std::min(least, over);
+            most = std::max(most, over);
+        }
+        CHECK(10.0 * std::log10(most / least) < 2.0);
     }
 }
 

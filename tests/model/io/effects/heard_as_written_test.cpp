@@ -130,4 +130,50 @@ TEST_CASE("heard: silence is named") {
     CHECK(!says(effect_of(R"({"timings": [100, 200], "amplitudes": [0, 9]})"), "it is silent"));
 }
 
+TEST_CASE(
+    "heard: every tick and every note of a file is there, or the file's rest is cut, and said") {
+    for (const int notes : {20, 120, 126, 210, 400}) {
+        CAPTURE(notes);
+        std::string events;
+        for (int k = 0; k < notes; ++k) {
+            events +=
+                (k == 0 ? "" : ", ") + (R"({"Event": {"Time": )" + std::to_string(0.1 * k) +
+                                        R"(, "EventType": "HapticContinuous", "EventDuration": 0.05,
+                       "EventParameters": [{"ParameterID": "HapticIntensity", "ParameterValue": )" +
+                                        std::to_string(0.5 + 0.1 * (k % 5)) + "}]}}");
+        }
+        const Effect effect = effect_of(R"({"Pattern": [)" + events + "]}");
+        const Pattern& pattern = effect.pattern;
+        CHECK(says(effect, "cut at") == (notes > 125));
+        CHECK_FALSE(says(effect, "thinned"));
+        CHECK(pattern.duration_s > std::min(12.0, 0.1 * notes - 0.06));
+        for (int k = 0; 0.1 * k + 0.1 < pattern.duration_s; ++k) {
+            const double level = (0.5 + 0.1 * (k % 5)) / 0.5;
+            CHECK(amplitude_factor(pattern, 0.1 * k + 0.025) / amplitude_factor(pattern, 0.025) ==
+                  doctest::Approx(level));
+            CHECK(amplitude_factor(pattern, 0.1 * k + 0.075) == 0.0);
+        }
+    }
+}
+
+TEST_CASE(
+    "heard: more ticks than a pattern holds are cut in time, weak ones kept among strong ones") {
+    std::string events;
+    for (int k = 0; k < 600; ++k) {
+        events += (k == 0 ? "" : ", ") + (R"({"Event": {"Time": )" + std::to_string(0.03 * k) +
+                                          R"(, "EventType": "HapticTransient", "EventParameters": [
+                   {"ParameterID": "HapticIntensity", "ParameterValue": )" +
+                                          (k % 2 == 0 ? "1" : "0.3") + "}]}}");
+    }
+    const Effect effect = effect_of(R"({"Pattern": [)" + events + "]}");
+    const std::vector<Transient>& ticks = effect.pattern.transients;
+    CHECK(says(effect, "cut at 15 s of 17.99 s: 500 of 600 transients"));
+    CHECK(effect.pattern.duration_s == doctest::Approx(15.0));
+    REQUIRE(ticks.size() == 500);
+    for (std::size_t k = 0; k < ticks.size(); ++k) {
+        CHECK(ticks[k].time_s == doctest::Approx(0.03 * static_cast<double>(k)));
+        CHECK(ticks[k].amplitude_g == ticks[k % 2].amplitude_g);
+    }
+}
+
 }  // namespace heard_as_written_test

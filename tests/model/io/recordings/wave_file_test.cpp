@@ -99,6 +99,23 @@ TEST_CASE("wave file: of several channels the first is read, unless another is a
     CHECK(fault(file, {1.0, 2}) == ": expected channel 3, got a file of 2");
 }
 
+TEST_CASE("wave file: a silent channel is named, with the first one that is not") {
+    const TemporaryFolder folder;
+    WaveBytes wave;
+    wave.channels = 4;
+    wave.samples = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.25, 0.0, 0.0, 0.0, 0.0, -0.5};
+    const fs::path four = folder.write("four.wav", wave.file());
+    CHECK(has(read(four), "channel 1 is silent, channel 3 is not"));
+    CHECK(has(read(four, {1.0, 1}), "channel 2 is silent, channel 3 is not"));
+    CHECK(read(four, {1.0, 2}).remarks.empty());
+    CHECK(read(four, {1.0, 3}).remarks.empty());
+    wave.samples.assign(8, 0.0);
+    CHECK(has(read(folder.write("all.wav", wave.file())),
+              "channel 1 is silent, and so are the others"));
+    wave.channels = 1;
+    CHECK(has(read(folder.write("one.wav", wave.file())), "it is silent"));
+}
+
 TEST_CASE("wave file: the scale is the caller's, else the sidecar's, else 1 g") {
     const TemporaryFolder folder;
     WaveBytes wave;
