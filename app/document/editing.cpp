@@ -6,6 +6,7 @@
 #include "app/document/pattern_looks.h"
 #include "app/document/renaming.h"
 #include "model/set/vibration_search.h"
+#include "model/text/unique_names.h"
 
 namespace tact {
 
@@ -302,6 +303,10 @@ void rename_vibration(Ui& ui, Workspace& work, std::size_t index, const std::str
     if (index >= all.size() || all[index].name == name) return;
     if (name.empty()) {
         complain(ui, "A pattern needs a name: " + all[index].name + " keeps its own");
+        return;
+    }
+    if (const std::string fault = name_fault(name); !fault.empty()) {
+        complain(ui, "Not renamed: " + fault);
         return;
     }
     const bool taken =

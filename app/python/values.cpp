@@ -10,6 +10,7 @@
 #include "model/io/set/set_json.h"
 #include "model/signal/resample.h"
 #include "model/text/numbers.h"
+#include "model/text/unique_names.h"
 
 namespace tact {
 
@@ -110,8 +111,18 @@ auto read_document(const py::object& document, const std::string& name,
 
 // Of one name R makes a text, not a list of texts.
 std::vector<std::string> names_in(const py::object& names) {
-    if (py::isinstance<py::str>(names)) return {names.cast<std::string>()};
-    return names.cast<std::vector<std::string>>();
+    std::vector<std::string> all;
+    if (py::isinstance<py::str>(names)) {
+        all = {names.cast<std::string>()};
+    } else {
+        all = names.cast<std::vector<std::string>>();
+    }
+    for (const std::string& name : all) {
+        if (const std::string fault = name_fault(name); !fault.empty()) {
+            throw py::value_error("ratings: " + fault);
+        }
+    }
+    return all;
 }
 
 RatingStudy study_of_dict(const py::dict& ratings) {

@@ -65,13 +65,13 @@ Expected<Calibration> parse_calibration(std::string_view text, const std::string
     }
     (void)whole_field(object, "tactspace_calibration", 1, {1.0, 1.0});
     Calibration calibration;
-    calibration.device = text_field(object, "device", "");
+    calibration.device = name_field(object, "device", "");
     calibration.channel = whole_field(object, "channel", 1, {1.0, 256.0});
-    calibration.actuator = text_field(object, "actuator", "");
-    calibration.mounting = text_field(object, "mounting", "");
-    calibration.gain_note = text_field(object, "gain_note", "");
-    calibration.sensor = text_field(object, "sensor", "");
-    calibration.date = text_field(object, "date", "");
+    calibration.actuator = name_field(object, "actuator", "");
+    calibration.mounting = name_field(object, "mounting", "");
+    calibration.gain_note = name_field(object, "gain_note", "");
+    calibration.sensor = name_field(object, "sensor", "");
+    calibration.date = name_field(object, "date", "");
     calibration.load_mass_g = number_field(object, "load_mass_g", 0.0, {0.0, 1e5});
     calibration.excursion_limit_mm = number_field(object, "excursion_limit_mm", 0.0, {0.0, 100.0});
     calibration.rms_limit = number_field(object, "rms_limit", 0.0, kShare);

@@ -28,7 +28,8 @@ Expected<Effect> read_back(const WrittenEffect& written, const std::string& name
                            const ExportTarget& target) {
     const std::string path = name + traits(target.format).ending;
     if (target.format == TargetFormat::openxr) {
-        return openxr_back(written.text, {path, name, target.map});
+        Budget budget;
+        return openxr_back(written.text, {path, name, target.map, budget});
     }
     if (target.format == TargetFormat::ahap_pair) return pair_back(written, name, target);
     auto read = read_effects(written.text, path, target.map);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "model/text/unique_names.h"
+#include "model/text/utf8.h"
+
 namespace tact {
 
 bool Measurement::operator==(const Measurement& other) const {
@@ -82,8 +85,10 @@ std::string unused_name(const PatternSet& set, const std::string& wanted) {
         number = std::stoi(end) + 1;
     }
     std::string name;
-    do name = stem + " " + std::to_string(number++);
-    while (taken(name));
+    do {
+        const std::string behind = " " + std::to_string(number++);
+        name = std::string(whole_characters(stem, kMaxNameBytes - behind.size())) + behind;
+    } while (taken(name));
     return name;
 }
 

@@ -64,7 +64,6 @@ inline constexpr Range kSimilarity{0, 100};
 inline constexpr Range kGroups{0, 500};
 inline constexpr std::size_t kMaxRounds = 20;
 inline constexpr std::size_t kMaxStudyPatterns = 500;
-inline constexpr std::size_t kMaxStudyText = 20'000;  // bytes
 }  // namespace limits
 
 // The chance that who answers blindly, each whole number of the slider as likely, misses at most as

@@ -8,6 +8,7 @@
 #include "model/text/enough_memory.h"
 #include "model/text/misspelt.h"
 #include "model/text/numbers.h"
+#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -139,6 +140,13 @@ void refuse(JsonReading& reading, const std::string& place, const std::string& w
     reading.fault = reading.file + ": " + place + ": expected " + what + ", got " + described(got);
 }
 
+bool may_go_on(JsonReading& reading) {
+    if (!reading.fault.empty()) return false;
+    const std::string why = reading.budget != nullptr ? halted(*reading.budget) : "";
+    if (!why.empty()) reading.fault = reading.file + ": " + why;
+    return why.empty();
+}
+
 JsonObject object_at(JsonReading& reading, const Json& value, const std::string& place) {
     if (value.is_object()) return {&reading, &value, place, {}};
     refuse(reading, place.empty() ? "/" : place, "an object", value);
@@ -186,12 +194,38 @@ bool yes_no_field(JsonObject& object, std::string_view key, bool fallback) {
     return fallback;
 }
 
+namespace {
+
+// A text of at most so many bytes; empty where it is refused.
+std::string text_at(JsonReading& reading, const Json& value, const std::string& place,
+                    const char* what, std::size_t most_bytes) {
+    const auto* text = value.get_ptr<const std::string*>();
+    if (text != nullptr && text->size() <= most_bytes) return *text;
+    if (text == nullptr) {
+        refuse(reading, place, what, value);
+    } else if (reading.fault.empty()) {
+        reading.fault = reading.file + ": " + place + ": expected " + what + " of at most " +
+                        grouped_digits(most_bytes) + " bytes, got " + grouped_digits(text->size());
+    }
+    return {};
+}
+
+}  // namespace
+
 std::string text_field(JsonObject& object, std::string_view key, const std::string& fallback) {
     const Json* value = field(object, key);
     if (value == nullptr) return fallback;
-    if (value->is_string()) return value->get<std::string>();
-    refuse(*object.reading, place_of(object, key), "a text", *value);
-    return fallback;
+    return text_at(*object.reading, *value, place_of(object, key), "a text", kMaxTextBytes);
+}
+
+std::string name_field(JsonObject& object, std::string_view key, const std::string& fallback) {
+    const Json* value = field(object, key);
+    if (value == nullptr) return fallback;
+    return name_at(*object.reading, *value, place_of(object, key));
+}
+
+std::string name_at(JsonReading& reading, const Json& value, const std::string& place) {
+    return text_at(reading, value, place, "a text", kMaxNameBytes);
 }
 
 JsonObject object_field(JsonObject& object, std::string_view key) {
@@ -251,7 +285,7 @@ void read_objects(JsonObject& object, std::string_view key, std::size_t least, s
                   Json& unknown, const std::function<void(JsonObject&, Json&)>& read) {
     const auto elements = array_field(object, key, least, most);
     Json of_all = Json::object();
-    for (std::size_t k = 0; k < elements.size(); ++k) {
+    for (std::size_t k = 0; k < elements.size() && may_go_on(*object.reading); ++k) {
         const std::string position = std::to_string(k);
         JsonObject fields =
             object_at(*object.reading, *elements[k], place_of(object, key) + "/" + position);

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/common/budget.h"
 #include "model/common/expected.h"
 #include "model/common/range.h"
 
@@ -43,11 +44,15 @@ struct JsonReading {
     std::string file;   // for messages
     std::string fault;  // the first one, a whole sentence; empty: none so far
     UnknownKeys unknown = UnknownKeys::passed_over;
+    const Budget* budget = nullptr;  // by which reading may be stopped; null: it runs to its end
 };
 
 // Notes "FILE: PLACE: expected WHAT, got GOT", unless there is a fault already.
 void refuse(JsonReading& reading, const std::string& place, const std::string& what,
             const Json& got);
+
+// Whether there is no fault yet, and nobody has stopped the reading.
+bool may_go_on(JsonReading& reading);
 
 // An object of the document whose known fields are taken one by one.
 struct JsonObject {
@@ -72,7 +77,13 @@ inline constexpr Range kAnyNumber{std::numeric_limits<double>::lowest(),
 double number_field(JsonObject& object, std::string_view key, double fallback, Range range);
 int whole_field(JsonObject& object, std::string_view key, int fallback, Range range);
 bool yes_no_field(JsonObject& object, std::string_view key, bool fallback);
+
+// Texts that people read are at most so long, names as model/text/unique_names.h has it.
+inline constexpr std::size_t kMaxTextBytes = 20'000;
 std::string text_field(JsonObject& object, std::string_view key, const std::string& fallback);
+std::string name_field(JsonObject& object, std::string_view key, const std::string& fallback);
+std::string name_at(JsonReading& reading, const Json& value, const std::string& place);
+
 JsonObject object_field(JsonObject& object, std::string_view key);
 
 // Position of the text among the choices.
@@ -94,9 +105,9 @@ Json unknown_fields(const JsonObject& object);
 // way are objects, with positions as keys: {"carriers": {"0": {"x": 1}}}.
 void note_unknown(Json& unknown, const std::string& key, const Json& of_part);
 
-// Reads each object of an array of `least` to `most`, in their order, and notes what it does not
-// know by position; none where the key is missing. `read` gets the object, and where parts of it
-// note what they do not know.
+// Reads each object of an array of `least` to `most`, in their order and as far as there is no
+// fault, and notes what it does not know by position; none where the key is missing. `read` gets
+// the object, and where parts of it note what they do not know.
 void read_objects(JsonObject& object, std::string_view key, std::size_t least, std::size_t most,
                   Json& unknown, const std::function<void(JsonObject&, Json&)>& read);
 

@@ -3,6 +3,9 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "model/text/numbers.h"
+#include "model/text/utf8.h"
+
 namespace tact {
 
 std::optional<std::pair<std::size_t, std::size_t>> first_equal(
@@ -15,11 +18,18 @@ std::optional<std::pair<std::size_t, std::size_t>> first_equal(
     return std::nullopt;
 }
 
+std::string name_fault(const std::string& name) {
+    if (name.size() <= kMaxNameBytes) return {};
+    return "expected a name of at most " + grouped_digits(kMaxNameBytes) + " bytes, got " +
+           grouped_digits(name.size());
+}
+
 std::string UnusedNames::unused(const std::string& wanted) {
     std::string name = wanted;
     while (!taken.insert(name).second) {
         int& number = last_number.try_emplace(wanted, 1).first->second;
-        name = wanted + " " + std::to_string(++number);
+        const std::string end = " " + std::to_string(++number);
+        name = std::string(whole_characters(wanted, kMaxNameBytes - end.size())) + end;
     }
     return name;
 }

@@ -49,7 +49,7 @@ Burst acf_burst(JsonObject& emphasis, std::string_view key) {
 ActuatorMap acf_map(JsonObject& object) {
     ActuatorMap map;
     JsonObject metadata = object_field(object, "metadata");
-    map.name = text_field(metadata, "device", object.reading->file);
+    map.name = name_field(metadata, "device", object.reading->file);
     map.source = "From " + object.reading->file +
                  ". 1 g at full scale is assumed: such files do not have it.";
     JsonObject continuous = object_field(object, "continuous");
@@ -80,7 +80,7 @@ Burst own_burst(JsonObject& object, std::string_view key) {
 
 ActuatorMap own_map(JsonObject& object) {
     ActuatorMap map;
-    map.name = text_field(object, "actuator", "");
+    map.name = name_field(object, "actuator", "");
     map.source = text_field(object, "source", "From " + object.reading->file + ".");
     const auto ends = array_field(object, "frequency_hz", 2, 2);
     if (ends.size() == 2) {

@@ -218,31 +218,43 @@ AmplitudeCurve with_base(AmplitudeCurve curve, const std::function<double(double
     return curve;
 }
 
+// The points that a curve has over a voice, with the last before it and the first behind it.
+AmplitudeCurve around(const AmplitudeCurve& curve, const Voice& voice) {
+    auto from = std::ranges::upper_bound(curve, voice.start_s, {}, &AmplitudePoint::time_s);
+    if (from != curve.begin()) --from;
+    auto to = std::ranges::lower_bound(from, curve.end(), voice.end_s, {}, &AmplitudePoint::time_s);
+    if (to != curve.end()) ++to;
+    return {from, to};
+}
+
 Voice voice_of(const AhapEvent& event, const AmplitudeCurve& intensity,
                const AmplitudeCurve& sharpness, const ActuatorMap& map) {
     Voice voice;
     voice.start_s = event.time_s;
     voice.end_s = event.time_s + event.duration_s;
     voice.amplitude = acceleration_curve(
-        map, with_base(intensity, [&](double control) { return control * event.intensity; }));
-    voice.frequency = frequency_curve(
-        map, with_base(sharpness, [&](double control) { return control + event.sharpness; }));
+        map, with_base(around(intensity, voice),
+                       [&](double control) { return control * event.intensity; }));
+    voice.frequency = frequency_curve(map, with_base(around(sharpness, voice), [&](double control) {
+                                          return control + event.sharpness;
+                                      }));
     return voice;
 }
 
 Expected<Sketch> sketch_of(const AhapPattern& pattern, const EffectFile& file) {
     const AmplitudeCurve intensity = joined_controls(pattern.intensity, 1.0);
     const AmplitudeCurve sharpness = joined_controls(pattern.sharpness, 0.0);
-    // Each continuous event has the controls once more.
-    if (pattern.events.size() * (intensity.size() + sharpness.size()) > 100 * kMostVoicePoints) {
-        return Error{file.path + ": expected fewer events under fewer control points"};
-    }
     Sketch sketch;
     sketch.unit_g = continuous_g(file.map, 1.0);
+    std::size_t points = 0;  // each continuous event has the controls once more
     for (const AhapEvent& event : pattern.events) {
         if (event.duration_s > 0.0) {
-            const Voice whole = voice_of(event, intensity, sharpness, file.map);
-            sketch.voices.push_back(cut_out(whole));
+            Voice voice = cut_out(voice_of(event, intensity, sharpness, file.map));
+            points += voice.amplitude.size() + voice.frequency.size();
+            if (const std::string fault = size_fault(sketch, points); !fault.empty()) {
+                return Error{file.path + ": " + fault};
+            }
+            sketch.voices.push_back(std::move(voice));
         } else {
             const double level = event.intensity * sides_at(intensity, event.time_s).behind;
             const double sharp = event.sharpness + sides_at(sharpness, event.time_s).behind;
@@ -263,7 +275,7 @@ std::string project_of(const Json& document) {
 }  // namespace
 
 Expected<Effects> read_ahap(const Json& document, const EffectFile& file) {
-    JsonReading reading{file.path, {}};
+    JsonReading reading = reading_of(file);
     JsonObject object = object_at(reading, document, "");
     AhapPattern pattern;
     Json unknown;

@@ -51,7 +51,17 @@ void refuse_plainly(JsonReading& reading, const std::string& place, const std::s
     if (reading.fault.empty()) reading.fault = reading.file + ": " + place + ": " + sentence;
 }
 
+JsonReading reading_of(const EffectFile& file) { return {file.path, {}, &file.budget}; }
+
+std::string pay_points(const EffectFile& file, std::size_t count) {
+    if (pay(file.budget.points, count)) return halted(file.budget);
+    return "expected fewer points: references, or controls of many events, make too many of those "
+           "that are written";
+}
+
 void remark_once(std::vector<std::string>& remarks, const std::string& remark) {
+    constexpr std::size_t kMostRemarks = 100;
+    if (remarks.size() >= kMostRemarks) return;
     if (std::ranges::find(remarks, remark) == remarks.end()) remarks.push_back(remark);
 }
 

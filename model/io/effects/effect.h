@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/common/budget.h"
 #include "model/common/expected.h"
 #include "model/io/effects/actuator_map.h"
 #include "model/io/effects/sketch.h"
@@ -32,7 +33,14 @@ struct EffectFile {
     std::string path;  // for messages
     std::string stem;  // what a single effect is called
     ActuatorMap map;
+    Budget& budget;  // what reading it may still cost
 };
+
+// The reading of its document, which ends where the budget says so.
+JsonReading reading_of(const EffectFile& file);
+
+// Pays for points that a file makes without writing them; what is wrong, or empty.
+std::string pay_points(const EffectFile& file, std::size_t count);
 
 inline constexpr Range kEffectTimeS{0.0, 1e6};
 inline constexpr Range kEffectTimeMs{0.0, 1e9};
@@ -44,7 +52,8 @@ double needed_number_of(JsonObject& object, std::string_view key, Range range);
 // Refuses in the words of the caller, who has no value to show.
 void refuse_plainly(JsonReading& reading, const std::string& place, const std::string& sentence);
 
-// A key that means something to its owner and nothing here.
+// A key that means something to its owner and nothing here. Of many remarks the first hundred are
+// kept.
 void remark_once(std::vector<std::string>& remarks, const std::string& remark);
 
 // The sketch as an effect of this name; an Error gets the file's name.

@@ -104,7 +104,7 @@ void read_melodies(JsonObject& perception, double gain, HapsReading& haps) {
 }  // namespace
 
 Expected<Effects> read_haps(const Json& document, const EffectFile& file) {
-    JsonReading reading{file.path, {}};
+    JsonReading reading = reading_of(file);
     JsonObject object = object_at(reading, document, "");
     HapsReading haps{file.map, {}, {}};
     haps.sketch.unit_g = file.map.full_scale_g * file.map.continuous_gain;

@@ -192,7 +192,7 @@ Sketch sketch_of(Envelopes envelopes, const ActuatorMap& map, std::vector<std::s
 }  // namespace
 
 Expected<Effects> read_haptic(const Json& document, const EffectFile& file) {
-    JsonReading reading{file.path, {}};
+    JsonReading reading = reading_of(file);
     JsonObject object = object_at(reading, document, "");
     read_version(object);
     JsonObject signals = object_field(object, "signals");

@@ -136,7 +136,7 @@ double latest_of(const Sketch& sketch) {
 }  // namespace
 
 Expected<Effects> read_he(const Json& document, const EffectFile& file) {
-    JsonReading reading{file.path, {}};
+    JsonReading reading = reading_of(file);
     JsonObject object = object_at(reading, document, "");
     HeReading he{file.map, {}, {}};
     read_he_parts(object, document, he);

@@ -37,6 +37,7 @@ struct HjifReading {
     const EffectFile& file;
     double ticks_per_s = 1000.0;
     double traced_s = 0.0;
+    std::size_t points = 0;                 // that references make, of the channel that is read
     std::map<double, const Json*> library;  // of the perception that is read, by id
     std::vector<std::string> remarks;
     Effects effects;
@@ -155,6 +156,18 @@ void add_curve(JsonObject& effect, double start_s, Band& band, HjifReading& hjif
     band.sketch.voices.push_back(std::move(voice));
 }
 
+// What is wrong with having the keyframes of an effect once more, or empty. It is asked before they
+// are read: a thousand bytes of references may name a million of them.
+std::string pay_for(const Json& effect, const Band& band, HjifReading& hjif) {
+    const auto frames = effect.find("keyframes");
+    const bool is_list = frames != effect.end() && frames->is_array();
+    const std::size_t count = is_list ? frames->size() : 0;
+    if (std::string fault = size_fault(band.sketch, hjif.points += 2 * count); !fault.empty()) {
+        return fault;
+    }
+    return pay_points(hjif.file, count);
+}
+
 void read_effect(JsonObject& effect, Band& band, HjifReading& hjif) {
     const double start_s = number_field(effect, "position", 0.0, kTicks) / hjif.ticks_per_s;
     const std::string type = text_field(effect, "effect_type", "Basis");
@@ -165,6 +178,9 @@ void read_effect(JsonObject& effect, Band& band, HjifReading& hjif) {
         if (found == hjif.library.end()) {
             return refuse(*effect.reading, place_of(effect, "id"),
                           "the id of an effect in the library", id);
+        }
+        if (const std::string fault = pay_for(*found->second, band, hjif); !fault.empty()) {
+            return refuse_plainly(*effect.reading, effect.place, fault);
         }
         basis = object_at(*effect.reading, *found->second, effect.place);
     } else if (type == "Composite" || type == "Timeline") {
@@ -196,6 +212,7 @@ void read_band(JsonObject& object, double gain_g, Sketch& sketch, HjifReading& h
 
 Expected<Done> read_channel(JsonObject& channel, const std::string& name, HjifReading& hjif) {
     hjif.remarks.clear();
+    hjif.points = 0;
     Sketch sketch;
     const double gain_g = hjif.file.map.full_scale_g *
                           number_field(channel, "gain", 1.0, kHjifGain) *
@@ -206,6 +223,7 @@ Expected<Done> read_channel(JsonObject& channel, const std::string& name, HjifRe
                  [&](JsonObject& band, Json&) { read_band(band, gain_g, sketch, hjif); });
     if (!channel.reading->fault.empty()) return Error{channel.reading->fault};
     if (sketch.voices.empty() && sketch.transients.empty()) return Done{};
+    if (!pay(hjif.file.budget.names, 1)) return Error{hjif.file.path + ": expected fewer channels"};
     auto effect = finished(hjif.file, hjif.names.unused(name), sketch, hjif.remarks);
     if (!effect) return effect.error();
     hjif.effects.push_back(*std::move(effect));
@@ -242,9 +260,9 @@ Expected<Done> read_perception(JsonObject& perception, HjifReading& hjif) {
 }  // namespace
 
 Expected<Effects> read_hjif(const Json& document, const EffectFile& file) {
-    JsonReading reading{file.path, {}};
+    JsonReading reading = reading_of(file);
     JsonObject object = object_at(reading, document, "");
-    HjifReading hjif{file, 1000.0, 0.0, {}, {}, {}, {}};
+    HjifReading hjif{file, 1000.0, 0.0, 0, {}, {}, {}, {}};
     hjif.ticks_per_s = number_field(object, "timescale", 1000.0, kTimescale);
     const std::string version = text_field(object, "version", "");
     const auto perceptions = array_field(object, "perceptions", 0, kMostHjifObjects);

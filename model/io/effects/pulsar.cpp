@@ -33,7 +33,7 @@ AmplitudeCurve points_of(JsonObject& object, std::string_view key) {
 }  // namespace
 
 Expected<Effects> read_pulsar(const Json& document, const EffectFile& file) {
-    JsonReading reading{file.path, {}};
+    JsonReading reading = reading_of(file);
     JsonObject object = object_at(reading, document, "");
     Sketch sketch;
     sketch.unit_g = continuous_g(file.map, 1.0);

@@ -98,9 +98,9 @@ Expected<Document> document_of(std::string_view text, const std::string& path) {
 }
 
 EffectFile file_of(const std::string& path, EffectFormat format,
-                   const std::optional<ActuatorMap>& map) {
+                   const std::optional<ActuatorMap>& map, Budget& budget) {
     const std::string stem = valid_utf8(std::filesystem::path(path).stem().string());
-    return {path, stem, map ? *map : bundled_actuator(traits(format).map)};
+    return {path, stem, map ? *map : bundled_actuator(traits(format).map), budget};
 }
 
 bool is_vibration_xml(std::string_view text) {
@@ -109,11 +109,11 @@ bool is_vibration_xml(std::string_view text) {
 }
 
 Expected<EffectsRead> read_any(std::string_view text, const std::string& path,
-                               const std::optional<ActuatorMap>& map) {
+                               const std::optional<ActuatorMap>& map, Budget& budget) {
     EffectsRead result;
     if (first_sign(text) == '<') {
         if (!is_vibration_xml(text)) return result;
-        const EffectFile file = file_of(path, EffectFormat::android, map);
+        const EffectFile file = file_of(path, EffectFormat::android, map, budget);
         auto effects = read_android_xml(without_bom(text), file);
         if (!effects) return effects.error();
         return EffectsRead{EffectFormat::android, file.map, *std::move(effects)};
@@ -122,7 +122,7 @@ Expected<EffectsRead> read_any(std::string_view text, const std::string& path,
     if (!document) return document.error();
     const EffectFormat format = format_of(document->json);
     if (format == EffectFormat::none) return result;
-    const EffectFile file = file_of(path, format, map);
+    const EffectFile file = file_of(path, format, map, budget);
     auto effects = read_format(format, document->json, file);
     if (!effects) return effects.error();
     for (Effect& effect : *effects) {
@@ -168,17 +168,25 @@ std::string head_of_effects(const std::filesystem::path& path) {
 
 Expected<EffectsRead> read_effects(std::string_view text, const std::string& path,
                                    const std::optional<ActuatorMap>& map) {
+    Budget budget;
+    return read_effects(text, path, map, budget);
+}
+
+Expected<EffectsRead> read_effects(std::string_view text, const std::string& path,
+                                   const std::optional<ActuatorMap>& map, Budget& budget) {
     if (text.size() > kMostEffectBytes) {
         return Error{path + ": expected an effect of at most " + grouped_digits(kMostEffectBytes) +
                      " bytes"};
     }
-    return with_enough_memory(path, [&] { return read_any(text, path, map); });
+    return with_enough_memory(path, [&] { return read_any(text, path, map, budget); });
 }
 
 std::string origin_of(const EffectsRead& read, const Effect& effect, const std::string& file_name) {
     std::string text = "From " + file_name + " (" + traits(read.format).name + "). Actuator map " +
                        read.map.name + ": " + read.map.source;
-    for (const std::string& remark : effect.remarks) text += " " + remark + ".";
+    for (const std::string& remark : effect.remarks) {
+        if (text.size() + remark.size() + 2 <= kMaxTextBytes) text += " " + remark + ".";
+    }
     return text;
 }
 

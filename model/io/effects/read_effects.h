@@ -47,6 +47,10 @@ struct EffectsRead {
 Expected<EffectsRead> read_effects(std::string_view text, const std::string& path,
                                    const std::optional<ActuatorMap>& map = {});
 
+// The same, paid from a budget that other files are paid from as well.
+Expected<EffectsRead> read_effects(std::string_view text, const std::string& path,
+                                   const std::optional<ActuatorMap>& map, Budget& budget);
+
 // "From buzz.ahap (AHAP). Actuator map core-haptics: Hz, gains ..": for the note of a pattern.
 std::string origin_of(const EffectsRead& read, const Effect& effect, const std::string& file_name);
 

@@ -30,9 +30,9 @@ Sides sides(const std::vector<Point>& curve, double t_s) {
 template <class Point>
 std::vector<Point> part_between(const std::vector<Point>& curve, double start_s, double end_s) {
     std::vector<Point> part{{start_s, sides(curve, start_s).behind}};
-    for (const Point& point : curve) {
-        if (point.time_s > start_s && point.time_s < end_s) part.push_back(point);
-    }
+    const auto from = std::ranges::upper_bound(curve, start_s, {}, &Point::time_s);
+    const auto to = std::ranges::lower_bound(from, curve.end(), end_s, {}, &Point::time_s);
+    part.insert(part.end(), from, to);
     part.push_back({end_s, sides(curve, end_s).before});
     return part;
 }
@@ -246,10 +246,7 @@ Expected<Done> check_size(const Sketch& sketch) {
     for (const Voice& voice : sketch.voices) {
         points += voice.amplitude.size() + voice.frequency.size();
     }
-    if (sketch.voices.size() > kMostVoices || points > kMostVoicePoints) {
-        return Error{"expected at most " + grouped_digits(kMostVoices) + " vibrations and " +
-                     grouped_digits(kMostVoicePoints) + " points in an effect, got more"};
-    }
+    if (std::string fault = size_fault(sketch, points); !fault.empty()) return Error{fault};
     return Done{};
 }
 
@@ -257,6 +254,12 @@ Expected<Done> check_size(const Sketch& sketch) {
 
 Sides sides_at(const AmplitudeCurve& curve, double t_s) { return sides(curve, t_s); }
 Sides sides_at(const FrequencyCurve& curve, double t_s) { return sides(curve, t_s); }
+
+std::string size_fault(const Sketch& sketch, std::size_t points) {
+    if (sketch.voices.size() <= kMostVoices && points <= kMostVoicePoints) return {};
+    return "expected at most " + grouped_digits(kMostVoices) + " vibrations and " +
+           grouped_digits(kMostVoicePoints) + " points in an effect, got more";
+}
 
 Voice cut_out(Voice voice) {
     voice.amplitude = part_between(voice.amplitude, voice.start_s, voice.end_s);

@@ -80,7 +80,7 @@ bool has_elements(const Json& document, const char* key) {
 }  // namespace
 
 Expected<Effects> read_timings(const Json& document, const EffectFile& file) {
-    JsonReading reading{file.path, {}};
+    JsonReading reading = reading_of(file);
     JsonObject object = object_at(reading, document, "");
     const TimingKeys keys = kSpellings[document.contains(kSpellings[0].timings) ? 0 : 1];
     std::vector<std::string> remarks;

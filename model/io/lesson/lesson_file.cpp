@@ -62,7 +62,7 @@ Lesson lesson_of(JsonReading& reading, const Json& document, const fs::path& fol
     }
     whole_field(object, "tactlesson", kLessonFormat, {1.0, kLessonFormat});
     if (!reading.fault.empty()) return lesson;
-    lesson.name = text_field(object, "name", "");
+    lesson.name = name_field(object, "name", "");
     lesson.about = text_field(object, "about", "");
     read_set(object, lesson, folder);
     if (!reading.fault.empty()) return lesson;

@@ -29,7 +29,7 @@ void need_pattern(JsonReading& reading, const std::string& place, const PatternS
 }
 
 std::string pattern_field(JsonObject& object, std::string_view key, const PatternSet& set) {
-    std::string name = text_field(object, key, "");
+    std::string name = name_field(object, key, "");
     need_pattern(*object.reading, place_of(object, key), set, name);
     return name;
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr int kFormat = 1;
 
 Exclusion exclusion_of(JsonObject& object) {
-    Exclusion one{text_field(object, "participant", ""), text_field(object, "because", ""),
+    Exclusion one{name_field(object, "participant", ""), text_field(object, "because", ""),
                   text_field(object, "at", "")};
     for (const auto& [key, text] :
          {std::pair{"participant", &one.participant}, std::pair{"because", &one.because}}) {

@@ -6,6 +6,7 @@
 
 #include "model/io/people/ratings_text.h"
 #include "model/text/numbers.h"
+#include "model/text/unique_names.h"
 
 namespace tact {
 
@@ -85,6 +86,9 @@ std::string take_line(Lines& lines, const LineColumns& columns,
     const std::string a{trimmed(fields[*columns.a])};
     const std::string b{trimmed(fields[*columns.b])};
     if (a.empty() || b.empty()) return "expected the names of two patterns";
+    for (const std::string& name : {a, b}) {
+        if (std::string fault = name_fault(name); !fault.empty()) return fault;
+    }
     const std::string& cell = fields[columns.scaled.value_or(*columns.rating)];
     const auto rating = rating_in(cell);
     if (!rating) return expected_rating(cell);
@@ -93,8 +97,9 @@ std::string take_line(Lines& lines, const LineColumns& columns,
     const std::size_t first = place_of(lines, a);
     const std::size_t second = place_of(lines, b);
     if (lines.labels.size() > kMaxRatedPatterns) return "expected at most 500 patterns";
-    Rater& rater = rater_of(
-        lines, std::string(columns.participant ? trimmed(fields[*columns.participant]) : ""));
+    const std::string who{columns.participant ? trimmed(fields[*columns.participant]) : ""};
+    if (std::string fault = name_fault(who); !fault.empty()) return fault;
+    Rater& rater = rater_of(lines, who);
     if (lines.people.size() > kMaxParticipants) return "expected at most 1,000 participants";
     note_marks(rater.marks, *marks);
     if (lines.fingerprint.empty()) lines.fingerprint = marks->fingerprint;
@@ -106,6 +111,16 @@ std::string take_line(Lines& lines, const LineColumns& columns,
     if (marks->rehearsal || !marks->whole) return {};
     return add_rating(marks->excluded ? rater.excluded : rater.counted, std::minmax(first, second),
                       *rating);
+}
+
+// Of all people: what there is to be room for.
+std::size_t passes_of(const Lines& lines) {
+    std::size_t passes = 0;
+    for (const Rater& rater : lines.people) {
+        passes +=
+            std::max({rater.counted.passes.size(), rater.excluded.passes.size(), std::size_t{1}});
+    }
+    return passes;
 }
 
 void add_judgements(RatingStudy& study, const Rater& rater) {
@@ -126,7 +141,8 @@ void add_judgements(RatingStudy& study, const Rater& rater) {
 }  // namespace
 
 Expected<RatingsText> ratings_of_lines(const std::string& file,
-                                       const std::vector<CsvRecord>& records) {
+                                       const std::vector<CsvRecord>& records,
+                                       std::size_t text_bytes) {
     const auto at_line = [&file](const CsvRecord& record, const std::string& fault) {
         return Error{file + ":" + std::to_string(record.line) + ": " + fault};
     };
@@ -156,6 +172,8 @@ Expected<RatingsText> ratings_of_lines(const std::string& file,
     text.identical = std::move(lines.identical);
     if (columns.is_study) text.scale = RatingScale::similarity;
     text.is_scaled = columns.scaled.has_value();
+    const std::string fault = passes_fault(passes_of(lines), lines.labels.size(), text_bytes);
+    if (!fault.empty()) return Error{file + ": " + fault};
     for (const Rater& rater : lines.people) {
         add_judgements(text.study, rater);
         note_standing(text, rater.name, rater.marks);

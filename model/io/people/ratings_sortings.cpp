@@ -6,6 +6,7 @@
 #include "model/io/people/ratings_text.h"
 #include "model/study/cluster_sorting.h"
 #include "model/text/numbers.h"
+#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -59,6 +60,9 @@ std::string take_sorted(Sorters& sorters, const SortingColumns& columns,
     if (is_new) sorters.labels.push_back(label);
     if (sorters.labels.size() > kMaxRatedPatterns) return "expected at most 500 patterns";
     const std::string name{columns.participant ? trimmed(fields[*columns.participant]) : ""};
+    for (const std::string& one : {label, name}) {
+        if (std::string fault = name_fault(one); !fault.empty()) return fault;
+    }
     const auto [who, is_another] = sorters.place_of_person.emplace(name, sorters.people.size());
     if (is_another) sorters.people.push_back({name, {}, {}, {}});
     if (sorters.people.size() > kMaxParticipants) return "expected at most 1,000 participants";
@@ -90,7 +94,8 @@ Judgement judgement_of(const Sorter& sorter, std::size_t patterns) {
 }  // namespace
 
 Expected<RatingsText> ratings_of_sortings(const std::string& file,
-                                          const std::vector<CsvRecord>& records) {
+                                          const std::vector<CsvRecord>& records,
+                                          std::size_t text_bytes) {
     const CsvRecord& head = records.front();
     const SortingColumns columns = sorting_columns(head);
     Sorters sorters;
@@ -112,6 +117,9 @@ Expected<RatingsText> ratings_of_sortings(const std::string& file,
     text.study.labels = sorters.labels;
     text.study.fingerprint = sorters.fingerprint;
     text.scale = RatingScale::dissimilarity;
+    const std::string fault =
+        passes_fault(sorters.people.size(), sorters.labels.size(), text_bytes);
+    if (!fault.empty()) return Error{file + ": " + fault};
     for (const Sorter& sorter : sorters.people) {
         text.study.judgements.push_back(judgement_of(sorter, sorters.labels.size()));
         note_standing(text, sorter.name, sorter.marks);

@@ -57,6 +57,9 @@ Expected<RatingsText> labelled_square(RatingsText into, const std::vector<CsvRec
     std::vector<std::string>& labels = into.study.labels;
     for (std::size_t k = 1; k < records[0].fields.size(); ++k) {
         labels.emplace_back(trimmed(records[0].fields[k]));
+        if (const std::string fault = name_fault(labels.back()); !fault.empty()) {
+            return at_line(into, records[0].line, fault);
+        }
     }
     if (const auto equal = first_equal(labels)) {
         return at_line(
@@ -163,6 +166,14 @@ Expected<std::vector<CsvRecord>> records_of(const RatingsText& into, std::string
 
 }  // namespace
 
+std::string passes_fault(std::size_t passes, std::size_t patterns, std::size_t text_bytes) {
+    const std::size_t pairs = std::max<std::size_t>(pair_count(patterns), 1);
+    const std::size_t most = (kMostUnratedCells + text_bytes) / pairs;
+    if (passes <= most) return {};
+    return "expected at most " + grouped_digits(most) + " passes through " + grouped_digits(pairs) +
+           " pairs, got " + grouped_digits(passes);
+}
+
 Expected<RatingsText> ratings_text(std::string_view text, const std::string& file) {
     RatingsText into;
     into.file = file;
@@ -181,8 +192,8 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
     const std::string_view corner = trimmed(head.fields[0]);
     const bool has_names =
         head.fields.size() > 1 && (corner.empty() || corner.starts_with(kSyntheticMark));
-    auto answer = is_sorted     ? ratings_of_sortings(file, *records)
-                  : has_columns ? ratings_of_lines(file, *records)
+    auto answer = is_sorted     ? ratings_of_sortings(file, *records, text.size())
+                  : has_columns ? ratings_of_lines(file, *records, text.size())
                   : has_names   ? labelled_square(std::move(into), *records)
                                 : bare_numbers(std::move(into), *records);
     if (!answer) return answer;

@@ -23,6 +23,14 @@ inline constexpr std::size_t kMaxRatedPatterns = 500;  // nobody rates more: 124
 inline constexpr std::size_t kMaxParticipants = 1000;
 inline constexpr std::size_t kMaxPasses = 100;
 
+// What the numbers of a study take in memory beyond those of its text: each pass through the pairs
+// has a place for every pair, rated or not.
+inline constexpr std::size_t kMostUnratedCells = 25'000'000;
+
+// What is wrong with so many passes through the pairs of n patterns in a text of so many bytes, or
+// empty. It is asked before their places are made.
+std::string passes_fault(std::size_t passes, std::size_t patterns, std::size_t text_bytes);
+
 struct RatingsText {
     std::string file;
     RatingStudy study;              // participants as the text names them, or ""
@@ -36,13 +44,15 @@ struct RatingsText {
 
 Expected<RatingsText> ratings_text(std::string_view text, const std::string& file);
 
-// Its form with a line a rating; the first record names the columns.
+// Its form with a line a rating; the first record names the columns. `text_bytes` of the whole.
 Expected<RatingsText> ratings_of_lines(const std::string& file,
-                                       const std::vector<CsvRecord>& records);
+                                       const std::vector<CsvRecord>& records,
+                                       std::size_t text_bytes);
 
 // Its form with a line a sorted pattern, as model/io/people/study_csv.h writes it.
 Expected<RatingsText> ratings_of_sortings(const std::string& file,
-                                          const std::vector<CsvRecord>& records);
+                                          const std::vector<CsvRecord>& records,
+                                          std::size_t text_bytes);
 
 // The place of each column that the head has; of two of one name that of the last.
 struct NamedColumn {

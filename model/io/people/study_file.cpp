@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 
 #include "model/io/people/exclusions_file.h"
+#include "model/io/people/ratings_text.h"
 #include "model/io/people/study_lines.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
@@ -60,6 +62,27 @@ Expected<std::vector<StudyRecord>> read_alone(const fs::path& path) {
     return std::vector<StudyRecord>{*std::move(record)};
 }
 
+// How often a participant has answered; what is too often is refused as it is read, as comparing
+// every answer to a pair with every other takes the square of them.
+struct AnswerCount {
+    std::unordered_map<std::size_t, std::size_t> of_pair;
+
+    // What is wrong with the last answer of the record, or empty.
+    std::string take_last(const StudyRecord& record) {
+        if (record.sortings.size() > kMaxPasses) return "expected at most 100 rounds of sorting";
+        if (record.answers.empty() || answered_ == record.answers.size()) return {};
+        answered_ = record.answers.size();
+        const auto& trial = record.answers.back().trial;
+        const auto [first, second] = std::minmax(trial.left, trial.right);
+        const std::size_t key = first * (kMaxRatedPatterns + 1) + second;
+        if (++of_pair[key] <= kMaxPasses) return {};
+        return "expected at most 100 ratings of a pair by a participant";
+    }
+
+  private:
+    std::size_t answered_ = 0;
+};
+
 }  // namespace
 
 std::string print_study(const StudyRecord& record) {
@@ -80,6 +103,7 @@ std::string print_study(const StudyRecord& record) {
 
 Expected<StudyRecord> parse_study(std::string_view text, const std::string& file) {
     StudyRecord record;
+    AnswerCount count;
     std::size_t line = 0;
     bool has_header = false;
     std::string_view rest = without_bom(text);
@@ -101,6 +125,8 @@ Expected<StudyRecord> parse_study(std::string_view text, const std::string& file
         std::string fault;
         if (has_header) {
             fault = take_line(record, *value, place);
+            const std::string often = fault.empty() ? count.take_last(record) : "";
+            if (!often.empty()) fault = place + ": " + often;
         } else {
             fault = take_header(record, *value, place);
             has_header = true;

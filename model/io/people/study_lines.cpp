@@ -17,6 +17,7 @@ constexpr const char* kFeltFirst[] = {"unknown", "left", "right"};
 constexpr Range kPlays{0, 1e6};
 constexpr Range kSeconds{0, 1e9};
 constexpr Range kTurnedDownDb{0, 1000};
+constexpr Range kSerial{1, 1e6};  // of a trial or a round; nobody answers more
 
 Json json_of(const StudyDevice& device) {
     Json fields = {{"name", device.name}, {"calibration", device.calibration}};
@@ -26,8 +27,8 @@ Json json_of(const StudyDevice& device) {
 }
 
 StudyDevice device_in(JsonObject object) {
-    return {text_field(object, "name", ""), text_field(object, "calibration", ""),
-            text_field(object, "masking", "")};
+    return {name_field(object, "name", ""), name_field(object, "calibration", ""),
+            name_field(object, "masking", "")};
 }
 
 Json json_of_head(const StudyHeader& header) {
@@ -65,12 +66,11 @@ std::uint64_t seed_field(JsonObject& object) {
 Participant participant_of(JsonObject& object) {
     Participant participant;
     JsonObject fields = object_field(object, "participant");
-    participant.code = text_field(fields, "code", "");
+    participant.code = name_field(fields, "code", "");
     if (fields.value == nullptr) return participant;
     for (const auto& [key, value] : fields.value->items()) {
-        if (key != "code" && value.is_string()) {
-            participant.fields.emplace_back(key, value.get<std::string>());
-        }
+        if (key == "code" || !value.is_string()) continue;
+        participant.fields.emplace_back(key, text_field(fields, key, ""));
     }
     return participant;
 }
@@ -85,7 +85,7 @@ std::vector<std::string> patterns_of(JsonObject& object) {
             refuse(*object.reading, place_of(object, "patterns"), "names of patterns", *name);
             return names;
         }
-        names.push_back(name->get<std::string>());
+        names.push_back(name_at(*object.reading, *name, place_of(object, "patterns")));
     }
     if (const auto equal = first_equal(names)) {
         refuse(*object.reading, place_of(object, "patterns"), "names that differ",
@@ -110,14 +110,10 @@ StudyHeader header_of(JsonObject& object) {
     JsonObject consent = object_field(object, "consent");
     header.consented = yes_no_field(consent, "given", false);
     const std::string consent_text = text_field(consent, "text", "");
-    if (consent_text.size() > limits::kMaxStudyText) {
-        refuse(reading, place_of(consent, "text"), "a text of at most 20,000 bytes",
-               Json(consent_text.size()));
-    }
     header.begun = text_field(object, "begun", "");
     JsonObject set = object_field(object, "set");
-    header.set_name = text_field(set, "name", "");
-    header.set_fingerprint = text_field(set, "fingerprint", "");
+    header.set_name = name_field(set, "name", "");
+    header.set_fingerprint = name_field(set, "fingerprint", "");
     header.device = device_in(object_field(object, "device"));
     header.seed = seed_field(object);
     header.patterns = patterns_of(object);
@@ -158,6 +154,7 @@ void note_report(Json& fields, const char* key, const PlaysReport& report) {
 
 PairAnswer pair_answer_of(JsonObject& object, const StudyHeader& header) {
     PairAnswer answer;
+    whole_field(object, "trial", 1, kSerial);
     answer.trial.left = pattern_field(object, "left", header);
     answer.trial.right = pattern_field(object, "right", header);
     if (field(object, "rating") == nullptr) {
@@ -206,6 +203,7 @@ Sorting groups_of(JsonObject& object, const StudyHeader& header) {
 
 SortingAnswer sorting_answer_of(JsonObject& object, const StudyHeader& header) {
     SortingAnswer answer;
+    whole_field(object, "round", 1, kSerial);
     answer.asked_groups = whole_field(object, "asked_groups", 0, limits::kGroups);
     answer.groups = groups_of(object, header);
     answer.response_s = number_field(object, "response_s", 0.0, kSeconds);

@@ -26,8 +26,8 @@ double rho_field(JsonObject& object, std::string_view key) {
 
 TrainedOn trained_on(JsonObject object) {
     TrainedOn set;
-    set.name = text_field(object, "name", {});
-    set.fingerprint = text_field(object, "fingerprint", {});
+    set.name = name_field(object, "name", {});
+    set.fingerprint = name_field(object, "fingerprint", {});
     const auto count = [&](const char* key) {
         return static_cast<std::size_t>(number_field(object, key, 0.0, kCount));
     };
@@ -45,8 +45,8 @@ TrainedOn trained_on(JsonObject object) {
 TrainingRecord record_in(JsonObject object) {
     constexpr std::size_t kMostSets = 10'000;
     TrainingRecord record;
-    record.program = text_field(object, "program", {});
-    record.date = text_field(object, "date", {});
+    record.program = name_field(object, "program", {});
+    record.date = name_field(object, "date", {});
     record.objective =
         static_cast<TrainingObjective>(choice_field(object, "objective", 0, kObjectiveNames));
     record.step = number_field(object, "step", record.step, {1e-6, 1.0});

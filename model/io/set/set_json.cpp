@@ -46,7 +46,7 @@ Measurement measurement_of(JsonObject& object) {
         measurement.path = bytes.value_or("");
     }
     measurement.scale_g = number_field(object, "scale_g", 0.0, limits::kScaleG);
-    measurement.measures = text_field(object, "measures", "");
+    measurement.measures = name_field(object, "measures", "");
     measurement.synthetic = yes_no_field(object, "synthetic", false);
     return measurement;
 }
@@ -71,7 +71,7 @@ bool ring_of(JsonObject& object) {
 
 EffectOrigin effect_of(JsonObject& object, Json& unknown) {
     JsonObject fields = object_field(object, "effect");
-    EffectOrigin effect{text_field(fields, "format", ""), text_field(fields, "actuator", "")};
+    EffectOrigin effect{name_field(fields, "format", ""), name_field(fields, "actuator", "")};
     note_unknown(unknown, "effect", unknown_fields(fields));
     return effect;
 }
@@ -79,7 +79,7 @@ EffectOrigin effect_of(JsonObject& object, Json& unknown) {
 Vibration vibration_of(JsonObject& object, double set_duration_s) {
     Vibration vibration;
     Json unknown = Json::object();
-    vibration.name = text_field(object, "name", "");
+    vibration.name = name_field(object, "name", "");
     if (object.value != nullptr && object.value->contains("waveform")) {
         vibration.source = measurement_of(object);
     } else {
@@ -113,7 +113,7 @@ void refuse_equal_names(JsonReading& reading, const std::vector<std::string>& na
 void read_vibrations(JsonObject& object, PatternSet& set, std::vector<std::string>& remarks) {
     const auto elements = array_field(object, "patterns", 0, limits::kMaxPatterns);
     std::vector<std::string> names;
-    for (std::size_t k = 0; k < elements.size() && object.reading->fault.empty(); ++k) {
+    for (std::size_t k = 0; k < elements.size() && may_go_on(*object.reading); ++k) {
         JsonObject fields = object_at(*object.reading, *elements[k],
                                       place_of(object, "patterns") + "/" + std::to_string(k));
         Vibration vibration = vibration_of(fields, set.duration_s);
@@ -130,13 +130,12 @@ void read_vibrations(JsonObject& object, PatternSet& set, std::vector<std::strin
 
 Ratings ratings_of(JsonObject& object) {
     Ratings ratings;
-    ratings.name = text_field(object, "name", "");
+    ratings.name = name_field(object, "name", "");
     JsonReading& reading = *object.reading;
     const auto labels = array_field(object, "labels", 0, limits::kMaxPatterns);
     for (std::size_t k = 0; k < labels.size(); ++k) {
         const std::string place = place_of(object, "labels") + "/" + std::to_string(k);
-        if (!labels[k]->is_string()) refuse(reading, place, "a text", *labels[k]);
-        ratings.labels.push_back(labels[k]->is_string() ? labels[k]->get<std::string>() : "");
+        ratings.labels.push_back(name_at(reading, *labels[k], place));
     }
     refuse_equal_names(reading, ratings.labels, place_of(object, "labels"), "");
     const std::size_t pairs = pair_count(labels.size());
@@ -159,7 +158,7 @@ Ratings ratings_of(JsonObject& object) {
 
 void read_ratings(JsonObject& object, PatternSet& set) {
     const auto elements = array_field(object, "ratings", 0, kMaxRatings);
-    for (std::size_t k = 0; k < elements.size(); ++k) {
+    for (std::size_t k = 0; k < elements.size() && may_go_on(*object.reading); ++k) {
         JsonObject fields = object_at(*object.reading, *elements[k],
                                       place_of(object, "ratings") + "/" + std::to_string(k));
         set.ratings.push_back(ratings_of(fields));
@@ -269,7 +268,7 @@ PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::s
     JsonObject object = object_at(reading, document, "");
     read_format(object);
     if (!reading.fault.empty()) return set;
-    set.name = text_field(object, "name", "");
+    set.name = name_field(object, "name", "");
     set.duration_s = number_field(object, "duration_s", set.duration_s, limits::kDurationS);
     read_vibrations(object, set, remarks);
     read_ratings(object, set);

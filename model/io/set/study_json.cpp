@@ -15,12 +15,8 @@ std::vector<std::string> names_field(JsonObject& object, std::string_view key) {
     std::vector<std::string> names;
     const auto elements = array_field(object, key, 0, limits::kMaxStudyPatterns);
     for (std::size_t k = 0; k < elements.size(); ++k) {
-        if (!elements[k]->is_string()) {
-            refuse(*object.reading, place_of(object, key) + "/" + std::to_string(k), "a text",
-                   *elements[k]);
-            continue;
-        }
-        names.push_back(elements[k]->get<std::string>());
+        names.push_back(name_at(*object.reading, *elements[k],
+                                place_of(object, key) + "/" + std::to_string(k)));
     }
     return names;
 }
@@ -34,14 +30,6 @@ std::vector<int> groups_field(JsonObject& object) {
             static_cast<int>(number_at(*object.reading, *elements[k], place, limits::kGroups)));
     }
     return groups;
-}
-
-std::string long_text_field(JsonObject& object, std::string_view key) {
-    std::string text = text_field(object, key, "");
-    if (text.size() <= limits::kMaxStudyText) return text;
-    refuse(*object.reading, place_of(object, key), "a text of at most 20,000 bytes",
-           Json(text.size()));
-    return {};
 }
 
 AttentionRule attention_of(JsonObject& object, Json& unknown) {
@@ -72,10 +60,10 @@ StudyDesign study_design_of(JsonObject& object, Json& unknown) {
     design.break_every =
         whole_field(object, "break_every", design.break_every, limits::kBreakEvery);
     design.masking = number_field(object, "masking", design.masking, {0.0, 1.0});
-    design.headphones = text_field(object, "headphones", "");
+    design.headphones = name_field(object, "headphones", "");
     design.attention = attention_of(object, unknown);
-    design.instructions = long_text_field(object, "instructions");
-    design.consent = long_text_field(object, "consent");
+    design.instructions = text_field(object, "instructions", "");
+    design.consent = text_field(object, "consent", "");
     design.groups = groups_field(object);
     unknown.update(unknown_fields(object));
     return design;

@@ -5,6 +5,7 @@
 #include "model/text/enough_memory.h"
 #include "model/text/line_error.h"
 #include "model/text/numbers.h"
+#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -27,6 +28,9 @@ Expected<LabelledPoints> parse_coordinates(std::string_view text, const std::str
         if (row.fields.size() != head.fields.size()) {
             return Error{place + std::to_string(head.fields.size()) + " fields, got " +
                          std::to_string(row.fields.size())};
+        }
+        if (const std::string fault = name_fault(row.fields[0]); !fault.empty()) {
+            return at_line(file, row.line, fault);
         }
         result.labels.push_back(row.fields[0]);
         for (std::size_t k = 1; k < row.fields.size(); ++k) {

@@ -11,6 +11,7 @@
 #include "model/text/csv.h"
 #include "model/text/enough_memory.h"
 #include "model/text/numbers.h"
+#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -63,6 +64,7 @@ std::string take_labels(MatrixReading& reading, const CsvRecord& first) {
     if (labels.size() > limits::kMaxPatterns) return "expected at most 10,000 columns";
     std::unordered_set<std::string_view> seen;
     for (const std::string& label : labels) {
+        if (std::string fault = name_fault(label); !fault.empty()) return fault;
         if (!seen.insert(label).second)
             return "expected names that differ, got " + in_quotes(label) + " twice";
     }
