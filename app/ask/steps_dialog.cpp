@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "app/ask/steps_follow.h"
-#include "app/document/pressing.h"
+#include "app/document/editing.h"
 #include "app/progress/failure.h"
 #include "app/progress/progress_line.h"
 #include "app/ui/dialog.h"

@@ -13,7 +13,6 @@
 #include "app/candidates/candidate_rows.h"
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
-#include "app/document/pressing.h"
 #include "app/ui/widgets.h"
 #include "model/design_space/candidates.h"
 #include "model/text/numbers.h"

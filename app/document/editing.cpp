@@ -1,5 +1,7 @@
 #include "app/document/editing.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -333,5 +335,13 @@ void toggle_dropped(Ui& ui, Workspace& work) {
 }
 
 double shown_duration_s(const Workspace& work) { return longest_s(work.document.set); }
+
+void note_pressed(Workspace& work, const Vibration& vibration) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool is_drag = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >=
+                         io.MouseDragThreshold * io.MouseDragThreshold;
+    if (!io.MouseDown[ImGuiMouseButton_Left] || is_drag) return;
+    work.selection.pressed = vibration;
+}
 
 }  // namespace tact

@@ -8,7 +8,6 @@
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
-#include "app/document/pressing.h"
 #include "app/generate/generate_dialog.h"
 #include "app/generate/generate_fields.h"
 #include "app/generate/generating.h"

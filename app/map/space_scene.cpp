@@ -6,7 +6,6 @@
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
-#include "app/document/pressing.h"
 #include "app/map/map_follow.h"
 #include "viz/drawing/plot.h"
 #include "viz/space/space_view.h"

@@ -11,7 +11,6 @@
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
-#include "app/document/pressing.h"
 #include "app/patterns/effect_maps_dialog.h"
 #include "app/patterns/pattern_menu.h"
 #include "app/patterns/set_panel.h"

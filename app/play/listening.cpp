@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "app/document/editing.h"
-#include "app/document/pressing.h"
 #include "app/map/pair.h"
 #include "app/play/playing.h"
 #include "app/play/sounding.h"

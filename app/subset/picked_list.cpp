@@ -4,7 +4,6 @@
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
-#include "app/document/pressing.h"
 #include "app/play/playing.h"
 #include "app/subset/subset_follow.h"
 #include "app/ui/widgets.h"

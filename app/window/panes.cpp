@@ -14,7 +14,6 @@
 #include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
 #include "app/document/editing.h"
-#include "app/document/pressing.h"
 #include "app/document/shown_side.h"
 #include "app/lesson/lesson_place.h"
 #include "app/map/map_follow.h"

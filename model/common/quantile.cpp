@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <limits>
 
-#include "model/common/share.h"
-
 namespace tact {
 
 double quantile(std::span<const double> sorted, double share) {

@@ -7,7 +7,6 @@
 
 #include "model/common/mean.h"
 #include "model/common/quantile.h"
-#include "model/common/share.h"
 #include "model/dissimilarity/correlation.h"
 #include "model/study/study_results.h"
 #include "model/text/numbers.h"

@@ -12,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -113,5 +114,12 @@ void read_objects(JsonObject& object, std::string_view key, std::size_t least, s
 
 // Puts such notes back: what the document has already is left alone.
 void restore_unknown(Json& document, const Json& unknown);
+
+// Which known word a misspelt one was meant to be, of equals the first: at most one slip (a letter
+// more, less, other, or two exchanged) a four letters of the word; letters of either case count as
+// the same. None where no word is as near. Source: optimal string alignment distance, Damerau 1964
+// and Levenshtein 1966.
+std::optional<std::string_view> misspelt(std::string_view word,
+                                         std::span<const std::string_view> known);
 
 }  // namespace tact

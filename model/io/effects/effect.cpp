@@ -51,7 +51,9 @@ void refuse_plainly(JsonReading& reading, const std::string& place, const std::s
     if (reading.fault.empty()) reading.fault = reading.file + ": " + place + ": " + sentence;
 }
 
-JsonReading reading_of(const EffectFile& file) { return {file.path, {}, &file.budget}; }
+JsonReading reading_of(const EffectFile& file) {
+    return {file.path, {}, UnknownKeys::passed_over, &file.budget};
+}
 
 std::string pay_points(const EffectFile& file, std::size_t count) {
     if (pay(file.budget.points, count)) return halted(file.budget);

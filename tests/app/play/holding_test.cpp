@@ -1,7 +1,7 @@
 // Pressed and held, a pattern is felt as long as it is held; a click and a drag stay what they are.
 #include <doctest/doctest.h>
 
-#include "app/document/pressing.h"
+#include "app/document/editing.h"
 #include "app/generate/generating.h"
 #include "app/window/jobs.h"
 #include "tests/support/felt_program.h"

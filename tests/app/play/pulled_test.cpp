@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/document/pressing.h"
+#include "app/document/editing.h"
 #include "app/play/playing.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/patience.h"

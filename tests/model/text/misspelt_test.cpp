@@ -1,4 +1,4 @@
-#include "model/text/misspelt.h"
+#include "model/text/json_fields.h"
 
 #include <doctest/doctest.h>
 
