@@ -25,14 +25,14 @@ struct Desk {
 };
 
 // Ahead of what draws and computes, where the system allows it to this program.
-void ask_for_priority() {
+void rank_before_drawing() {
     sched_param param{};
     param.sched_priority = 1;
     pthread_setschedparam(pthread_self(), SCHED_FIFO, &param);
 }
 
 void serve(const std::shared_ptr<Desk>& desk) {
-    ask_for_priority();
+    rank_before_drawing();
     std::unique_lock lock(desk->mutex);
     for (;;) {
         desk->changed.wait(lock, [&] { return desk->next || desk->is_closed; });
