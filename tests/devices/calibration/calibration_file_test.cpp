@@ -43,9 +43,9 @@ Calibration any_calibration(std::mt19937& random) {
     made.rms_limit = share_of(random);
     double f_hz = 1.0;
     for (std::size_t k = 0, count = 1 + any_below(random, 20); k < count; ++k) {
-        made.points.push_back({f_hz, std::lerp(1e-6, 1e4, share_of(random)), share_of(random),
-                               1e3 * share_of(random), share_of(random),
-                               any_below(random, 2) == 0});
+        made.points.push_back({f_hz, std::lerp(1e-6, 1e4, share_of(random)),
+                               std::max(1e-9, share_of(random)), 1e3 * share_of(random),
+                               share_of(random), any_below(random, 2) == 0});
         f_hz *= 1.01 + 0.4 * share_of(random);
     }
     return made;

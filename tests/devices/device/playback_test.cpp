@@ -96,10 +96,16 @@ TEST_CASE("playback: the level scales every sample, and a new level is reached w
         REQUIRE(stream.heard[kPad + n] == clip.samples[n] * 0.1F);
     }
     stream.playback.level = 1.0F;
+    stream.run(14'400);
+    // No more than 1 / kRiseS a second upwards: half-way after 0.1 s, there after 0.25.
+    const std::size_t from = kPad + 4800;
+    CHECK(loudest(stream.heard, from, from + 4800) <= 0.5 * (0.1 + 0.1 / kRiseS) + 1e-6);
+    CHECK(loudest(stream.heard, from, from + 4800) >= 0.5 * 0.55);
+    CHECK(std::abs(loudest(stream.heard, from + 12'000, from + 14'400) - 0.5) < 1e-4);
+    stream.playback.level = 0.1F;
     stream.run(4800);
-    CHECK(loudest(stream.heard, kPad + 4800, kPad + 4840) < 0.5 * 0.45);  // on its way
-    // 1 % off after 10 ms, 1e-4 after 20.
-    CHECK(std::abs(loudest(stream.heard, kPad + 4800 + 960, kPad + 9600) - 0.5) < 1e-4);
+    // Downwards 1 % off after 10 ms, 1e-4 after 20.
+    CHECK(loudest(stream.heard, from + 14'400 + 960, from + 19'200) < 0.05 + 1e-4);
 }
 
 TEST_CASE("playback: too loud a clip is turned down as a whole, and the clip light stays on") {
