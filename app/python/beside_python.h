@@ -15,6 +15,23 @@
 
 namespace tact {
 
+inline bool is_python_ending() {
+#if PY_VERSION_HEX >= 0x030D0000
+    return Py_IsFinalizing() != 0;
+#else
+    return _Py_IsFinalizing() != 0;
+#endif
+}
+
+// For a thread that the interpreter no longer waits for: to take the lock back would end the thread
+// in the middle of our frames. Its work is stopped, and it sleeps until the process is over.
+template <class Answer>
+void stay_behind(std::jthread& worker, std::future<Answer>& answer) {
+    worker.request_stop();
+    answer.wait();
+    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
 // What work(stop_token) returns, or throws. `work` must not touch Python. Where a signal's handler
 // raises (KeyboardInterrupt), the work is stopped, waited for, and that is thrown instead.
 template <class Work>
@@ -23,9 +40,13 @@ auto beside_python(Work work) {
     std::packaged_task<Answer(std::stop_token)> task(std::move(work));
     std::future<Answer> answer = task.get_future();
     std::jthread worker(std::move(task));
-    const auto is_done = [&answer] {
-        const pybind11::gil_scoped_release others_go_on;
-        return answer.wait_for(std::chrono::milliseconds(20)) == std::future_status::ready;
+    const auto is_done = [&answer, &worker] {
+        PyThreadState* const own = PyEval_SaveThread();  // others go on
+        const bool done =
+            answer.wait_for(std::chrono::milliseconds(20)) == std::future_status::ready;
+        if (is_python_ending()) stay_behind(worker, answer);
+        PyEval_RestoreThread(own);
+        return done;
     };
     while (!is_done()) {
         if (PyErr_CheckSignals() == 0) continue;

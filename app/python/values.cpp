@@ -27,7 +27,7 @@ Numbers numbers_of(const py::object& object, const std::string& name) {
         throw py::value_error(name + ": expected real numbers, got " +
                               std::string(py::str(py::repr(py::type::of(object)))));
     }
-    return Numbers::ensure(array);
+    return Numbers(array);  // throws where the numbers have no room, unlike ensure()
 }
 
 std::string shape_of(const py::array& array) { return std::string(py::str(array.attr("shape"))); }

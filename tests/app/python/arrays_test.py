@@ -72,6 +72,21 @@ class Arrays(unittest.TestCase):
             tactspace.space(tactspace.predict(WAVES))
 
 
+class Memory(unittest.TestCase):
+    """Numbers that need no room until they are copied: 80 TB as float64."""
+
+    def test_numbers_without_room_are_a_memory_error(self):
+        wide = np.broadcast_to(np.float32(0), (10**6, 10**7))
+        long = np.broadcast_to(np.float32(0), 10**13)
+        for name, call in {
+            "predict": lambda: tactspace.predict(wide), "unfelt": lambda: tactspace.unfelt(wide),
+            "stages": lambda: tactspace.stages(long), "space": lambda: tactspace.space(wide),
+            "subset": lambda: tactspace.subset(wide, 2), "compare": lambda: tactspace.compare(wide, wide),
+        }.items():
+            with self.subTest(name), self.assertRaises(MemoryError):
+                call()
+
+
 class Refusals(unittest.TestCase):
     def refused(self, sentence, function, *arguments, **named):
         with self.assertRaises(ValueError) as caught:
@@ -161,9 +176,9 @@ class Refusals(unittest.TestCase):
 
     def test_documents(self):
         self.refused("pattern: /amplitude_g: expected", tactspace.render, {"amplitude_g": -1})
-        self.refused('pattern: expected the keys of a set file, got {"amplitud_g":1}',
+        self.refused('pattern: /: does not know "amplitud_g"; the nearest key is "amplitude_g"',
                      tactspace.render, {"amplitud_g": 1})
-        self.refused("pattern: expected the keys of a set file", tactspace.render,
+        self.refused('pattern: /carriers/0: does not know "frequncy_hz"', tactspace.render,
                      {"carriers": [{"frequncy_hz": 1}]})
         self.refused("pattern: /rhythm/text: expected a rhythm", tactspace.render,
                      {"rhythm": {"text": "??"}})
@@ -171,7 +186,7 @@ class Refusals(unittest.TestCase):
         read = {"amplitude_g": 0.5, "effect": {"format": "ahap", "actuator": "core-haptics"}}
         np.testing.assert_array_equal(tactspace.render(read), tactspace.render({"amplitude_g": 0.5}))
         self.refused("model: /nc_weight: expected", tactspace.predict, WAVES, model={"nc_weight": "x"})
-        self.refused("model: expected the keys of a set file", tactspace.predict, WAVES,
+        self.refused('model: /coding: does not know "layers"', tactspace.predict, WAVES,
                      model={"coding": {"layers": 3}})
         self.refused("there.json", tactspace.read_set, "not/there.json")
         self.refused("there.csv", tactspace.read_ratings, "not/there.csv")

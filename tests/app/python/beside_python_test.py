@@ -2,6 +2,8 @@
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 import unittest
 
@@ -12,7 +14,25 @@ import tactspace
 LONG = np.random.default_rng(1).normal(size=(700, 20000))
 
 
+ENDS_WHILE_IT_WORKS = """
+import threading, numpy as np, tactspace
+waves = np.random.default_rng(1).normal(size=(700, 20000))
+begun = threading.Event()
+def work():
+    begun.set()
+    tactspace.predict(waves)
+threading.Thread(target=work, daemon=True).start()
+begun.wait()
+for _ in range(200000): pass
+"""
+
+
 class BesidePython(unittest.TestCase):
+    def test_an_interpreter_that_ends_leaves_a_daemons_work_in_peace(self):
+        for _ in range(5):
+            done = subprocess.run([sys.executable, "-c", ENDS_WHILE_IT_WORKS], capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
     def setUp(self):
         # As in an interpreter that was started by hand; a background job ignores it.
         before = signal.signal(signal.SIGINT, signal.default_int_handler)
