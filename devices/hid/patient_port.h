@@ -12,8 +12,8 @@
 
 namespace tact {
 
-// So long a packet may take; by then three periods of any controller have passed.
-inline constexpr std::chrono::milliseconds kWritePatience{80};
+// So long a packet may take: drivers have been seen to stall for three seconds and go on.
+inline constexpr std::chrono::milliseconds kWritePatience{3500};
 
 // The same port, whose write() is false where the packet was not taken within `patience`, and while
 // that one is still under way. The packet itself may be taken later.
