@@ -78,7 +78,7 @@ std::vector<std::string> recording_seeds() {
 
 bool spec(std::string_view bytes) { return is_read(read_spec_file(written(bytes, "fuzz.json"))); }
 std::vector<std::string> spec_seeds() {
-    return {R"({"tactspace_design_space":1,"amplitude_g":[0.5,1],"rhythms":["x-","xx"]})"};
+    return {R"({"tactspace_design_space":1,"amplitude_g":[0.5,1],"rhythm":{"texts":["x-","xx"]}})"};
 }
 
 // What any command takes for its set, by content.
