@@ -19,7 +19,7 @@ namespace {
 constexpr double kReachOctaves = 1.0 / 3.0;  // beyond the table that is still trusted
 constexpr double kEdgeOctaves = 1.0 / 6.0;   // of it, until nothing is sent
 constexpr double kLargestBoost = 10.0;       // over the strongest point: 20 dB
-constexpr double kLowestMotionHz = 10.0;  // slower is drift of a sensor, unless it was measured
+constexpr double kLowestMotionHz = 10.0;     // slower is drift of a sensor, unless it was measured
 
 double octaves_outside(const Calibration& calibration, double frequency_hz) {
     const double below = std::log2(calibration.points.front().frequency_hz / frequency_hz);
@@ -281,9 +281,8 @@ CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& ca
         driven.rms = std::max(driven.rms, loudest_second_of_loop(driven.drive));
     }
     // A limit of rms is one of heat; without it nobody knows how warm the actuator gets.
-    driven.drive.longest_s = longest_s.value_or(calibration.rms_limit > 0.0
-                                                    ? std::numeric_limits<double>::infinity()
-                                                    : kLongestOnEndS);
+    driven.drive.longest_s = longest_s.value_or(
+        calibration.rms_limit > 0.0 ? std::numeric_limits<double>::infinity() : kLongestOnEndS);
     driven.over_measured = over_measured(driven.drive, calibration);
     driven.share_lost = share_lost(waveform, calibration);
     driven.drive.largest_level = largest_level(driven, calibration);

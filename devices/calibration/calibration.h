@@ -29,10 +29,11 @@ namespace tact {
 struct ResponsePoint {
     double frequency_hz = 0.0;
     double g_per_full_scale = 0.0;
-    double largest_drive = 1.0;  // up to which it was measured, of full scale, above 0; no more is sent
-    double thd = 0.0;            // total harmonic distortion there: second to fifth, as a share
-    double nonlinearity = 0.0;   // largest departure from proportional over the levels, as a share
-    bool between = false;        // worked out from the points around it, not measured
+    double largest_drive =
+        1.0;           // up to which it was measured, of full scale, above 0; no more is sent
+    double thd = 0.0;  // total harmonic distortion there: second to fifth, as a share
+    double nonlinearity = 0.0;  // largest departure from proportional over the levels, as a share
+    bool between = false;       // worked out from the points around it, not measured
 
     bool operator==(const ResponsePoint&) const = default;
 };
@@ -78,8 +79,9 @@ struct CalibratedDrive {
     bool operator==(const CalibratedDrive&) const = default;
 };
 
-// `loop`: the limits are those of its endless repetition. `longest_s`: on end; default: for ever where
-// an rms limit knows the heat, kLongestOnEndS (devices/device/protection.h) where nothing does.
+// `loop`: the limits are those of its endless repetition. `longest_s`: on end; default: for ever
+// where an rms limit knows the heat, kLongestOnEndS (devices/device/protection.h) where nothing
+// does.
 CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& calibration,
                                  bool loop = false, std::optional<double> longest_s = {});
 

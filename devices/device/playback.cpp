@@ -237,8 +237,8 @@ bool render(Playback& playback, float* interleaved, std::size_t frames, double h
             tell_origin(playback, heard_s, n);
         }
         const float off = target - own.gain;
-        own.gain = std::abs(off) < 1e-5F ? target
-                                         : own.gain + std::min(off * steps.pull, steps.rise);
+        own.gain =
+            std::abs(off) < 1e-5F ? target : own.gain + std::min(off * steps.pull, steps.rise);
         const bool leaving = own.clip != wanted && !is_change(own.clip, wanted) &&
                              (wanted == nullptr || !wanted->waits);
         const std::size_t spare = spare_frames(playback, wanted);

@@ -9,9 +9,10 @@
 //           No sound in the first kPadS of a stream, as servers lose some of it. A clip that is
 //           stopped fades out in kRampS where the output is short enough for that to be heard in
 //           time; else the stream is cut, and what is on its way is not heard. A lower level
-//           takes about as long as a fade, a higher one up to kRiseS. A loop that is changed goes on from where it is: with w
-//           rising smoothly from 0 to 1 within kCrossS, (1 - w) before + w after, which is never
-//           above the larger one, nor steps by more than the two do and their difference / 600.
+//           takes about as long as a fade, a higher one up to kRiseS. A loop that is changed goes
+//           on from where it is: with w rising smoothly from 0 to 1 within kCrossS, (1 - w) before
+//           + w after, which is never above the larger one, nor steps by more than the two do and
+//           their difference / 600.
 // Left out  gaps that leave the output's clock as it was: of a period that comes just too late
 //           PulseAudio plays silence and drops it, without a word;
 //           starting in the middle of a clip; ramps of a pattern's own start and end

@@ -13,9 +13,10 @@
 //
 // Source    choices of ours; 1 g is 0.6 mm at 20 Hz and 250 mm at 1 Hz
 // Output    the drive as long as before; one below 0.3 s that loses a part has 0.1 s more at either
-//           end, for the filter's ring, and says so as its lead. What lies above 16 Hz as it was, but for the ramps. A
-//           sudden start reaches below, and loses that: within 0.1 s of it a tone of 20 Hz changes
-//           by up to a quarter of its peak, one of 150 Hz by 3 %. What is no number is silence.
+//           end, for the filter's ring, and says so as its lead. What lies above 16 Hz as it was,
+//           but for the ramps. A sudden start reaches below, and loses that: within 0.1 s of it a
+//           tone of 20 Hz changes by up to a quarter of its peak, one of 150 Hz by 3 %. What is no
+//           number is silence.
 // Left out  ramps of a loop, whose seam is its own; the heat of plays with pauses between them.
 #pragma once
 

@@ -64,11 +64,11 @@ std::string json_of(const CalibrationResult& result) {
 Expected<Done> write_signal(const CalibrateCommand& command, const CalibrationPlan& plan) {
     const Waveform signal{plan.drive.rate_hz, plan.drive.samples};
     if (auto written = write_wave_file(command.signal, signal); !written) return written;
-    std::cerr
-        << "tactspace: wrote " << command.signal.string() << ", "
-        << fixed_digits(duration_s(signal), 1)
-        << " s: play it with --full-scale 1 --level 1 --no-protection while the sensor records, then give the "
-           "recording to --recording with the same options\n";
+    std::cerr << "tactspace: wrote " << command.signal.string() << ", "
+              << fixed_digits(duration_s(signal), 1)
+              << " s: play it with --full-scale 1 --level 1 --no-protection while the sensor "
+                 "records, then give the "
+                 "recording to --recording with the same options\n";
     return Done{};
 }
 

@@ -1,6 +1,7 @@
 // tactspace play: patterns on an actuator, one or all of them.
 
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -115,7 +116,8 @@ Prepared prepared(const Vibration& vibration, const std::optional<Calibration>& 
         remark(vibration.name, made.remark);
         return {vibration.name, std::move(made.drive)};
     }
-    CalibratedDrive driven = calibrated_drive(waveform, *calibration, command.loop, command.longest_s);
+    CalibratedDrive driven =
+        calibrated_drive(waveform, *calibration, command.loop, command.longest_s);
     for (const std::string& warning : driven.warnings) remark(vibration.name, warning);
     return {vibration.name, std::move(driven.drive)};
 }
@@ -149,6 +151,7 @@ Expected<nlohmann::json> play_in_turn(Device& device, std::size_t count,
     const std::stop_callback silence(stop, [&device] { device.stop(); });
     bool waits = false;  // on the device already
     Prepared next = prepare(0);
+    const double longest_s = next.drive.longest_s;
     for (std::size_t k = 0; k < count; ++k) {
         const Prepared pattern = std::move(next);
         if (count > 1) std::cerr << "tactspace: " << pattern.name << "\n";
@@ -166,9 +169,8 @@ Expected<nlohmann::json> play_in_turn(Device& device, std::size_t count,
         reports.push_back(report_of(pattern, *status));
         if (!is_last && !waits && !waited(command.gap_s, stop)) return Error{"stopped"};
     }
-    if (command.loop) {
-        std::cerr << "tactspace: stopped after " << next.drive.longest_s
-                  << " s; --longest says how long\n";
+    if (command.loop && std::isfinite(longest_s)) {
+        std::cerr << "tactspace: stopped after " << longest_s << " s; --longest says how long\n";
     }
     return reports;
 }
