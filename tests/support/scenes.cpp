@@ -1,8 +1,11 @@
 #include "tests/support/scenes.h"
 
 #include <array>
+#include <chrono>
+#include <thread>
 #include <utility>
 
+#include "app/ask/maybes_follow.h"
 #include "app/lesson/lesson.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
@@ -416,6 +419,13 @@ void SceneWindow::show(const Scene& scene) {
     wait_for_stages();  // of the scene before they may still be on screen
     remake_fonts(*this);
     scene.show(*this);
+    // What the map is asked is told by a preview first, in longer words. Where a scene is of work
+    // under way, that goes on behind it.
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    while (is_asking(app.maybes) && std::chrono::steady_clock::now() < until) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        frame();
+    }
     remake_fonts(*this);
 }
 
