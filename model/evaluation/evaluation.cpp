@@ -18,24 +18,26 @@ using Eigen::MatrixXd;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// Two different objects on one spot of the classical start.
-bool is_failed_start(const Dissimilarity& dissimilarity, int dimensions) {
-    const std::vector<double> d = distances(torgerson(dissimilarity, dimensions));
+// Two different objects on one spot.
+bool meet(const MatrixXd& points) {
+    const std::vector<double> d = distances(points);
     if (d.empty()) return true;
     const auto [least, most] = std::ranges::minmax(d);
     return least <= 1e-6 * most;
 }
 
-MatrixXd published_map(const Dissimilarity& dissimilarity, int dimensions) {
-    if (order_pairs(dissimilarity.condensed).levels < 2) return {};
-    if (is_failed_start(dissimilarity, dimensions)) return {};
-    return smacof(dissimilarity, torgerson(dissimilarity, dimensions),
-                  published_mds_params(dimensions))
-        .points;
+void map_as_published(Mapped& mapped, int dimensions) {
+    const MatrixXd start = torgerson(mapped.dissimilarity, dimensions);
+    mapped.is_failed_start = meet(start);
+    if (mapped.is_failed_start) return;
+    if (order_pairs(mapped.dissimilarity.condensed).levels < 2) return;
+    mapped.published_map =
+        smacof(mapped.dissimilarity, start, published_mds_params(dimensions)).points;
 }
 
 Mapped mapped(const Dissimilarity& dissimilarity, const EvaluationParams& params) {
-    Mapped result{dissimilarity, {}, {}, published_map(dissimilarity, params.dimensions)};
+    Mapped result{dissimilarity, {}, {}, {}};
+    map_as_published(result, params.dimensions);
     MdsParams mds = standard_mds_params(dissimilarity.size, params.dimensions);
     mds.threads = params.threads;
     result.space = nonmetric_mds(dissimilarity, mds);
@@ -187,7 +189,7 @@ Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
     result.stress1 = own.space.stress1;
     result.is_failed_map = own.maps.empty();
     if (!own.maps.empty()) result.map = own.maps.front();
-    result.is_failed_start = is_failed_start(metric, params.dimensions);
+    result.is_failed_start = own.is_failed_start;
     result.k_published = k_between(own.published_map, rated.people.published_map);
     if (own.maps.empty()) {
         result.stress1 = kNone;

@@ -47,6 +47,7 @@ struct Mapped {
     // By published_mds_params(), for the paper's bookkeeping; 0 x 0 where mdscale gives up: two
     // patterns on one spot of its classical start, or nothing that differs.
     Eigen::MatrixXd published_map;
+    bool is_failed_start = false;  // two patterns on one spot of the classical start
 };
 
 bool has_map(const PerceptualSpace& space);
