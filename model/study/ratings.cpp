@@ -124,6 +124,23 @@ std::string extra_among(const std::vector<std::string>& given,
     return count < 2 ? first : first + " and " + std::to_string(count - 1) + " more";
 }
 
+struct Voices {
+    std::size_t people = 0;     // who judged anything
+    std::size_t simulated = 0;  // of these
+};
+
+Voices voices_of(const RatingStudy& study) {
+    std::set<std::string_view> people;
+    std::set<std::string_view> simulated;
+    for (const Judgement& judgement : study.judgements) people.insert(judgement.participant);
+    for (const Standing& standing : study.standings) {
+        if (standing.synthetic && people.contains(standing.participant)) {
+            simulated.insert(standing.participant);
+        }
+    }
+    return {people.size(), simulated.size()};
+}
+
 // Whether each object has a pair with a value.
 std::vector<bool> rated_ones(const RatingStudy& study) {
     std::vector<bool> rated(study.labels.size(), false);
@@ -141,21 +158,14 @@ std::vector<bool> rated_ones(const RatingStudy& study) {
 }  // namespace
 
 std::string words_on_simulated(const RatingStudy& study) {
-    std::set<std::string_view> people;
-    std::set<std::string_view> simulated;
-    for (const Judgement& judgement : study.judgements) people.insert(judgement.participant);
-    for (const Standing& standing : study.standings) {
-        if (standing.synthetic && people.contains(standing.participant)) {
-            simulated.insert(standing.participant);
-        }
-    }
-    if (simulated.empty()) return {};
-    if (simulated.size() == people.size()) return "nobody was asked";
-    return std::to_string(simulated.size()) + " of " + std::to_string(people.size()) +
+    const Voices voices = voices_of(study);
+    if (voices.simulated == 0) return {};
+    if (voices.simulated == voices.people) return "nobody was asked";
+    return std::to_string(voices.simulated) + " of " + std::to_string(voices.people) +
            " were simulated";
 }
 
-bool is_partly_synthetic(const RatingStudy& study) { return !words_on_simulated(study).empty(); }
+bool is_partly_synthetic(const RatingStudy& study) { return voices_of(study).simulated > 0; }
 
 Expected<RatingStudy> spread_over(const RatingStudy& study, const std::vector<std::string>& names) {
     if (!study.is_named && study.labels.size() != names.size()) {
