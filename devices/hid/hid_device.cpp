@@ -1,7 +1,5 @@
 #include "devices/hid/hid_device.h"
 
-#include <pthread.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -34,13 +32,6 @@ double largest(const Drive& drive) {
     double peak = 0.0;
     for (const double sample : drive.samples) peak = std::max(peak, std::abs(sample));
     return peak;
-}
-
-// Ahead of what draws and computes, where the system allows it to this program.
-void ask_for_priority() {
-    sched_param param{};
-    param.sched_priority = 1;
-    pthread_setschedparam(pthread_self(), SCHED_FIFO, &param);
 }
 
 }  // namespace
@@ -116,7 +107,7 @@ SendStatistics HidDevice::statistics() const {
 }
 
 void HidDevice::run(const std::stop_token& quit) {
-    ask_for_priority();
+    rank_before_drawing();
     while (!quit.stop_requested()) {
         if (const std::optional<Play> play = next_play(quit)) {
             take_up(*play, quit);

@@ -24,13 +24,6 @@ struct Desk {
     bool is_closed = false;
 };
 
-// Ahead of what draws and computes, where the system allows it to this program.
-void rank_before_drawing() {
-    sched_param param{};
-    param.sched_priority = 1;
-    pthread_setschedparam(pthread_self(), SCHED_FIFO, &param);
-}
-
 void serve(const std::shared_ptr<Desk>& desk) {
     rank_before_drawing();
     std::unique_lock lock(desk->mutex);
@@ -80,6 +73,12 @@ bool hand_over(Desk& desk, std::span<const std::uint8_t> packet,
 }
 
 }  // namespace
+
+void rank_before_drawing() {
+    sched_param param{};
+    param.sched_priority = 1;
+    pthread_setschedparam(pthread_self(), SCHED_FIFO, &param);
+}
 
 HidPort patient_port(HidPort port, std::chrono::milliseconds patience) {
     auto desk = std::make_shared<Desk>();

@@ -12,6 +12,9 @@
 
 namespace tact {
 
+// Ranks this thread ahead of what draws and computes, where the system allows it to this program.
+void rank_before_drawing();
+
 // So long a packet may take: drivers have been seen to stall for three seconds and go on.
 inline constexpr std::chrono::milliseconds kWritePatience{3500};
 
