@@ -19,7 +19,6 @@ namespace {
 constexpr double kReachOctaves = 1.0 / 3.0;  // beyond the table that is still trusted
 constexpr double kEdgeOctaves = 1.0 / 6.0;   // of it, until nothing is sent
 constexpr double kLargestBoost = 10.0;       // over the strongest point: 20 dB
-constexpr double kLowestMotionHz = 10.0;     // slower is drift of a sensor, unless it was measured
 
 double octaves_outside(const Calibration& calibration, double frequency_hz) {
     const double below = std::log2(calibration.points.front().frequency_hz / frequency_hz);
@@ -115,16 +114,14 @@ double slowest_hz(const Calibration& calibration) {
                     calibration.points.front().frequency_hz * std::exp2(-kReachOctaves));
 }
 
-double displaced_um_per_g(double f_hz, double lowest_hz) {
-    return f_hz < lowest_hz ? 0.0 : displacement_um(1.0, f_hz);
+// Twice integrated: a / (2 pi f)^2.
+double displaced_mm_per_g(double f_hz, double lowest_hz) {
+    return f_hz < lowest_hz ? 0.0 : 1e-3 * displacement_um(1.0, f_hz);
 }
 
 double excursion_of_pass_mm(const Drive& drive, const Calibration& calibration) {
-    const double lowest_hz = slowest_hz(calibration);
-    const Waveform moved{drive.rate_hz, acceleration_g(drive, calibration)};
-    return largest_of(zero_phase_filtered(moved.samples_g, moved.rate_hz, [&](double f_hz) {
-        return 1e-3 * displaced_um_per_g(f_hz, lowest_hz);
-    }));
+    return peak_displacement_mm({drive.rate_hz, acceleration_g(drive, calibration)},
+                                slowest_hz(calibration));
 }
 
 // Of an endless repetition, whose lines lie at whole multiples of one per pass.
@@ -135,8 +132,8 @@ double excursion_of_loop_mm(const Drive& drive, const Calibration& calibration) 
     const double lowest_hz = slowest_hz(calibration);
     for (std::size_t k = 0; k < half.size(); ++k) {
         const double f_hz = static_cast<double>(k) / length_s;
-        half[k] *= response_g(calibration, f_hz).value_or(0.0) * 1e-3 *
-                   displaced_um_per_g(f_hz, lowest_hz);
+        half[k] *=
+            response_g(calibration, f_hz).value_or(0.0) * displaced_mm_per_g(f_hz, lowest_hz);
     }
     return largest_of(samples_of(half, drive.samples.size()));
 }
@@ -300,13 +297,10 @@ std::vector<double> acceleration_g(const Drive& drive, const Calibration& calibr
     });
 }
 
-// Twice integrated: a / (2 pi f)^2. Slower motion than 10 Hz is drift of the sensor.
-double peak_displacement_mm(const Waveform& waveform) {
-    const auto moved = zero_phase_filtered(waveform.samples_g, waveform.rate_hz, [](double f_hz) {
-        if (f_hz < kLowestMotionHz) return 0.0;
-        return 1e-3 * displacement_um(1.0, f_hz);
-    });
-    return largest_of(moved);
+double peak_displacement_mm(const Waveform& waveform, double lowest_hz) {
+    return largest_of(zero_phase_filtered(
+        waveform.samples_g, waveform.rate_hz,
+        [lowest_hz](double f_hz) { return displaced_mm_per_g(f_hz, lowest_hz); }));
 }
 
 }  // namespace tact

@@ -88,7 +88,10 @@ CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& ca
 // What the actuator makes of a drive signal, in g, as long as it; nothing beyond the table's reach.
 std::vector<double> acceleration_g(const Drive& drive, const Calibration& calibration);
 
-// The largest displacement of a waveform around its mean, from 10 Hz up.
-double peak_displacement_mm(const Waveform& waveform);
+// Slower is drift of a sensor, unless a table was measured there.
+inline constexpr double kLowestMotionHz = 10.0;
+
+// The largest displacement of a waveform around its mean, from `lowest_hz` up.
+double peak_displacement_mm(const Waveform& waveform, double lowest_hz = kLowestMotionHz);
 
 }  // namespace tact
