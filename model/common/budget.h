@@ -10,7 +10,6 @@
 // Left out  the time that a parser of JSON or XML takes for its text: that is bounded by its bytes.
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <stop_token>
@@ -21,12 +20,10 @@ namespace tact {
 struct Budget {
     using Clock = std::chrono::steady_clock;
 
-    std::size_t bytes = std::size_t{1} << 36;  // of all files that are read
     std::size_t points = 300'000;  // keyframes, samples of curves: made beyond what is written
     std::size_t names = 100'000;   // vibrations that come of all files
     Clock::time_point until = Clock::time_point::max();  // default: no end
     std::stop_token stop;
-    std::atomic<float>* progress = nullptr;  // 0 to 1, for whoever waits; null: nobody does
 };
 
 // Takes `count` of what is left; false, and nothing is left, where that is too little.
@@ -42,11 +39,6 @@ inline std::string halted(const Budget& budget) {
     const bool has_end = budget.until != Budget::Clock::time_point::max();
     if (has_end && Budget::Clock::now() > budget.until) return "expected a file that reads faster";
     return {};
-}
-
-inline void tell_progress(const Budget& budget, std::size_t done, std::size_t of_all) {
-    if (budget.progress == nullptr || of_all == 0) return;
-    budget.progress->store(static_cast<float>(done) / static_cast<float>(of_all));
 }
 
 }  // namespace tact
