@@ -34,6 +34,20 @@ double energy_with(Pattern pattern, const std::vector<Transient>& accents) {
     return energy(render(pattern), 0.0, pattern.duration_s);
 }
 
+// Where the pattern is silent, its waveform is the plain sum, in whichever order they are listed.
+void check_added(Pattern pattern, const Transient& first, const Transient& second) {
+    const auto plain = render(pattern).samples_g;
+    for (const auto& listed : {std::vector{first, second}, std::vector{second, first}}) {
+        pattern.transients = listed;
+        const auto sum = render(pattern).samples_g;
+        for (std::size_t n = 0; n < sum.size(); ++n) {
+            const double t_s = static_cast<double>(n) / 1e4;
+            CHECK(sum[n] == plain[n] + transient_g(first, t_s - first.time_s) +
+                                transient_g(second, t_s - second.time_s));
+        }
+    }
+}
+
 }  // namespace
 
 TEST_CASE("accents: their energy is added to what sounds under them, wherever they begin") {
@@ -77,14 +91,7 @@ TEST_CASE("accents: over silence they begin at phase 0, and their order in the l
     pattern.rhythm = {"x-", 0.1};
     const Transient first{0.13, 1.0, 90.0, 0.022, TransientShape::sine};
     const Transient second{0.33, 2.0, 130.0, 0.022, TransientShape::square};
-    const auto plain = render(pattern).samples_g;
-    pattern.transients = {second, first};
-    const auto sum = render(pattern).samples_g;
-    for (std::size_t n = 0; n < sum.size(); ++n) {
-        const double t_s = static_cast<double>(n) / 1e4;
-        CHECK(sum[n] ==
-              plain[n] + transient_g(first, t_s - 0.13) + transient_g(second, t_s - 0.33));
-    }
+    check_added(pattern, first, second);
     Pattern close = pattern;
     close.transients = {{0.13, 1.0, 90.0, 0.022, TransientShape::sine},
                         {0.14, 1.0, 90.0, 0.022, TransientShape::sine}};
@@ -107,19 +114,12 @@ TEST_CASE("accents: of two that overlap over a vibration none takes the other's 
     }
 }
 
-TEST_CASE("accents: over silence they are added as they are, others that they overlap or not") {
+TEST_CASE("accents: over silence they are added as they are, whether they overlap or not") {
     Pattern pattern = sustained(150.0);
     pattern.rhythm = {"x-", 0.1};
     const Transient first{0.13, 1.0, 90.0, 0.022, TransientShape::sine};
     const Transient second{0.141, 0.7, 130.0, 0.022, TransientShape::square};
-    const auto plain = render(pattern).samples_g;
-    pattern.transients = {first, second};
-    const auto sum = render(pattern).samples_g;
-    for (std::size_t n = 0; n < sum.size(); ++n) {
-        const double t_s = static_cast<double>(n) / 1e4;
-        CHECK(sum[n] ==
-              plain[n] + transient_g(first, t_s - 0.13) + transient_g(second, t_s - 0.141));
-    }
+    check_added(pattern, first, second);
 }
 
 TEST_CASE("accents: a note that ends in a tick's first samples leaves it as it is") {
