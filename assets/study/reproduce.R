@@ -178,13 +178,13 @@ if (length(own) > 1) {
     check_said("alpha", 1 - within / overall)
 }
 
-# Within each person and pair: ratings one way round less those the other.
-# NA where signs cannot change the number: then there is no test.
+# The share of drawn signs that do as well; NA where signs cannot change the number.
 p_of_signs <- function(drawn, observed) {
     if (all(abs(drawn - observed) <= 1e-12 * abs(observed))) return(NA)
     (sum(drawn >= observed * (1 - 1e-12)) + 1) / (length(drawn) + 1)
 }
 
+# Within each person and pair: ratings one way round less those the other.
 check_shift <- function(statistic, is_first) {
     part <- answers[answers$attention == "0" & answers$participant %in% counted & !is.na(is_first(answers)), ]
     if (nrow(part) == 0) return(invisible())
