@@ -48,7 +48,7 @@ void follow(const std::vector<Moved>& all, Measurement& measurement) {
     measurement.scale_g = moved->to.scale_g;
 }
 
-// As a file has them.
+// The places with the digits that a file stores.
 MapPlaces rounded(MapPlaces places) {
     constexpr double kFine = 1e4;  // of a map's mean distance from its middle
     for (auto& [name, at] : places.at) {
@@ -183,7 +183,7 @@ void EditedDocument::note_places(MapPlaces places) {
     if (is_committed()) lying_[committed_].shown = std::move(places);
 }
 
-// Of states that no step leads to any more.
+// Drops the places of states that no step leads to any more.
 void EditedDocument::forget_places() {
     std::erase_if(lying_, [this](const auto& one) {
         return one.first != committed_ && one.first.use_count() == 1;

@@ -25,7 +25,7 @@ class EditedDocument {
   public:
     using State = std::shared_ptr<const PatternSet>;
 
-    // To be read.
+    // Views of the present state, to read.
     const PatternSet& set = now_.set;
     const std::filesystem::path& path = now_.path;
     const PatternSet& saved = now_.saved;
@@ -55,7 +55,7 @@ class EditedDocument {
     bool undo();
     bool redo();
 
-    // The document as it is to be kept: its set with where its map lies, if that is known.
+    // The document as a file should store it: with the places of its map where they are known.
     Document kept() const;
 
     // The set was written to the file as `stored`, which may have a name and other files of
@@ -63,7 +63,7 @@ class EditedDocument {
     void was_saved(const std::filesystem::path& file, const PatternSet& stored,
                    std::optional<std::uint64_t> mark);
 
-    // Where the map of the set as it is lay; null: not known, or in the middle of a gesture.
+    // The places of the current set's map; null: they are not known, or a gesture is under way.
     const MapPlaces* places() const;
     void note_places(MapPlaces places);
 

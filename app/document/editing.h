@@ -78,12 +78,12 @@ void toggle_dropped(Ui& ui, Workspace& work);  // ... dropped ones in none
 // Duration of what the panes show, s: of any pattern, padded as in its set.
 double shown_duration_s(const Workspace& work);
 
-// A pattern that the mouse is pressed on, wherever it is shown: held for a while, it is felt as
-// long as it is held (app/play). Longer than a click or the start of a drag takes.
+// The time after which a press on a pattern, in any pane, counts as a hold: it then plays until
+// the button is released (app/play). A click or the start of a drag takes less.
 inline constexpr double kHoldS = 0.25;
-inline constexpr const char* kHoldHelp = "Hold for 0.25 s: felt as long as it is held";
+inline constexpr const char* kHoldHelp = "Hold for 0.25 s: it plays until you let go";
 
-// In this frame. A drag is no press: it moves what it began on.
+// Notes that this frame's press is on the pattern. A drag is no press: it moves what it began on.
 void note_pressed(Workspace& work, const Vibration& vibration);
 
 }  // namespace tact

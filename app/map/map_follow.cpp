@@ -29,8 +29,8 @@ bool is_news(const ShownMap& shown_map, const std::shared_ptr<const LiveMap>& ma
     return shown.preview && !map->request.preview;
 }
 
-// The set, with where its map lay when it was as it is now, if that is known: there it is to lie
-// again.
+// The set, with the places that its map had when the set was last like this, if they are known:
+// the new map is turned to them.
 PatternSet set_to_lay(const Workspace& work) {
     PatternSet set = shown_set(work);
     const MapPlaces* places = work.document.places();

@@ -23,8 +23,8 @@ inline bool is_python_ending() {
 #endif
 }
 
-// For a thread that the interpreter no longer waits for: to take the lock back would end the thread
-// in the middle of our frames. Its work is stopped, and it sleeps until the process is over.
+// Parks a thread that the interpreter no longer waits for: taking the lock back would end the
+// thread in the middle of our frames. Its work is stopped, and it sleeps until the process is over.
 template <class Answer>
 void stay_behind(std::jthread& worker, std::future<Answer>& answer) {
     worker.request_stop();

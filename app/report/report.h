@@ -55,7 +55,7 @@ struct Report {
 
 std::string report_page(const Report& report);
 
-// By default: than the weakest pair of the most distinct patterns, which are proven or not.
+// Default: the weakest pair of the most distinct patterns, and whether these are proven.
 CloserThan closer_than_picked(const SubsetAnswer& answer);
 
 // "Proven optimal: ..": what is known of the subset, as a sentence.

@@ -11,8 +11,8 @@
 
 namespace tact {
 
-// From now on; to be called by the thread that draws. `keep` is called once, by it. An empty one:
-// nothing is to be kept any more.
+// Arms this for the rest of the run. The drawing thread calls it, and calls `keep` once when the
+// screen is lost. An empty `keep` saves nothing.
 void end_with_display(std::function<void()> keep);
 
 }  // namespace tact

@@ -14,8 +14,8 @@ bool is_there(const std::filesystem::path& path);
 // The folder, made with its parents where it is missing.
 Expected<Done> make_folder(const std::filesystem::path& folder);
 
-// The folder and all in it are of this user alone: what is there from before, too. What cannot be
-// made so stays as it is.
+// Takes the folder and every file in it, old ones too, from all other users. A file whose
+// permissions cannot be changed keeps them.
 void keep_private(const std::filesystem::path& folder);
 inline constexpr unsigned kPrivateFile = 0600;
 

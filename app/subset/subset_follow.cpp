@@ -110,7 +110,8 @@ std::optional<FoundStability> find_stability(const StabilityRequest& request, st
     return FoundStability{request, *std::move(stability)};
 }
 
-// What people rated they have felt; by all else, who is not felt is none of the most distinct.
+// People felt every pattern that they rated, so a request by ratings leaves none out; any other
+// leaves out the patterns that nobody feels.
 PickRequest request_of(const Workspace& work, const ShownMap& shown_map, SubsetState& picking) {
     PickRequest request{shown_map.transition.shown, {}, picking.by_ratings, picking.metric};
     if (work.document.set.ratings.empty()) request.by_ratings = false;
@@ -121,7 +122,7 @@ PickRequest request_of(const Workspace& work, const ShownMap& shown_map, SubsetS
     request.with_unfelt = picking.with_unfelt && request.unfelt > 0;
     if (request.with_unfelt) not_felt.clear();
     request.problem = subset_problem(set, 2, picking.objective, not_felt);
-    // Who has not said how many gets as many as there can be.
+    // The usual count shrinks to what is possible; a count that was chosen stays.
     if (picking.count == picking.usual_count) {
         picking.count = picking.usual_count =
             static_cast<int>(possible_count(request.problem, set.vibrations.size(), kUsualCount));

@@ -243,7 +243,7 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     }
 }
 
-// What of the document is marked in every pane.
+// Every pane marks the same patterns: the picked ones, and those that are too close.
 void follow_marks(App& app) {
     app.work.selection.too_close = too_close_names(app.layout, app.picking);
     app.work.selection.picked = picked_names(app.shown_map, app.picking);

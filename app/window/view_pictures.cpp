@@ -69,7 +69,7 @@ const char* quantity_name(MatrixQuantity quantity) {
     return "";
 }
 
-// Who plays the patterns, and what has to be said of the model.
+// The actuator that plays the patterns, and the mark of the model.
 void add_origin(const App& app, PaneTitle& title) {
     for (const std::string& origin :
          {rendered_words(app.rendered), mark_of(app.work.document.set.model_origin)}) {
@@ -184,7 +184,7 @@ void copy_looks(const Ui& ui, Ui& still) {
     still.rects = {};
 }
 
-// Without its place on the disk: nothing may be kept or locked from here.
+// The session's folder is left out: a picture may neither save nor lock anything.
 void copy_work(const Workspace& work, Workspace& still) {
     still.document = work.document;
     still.revision = work.revision;

@@ -124,7 +124,7 @@ double excursion_of_pass_mm(const Drive& drive, const Calibration& calibration) 
                                 slowest_hz(calibration));
 }
 
-// Of an endless repetition, whose lines lie at whole multiples of one per pass.
+// The spectrum of an endless repetition has lines at whole multiples of one per pass, only there.
 double excursion_of_loop_mm(const Drive& drive, const Calibration& calibration) {
     if (drive.samples.empty()) return 0.0;
     std::vector<std::complex<double>> half = half_spectrum(drive.samples);

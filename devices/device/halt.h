@@ -10,7 +10,7 @@
 
 namespace tact {
 
-// From now on, and once for all callers.
+// Handles every signal to halt that still has its default action. A second call changes nothing.
 void rest_before_halts();
 
 // Called by the signal's handler, which may do little; null: nothing.

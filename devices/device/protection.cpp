@@ -34,7 +34,7 @@ double passed_share(double f_hz) {
     return 0.5 - 0.5 * std::cos(std::numbers::pi * share);
 }
 
-// Of an endless repetition, which has no ends to ring at.
+// An endless repetition has no ends that the filter could ring at.
 std::vector<double> repeated_high_passed(const Drive& drive) {
     std::vector<std::complex<double>> half = half_spectrum(drive.samples);
     const auto length_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
@@ -44,7 +44,7 @@ std::vector<double> repeated_high_passed(const Drive& drive) {
     return samples_of(half, drive.samples.size());
 }
 
-// With room for what the filter rings at either end.
+// Adds silence at both ends, where the filter rings.
 void widen(Drive& drive) {
     const std::size_t ring = sample_count(kRingS, drive.rate_hz);
     drive.samples.insert(drive.samples.begin(), ring, 0.0);
@@ -91,7 +91,7 @@ void soften_ends(Drive& drive) {
     }
 }
 
-// Of more than 99.5 % two digits would be 1e+02.
+// A share above 99.5 % would read 1e+02 % with two digits.
 std::string percent(double share) {
     char text[32];
     std::snprintf(text, sizeof text, share < 0.0995 ? "%.2g %%" : "%.0f %%", 100.0 * share);

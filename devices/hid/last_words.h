@@ -15,7 +15,7 @@
 
 namespace tact {
 
-// From then on nothing else is to be written: other threads run on for a moment.
+// True once the last words are out: other threads run on for a moment, and must not write.
 bool has_said_last_words();
 
 // Holds a descriptor of its own on a device. One for each open controller; more than 16 at a time

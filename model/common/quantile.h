@@ -17,7 +17,7 @@ struct Interval {
 double quantile(std::span<const double> sorted, double share);
 
 // Counts against shares that people type: 0.29 of 100 is 29, though 0.29 * 100 is less in binary.
-// Of a count: by so much a product of a share may be off.
+// The rounding error that the product of a share and a count may have, in counts.
 inline constexpr double kShareSpare = 1e-9;
 
 // Whether `count` of `all` is no more than the share.

@@ -44,8 +44,8 @@ struct Mapped {
     Dissimilarity dissimilarity;
     PerceptualSpace space;
     std::vector<Eigen::MatrixXd> maps;  // the best one first; none where there is no map
-    // By published_mds_params(), for the paper's bookkeeping; 0 x 0 where mdscale gives up: two
-    // patterns on one spot of its classical start, or nothing that differs.
+    // The map by published_mds_params(), for the paper's bookkeeping; 0 x 0 where mdscale gives
+    // up: two patterns share a spot of its classical start, or no patterns differ.
     Eigen::MatrixXd published_map;
     bool is_failed_start = false;  // two patterns on one spot of the classical start
 };
@@ -126,8 +126,8 @@ struct MeanAgreement {
 // NaN of no sets.
 MeanAgreement mean_agreement(std::span<const Agreement> agreements, Bookkeeping bookkeeping);
 
-// As a mean counts it: the paper's bookkeeping takes K of its own procedure, in which a failed
-// start alone is a failed map.
+// The agreement as a mean counts it: the paper's bookkeeping takes K of its own procedure, and
+// counts a map as failed only where its start fails.
 Agreement agreement_of(const Evaluation& evaluation, Bookkeeping bookkeeping);
 
 }  // namespace tact

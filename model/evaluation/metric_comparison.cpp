@@ -60,7 +60,7 @@ std::optional<std::vector<Dissimilarity>> compared_matrices(const PatternSet& se
         one.progress(0.0);
         auto matrix = matrix_of(metric, waveforms, set.model, prediction, one);
         if (!matrix || options.stop.stop_requested()) return std::nullopt;
-        // As they are printed: what counts as one value is one in every table, map and rank.
+        // Values that are printed alike count as equal in every table, map and rank.
         matrices.push_back(as_ranked(metric, *std::move(matrix)));
     }
     if (options.progress) options.progress(1.0);

@@ -67,7 +67,7 @@ ExportedPattern effect_exported(const Pattern& pattern, const std::string& name,
         return result;
     }
     for (std::string& remark : back->remarks) {
-        // Nothing is lost of a pattern that was silent before.
+        // A pattern that was silent before has lost nothing.
         if (remark.starts_with("it is silent") && is_silent(pattern)) continue;
         result.remarks.push_back("as it is read back: " + std::move(remark));
     }

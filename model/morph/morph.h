@@ -32,7 +32,7 @@ class Morph {
 
     Pattern from_;
     Pattern to_;
-    // Of rhythms that differ; none where there are too many.
+    // The notes of both rhythms, where these differ; none where there are too many.
     std::optional<std::vector<WarpedNote>> notes_;
 };
 

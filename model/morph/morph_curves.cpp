@@ -26,7 +26,7 @@ void add_bends_of_ramps(const Pattern& pattern, const Note& note, std::vector<do
     for (std::size_t k = 0; k + 1 < bends.size(); ++k) {
         const double length_s = bends[k + 1] - bends[k];
         const double middle_s = 0.5 * (bends[k] + bends[k + 1]);
-        // From the inside: at a bend the curve may jump.
+        // The rise is taken inside the piece: at its ends the curve may jump.
         const double rises = amplitude_factor(pattern, middle_s + 0.25 * length_s) -
                              amplitude_factor(pattern, middle_s - 0.25 * length_s);
         const double ramp_s = middle_s < note.onset_s + pattern.attack_s ? pattern.attack_s

@@ -29,7 +29,7 @@ std::size_t place_in_order(PatternParameter parameter) {
     return static_cast<std::size_t>(parameter);
 }
 
-// By ratio: of anything above 0 the least is felt, where there was nothing.
+// The first value above zero is one step, as the least of it is felt; further steps are ratios.
 double steps_from_zero(const FeltSteps& steps, PatternParameter parameter, double value) {
     const double first = traits(parameter).first;
     if (value <= first) return 1.0;

@@ -75,8 +75,8 @@ std::vector<double> hann_windowed(std::span<const double> samples) {
     return windowed;
 }
 
-// As many half cycles as 10 ms hold, rounded up, but for what is rounding; of a shorter recording
-// as many as it holds, and of less than one, all of it.
+// The duration, s, of the half cycles in 10 ms, rounded up except for rounding errors. A shorter
+// recording gives as many as it holds, and one of less than a half cycle its whole duration.
 double whole_half_cycles_s(double frequency_hz, double longest_s) {
     constexpr double kRounding = 1e-3;
     const double wanted = std::ceil(2.0 * frequency_hz * kEnvelopeS - kRounding);

@@ -68,7 +68,7 @@ struct OrderEffects {
 // So many signs are drawn where there are more ways; fewer are counted, all of them.
 inline constexpr std::size_t kOrderDraws = 5000;
 
-// As "5,000 drawn signs", "all 256 signs"; where there is no p, why.
+// "5,000 drawn signs" or "all 256 signs"; where there is no p, the reason.
 std::string signs_text(const Shift& shift);
 
 // Of pairwise records whose participants count, as `excluded` of each summary says elsewhere: all

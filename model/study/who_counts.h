@@ -48,8 +48,8 @@ inline constexpr const char* kNothingFelt = "a rehearsal, nothing was felt";
 // What someone is left out for whom whoever runs the study left out.
 std::string excluded_because(const std::string& because);
 
-// Who is excluded counts if included by name; a rehearsal never does. Beside people who felt
-// something, simulated participants count only if included by name. Errors: a name that nobody
+// An excluded participant counts if included by name; a rehearsal never does. Beside people who
+// felt something, simulated participants count only if included by name. Errors: a name that nobody
 // has, one that is to be both, a rehearsal that is to count; a rule of conduct, which records alone
 // answer (model/study/study_results.h).
 Expected<Counted> who_counts(RatingStudy study, const CountRule& rule = {});

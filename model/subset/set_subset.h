@@ -11,8 +11,9 @@
 
 namespace tact {
 
-// To pick `count`: locked vibrations are kept, dropped ones left out, and so are those that nobody
-// feels (places in the set), unless they are locked: nobody could tell them from nothing.
+// The problem of picking `count`: locked vibrations are kept and dropped ones left out. Vibrations
+// that nobody feels (`unfelt`, places in the set) are left out too unless they are locked, as
+// nobody could tell them from nothing.
 SubsetProblem subset_problem(const PatternSet& set, std::size_t count, SubsetObjective objective,
                              std::span<const std::size_t> unfelt = {});
 

@@ -34,7 +34,7 @@ void check_misspelt_keys_refused(const std::string& document,
     for (const auto& [place, key] : keys) {
         std::string slip = key;
         if (slip.size() < 4 || slip[1] == slip[2]) continue;
-        // Without its format a document is another one.
+        // A document without its format key is another kind of document.
         if (place.empty() && key.starts_with("tact")) continue;
         std::swap(slip[1], slip[2]);
         Json changed = whole;

@@ -44,8 +44,8 @@ double scale_to_full(double loudest, std::vector<std::string>& remarks);
 // Moved into the band, said in words.
 FrequencyCurve in_band(FrequencyCurve curve, Range band_hz, std::vector<std::string>& remarks);
 
-// Of the square of the waveform, g^2 s, but for the phase of its last period and without the flanks
-// that a sine rises and falls by: for ratios of transients of one shape.
+// The integral of the squared waveform, g^2 s. It leaves out the phase of the last period and a
+// sine's flanks, so only ratios between transients of one shape are exact.
 double energy_g2_s(const Transient& transient);
 
 Shares as_shares(const PlainCurves& curves, const ActuatorMap& map,

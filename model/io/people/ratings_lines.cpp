@@ -113,7 +113,7 @@ std::string take_line(Lines& lines, const LineColumns& columns,
                       *rating);
 }
 
-// Of all people: what there is to be room for.
+// The passes of all people, for which memory is needed.
 std::size_t passes_of(const Lines& lines) {
     std::size_t passes = 0;
     for (const Rater& rater : lines.people) {

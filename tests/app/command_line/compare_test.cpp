@@ -216,7 +216,7 @@ TEST_CASE("compare: tables for other programs have a row an observation, and say
         CHECK(std::stod(cell(metrics, m + 1, "rho")) == rows[m].at("rho").get<double>());
         CHECK(std::stod(cell(metrics, m + 1, "rho_given_level")) ==
               rows[m].at("given").at("level").at("rho").get<double>());
-        // Of three people and five patterns an error may be unknown: then the reason is there.
+        // Three people and five patterns may leave an error unknown: then the reason is there.
         const Json& people = rows[m].at("rho_resampled").at("people");
         CHECK(people.at("se").is_null() == people.contains("not_known"));
         const std::string error = cell(metrics, m + 1, "rho_people_se");

@@ -66,7 +66,7 @@ TEST_CASE("report command: groups and verdicts are of felt steps, others closer 
     for (std::size_t k = 0; k < closer.groups.size(); ++k) {
         CHECK(json.at("closer_groups")[k] == names_of(short_set.set, closer.groups[k].members));
     }
-    // Of 150 and 155 Hz nobody feels the difference; all others are two steps apart and more.
+    // Nobody feels the difference of 150 and 155 Hz; all others are at least two steps apart.
     CHECK(json.at("groups") == Json::parse(R"([["a,1", "b"]])"));
     CHECK(json.at("distinct") == 4);
     CHECK(json.at("nearest").at("a,1").at("verdict") == "same");

@@ -132,7 +132,7 @@ std::map<std::string, std::string> noted(const std::string& lines) {
     return all;
 }
 
-// In the same frame, for both are given the same fonts.
+// Both windows are drawn in one frame, as they share their fonts.
 std::map<std::string, std::string> still_window(Program& program) {
     const auto still = still_view(program.app);
     still->app.ui.theme = program.app.ui.theme;

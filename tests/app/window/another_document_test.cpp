@@ -30,7 +30,7 @@ PatternSet weaker_patterns(double longest_s) {
 
 void open(Program& program, const PatternSet& set) {
     App& app = program.app;
-    // As from a menu: in the middle of a frame.
+    // A menu would open it in the middle of a frame, too.
     app.ui.waiting.push_back([&app, set] {
         show_document(app.ui, app.work, {set, {}, set}, "Opened " + set.name + ".");
     });

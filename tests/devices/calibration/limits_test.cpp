@@ -36,7 +36,7 @@ Waveform tone(double f_hz, double amplitude_g, double duration_s) {
     return waveform;
 }
 
-// Of any second of the drive, repeated for three seconds and more where it loops.
+// The loudest second of the drive, which is repeated for at least three seconds where it loops.
 double loudest_second(const Drive& drive, bool loop) {
     std::vector<double> all = drive.samples;
     while (loop && static_cast<double>(all.size()) < 3.0 * drive.rate_hz) {
@@ -89,7 +89,7 @@ TEST_CASE("limits: excursion is held down to the lowest frequency of the table")
             CAPTURE(loop);
             CAPTURE(f_hz);
             const CalibratedDrive made = calibrated_drive(tone(f_hz, 0.4, 3.0), calibration, loop);
-            // Of a sine of 0.4 g on an actuator of 1 g per full scale.
+            // The excursion of a sine of 0.4 g on an actuator of 1 g per full scale.
             const double omega = 2.0 * std::numbers::pi * f_hz;
             const double moved_mm = 1e3 * 0.4 * 9.80665 / (omega * omega);
             CHECK(made.excursion_mm >= 0.99 * moved_mm);
@@ -162,7 +162,7 @@ TEST_CASE("limits: a short push keeps nothing of its slow motion") {
                 std::sin(std::numbers::pi * static_cast<double>(n) / static_cast<double>(count)));
         }
         const Drive kept = protected_drive(push, false, true).drive;
-        // Of what moves at 5 Hz: the sum against a cosine and a sine.
+        // The amplitude at 5 Hz: the sum against a cosine and a sine.
         const auto at_5_hz = [](const Drive& drive) {
             double re = 0.0;
             double im = 0.0;

@@ -121,7 +121,7 @@ TEST_CASE("hid rest: a write that was late and came back is followed by neutral 
     REQUIRE(device->play(tone(0.5), true));
     REQUIRE(soon([&] { return bad->pad->taken().size() > 10; }));
     bad->set_hangs(true);
-    // By itself: nothing is taken.
+    // It ends by itself: the pad takes no packet.
     CHECK(in_time([&] { return !device->status().playing; }));
     bad->set_hangs(false);
     CHECK(soon([&] { return is_at_rest(*bad); }));

@@ -63,7 +63,7 @@ void check_promise(const StepsQuestion& question, const EvenSteps& steps) {
     }
     const double largest_nc = *std::ranges::max_element(truth.nc.condensed);
     const double largest_oc = *std::ranges::max_element(truth.oc.condensed);
-    // Of one rhythm there is noise of sums over thousands of samples, and no distance.
+    // Patterns of one rhythm have no distance, only the rounding noise of long sums.
     const double oc_weight = largest_oc > 0.01 ? question.model.oc_weight : 0.0;
     if (question.measure == StepMeasure::pm && largest_nc > 0.0 && largest_oc > 0.0) {
         std::vector<double> told;

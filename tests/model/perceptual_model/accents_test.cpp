@@ -29,7 +29,7 @@ Waveform carrier() {
     return render(pattern);
 }
 
-// Of all pairs of the four that begin at that place.
+// The largest of the pairs among the four patterns from that place on.
 double most_of(const Dissimilarity& matrix, std::size_t from) {
     double most = 0.0;
     for (std::size_t i = from; i < from + 4; ++i) {

@@ -89,7 +89,7 @@ TEST_CASE("who counts: nobody is averaged with a simulation, unless it is asked 
     REQUIRE(asked);
     CHECK(people_of(*asked) == std::vector<std::string>{"Ann", "S01", "Bob"});
     CHECK(words_on_simulated(asked->study) == "1 of 3 were simulated");
-    // By themselves they are a study that says what it is, a rehearsal beside them or not.
+    // Simulated participants alone are a study that says so, with a rehearsal beside them or not.
     for (const bool rehearsed : {false, true}) {
         RatingStudy alone = study;
         std::erase_if(alone.judgements,
